@@ -1,0 +1,204 @@
+"""What stands: the body's section, mass, centre of gravity and moment of inertia."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from stayput.errors import InputError, finite, within
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+SIZE_RANGE = (1e-3, 100.0)
+"""Smallest and largest width and height that are accepted [m]."""
+
+MASS_RANGE = (1e-3, 1e6)
+"""Smallest and largest mass that is accepted [kg]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A uniform rectangle that is part of a body: a board, a shelf's load, a drawer.
+
+    Parameters
+    ----------
+    mass : float
+        Mass [kg].
+    x : float
+        Position of its centre right of the middle of the body's base [m].
+    z : float
+        Height of its centre above the body's base [m].
+    width, height : float
+        Size in the plane of shaking [m]; 0 for a thin board or a point mass.
+    """
+
+    mass: float
+    x: float
+    z: float
+    width: float = 0.0
+    height: float = 0.0
+
+    def __post_init__(self) -> None:
+        within("Part mass", self.mass, 0.0, MASS_RANGE[1], "kg")
+        within("Part x", self.x, -SIZE_RANGE[1], SIZE_RANGE[1], "m")
+        within("Part z", self.z, -SIZE_RANGE[1], SIZE_RANGE[1], "m")
+        within("Part width", self.width, 0.0, SIZE_RANGE[1], "m")
+        within("Part height", self.height, 0.0, SIZE_RANGE[1], "m")
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """A rigid body, seen in the plane of shaking.
+
+    Parameters
+    ----------
+    width : float
+        Base length b along the shaking [m] (a bookcase's *depth*).
+    height : float
+        Height h [m].
+    mass : float
+        Mass m [kg].
+    cg_offset : tuple of float
+        Offset (e_x, e_z) of the centre of gravity G from the centroid [m], + right, + up.
+        G must lie inside the section.
+    inertia : float, optional
+        Moment of inertia J_G about G [kg m²]; default m(b²+h²)/12, the uniform rectangle's.
+    base_heights : tuple of float
+        Height of the left and the right base corner in the body's own frame [m]. (0, 0) is a flat
+        base; a wedge of 5 mm under the right (front) edge is (0, −0.005): the body then rests
+        tilted back.
+
+    Raises
+    ------
+    InputError
+        A size, mass, inertia or offset that is not finite or not possible.
+    """
+
+    width: float
+    height: float
+    mass: float = 100.0
+    cg_offset: tuple[float, float] = (0.0, 0.0)
+    inertia: float | None = None
+    base_heights: tuple[float, float] = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        within("Body width", self.width, *SIZE_RANGE, "m")
+        within("Body height", self.height, *SIZE_RANGE, "m")
+        within("Body mass", self.mass, *MASS_RANGE, "kg")
+        if len(self.cg_offset) != 2:
+            raise InputError(f"Body cg_offset is {self.cg_offset!r}; it must be two numbers (e_x, e_z) [m].")
+        e_x, e_z = (finite("Body cg_offset", value) for value in self.cg_offset)
+        if abs(e_x) >= self.width / 2 or abs(e_z) >= self.height / 2:
+            raise InputError(
+                f"Body cg_offset is ({e_x:g}, {e_z:g}) m; the centre of gravity must lie inside the section, "
+                f"so below {self.width / 2:g} m sideways and {self.height / 2:g} m upwards in size."
+            )
+        if self.inertia is not None:
+            largest = 4.0 * self.mass * (self.width**2 + self.height**2)
+            within("Body inertia", self.inertia, 1e-6 * self.uniform_inertia, largest, "kg m²")
+        if len(self.base_heights) != 2:
+            raise InputError(
+                f"Body base_heights is {self.base_heights!r}; it must be two numbers (left, right) [m]."
+            )
+        for value in self.base_heights:
+            within("Body base height", value, -self.width / 2, min(self.width, self.height) / 4, "m")
+
+    @property
+    def uniform_inertia(self) -> float:
+        """Moment of inertia about G of the uniform rectangle, m(b²+h²)/12 [kg m²]."""
+        return self.mass * (self.width**2 + self.height**2) / 12.0
+
+    @property
+    def inertia_about_cg(self) -> float:
+        """Moment of inertia J_G about G [kg m²]."""
+        return self.uniform_inertia if self.inertia is None else self.inertia
+
+    @property
+    def centre_of_gravity(self) -> tuple[float, float]:
+        """G in the body's frame: right of the middle of the base, above the base [m]."""
+        return self.cg_offset[0], self.height / 2 + self.cg_offset[1]
+
+    @property
+    def corners(self) -> tuple[tuple[float, float], ...]:
+        """The corners A, B (base, left and right), C, D (top, left and right) relative to G [m]."""
+        x_g, z_g = self.centre_of_gravity
+        left, right = -self.width / 2 - x_g, self.width / 2 - x_g
+        z_a, z_b = self.base_heights
+        top = self.height - z_g
+        return (left, z_a - z_g), (right, z_b - z_g), (left, top), (right, top)
+
+    @property
+    def resting_tilt(self) -> float:
+        """Tilt at which both base corners stand on the floor [rad]; 0 for a flat base."""
+        (u_a, v_a), (u_b, v_b), _, _ = self.corners
+        return math.atan2(v_b - v_a, u_b - u_a)
+
+    @property
+    def slenderness(self) -> tuple[float, float]:
+        """Angles α_A and α_B between the vertical and the lines from G to the corners A and B [rad]."""
+        (u_a, v_a), (u_b, v_b), _, _ = self.corners
+        return math.atan2(-u_a, -v_a), math.atan2(u_b, -v_b)
+
+    @classmethod
+    def from_parts(
+        cls,
+        width: float,
+        height: float,
+        parts: Iterable[Part],
+        *,
+        base_heights: tuple[float, float] = (0.0, 0.0),
+    ) -> Body:
+        """Make a body from its parts: mass, centre of gravity and inertia follow (parallel axes).
+
+        Parameters
+        ----------
+        width, height : float
+            Outer section [m].
+        parts : iterable of Part
+            The carcass, the shelves and their loads.
+        base_heights : tuple of float
+            As for `Body`.
+
+        Raises
+        ------
+        InputError
+            No parts, no mass, or a centre of gravity outside the section.
+        """
+        pieces = tuple(parts)
+        mass = sum(p.mass for p in pieces)
+        if not mass > 0.0:
+            raise InputError(f"The parts' total mass is {mass:g} kg; it must be more than 0 kg.")
+        x_g = sum(p.mass * p.x for p in pieces) / mass
+        z_g = sum(p.mass * p.z for p in pieces) / mass
+        inertia = sum(
+            p.mass * ((p.width**2 + p.height**2) / 12.0 + (p.x - x_g) ** 2 + (p.z - z_g) ** 2) for p in pieces
+        )
+        return cls(width, height, mass, (x_g, z_g - height / 2), inertia, base_heights)
+
+    @classmethod
+    def bookcase(
+        cls, width: float, height: float, mass: float, loads: Iterable[float], *, load_width: float | None = None
+    ) -> Body:
+        """Make a bookcase: a uniform carcass and equally spaced shelves with a load on each.
+
+        Parameters
+        ----------
+        width, height : float
+            Outer section [m].
+        mass : float
+            Mass of the empty carcass [kg], spread over the section.
+        loads : iterable of float
+            Load on each shelf from the lowest up [kg]; each fills its compartment.
+        load_width : float, optional
+            Depth of the load along the shaking [m]; default the full width.
+        """
+        shelves = tuple(loads)
+        if not shelves:
+            raise InputError("The bookcase has no shelves; loads must list at least one load [kg].")
+        clear = height / len(shelves)
+        depth = width if load_width is None else within("load_width", load_width, 0.0, width, "m")
+        carcass = Part(mass, 0.0, height / 2, width, height)
+        books = (Part(load, 0.0, (i + 0.5) * clear, depth, clear) for i, load in enumerate(shelves))
+        return cls.from_parts(width, height, (carcass, *books))

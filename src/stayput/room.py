@@ -1,0 +1,150 @@
+"""Where the body stands: floor, walls and ceiling, and presets for surfaces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from stayput.errors import InputError, within
+
+FRICTION_RANGE = (0.0, 3.0)
+"""Smallest and largest coefficient of friction that is accepted."""
+
+
+def _coefficients(surface: str, static: float, kinetic: float) -> None:
+    within(f"{surface} static friction", static, *FRICTION_RANGE)
+    within(f"{surface} kinetic friction", kinetic, *FRICTION_RANGE)
+    if kinetic > static:
+        raise InputError(
+            f"{surface} kinetic friction is {kinetic:g}; it must not be above the static one, {static:g}."
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Floor:
+    """The floor under the body.
+
+    Parameters
+    ----------
+    static_friction, kinetic_friction : float
+        Amontons–Coulomb coefficients μ ≥ μ' of the flat base.
+    edge_static_friction, edge_kinetic_friction : float, optional
+        The same for a single corner (the paper's "rotational" coefficients); default the flat base's.
+    restitution : float
+        Factor e of Eq. 3.14 on the rotation rate at a change of fulcrum, on top of the momentum
+        balance; 1 is Housner's.
+    normal_restitution : float
+        Newton's restitution e_n of a landing corner (``contact="coulomb"`` only); 0 is plastic.
+
+    Raises
+    ------
+    InputError
+        A coefficient out of its range.
+    """
+
+    static_friction: float = 0.4
+    kinetic_friction: float = 0.3
+    edge_static_friction: float | None = None
+    edge_kinetic_friction: float | None = None
+    restitution: float = 1.0
+    normal_restitution: float = 0.0
+
+    def __post_init__(self) -> None:
+        _coefficients("Floor", self.static_friction, self.kinetic_friction)
+        _coefficients("Floor edge", *self.edge_friction)
+        within("Floor restitution", self.restitution, 0.0, 1.0)
+        within("Floor normal restitution", self.normal_restitution, 0.0, 1.0)
+
+    @property
+    def edge_friction(self) -> tuple[float, float]:
+        """Static and kinetic coefficients of a single corner."""
+        static, kinetic = self.edge_static_friction, self.edge_kinetic_friction
+        return (
+            self.static_friction if static is None else static,
+            self.kinetic_friction if kinetic is None else kinetic,
+        )
+
+    @classmethod
+    def of(cls, surface: str, *, restitution: float = 1.0, normal_restitution: float = 0.0) -> Floor:
+        """Make a floor from a surface preset of `SURFACES`."""
+        if surface not in SURFACES:
+            near = get_close_matches(surface, SURFACES, 1)
+            hint = f" (did you mean {near[0]!r}?)" if near else ""
+            raise InputError(f"Floor surface is {surface!r}{hint}; it must be one of {', '.join(SURFACES)}.")
+        static, kinetic = SURFACES[surface]
+        return cls(static, kinetic, restitution=restitution, normal_restitution=normal_restitution)
+
+
+SURFACES: dict[str, tuple[float, float]] = {
+    "wood flooring": (0.40, 0.30),
+    "vinyl": (0.35, 0.28),
+    "tatami, along the weave": (0.35, 0.30),
+    "tatami, across the weave": (0.45, 0.38),
+    "carpet": (0.55, 0.45),
+    "felt on wood": (0.20, 0.17),
+    "PTFE glide": (0.12, 0.10),
+    "rubber pad": (0.80, 0.70),
+    "free caster, hard floor": (0.03, 0.03),
+    "free caster, carpet": (0.06, 0.06),
+    "locked caster": (0.40, 0.40),
+}
+"""Static and kinetic friction of a piece of furniture on common surfaces: defaults to be changed, not citations."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wall:
+    """A rigid wall beside the body.
+
+    Parameters
+    ----------
+    gap : float
+        Clear distance l_w from the body's side face to the wall [m]; 0 is flush.
+    restitution : float
+        Wall collision factor e_w.
+    friction : float
+        Coefficient of friction of a corner on the wall, static and kinetic alike.
+    """
+
+    gap: float
+    restitution: float = 0.3
+    friction: float = 0.3
+
+    def __post_init__(self) -> None:
+        within("Wall gap", self.gap, 0.0, 1e4, "m")
+        within("Wall restitution", self.restitution, 0.0, 1.0)
+        within("Wall friction", self.friction, *FRICTION_RANGE)
+
+
+@dataclass(frozen=True, slots=True)
+class Ceiling:
+    """A rigid ceiling above the body.
+
+    Parameters
+    ----------
+    height : float
+        Height above the floor [m].
+    restitution, friction : float
+        As for `Wall`.
+    """
+
+    height: float
+    restitution: float = 0.3
+    friction: float = 0.3
+
+    def __post_init__(self) -> None:
+        within("Ceiling height", self.height, 1e-3, 1e4, "m")
+        within("Ceiling restitution", self.restitution, 0.0, 1.0)
+        within("Ceiling friction", self.friction, *FRICTION_RANGE)
+
+
+@dataclass(frozen=True, slots=True)
+class Room:
+    """Floor, walls and ceiling around the body.
+
+    A body hits ``right_wall`` when it tilts or slides to +x; its back stands to ``left_wall``.
+    """
+
+    floor: Floor = Floor()
+    left_wall: Wall | None = None
+    right_wall: Wall | None = None
+    ceiling: Ceiling | None = None
