@@ -2,25 +2,34 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, field
 from enum import StrEnum
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
-from stayput.errors import within
-from stayput.room import Room
+import numpy as np
+
+from stayput.cases import State, case_columns, standing_corners
+from stayput.errors import InputError, within
+from stayput.mechanics import columns as col
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    import numpy as np
     import xarray as xr
+    from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
     from stayput.body import Body
+    from stayput.mechanics.runner import Traced
     from stayput.motion import Motion
+    from stayput.room import Room
 
 STANDARD_GRAVITY = 9.80665
 """Standard acceleration of gravity [m/s²]."""
+
+Contact = Literal["coulomb", "paper"]
+"""The contact law: unilateral contact with Coulomb friction, or the paper's rules as written."""
 
 
 class Outcome(StrEnum):
@@ -64,7 +73,21 @@ class EventKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """An event, with the state just after it."""
+    """An instant at which the body's mode changes, with the state just after it.
+
+    Parameters
+    ----------
+    time : float
+        Time since the record's first sample [s].
+    kind : EventKind
+        What happened.
+    mode : Mode
+        The mode that follows.
+    tilt, tilt_rate : float
+        θ and θ̇ [rad, rad/s].
+    slide, slide_rate : float
+        x' at the fulcrum and its rate [m, m/s].
+    """
 
     time: float
     kind: EventKind
@@ -75,41 +98,61 @@ class Event:
     slide_rate: float
 
 
-@dataclass(frozen=True, slots=True)
-class State:
-    """Initial state: tilt [rad], tilt rate [rad/s], slide [m], slide rate [m/s]."""
-
-    tilt: float = 0.0
-    tilt_rate: float = 0.0
-    slide: float = 0.0
-    slide_rate: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Run:
-    """Result of `simulate` (fields and units as documented in the theory page)."""
+    """What became of one body under one motion; made by `simulate`.
+
+    Histories hold one value per sample of the record, shape [n], up to the end of the run: the record's
+    last sample, or the last one before the body turned over.
+
+    Attributes
+    ----------
+    outcome : Outcome
+        The verdict; FAILED where the run was given up, which never counts as standing.
+    overturn_time : float
+        Time at which |tilt| reached 90° [s], or nan.
+    peak_slide, peak_tilt : float
+        Largest magnitudes at any time, not only at samples [m, rad].
+    residual_slide, residual_tilt : float
+        Values at the end [m, rad].
+    floor_impacts, wall_impacts : int
+        Number of landings, and of hits on walls and ceiling.
+    time : ndarray of float64
+        Times of the samples [s].
+    slide, slide_rate : ndarray of float64
+        x' at the fulcrum and its rate [m, m/s].
+    tilt, tilt_rate : ndarray of float64
+        θ and θ̇ [rad, rad/s].
+    x, z : ndarray of float64
+        Centre of gravity right of where the middle of the base stood at slide 0, and above the floor [m].
+    mode : ndarray of str
+        Values of `Mode`.
+    events : tuple of Event
+        Every impact, slip, stick, uplift, lift-off and rest, in order.
+    """
 
     body: Body
     room: Room
     motion: Motion
-    contact: str
+    contact: Contact
     initial: State
     gravity: float
     outcome: Outcome
-    overturn_time: float  # s or nan
-    peak_slide: float  # m, largest magnitude
-    residual_slide: float  # m, signed
-    peak_tilt: float  # rad, largest magnitude
+    overturn_time: float
+    peak_slide: float
+    residual_slide: float
+    peak_tilt: float
+    residual_tilt: float
     floor_impacts: int
     wall_impacts: int
-    time: NDArray[np.float64]  # s, the record's samples until the end
-    slide: NDArray[np.float64]  # m
-    slide_rate: NDArray[np.float64]  # m/s
-    tilt: NDArray[np.float64]  # rad
-    tilt_rate: NDArray[np.float64]  # rad/s
-    x: NDArray[np.float64]  # m, centre of gravity right of where the middle of the base stood at slide 0
-    z: NDArray[np.float64]  # m, centre of gravity above the floor
-    mode: NDArray[np.str_]  # values of Mode
+    time: NDArray[np.float64]
+    slide: NDArray[np.float64]
+    slide_rate: NDArray[np.float64]
+    tilt: NDArray[np.float64]
+    tilt_rate: NDArray[np.float64]
+    x: NDArray[np.float64]
+    z: NDArray[np.float64]
+    mode: NDArray[np.str_]
     events: tuple[Event, ...]
 
     @property
@@ -118,17 +161,160 @@ class Run:
         return self.outcome is Outcome.OVERTURNED
 
     def to_dataset(self) -> xr.Dataset:
-        """The histories as an xarray.Dataset over time, with units in attrs."""
-        raise NotImplementedError
+        """Return the histories over time and the events, with units in attrs, as an `xarray.Dataset`."""
+        from stayput.report.dataset import run_to_dataset
 
-    def plot(self, path: str | Path | None = None) -> object:
-        """Plot (stayput.report.plot.plot_run)."""
+        return run_to_dataset(self)
+
+    def plot(self, path: str | Path | None = None) -> Figure:
+        """Draw the histories; see `stayput.report.plot.plot_run`."""
         from stayput.report.plot import plot_run
 
         return plot_run(self, path)
 
     def animate(self, path: str | Path) -> Path:
-        """Animate (stayput.report.animation.animate_run)."""
+        """Write an animation (GIF, MP4 or HTML); see `stayput.report.animation.animate_run`."""
         from stayput.report.animation import animate_run
 
         return animate_run(self, path)
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """What `simulate` takes, as a value; `run` simulates it."""
+
+    body: Body
+    room: Room
+    motion: Motion
+    contact: Contact = "coulomb"
+    initial: State = field(default_factory=State)
+    gravity: float = STANDARD_GRAVITY
+
+    def run(self) -> Run:
+        """Simulate the case."""
+        return simulate(
+            self.body,
+            self.room,
+            self.motion,
+            contact=self.contact,
+            initial=self.initial,
+            gravity=self.gravity,
+        )
+
+
+def simulate(
+    body: Body,
+    room: Room,
+    motion: Motion,
+    *,
+    contact: Contact = "coulomb",
+    initial: State | None = None,
+    gravity: float = STANDARD_GRAVITY,
+) -> Run:
+    """Simulate one body in one room under one motion of the floor.
+
+    Parameters
+    ----------
+    body : Body
+        What stands.
+    room : Room
+        Where it stands.
+    motion : Motion
+        Acceleration of the floor: ``x`` along the shaking and ``z`` up; ``y`` plays no part.
+    contact : {"coulomb", "paper"}
+        Contact law; "paper" knows no vertical motion.
+    initial : State, optional
+        Initial state; default at rest.
+    gravity : float
+        Acceleration of gravity g [m/s²].
+
+    Returns
+    -------
+    Run
+        Outcome, peaks, events and histories.
+
+    Raises
+    ------
+    InputError
+        Input that is refused, in one sentence.
+    """
+    from stayput.mechanics.runner import trace
+
+    start = State() if initial is None else initial
+    within("Gravity", gravity, 0.01, 1e3, "m/s²")
+    _refuse_penetration(body, room, start)
+    law = ("coulomb", "paper").index(_known_contact(contact))
+    up = motion.z if motion.z is not None else np.zeros_like(motion.x)
+    columns = case_columns(body, room, start, gravity)
+    traced = trace(columns[0], motion.x, up, motion.dt, law)
+    return _as_run(Case(body, room, motion, contact, start, gravity), traced)
+
+
+def _known_contact(contact: str) -> Contact:
+    if contact not in ("coulomb", "paper"):
+        raise InputError(f"Contact is {contact!r}; it must be 'coulomb' or 'paper'.")
+    return contact
+
+
+def _refuse_penetration(body: Body, room: Room, start: State) -> None:
+    """Raise `InputError` where the initial state puts the body into a wall or the ceiling."""
+    corners = standing_corners(body, start)
+    rest = standing_corners(body, State())
+    right, left = max(x for x, _ in rest), min(x for x, _ in rest)
+    top = max(z for _, z in corners)
+    if room.right_wall is not None:
+        clear = right + room.right_wall.gap - max(x for x, _ in corners)
+        _refuse_negative("the right wall", clear)
+    if room.left_wall is not None:
+        clear = min(x for x, _ in corners) - (left - room.left_wall.gap)
+        _refuse_negative("the left wall", clear)
+    if room.ceiling is not None:
+        _refuse_negative("the ceiling", room.ceiling.height - top)
+
+
+def _refuse_negative(where: str, clear: float) -> None:
+    if clear < -1e-12:
+        raise InputError(f"The body stands {-clear:g} m inside {where} at the start; it must be clear of it.")
+
+
+def _as_run(case: Case, traced: Traced) -> Run:
+    """Name what the mechanics returned in numbers."""
+    modes = np.array([mode.value for mode in Mode])
+    history = traced.history.T.copy()
+    outcome = list(Outcome)[traced.outcome]
+    return Run(
+        body=case.body,
+        room=case.room,
+        motion=case.motion,
+        contact=case.contact,
+        initial=case.initial,
+        gravity=case.gravity,
+        outcome=outcome,
+        overturn_time=traced.end if outcome is Outcome.OVERTURNED else math.nan,
+        peak_slide=traced.peak_slide,
+        residual_slide=traced.slide,
+        peak_tilt=traced.peak_tilt,
+        residual_tilt=traced.tilt,
+        floor_impacts=traced.floor_impacts,
+        wall_impacts=traced.wall_impacts,
+        time=np.arange(history.shape[1]) * case.motion.dt,
+        slide=history[col.H_SLIDE],
+        slide_rate=history[col.H_SLIDE_RATE],
+        tilt=history[col.H_TILT],
+        tilt_rate=history[col.H_TILT_RATE],
+        x=history[col.H_X],
+        z=history[col.H_Z],
+        mode=modes[history[col.H_MODE].astype(np.intp)],
+        events=tuple(
+            Event(
+                e.time,
+                list(EventKind)[e.kind],
+                list(Mode)[e.mode],
+                e.tilt,
+                e.tilt_rate,
+                e.slide,
+                e.slide_rate,
+            )
+            for e in traced.events
+        ),
+    )

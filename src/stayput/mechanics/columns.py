@@ -1,0 +1,139 @@
+"""The columns of the tables that the compiled functions read and write, and the numbers of modes and contacts."""
+
+from __future__ import annotations
+
+import numpy as np
+
+CASE = np.dtype(
+    [
+        ("inertia", "f8"),  # I = J_G/m [m²]
+        ("u", "f8", (4,)),  # corners A, B, C, D relative to G, + right [m]
+        ("v", "f8", (4,)),  # the same, + up [m]
+        ("gravity", "f8"),  # g [m/s²]
+        ("scale", "f8"),  # factor on the motion, all components
+        ("static_friction", "f8"),  # μ, flat base
+        ("kinetic_friction", "f8"),  # μ', flat base
+        ("edge_static_friction", "f8"),
+        ("edge_kinetic_friction", "f8"),
+        ("restitution", "f8"),  # e, factor on the rate at a change of fulcrum
+        ("normal_restitution", "f8"),  # e_n of a landing corner
+        ("right_distance", "f8"),  # [m], inf where there is no wall
+        ("right_restitution", "f8"),
+        ("right_friction", "f8"),
+        ("left_distance", "f8"),
+        ("left_restitution", "f8"),
+        ("left_friction", "f8"),
+        ("ceiling_distance", "f8"),  # height above the floor
+        ("ceiling_restitution", "f8"),
+        ("ceiling_friction", "f8"),
+        ("tilt", "f8"),  # initial state [rad, rad/s, m, m/s]
+        ("tilt_rate", "f8"),
+        ("slide", "f8"),
+        ("slide_rate", "f8"),
+    ],
+    align=True,
+)
+"""One case, apart from its motion; a column of these is what the batch runs."""
+
+STATE = np.dtype(
+    [
+        ("x", "f8"),  # G, right of where the middle of the base stood [m]
+        ("z", "f8"),  # G above the floor [m]
+        ("theta", "f8"),
+        ("vx", "f8"),
+        ("vz", "f8"),
+        ("omega", "f8"),
+        ("alpha", "f8"),  # θ̈ just before the last event, for looking a moment ahead
+        ("tau", "f8"),  # time since the sample k [s]
+        ("k", "i8"),
+        ("kind", "i8"),  # the mode: one of the constants below, with its contacts and slip directions
+        ("i", "i8"),
+        ("j", "i8"),
+        ("d", "i8"),
+        ("dj", "i8"),
+        ("closed", "i8"),  # bits of the contacts that touch
+        ("present", "i8"),  # bits of the contacts that this room has
+        ("low", "f8"),  # HELD: the range of ẍ_G/G; on a fulcrum: that of the tilt
+        ("high", "f8"),
+        ("low_hit", "i8"),  # the contacts that close there; 0 is overturning
+        ("high_hit", "i8"),
+        ("hit", "i8"),  # bits of the contacts that closed in the last event
+        ("peak_tilt", "f8"),
+        ("peak_slide", "f8"),
+        ("floor_impacts", "i8"),
+        ("wall_impacts", "i8"),
+        ("events", "i8"),
+        ("stalls", "i8"),  # events in a row without time passing
+        ("steps", "i8"),
+        ("moved", "i8"),  # bits: 1 slid, 2 rocked, 4 flew
+    ],
+    align=True,
+)
+
+# contacts: corner on plane
+A_FLOOR, B_FLOOR, B_RIGHT, D_RIGHT, A_LEFT, C_LEFT, C_CEILING, D_CEILING = range(8)
+CORNER = (0, 1, 1, 3, 0, 2, 2, 3)
+PLANE = (0, 0, 1, 1, 2, 2, 3, 3)
+FLOOR_BITS = 0b00000011
+CONTACTS = 8
+
+# columns of the contact table
+R, BETA, OFFSET, COS, SIN, MU_STATIC, MU_KINETIC, RESTITUTION = range(8)
+CONTACT_COLUMNS = 8
+
+# columns of the table of closed contacts: rows n and t with their levers, rates, target, cones
+NX, NZ, NL, TX, TZ, TL, BIAS_N, BIAS_T, TARGET, CONE_STICK, CONE_SLIP, SLIPPING, INDEX = range(13)
+ROW_COLUMNS = 13
+
+# modes
+HELD, FLAT, STICK, SLIP, WEDGE, FLIGHT, OVERTURNED, FAILED = range(8)
+
+# why a mode ended
+ENDED, CLOSED, LIMIT, TURNED_OVER = range(4)
+
+# columns of the history, one row a sample
+H_X, H_Z, H_TILT, H_TILT_RATE, H_SLIDE, H_SLIDE_RATE, H_MODE, H_REACHED = range(8)
+HISTORY = 8
+
+# modes as the user knows them, in the order of `stayput.simulation.Mode`
+REST_MODE, SLIDE_MODE, ROCK_MODE, SLIDE_ROCK_MODE, FLIGHT_MODE, LEAN_MODE, OVERTURNED_MODE = range(7)
+
+# columns of the list of events, and their kinds in the order of `stayput.simulation.EventKind`
+E_TIME, E_KIND, E_MODE, E_TILT, E_TILT_RATE, E_SLIDE, E_SLIDE_RATE = range(7)
+EVENT = 7
+(
+    SLIP_EVENT,
+    STICK_EVENT,
+    UPLIFT_EVENT,
+    FLOOR_IMPACT_EVENT,
+    WALL_IMPACT_EVENT,
+    CEILING_IMPACT_EVENT,
+    LIFT_OFF_EVENT,
+    WALL_RELEASE_EVENT,
+    REST_EVENT,
+    OVERTURNED_EVENT,
+    FAILED_EVENT,
+) = range(11)
+
+# outcomes, in the order of `stayput.simulation.Outcome`
+RESTED, SLID, ROCKED, LEANING, OVERTURNED_OUTCOME, FAILED_OUTCOME = range(6)
+
+# bits of state.moved
+MOVED_SLIDING, MOVED_ROCKING, MOVED_FLYING = 1, 2, 4
+
+RESULT = np.dtype(
+    [
+        ("outcome", "i8"),
+        ("end", "f8"),  # s
+        ("peak_slide", "f8"),  # m
+        ("residual_slide", "f8"),
+        ("peak_tilt", "f8"),  # rad
+        ("residual_tilt", "f8"),
+        ("floor_impacts", "i8"),
+        ("wall_impacts", "i8"),
+        ("events", "i8"),
+        ("steps", "i8"),
+    ],
+    align=True,
+)
+"""What the batch keeps of a case."""

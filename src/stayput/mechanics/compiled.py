@@ -1,0 +1,25 @@
+"""How the mechanics are compiled: strict IEEE arithmetic, and code on disk for the entry points alone.
+
+No fast-math flags: the same bits come out on every x86-64 processor, whatever its vector width. The inner
+functions get no Python wrappers and no files of their own, which would make up most of a cold compile.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ParamSpec, TypeVar
+
+from numba import njit
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+def inner(function: Callable[P, T]) -> Callable[P, T]:
+    """Compile a function that only compiled functions call."""
+    return njit(no_cpython_wrapper=True, no_cfunc_wrapper=True)(function)
+
+
+def entry(function: Callable[P, T]) -> Callable[P, T]:
+    """Compile a function that Python calls, without the interpreter's lock, and keep the code on disk."""
+    return njit(cache=True, nogil=True)(function)

@@ -1,0 +1,285 @@
+"""One case from its first sample to its last: modes, and the events between them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from stayput.mechanics.columns import (
+    C_CEILING,
+    CEILING_IMPACT_EVENT,
+    CLOSED,
+    CONTACT_COLUMNS,
+    CONTACTS,
+    E_KIND,
+    E_MODE,
+    E_SLIDE,
+    E_SLIDE_RATE,
+    E_TILT,
+    E_TILT_RATE,
+    E_TIME,
+    ENDED,
+    EVENT,
+    FAILED,
+    FAILED_EVENT,
+    FAILED_OUTCOME,
+    FLAT,
+    FLIGHT,
+    FLOOR_BITS,
+    FLOOR_IMPACT_EVENT,
+    HELD,
+    HISTORY,
+    LEAN_MODE,
+    LEANING,
+    LIFT_OFF_EVENT,
+    MOVED_FLYING,
+    MOVED_ROCKING,
+    MOVED_SLIDING,
+    OVERTURNED,
+    OVERTURNED_EVENT,
+    OVERTURNED_MODE,
+    OVERTURNED_OUTCOME,
+    REST_EVENT,
+    RESTED,
+    ROCKED,
+    ROW_COLUMNS,
+    SLID,
+    SLIP,
+    SLIP_EVENT,
+    STATE,
+    STICK,
+    STICK_EVENT,
+    TURNED_OVER,
+    UPLIFT_EVENT,
+    WALL_IMPACT_EVENT,
+    WALL_RELEASE_EVENT,
+)
+from stayput.mechanics.compiled import entry, inner
+from stayput.mechanics.contact import touching
+from stayput.mechanics.flat import advance_flat, advance_held, flat_friction
+from stayput.mechanics.free import advance_flight, advance_lean, note_peaks
+from stayput.mechanics.fulcrum import advance_fulcrum
+from stayput.mechanics.geometry import (
+    GAP_TOLERANCE,
+    arm,
+    half_base,
+    resting_place,
+    resting_tilt,
+    set_up_contacts,
+    slide_of,
+)
+from stayput.mechanics.impact import land
+from stayput.mechanics.modes import choose_mode, pivot_on, unjam
+from stayput.mechanics.motion import loads, named_mode, note_sample
+from stayput.mechanics.paper import choose_paper_mode, collide_by_paper
+
+COULOMB, PAPER = 0, 1
+
+
+@inner
+def start(case, contacts, s):
+    """Set the initial state: the body on the floor, tilted about one corner or flat."""
+    s.present = set_up_contacts(case, contacts)
+    rest = resting_tilt(case)
+    s.theta = rest + case.tilt
+    s.omega = case.tilt_rate
+    right = case.tilt > 0.0 or (case.tilt == 0.0 and case.tilt_rate > 0.0)
+    if case.tilt == 0.0:
+        s.x, s.z = resting_place(case, rest)
+        s.x += case.slide
+        s.closed = FLOOR_BITS
+    else:
+        con = contacts[1 if right else 0]
+        sigma, kappa = arm(con, s.theta)
+        foot = half_base(case) if right else -half_base(case)
+        s.x, s.z = case.slide + foot - sigma, kappa
+        s.closed = 2 if right else 1
+    pivot_on(contacts[1 if right else 0], s)
+    s.vx += case.slide_rate
+    s.alpha = s.tau = 0.0
+    s.k = s.floor_impacts = s.wall_impacts = s.events = s.stalls = s.steps = s.moved = s.hit = 0
+    s.peak_tilt = s.peak_slide = 0.0
+    note_peaks(case, s)
+
+
+@inner
+def advance(rows, contacts, case, s, ax, az, dt, extremes, tolerance, max_step, lifts, history):
+    """Move the body in its mode to the next event."""
+    kind = s.kind
+    if kind == HELD:
+        return advance_held(case, s, ax, az, dt, extremes, history)
+    if kind == FLAT:
+        s.moved |= MOVED_SLIDING
+        friction = flat_friction(contacts, case, s)
+        return advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history)
+    if kind == STICK or kind == SLIP:
+        s.moved |= MOVED_ROCKING if kind == STICK else MOVED_ROCKING | MOVED_SLIDING
+        return advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, lifts, history)
+    s.moved |= MOVED_FLYING
+    if kind == FLIGHT:
+        return advance_flight(contacts, case, s, ax, az, dt, history)
+    return advance_lean(rows, contacts, case, s, ax, az, dt, history)
+
+
+@inner
+def _kind_of_event(s, why, kind, closed):
+    """What the user calls an event, from the mode and contacts before it and after."""
+    if s.kind == FAILED:
+        return FAILED_EVENT
+    if s.kind == OVERTURNED:
+        return OVERTURNED_EVENT
+    if why == CLOSED:
+        if s.hit & FLOOR_BITS:
+            return FLOOR_IMPACT_EVENT
+        return CEILING_IMPACT_EVENT if s.hit >> C_CEILING else WALL_IMPACT_EVENT
+    if s.kind == HELD:
+        return REST_EVENT
+    if closed & FLOOR_BITS and not s.closed & FLOOR_BITS:
+        return LIFT_OFF_EVENT
+    if closed & ~FLOOR_BITS and not s.closed & ~FLOOR_BITS:
+        return WALL_RELEASE_EVENT
+    if kind in (HELD, FLAT) and s.kind in (STICK, SLIP):
+        return UPLIFT_EVENT
+    return STICK_EVENT if s.kind == STICK else SLIP_EVENT
+
+
+@inner
+def _list_event(events, case, s, dt, why, kind, closed):
+    if s.events > events.shape[0]:
+        return
+    row = events[s.events - 1]
+    row[E_TIME], row[E_KIND] = s.k * dt + s.tau, _kind_of_event(s, why, kind, closed)
+    row[E_MODE] = OVERTURNED_MODE if s.kind == OVERTURNED else named_mode(s)
+    row[E_TILT], row[E_TILT_RATE] = s.theta, s.omega
+    row[E_SLIDE], row[E_SLIDE_RATE] = slide_of(case, s)
+
+
+@inner
+def _outcome(s):
+    if s.kind == FAILED:
+        return FAILED_OUTCOME
+    if s.kind == OVERTURNED:
+        return OVERTURNED_OUTCOME
+    if named_mode(s) == LEAN_MODE:
+        return LEANING
+    if s.moved & ~MOVED_SLIDING:
+        return ROCKED
+    return SLID if s.moved else RESTED
+
+
+@inner
+def _next_mode(rows, contacts, touch, case, s, ax, az, dt, law):
+    """Choose the mode at the present time, under either law."""
+    a, a_rate, G, G_rate = loads(case, ax, az, dt, s.k, s.tau)
+    if law == PAPER:
+        choose_paper_mode(contacts, case, s, touch, a, a_rate)
+        return
+    choose_mode(rows, contacts, touch, case, s, a, a_rate, G, G_rate)
+    if s.kind == FAILED:
+        s.closed = touch
+        unjam(contacts, case, s)
+        choose_mode(rows, contacts, touch, case, s, a, a_rate, G, G_rate)
+
+
+@entry
+def run_case(
+    case, ax, az, dt, extremes, law, tolerance, max_step, max_events, contacts, rows, s, history, events
+):
+    """Run one case; the state ``s`` holds what became of it.
+
+    Parameters
+    ----------
+    case : CASE record
+    ax, az : float64[n]
+        Floor acceleration at the samples, + right and + up [m/s²].
+    dt : float
+        Time between samples [s].
+    extremes : tuple of four float64 arrays
+        Smallest and largest ax and az over blocks of samples.
+    law : int
+        COULOMB or PAPER.
+    tolerance, max_step : float
+        Largest last term of the tilt's series in a step [rad]; longest step [s].
+    max_events : int
+        Events after which the run is given up (FAILED).
+    contacts, rows : float64 arrays
+        Room for the contact tables.
+    s : STATE record
+        Set to the final state.
+    history : float64[n or 0, HISTORY]
+        Filled at the samples reached; may be empty.
+    events : float64[m, EVENT]
+        Filled with the first m events; may be empty.
+
+    Returns
+    -------
+    tuple
+        Outcome, time of the end [s], slide at the end [m].
+    """
+    start(case, contacts, s)
+    lifts = law == COULOMB
+    last = ax.shape[0] - 1
+    touch = touching(contacts, s.present, s.x, s.z, s.theta, GAP_TOLERANCE) | s.closed
+    _next_mode(rows, contacts, touch, case, s, ax, az, dt, law)
+    note_sample(history, case, s)
+    while s.kind != FAILED:
+        k, tau, kind, closed = s.k, s.tau, s.kind, s.closed
+        why = advance(rows, contacts, case, s, ax, az, dt, extremes, tolerance, max_step, lifts, history)
+        note_peaks(case, s)
+        if why == ENDED:
+            break
+        s.events += 1
+        if s.events >= max_events:
+            s.kind = FAILED
+        elif why == TURNED_OVER:
+            s.kind = OVERTURNED
+        if s.kind == FAILED or s.kind == OVERTURNED or s.k >= last:
+            _list_event(events, case, s, dt, why, kind, closed)
+            break
+        s.stalls = s.stalls + 1 if s.k == k and s.tau - tau < 1e-12 else 0
+        touch = touching(contacts, s.present, s.x, s.z, s.theta, GAP_TOLERANCE) | s.closed
+        if why == CLOSED:
+            touch |= s.hit
+            if s.hit & FLOOR_BITS:
+                s.floor_impacts += 1
+            else:
+                s.wall_impacts += 1
+            if law == PAPER:
+                collide_by_paper(contacts, case, s)
+            else:
+                land(rows, contacts, s.closed, touch & ~s.closed, case, s)
+        else:
+            s.hit = 0
+        _next_mode(rows, contacts, touch, case, s, ax, az, dt, law)
+        _list_event(events, case, s, dt, why, kind, closed)
+    return _outcome(s), s.k * dt + s.tau, slide_of(case, s)[0]
+
+
+@entry
+def run_batch(cases, ax, az, dt, extremes, law, tolerance, max_step, max_events, results):
+    """Run a column of cases one after another, keeping no histories; see `run_case`."""
+    contacts, rows = np.zeros((CONTACTS, CONTACT_COLUMNS)), np.zeros((CONTACTS, ROW_COLUMNS))
+    states = np.zeros(1, STATE)
+    history, events = np.zeros((0, HISTORY)), np.zeros((0, EVENT))
+    for n in range(cases.shape[0]):
+        s = states[0]
+        outcome, end, slide = run_case(
+            cases[n],
+            ax,
+            az,
+            dt,
+            extremes,
+            law,
+            tolerance,
+            max_step,
+            max_events,
+            contacts,
+            rows,
+            s,
+            history,
+            events,
+        )
+        result = results[n]
+        result.outcome, result.end, result.residual_slide, result.residual_tilt = outcome, end, slide, s.theta
+        result.peak_slide, result.peak_tilt = s.peak_slide, s.peak_tilt
+        result.floor_impacts, result.wall_impacts = s.floor_impacts, s.wall_impacts
+        result.events, result.steps = s.events, s.steps

@@ -1,0 +1,183 @@
+"""Rest and sliding: a body that does not turn, in closed form."""
+
+from __future__ import annotations
+
+import math
+
+from stayput.mechanics.columns import CLOSED, COS, ENDED, LIMIT, MU_KINETIC, OFFSET, PLANE, SIN
+from stayput.mechanics.compiled import entry, inner
+from stayput.mechanics.geometry import along, arm
+from stayput.mechanics.motion import loads, note_sample, pass_time
+from stayput.mechanics.roots import first_zero
+
+BLOCK = 16
+"""Samples a block of the extremes that let rest be skipped."""
+
+
+BARELY = 1e-8
+"""A slip that starts is not over before this: its mode was chosen a moment ahead [s]."""
+
+
+@entry
+def block_extremes(values, low, high):
+    """Smallest and largest value over each block of the record's segments."""
+    n = values.shape[0]
+    for block in range(low.shape[0]):
+        smallest = largest = values[block * BLOCK]
+        for k in range(block * BLOCK + 1, min(n, (block + 1) * BLOCK + 1)):
+            smallest, largest = min(smallest, values[k]), max(largest, values[k])
+        low[block], high[block] = smallest, largest
+
+
+@inner
+def _block_holds(case, s, block, a_low, a_high, z_low, z_high):
+    lowest, highest = case.scale * a_low[block], case.scale * a_high[block]
+    down = case.scale * (z_low[block] if case.scale >= 0.0 else z_high[block])
+    if case.scale < 0.0:
+        lowest, highest = highest, lowest
+    G = case.gravity + down  # the least, which is the worst where the range contains zero
+    return s.low <= 0.0 <= s.high and G > 0.0 and lowest >= s.low * G and highest <= s.high * G
+
+
+@inner
+def _exceeds(s, a, G):
+    """How far the loads are out of the range that holds the body: positive when it cannot stay."""
+    over = -G
+    if s.high < math.inf:
+        over = max(over, a - s.high * G)
+    if s.low > -math.inf:
+        over = max(over, s.low * G - a)
+    return over
+
+
+@inner
+def _leaves_at(f0, f1, h):
+    """Time in a step at which a linear function becomes positive; h where it does not."""
+    if f1 <= 0.0:
+        return h
+    if f0 >= 0.0:
+        return 0.0
+    return min(h, h * f0 / (f0 - f1))
+
+
+@inner
+def advance_held(case, s, ax, az, dt, extremes, history):
+    """Keep the body exactly where it is, to the time when the contacts can hold it no longer."""
+    a_low, a_high, z_low, z_high = extremes
+    last = ax.shape[0] - 1
+    keeps = history.shape[0] > 0
+    while s.k < last:
+        if s.tau == 0.0 and s.k % BLOCK == 0 and not keeps:
+            block = s.k // BLOCK
+            if _block_holds(case, s, block, a_low, a_high, z_low, z_high):
+                s.k = min(last, s.k + BLOCK)
+                continue
+        h = dt - s.tau
+        a0, a_rate, G0, G_rate = loads(case, ax, az, dt, s.k, s.tau)
+        a1, G1 = case.scale * ax[s.k + 1], case.gravity + case.scale * az[s.k + 1]
+        if _exceeds(s, a1, G1) > 0.0 or (s.tau > 0.0 and _exceeds(s, a0, G0) > 0.0):
+            t = _leaves_at(-G0, -G1, h)
+            if s.high < math.inf:
+                t = min(t, _leaves_at(a0 - s.high * G0, a1 - s.high * G1, h))
+            if s.low > -math.inf:
+                t = min(t, _leaves_at(s.low * G0 - a0, s.low * G1 - a1, h))
+            if t < h:
+                s.tau += t
+                return LIMIT
+        s.k += 1
+        s.tau = 0.0
+        note_sample(history, case, s)
+    return ENDED
+
+
+@inner
+def _first_stop(v, p, p_rate, h):
+    """First time in (0, h] at which v − pτ − p'τ²/2, positive or just starting, comes to zero; −1 if not."""
+    # divide out a start at zero
+    if abs(v) <= 1e-15:
+        if p_rate != 0.0:
+            t = -2.0 * p / p_rate
+            if BARELY < t <= h:
+                return t
+        return -1.0
+    if p_rate == 0.0:
+        t = v / p if p > 0.0 else -1.0
+        return t if t <= h else -1.0
+    disc = p * p + 2.0 * p_rate * v
+    if disc < 0.0:
+        return -1.0
+    root = math.sqrt(disc)
+    # v = pτ + p'τ²/2: the two roots, free of cancellation
+    q = -(p + math.copysign(root, p))
+    t1, t2 = q / p_rate, -2.0 * v / q if q != 0.0 else math.inf
+    first = math.inf
+    if t1 > 0.0:
+        first = t1
+    if 0.0 < t2 < first:
+        first = t2
+    return first if first <= h else -1.0
+
+
+@inner
+def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
+    """Slide the body flat along its plane with the coefficient ``friction`` to its next event."""
+    con = contacts[s.i]
+    cf, sf = con[COS], con[SIN]
+    d = float(s.d)
+    others = s.present & ~(0b11 << 2 * PLANE[s.i])
+    last = ax.shape[0] - 1
+    s.moved |= 1
+    while s.k < last:
+        a, a_rate, G, G_rate = loads(case, ax, az, dt, s.k, s.tau)
+        N, N_rate = cf * G - sf * a, cf * G_rate - sf * a_rate
+        drive = d * (cf * a + sf * G) + friction * N  # deceleration in the direction of slip
+        drive_rate = d * (cf * a_rate + sf * G_rate) + friction * N_rate
+        h = dt - s.tau
+        v = d * along(con, s.vx, s.vz)[0]
+        outcome = ENDED
+        t = _first_stop(v, drive, drive_rate, h)
+        if t >= 0.0:
+            h, outcome = t, LIMIT
+        if lifts and N + N_rate * h < 0.0:
+            t = _leaves_at(-N, -N - N_rate * h, h)
+            if t < h or outcome == ENDED:
+                h, outcome = t, LIMIT
+        if not lifts:  # the paper's body rocks where the load is beyond (b/h)g, sliding or not
+            a1, G1 = a + a_rate * h, G + G_rate * h
+            t = min(
+                _leaves_at(a - s.high * G, a1 - s.high * G1, h),
+                _leaves_at(s.low * G - a, s.low * G1 - a1, h),
+            )
+            if t < h:
+                h, outcome = t, LIMIT
+        c = 0
+        while others >> c:
+            if others >> c & 1:
+                wall = contacts[c]
+                _, kappa = arm(wall, s.theta)
+                gap = along(wall, s.x, s.z)[1] + wall[OFFSET] - kappa
+                side = d * along(wall, cf, sf)[1]  # the wall's gap opens with the slip, or closes
+                v1, c0, c1 = v - h * (drive + 0.5 * h * drive_rate), -drive, -drive - h * drive_rate
+                gap1 = gap + side * h * (v - h * (drive / 2.0 + h * drive_rate / 6.0))
+                t = first_zero(gap, side * v, side * c0, gap1, side * v1, side * c1, h)
+                if t >= 0.0 and side != 0.0:
+                    h, outcome, s.hit = t, CLOSED, 1 << c
+            c += 1
+        shift = d * h * (v - h * (drive / 2.0 + h * drive_rate / 6.0))
+        speed = d * (v - h * (drive + 0.5 * h * drive_rate))
+        s.x, s.z = s.x + cf * shift, s.z + sf * shift
+        s.vx, s.vz = cf * speed, sf * speed
+        if outcome == LIMIT and abs(speed) < 1e-10:
+            s.vx = s.vz = 0.0
+        s.steps += 1
+        if pass_time(s, h, dt):
+            note_sample(history, case, s)
+        if outcome != ENDED:
+            return outcome
+    return ENDED
+
+
+@inner
+def flat_friction(contacts, case, s):
+    """Kinetic coefficient of a body that slides flat: the base's on the floor."""
+    return case.kinetic_friction if PLANE[s.i] == 0 else contacts[s.i][MU_KINETIC]

@@ -1,0 +1,204 @@
+"""Impacts under ``contact="coulomb"``: impulses at all closed contacts at once.
+
+Newton's restitution in the normal direction, Amontons–Coulomb friction between the impulses, then the
+factor e of Eq. 3.14 on the rotation rate where the fulcrum changes. Newton's restitution with friction
+can create energy (Kane's paradox); where it would, the impulses are those of a plastic impact, scaled by
+1 + e, which never do.
+"""
+
+from __future__ import annotations
+
+from stayput.mechanics.columns import (
+    BIAS_N,
+    BIAS_T,
+    CONE_SLIP,
+    CONE_STICK,
+    COS,
+    FLOOR_BITS,
+    INDEX,
+    MU_KINETIC,
+    MU_STATIC,
+    NL,
+    NX,
+    NZ,
+    PLANE,
+    RESTITUTION,
+    SIN,
+    SLIPPING,
+    TARGET,
+    TL,
+    TX,
+    TZ,
+)
+from stayput.mechanics.compiled import inner
+from stayput.mechanics.contact import (
+    STUCK,
+    both_slip,
+    one_slips,
+    one_sticks,
+    sticks_beside,
+    use_flat_friction,
+)
+from stayput.mechanics.geometry import along, arm, slip_rate
+
+CLOSING = 1e-13
+"""A contact that closes faster than this takes an impulse [m/s]."""
+
+ROUNDS = 200
+"""Single impulses in a row before a pile-up of contacts is taken to stop dead."""
+
+
+@inner
+def _tabulate(rows, contacts, closed, s, flat_static, flat_kinetic):
+    count = 0
+    c = 0
+    while closed >> c:
+        if closed >> c & 1:
+            con, row = contacts[c], rows[count]
+            sigma, kappa = arm(con, s.theta)
+            row[NX], row[NZ], row[NL] = -con[SIN], con[COS], -sigma
+            row[TX], row[TZ], row[TL] = con[COS], con[SIN], -kappa
+            tangential, normal = along(con, s.vx, s.vz)
+            row[BIAS_N], row[BIAS_T] = normal - s.omega * sigma, tangential - s.omega * kappa
+            row[TARGET] = -con[RESTITUTION] * min(row[BIAS_N], 0.0)
+            row[CONE_STICK], row[CONE_SLIP] = con[MU_STATIC], con[MU_KINETIC]
+            row[INDEX] = c
+            count += 1
+        c += 1
+    use_flat_friction(rows, count, flat_static, flat_kinetic)
+    for k in range(count):
+        row = rows[k]
+        mu = row[CONE_STICK] if abs(row[BIAS_T]) <= STUCK else row[CONE_SLIP]
+        row[CONE_STICK] = row[CONE_SLIP] = mu
+        row[SLIPPING] = 0.0  # the direction of slip during an impact is part of the solution
+    return count
+
+
+@inner
+def _consistent(rows, count, I):
+    """Find the one consistent set of impulses: one contact, else two."""
+    tolerance = 1e-13
+    for i in range(count):
+        if rows[i, BIAS_N] >= -CLOSING:
+            continue
+        ok, fx, fz, fl = one_sticks(rows, count, i, I, tolerance)
+        if ok:
+            return ok, fx, fz, fl
+        for side in (1.0, -1.0):
+            ok, fx, fz, fl = one_slips(rows, count, i, side, I, tolerance)
+            if ok:
+                return ok, fx, fz, fl
+    for i in range(count):
+        for j in range(count):
+            if i == j:
+                continue
+            for side in (1.0, -1.0):
+                ok, fx, fz, fl = sticks_beside(rows, count, i, j, side, I, tolerance)
+                if ok:
+                    return ok, fx, fz, fl
+                if j < i:
+                    continue
+                same = PLANE[int(rows[i, INDEX])] == PLANE[int(rows[j, INDEX])]
+                for side_j in (1.0, -1.0):
+                    if same and side_j != side:
+                        continue
+                    ok, fx, fz, fl = both_slip(rows, count, i, side, j, side_j, I, tolerance)
+                    if ok:
+                        return ok, fx, fz, fl
+    return False, 0.0, 0.0, 0.0
+
+
+@inner
+def _one_after_another(rows, contacts, closed, case, s):
+    """Where more than two contacts must press: single impulses at the contact that closes fastest."""
+    I = case.inertia
+    for _ in range(ROUNDS):
+        count = _tabulate(rows, contacts, closed, s, case.static_friction, case.kinetic_friction)
+        worst, fastest = -1, -1e-9
+        for k in range(count):
+            if rows[k, BIAS_N] < fastest:
+                worst, fastest = k, rows[k, BIAS_N]
+        if worst < 0:
+            return
+        for column in range(INDEX + 1):
+            rows[0, column] = rows[worst, column]
+        ok, fx, fz, fl = one_sticks(rows, 1, 0, I, 1e-13)
+        if not ok:
+            ok, fx, fz, fl = one_slips(rows, 1, 0, 1.0, I, 1e-13)
+        if not ok:
+            ok, fx, fz, fl = one_slips(rows, 1, 0, -1.0, I, 1e-13)
+        if not ok:
+            break
+        s.vx += fx
+        s.vz += fz
+        s.omega += fl / I
+    s.vx = s.vz = s.omega = 0.0
+
+
+@inner
+def _energy(I, vx, vz, omega):
+    return vx * vx + vz * vz + I * omega * omega
+
+
+@inner
+def collide(rows, contacts, closed, case, s):
+    """Change the velocities of the state by the impact at the closed contacts."""
+    I = case.inertia
+    before = _energy(I, s.vx, s.vz, s.omega)
+    count = _tabulate(rows, contacts, closed, s, case.static_friction, case.kinetic_friction)
+    landing = False
+    for k in range(count):
+        landing = landing or rows[k, BIAS_N] < -CLOSING
+    if not landing:
+        return
+    ok, fx, fz, fl = _consistent(rows, count, I)
+    if not ok:
+        _one_after_another(rows, contacts, closed, case, s)
+        return
+    if _energy(I, s.vx + fx, s.vz + fz, s.omega + fl / I) > before * (1.0 + 1e-12):
+        factor = 1.0
+        for k in range(count):
+            if rows[k, BIAS_N] < -CLOSING:
+                factor = min(factor, rows[k, TARGET] / -rows[k, BIAS_N])
+            rows[k, TARGET] = 0.0
+        ok, fx, fz, fl = _consistent(rows, count, I)
+        fx, fz, fl = (1.0 + factor) * fx, (1.0 + factor) * fz, (1.0 + factor) * fl
+    s.vx += fx
+    s.vz += fz
+    s.omega += fl / I
+
+
+@inner
+def damp_change_of_fulcrum(contacts, fulcrum, case, s):
+    """Multiply the rotation rate by the floor's restitution, the velocity of the new fulcrum kept.
+
+    On a slipping fulcrum less rotation can mean more energy; the factor is then the one that keeps it.
+    """
+    con = contacts[fulcrum]
+    sigma, kappa = arm(con, s.theta)
+    slip = slip_rate(con, s)
+    tangential, normal = along(con, s.vx, s.vz)
+    lift = normal - s.omega * sigma
+    inertia = case.inertia + sigma * sigma + kappa * kappa
+    if s.omega == 0.0:
+        return
+    same_energy = -2.0 * (kappa * slip + sigma * lift) / (inertia * s.omega) - 1.0
+    factor = min(1.0, max(case.restitution, same_energy))
+    change = (factor - 1.0) * s.omega
+    s.omega += change
+    tangential, normal = tangential + kappa * change, normal + sigma * change
+    s.vx = con[COS] * tangential - con[SIN] * normal
+    s.vz = con[SIN] * tangential + con[COS] * normal
+
+
+@inner
+def land(rows, contacts, closed, arrived, case, s):
+    """Carry out the impact of the contacts ``arrived`` together with all that are closed."""
+    collide(rows, contacts, closed | arrived, case, s)
+    landed = arrived & FLOOR_BITS
+    if case.restitution < 1.0 and (landed == 1 or landed == 2) and closed & FLOOR_BITS == FLOOR_BITS - landed:
+        other = 2 - landed  # contact number of the old fulcrum: B (1) where A (bit 1) has landed
+        con = contacts[other]
+        sigma, _ = arm(con, s.theta)
+        if along(con, s.vx, s.vz)[1] - s.omega * sigma > STUCK:
+            damp_change_of_fulcrum(contacts, landed - 1, case, s)

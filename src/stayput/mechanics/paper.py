@@ -1,0 +1,190 @@
+"""The paper's rules (``contact="paper"``), as written: the fulcrum never lifts, nothing moves up.
+
+Sliding starts at |ẍ_G| > μg, rocking at |ẍ_G| > (b/h)g whether or not the base slides; while the body
+rocks the fulcrum sticks, or slips with the rotational coefficients. A landing follows Eq. 3.14 and leaves
+the slip rate as it is. A hit on a wall turns the rotation rate round (Eq. 3.15, θ̇' = −e_w θ̇) and, where
+the base itself meets the wall, the slip rate.
+"""
+
+from __future__ import annotations
+
+import math
+
+from stayput.mechanics.columns import (
+    A_FLOOR,
+    B_FLOOR,
+    CONTACTS,
+    CORNER,
+    FLAT,
+    FLOOR_BITS,
+    HELD,
+    MU_KINETIC,
+    MU_STATIC,
+    RESTITUTION,
+    SLIP,
+    STICK,
+)
+from stayput.mechanics.compiled import inner
+from stayput.mechanics.contact import STUCK
+from stayput.mechanics.fulcrum import margins
+from stayput.mechanics.geometry import arm, resting_tilt, slip_rate
+from stayput.mechanics.modes import MOMENT, SETTLED_HEIGHT, pivot_on, stand_flat
+
+WALL_BITS = 0b11111100  # and the ceiling
+RIGHT_BITS, LEFT_BITS = 0b00001100, 0b00110000
+
+
+@inner
+def _place_on(contacts, case, s, fulcrum, slip):
+    """Let the body rock on a corner that moves along the floor at the rate ``slip``."""
+    pivot_on(contacts[fulcrum], s)
+    s.vx += slip
+    s.i, s.j, s.dj = fulcrum, -1, 0
+    s.closed = 1 << fulcrum
+
+
+@inner
+def choose_paper_mode(contacts, case, s, touch, a, a_rate):
+    """Set the mode that the paper's rules give, for the load a moment ahead."""
+    a += MOMENT * a_rate
+    s.alpha = 0.0
+    if s.theta == resting_tilt(case) and s.omega == 0.0:
+        _choose_flat(contacts, case, s, touch, a)
+    elif not _leans(contacts, case, s, touch, a):
+        right = s.theta > resting_tilt(case) or (s.theta == resting_tilt(case) and s.omega > 0.0)
+        fulcrum = B_FLOOR if right else A_FLOOR
+        _choose_fulcrum(contacts, case, s, fulcrum, slip_rate(contacts[fulcrum], s), a)
+
+
+@inner
+def _choose_flat(contacts, case, s, touch, a):
+    g = case.gravity
+    stand_flat(case, s)
+    sigma_a, kappa_a = arm(contacts[A_FLOOR], s.theta)
+    sigma_b, kappa_b = arm(contacts[B_FLOOR], s.theta)
+    low, high = -sigma_b / kappa_b, -sigma_a / kappa_a  # of ẍ_G/g: beyond them the body rocks
+    slide_low = slide_high = case.static_friction
+    slip = s.vx if abs(s.vx) > STUCK else 0.0
+    s.vz = 0.0
+    if touch & RIGHT_BITS:  # flush against a wall it neither rocks nor slides that way
+        low, slide_low, slip = -math.inf, math.inf, min(slip, 0.0)
+    if touch & LEFT_BITS:
+        high, slide_high, slip = math.inf, math.inf, max(slip, 0.0)
+    if a < low * g and _starts_rocking(contacts, case, s, B_FLOOR, slip, a):
+        return
+    if a > high * g and _starts_rocking(contacts, case, s, A_FLOOR, slip, a):
+        return
+    s.i, s.j, s.closed = A_FLOOR, B_FLOOR, FLOOR_BITS | touch & WALL_BITS
+    s.vx = slip
+    if slip == 0.0 and -slide_low * g <= a <= slide_high * g:
+        s.kind = HELD
+        s.low, s.high = max(low, -slide_low), min(high, slide_high)
+        return
+    s.kind = FLAT
+    s.low = low if a >= low * g else -math.inf  # it has had its chance to rock
+    s.high = high if a <= high * g else math.inf
+    s.d = s.dj = int(math.copysign(1.0, slip if slip != 0.0 else -a))
+
+
+@inner
+def _starts_rocking(contacts, case, s, fulcrum, slip, a):
+    """Rock on a corner that slips on, where that opens the other corner, or else on one that sticks."""
+    con = contacts[fulcrum]
+    I, g = case.inertia, case.gravity
+    sigma, kappa = arm(con, s.theta)
+    if slip != 0.0:
+        d = math.copysign(1.0, slip)
+        alpha = margins(False, I, con[MU_KINETIC], d, sigma, kappa, 0.0, a, g, slip)[2]
+        if (alpha > 0.0) == (fulcrum == B_FLOOR):
+            _slip(contacts, case, s, fulcrum, slip, d)
+            return True
+    f, f2, alpha = margins(True, I, con[MU_STATIC], 0.0, sigma, kappa, 0.0, a, g, 0.0)
+    if f >= 0.0 and f2 >= 0.0:
+        s.kind, s.d = STICK, 0
+        _place_on(contacts, case, s, fulcrum, 0.0)
+        return True
+    d = -1.0 if f < 0.0 else 1.0
+    alpha = margins(False, I, con[MU_KINETIC], d, sigma, kappa, 0.0, a, g, 0.0)[2]
+    if slip == 0.0 and (alpha > 0.0) == (fulcrum == B_FLOOR):
+        _slip(contacts, case, s, fulcrum, 0.0, d)
+        return True
+    return False
+
+
+@inner
+def _choose_fulcrum(contacts, case, s, fulcrum, slip, a):
+    """Rock on: the fulcrum slips on, sticks where it can, or starts to slip."""
+    con = contacts[fulcrum]
+    sigma, kappa = arm(con, s.theta)
+    if abs(slip) > STUCK:
+        _slip(contacts, case, s, fulcrum, slip, math.copysign(1.0, slip))
+        return
+    f, f2, _ = margins(
+        True, case.inertia, con[MU_STATIC], 0.0, sigma, kappa, s.omega, a, case.gravity, 0.0
+    )
+    if f >= 0.0 and f2 >= 0.0:
+        s.kind, s.d = STICK, 0
+        _place_on(contacts, case, s, fulcrum, 0.0)
+        return
+    _slip(contacts, case, s, fulcrum, slip, -1.0 if f < 0.0 else 1.0)
+
+
+@inner
+def _slip(contacts, case, s, fulcrum, slip, d):
+    s.kind = SLIP
+    s.d = int(d)
+    _place_on(contacts, case, s, fulcrum, slip)
+
+
+@inner
+def _leans(contacts, case, s, touch, a):
+    """Hold a tilted body against a wall while its weight and the load press it there."""
+    if not touch & WALL_BITS or s.omega != 0.0:
+        return False
+    fulcrum = B_FLOOR if s.theta > resting_tilt(case) else A_FLOOR
+    sigma, kappa = arm(contacts[fulcrum], s.theta)
+    ratio = -sigma / kappa
+    presses = a < ratio * case.gravity if fulcrum == B_FLOOR else a > ratio * case.gravity
+    if not presses:
+        return False
+    s.kind = HELD
+    s.closed = 1 << fulcrum | touch & WALL_BITS
+    s.low, s.high = (-math.inf, ratio) if fulcrum == B_FLOOR else (ratio, math.inf)
+    s.vx = s.vz = 0.0
+    return True
+
+
+@inner
+def collide_by_paper(contacts, case, s):
+    """Change the velocities of the state by the paper's collision rules."""
+    settle = math.sqrt(2.0 * SETTLED_HEIGHT * case.gravity)
+    old = s.i if s.kind != FLAT else A_FLOOR
+    slip = slip_rate(contacts[old], s)
+    if s.hit & FLOOR_BITS:
+        new = B_FLOOR if s.hit & 2 else A_FLOOR
+        s.theta = resting_tilt(case)
+        sigma, kappa = arm(contacts[new], s.theta)
+        sigma_old, kappa_old = arm(contacts[old], s.theta)
+        kept = case.inertia + sigma * sigma_old + kappa * kappa_old
+        s.omega *= max(0.0, case.restitution * kept / (case.inertia + sigma * sigma + kappa * kappa))
+        if abs(s.omega * (sigma - sigma_old)) <= settle:
+            s.omega = 0.0
+        _place_on(contacts, case, s, new, slip)
+        return
+    c = 0
+    while c < CONTACTS - 1 and not s.hit >> c & 1:
+        c += 1
+    wall = contacts[c]
+    towards = -1.0 if c >= 4 else 1.0
+    reach = slip_rate(contacts[old], s) * towards
+    if CORNER[c] >= 2:
+        s.omega *= -wall[RESTITUTION]
+        _, lever = arm(contacts[old], s.theta)
+        if abs(s.omega * lever) <= settle:
+            s.omega = 0.0
+    if (CORNER[c] < 2 or s.kind == SLIP) and reach > 0.0:
+        slip *= -wall[RESTITUTION]
+    if s.kind == FLAT:
+        s.vx = slip if abs(slip) > settle else 0.0
+        return
+    _place_on(contacts, case, s, old, slip)

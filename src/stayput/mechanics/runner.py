@@ -1,0 +1,166 @@
+"""Python's way into the compiled functions: one case with its history, or a batch of cases."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.mechanics import columns as col
+from stayput.mechanics.engine import run_batch, run_case
+from stayput.mechanics.flat import BLOCK, block_extremes
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+MAX_EVENTS = 1_000_000
+"""Events after which a run is given up, reported as failed."""
+
+TOLERANCE = 1e-9
+"""Largest last term of the tilt's series in a step [rad]."""
+
+LISTED_EVENTS = 4096
+"""Events that there is room for at first; a run with more is run again with room for all."""
+
+
+@dataclass(frozen=True, slots=True)
+class TracedEvent:
+    """An event in numbers."""
+
+    time: float
+    kind: int
+    mode: int
+    tilt: float
+    tilt_rate: float
+    slide: float
+    slide_rate: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Traced:
+    """A run in numbers: the kinds, modes and outcomes by their place in the user's lists."""
+
+    outcome: int
+    end: float
+    peak_slide: float
+    peak_tilt: float
+    slide: float
+    tilt: float
+    floor_impacts: int
+    wall_impacts: int
+    steps: int
+    history: NDArray[np.float64]
+    events: tuple[TracedEvent, ...]
+
+
+def extremes(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the smallest and largest value over blocks of segments, so that rest can be skipped."""
+    blocks = max(1, -(-(len(values) - 1) // BLOCK))
+    low, high = np.empty(blocks), np.empty(blocks)
+    block_extremes(values, low, high)
+    return low, high
+
+
+def _loads(
+    along: NDArray[np.float64], up: NDArray[np.float64], law: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Copy the motion (compiled code is for writable arrays); the paper's rules know no vertical one."""
+    return np.array(along, np.float64), np.zeros(len(along)) if law == 1 else np.array(up, np.float64)
+
+
+def trace(
+    case: np.void,
+    along: NDArray[np.float64],
+    up: NDArray[np.float64],
+    dt: float,
+    law: int,
+    *,
+    tolerance: float = TOLERANCE,
+    max_step: float = np.inf,
+) -> Traced:
+    """Run one case and keep its history and events.
+
+    Parameters
+    ----------
+    case : CASE record
+        The case.
+    along, up : ndarray of float64, shape [n]
+        Acceleration of the floor, + right and + up [m/s²].
+    dt : float
+        Time between samples [s].
+    law : int
+        0 for "coulomb", 1 for "paper".
+    tolerance, max_step : float
+        Largest last term of the series in a step [rad], longest step [s].
+    """
+    along, up = _loads(along, up, law)
+    bounds = (*extremes(along), *extremes(up))
+    state = np.zeros(1, col.STATE)[0]
+    room = np.zeros((col.CONTACTS, col.CONTACT_COLUMNS)), np.zeros((col.CONTACTS, col.ROW_COLUMNS))
+    history = np.zeros((len(along), col.HISTORY))
+    listed = np.zeros((LISTED_EVENTS, col.EVENT))
+    while True:
+        result = run_case(
+            case, along, up, dt, bounds, law, tolerance, max_step, MAX_EVENTS, *room, state, history, listed
+        )
+        count = int(state["events"])
+        if count <= len(listed):
+            break
+        listed = np.zeros((count, col.EVENT))
+        history[:] = 0.0
+    outcome, end, slide = result
+    reached = int(history[:, col.H_REACHED].sum())
+    return Traced(
+        outcome=int(outcome),
+        end=float(end),
+        peak_slide=float(state["peak_slide"]),
+        peak_tilt=float(state["peak_tilt"]),
+        slide=float(slide),
+        tilt=float(state["theta"]),
+        floor_impacts=int(state["floor_impacts"]),
+        wall_impacts=int(state["wall_impacts"]),
+        steps=int(state["steps"]),
+        history=history[:reached],
+        events=tuple(
+            TracedEvent(float(row[0]), int(row[1]), int(row[2]), *(float(value) for value in row[3:]))
+            for row in listed[:count]
+        ),
+    )
+
+
+def run_cases(
+    cases: NDArray[np.void],
+    along: NDArray[np.float64],
+    up: NDArray[np.float64],
+    dt: float,
+    law: int,
+    *,
+    tolerance: float = TOLERANCE,
+    max_step: float = np.inf,
+    max_events: int = MAX_EVENTS,
+) -> NDArray[np.void]:
+    """Run a column of cases under one motion on this thread; return a column of `columns.RESULT`.
+
+    Parameters
+    ----------
+    cases : ndarray of CASE, shape [m]
+    along, up, dt, law, tolerance, max_step
+        As for `trace`.
+    max_events : int
+        Events after which a case is given up.
+    """
+    along, up = _loads(along, up, law)
+    bounds = (*extremes(along), *extremes(up))
+    results = np.zeros(len(cases), col.RESULT)
+    run_batch(cases, along, up, dt, bounds, law, tolerance, max_step, max_events, results)
+    return results
+
+
+def is_compiled() -> bool:
+    """Whether the compiled code of the mechanics lies on disk, so that the first run starts at once."""
+    from stayput.mechanics import engine
+
+    cache = run_case._cache._impl.locator  # type: ignore[attr-defined]
+    return any(Path(cache.get_cache_path()).glob(f"{Path(engine.__file__).stem}.run_case-*.nbc"))
