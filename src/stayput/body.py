@@ -179,7 +179,13 @@ class Body:
 
     @classmethod
     def bookcase(
-        cls, width: float, height: float, mass: float, loads: Iterable[float], *, load_width: float | None = None
+        cls,
+        width: float,
+        height: float,
+        mass: float,
+        loads: Iterable[float],
+        *,
+        load_width: float | None = None,
     ) -> Body:
         """Make a bookcase: a uniform carcass and equally spaced shelves with a load on each.
 

@@ -77,13 +77,40 @@ PLANE = (0, 0, 1, 1, 2, 2, 3, 3)
 FLOOR_BITS = 0b00000011
 CONTACTS = 8
 
-# columns of the contact table
-R, BETA, OFFSET, COS, SIN, MU_STATIC, MU_KINETIC, RESTITUTION = range(8)
-CONTACT_COLUMNS = 8
+CONTACT = np.dtype(
+    [
+        ("r", "f8"),  # the corner's distance from G [m]
+        ("beta", "f8"),  # its angle in the plane's axes [rad]
+        ("offset", "f8"),  # of the plane, along its normal [m]
+        ("cos", "f8"),  # direction of the plane
+        ("sin", "f8"),
+        ("mu_static", "f8"),
+        ("mu_kinetic", "f8"),
+        ("restitution", "f8"),
+    ],
+    align=True,
+)
+"""One contact: a corner and a plane."""
 
-# columns of the table of closed contacts: rows n and t with their levers, rates, target, cones
-NX, NZ, NL, TX, TZ, TL, BIAS_N, BIAS_T, TARGET, CONE_STICK, CONE_SLIP, SLIPPING, INDEX = range(13)
-ROW_COLUMNS = 13
+ROW = np.dtype(
+    [
+        ("nx", "f8"),  # normal, and its lever about G
+        ("nz", "f8"),
+        ("nl", "f8"),
+        ("tx", "f8"),  # tangent, and its lever
+        ("tz", "f8"),
+        ("tl", "f8"),
+        ("bias_n", "f8"),  # rates without forces at the contacts
+        ("bias_t", "f8"),
+        ("target", "f8"),  # the normal rate of a contact that presses
+        ("cone_stick", "f8"),  # coefficients of friction
+        ("cone_slip", "f8"),
+        ("slipping", "f8"),  # direction of slip, 0 where there is none
+        ("index", "i8"),  # which contact
+    ],
+    align=True,
+)
+"""A closed contact in the small contact problem."""
 
 # modes
 HELD, FLAT, STICK, SLIP, WEDGE, FLIGHT, OVERTURNED, FAILED = range(8)

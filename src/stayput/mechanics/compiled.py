@@ -2,6 +2,8 @@
 
 No fast-math flags: the same bits come out on every x86-64 processor, whatever its vector width. The inner
 functions get no Python wrappers and no files of their own, which would make up most of a cold compile.
+Nothing is allocated inside, so reference counting is off: it would cost as much as the mechanics, and
+more with every thread that shares a motion.
 """
 
 from __future__ import annotations
@@ -17,9 +19,9 @@ T = TypeVar("T")
 
 def inner(function: Callable[P, T]) -> Callable[P, T]:
     """Compile a function that only compiled functions call."""
-    return njit(no_cpython_wrapper=True, no_cfunc_wrapper=True)(function)
+    return njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, _nrt=False)(function)
 
 
 def entry(function: Callable[P, T]) -> Callable[P, T]:
     """Compile a function that Python calls, without the interpreter's lock, and keep the code on disk."""
-    return njit(cache=True, nogil=True)(function)
+    return njit(cache=True, nogil=True, _nrt=False)(function)

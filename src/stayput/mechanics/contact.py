@@ -11,29 +11,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import (
-    A_FLOOR,
-    B_FLOOR,
-    BIAS_N,
-    BIAS_T,
-    CONE_SLIP,
-    CONE_STICK,
-    COS,
-    INDEX,
-    MU_KINETIC,
-    MU_STATIC,
-    NL,
-    NX,
-    NZ,
-    OFFSET,
-    PLANE,
-    SIN,
-    SLIPPING,
-    TARGET,
-    TL,
-    TX,
-    TZ,
-)
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, PLANE
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.geometry import along, arm, slip_rate
 
@@ -50,14 +28,14 @@ def tabulate_forces(rows, contacts, closed, theta, omega, a, G):
         if closed >> c & 1:
             con, row = contacts[c], rows[count]
             sigma, kappa = arm(con, theta)
-            row[NX], row[NZ], row[NL] = -con[SIN], con[COS], -sigma
-            row[TX], row[TZ], row[TL] = con[COS], con[SIN], -kappa
+            row.nx, row.nz, row.nl = -con.sin, con.cos, -sigma
+            row.tx, row.tz, row.tl = con.cos, con.sin, -kappa
             tangential, normal = along(con, -a, -G)
-            row[BIAS_N] = normal + omega * omega * kappa
-            row[BIAS_T] = tangential - omega * omega * sigma
-            row[TARGET] = 0.0
-            row[CONE_STICK], row[CONE_SLIP] = con[MU_STATIC], con[MU_KINETIC]
-            row[INDEX] = c
+            row.bias_n = normal + omega * omega * kappa
+            row.bias_t = tangential - omega * omega * sigma
+            row.target = 0.0
+            row.cone_stick, row.cone_slip = con.mu_static, con.mu_kinetic
+            row.index = c
             count += 1
         c += 1
     return count
@@ -67,16 +45,16 @@ def tabulate_forces(rows, contacts, closed, theta, omega, a, G):
 def mark_slips(rows, count, contacts, s):
     """Note in which direction each closed contact slips; 0 where it does not."""
     for k in range(count):
-        slip = slip_rate(contacts[int(rows[k, INDEX])], s)
-        rows[k, SLIPPING] = 0.0 if abs(slip) <= STUCK else math.copysign(1.0, slip)
+        slip = slip_rate(contacts[rows[k].index], s)
+        rows[k].slipping = 0.0 if abs(slip) <= STUCK else math.copysign(1.0, slip)
 
 
 @inner
 def use_flat_friction(rows, count, static, kinetic):
     """Give both base corners the flat base's coefficients when both stand on the floor."""
-    if count >= 2 and rows[0, INDEX] == A_FLOOR and rows[1, INDEX] == B_FLOOR:
-        rows[0, CONE_STICK] = rows[1, CONE_STICK] = static
-        rows[0, CONE_SLIP] = rows[1, CONE_SLIP] = kinetic
+    if count >= 2 and rows[0].index == A_FLOOR and rows[1].index == B_FLOOR:
+        rows[0].cone_stick = rows[1].cone_stick = static
+        rows[0].cone_slip = rows[1].cone_slip = kinetic
 
 
 @inner
@@ -94,12 +72,12 @@ def holding_limits(rows, count):
     low, high = math.inf, -math.inf
     for p in range(2 * count):
         rp, op = rows[p >> 1], 1.0 - 2.0 * (p & 1)
-        mu = rp[CONE_STICK]
-        px, pz, pl = rp[NX] + op * mu * rp[TX], rp[NZ] + op * mu * rp[TZ], rp[NL] + op * mu * rp[TL]
+        mu = rp.cone_stick
+        px, pz, pl = rp.nx + op * mu * rp.tx, rp.nz + op * mu * rp.tz, rp.nl + op * mu * rp.tl
         for q in range(p):
             rq, oq = rows[q >> 1], 1.0 - 2.0 * (q & 1)
-            mu = rq[CONE_STICK]
-            qx, qz, ql = rq[NX] + oq * mu * rq[TX], rq[NZ] + oq * mu * rq[TZ], rq[NL] + oq * mu * rq[TL]
+            mu = rq.cone_stick
+            qx, qz, ql = rq.nx + oq * mu * rq.tx, rq.nz + oq * mu * rq.tz, rq.nl + oq * mu * rq.tl
             if pl * ql > 0.0 or (pl == 0.0 and ql == 0.0):
                 continue
             fx, fz = abs(ql) * px + abs(pl) * qx, abs(ql) * pz + abs(pl) * qz
@@ -120,22 +98,22 @@ def _coupling(jx, jz, jl, fx, fz, fl, I):
 @inner
 def _push(row, side, mu):
     """Force per unit normal force of a contact that slips to ``side``."""
-    return row[NX] - side * mu * row[TX], row[NZ] - side * mu * row[TZ], row[NL] - side * mu * row[TL]
+    return row.nx - side * mu * row.tx, row.nz - side * mu * row.tz, row.nl - side * mu * row.tl
 
 
 @inner
 def _rates(row, fx, fz, fl, I):
     """Normal and tangential rate of a contact under a total force."""
     return (
-        row[BIAS_N] + _coupling(row[NX], row[NZ], row[NL], fx, fz, fl, I),
-        row[BIAS_T] + _coupling(row[TX], row[TZ], row[TL], fx, fz, fl, I),
+        row.bias_n + _coupling(row.nx, row.nz, row.nl, fx, fz, fl, I),
+        row.bias_t + _coupling(row.tx, row.tz, row.tl, fx, fz, fl, I),
     )
 
 
 @inner
 def _others_stay_open(rows, count, i, j, fx, fz, fl, I, tolerance):
     for k in range(count):
-        if k != i and k != j and _rates(rows[k], fx, fz, fl, I)[0] < rows[k][TARGET] - tolerance:
+        if k != i and k != j and _rates(rows[k], fx, fz, fl, I)[0] < rows[k].target - tolerance:
             return False
     return True
 
@@ -144,14 +122,14 @@ def _others_stay_open(rows, count, i, j, fx, fz, fl, I, tolerance):
 def one_sticks(rows, count, i, I, tolerance):
     """Only contact i presses, and sticks: total force, and whether that is consistent."""
     row = rows[i]
-    nn = _coupling(row[NX], row[NZ], row[NL], row[NX], row[NZ], row[NL], I)
-    tt = _coupling(row[TX], row[TZ], row[TL], row[TX], row[TZ], row[TL], I)
-    nt = row[NL] * row[TL] / I
-    bn, bt = row[TARGET] - row[BIAS_N], -row[BIAS_T]
+    nn = _coupling(row.nx, row.nz, row.nl, row.nx, row.nz, row.nl, I)
+    tt = _coupling(row.tx, row.tz, row.tl, row.tx, row.tz, row.tl, I)
+    nt = row.nl * row.tl / I
+    bn, bt = row.target - row.bias_n, -row.bias_t
     det = nn * tt - nt * nt
     N, T = (bn * tt - bt * nt) / det, (bt * nn - bn * nt) / det
-    fx, fz, fl = N * row[NX] + T * row[TX], N * row[NZ] + T * row[TZ], N * row[NL] + T * row[TL]
-    ok = N >= 0.0 and abs(T) <= row[CONE_STICK] * N + tolerance
+    fx, fz, fl = N * row.nx + T * row.tx, N * row.nz + T * row.tz, N * row.nl + T * row.tl
+    ok = N >= 0.0 and abs(T) <= row.cone_stick * N + tolerance
     return ok and _others_stay_open(rows, count, i, i, fx, fz, fl, I, tolerance), fx, fz, fl
 
 
@@ -159,12 +137,12 @@ def one_sticks(rows, count, i, I, tolerance):
 def one_slips(rows, count, i, side, I, tolerance):
     """Only contact i presses, and slips to ``side``."""
     row = rows[i]
-    fx, fz, fl = _push(row, side, row[CONE_SLIP])
-    press = _coupling(row[NX], row[NZ], row[NL], fx, fz, fl, I)
-    N = (row[TARGET] - row[BIAS_N]) / press
+    fx, fz, fl = _push(row, side, row.cone_slip)
+    press = _coupling(row.nx, row.nz, row.nl, fx, fz, fl, I)
+    N = (row.target - row.bias_n) / press
     fx, fz, fl = N * fx, N * fz, N * fl
     ok = press > 0.0 and N >= 0.0
-    if ok and row[SLIPPING] == 0.0:
+    if ok and row.slipping == 0.0:
         ok = side * _rates(row, fx, fz, fl, I)[1] >= -tolerance
     return ok and _others_stay_open(rows, count, i, i, fx, fz, fl, I, tolerance), fx, fz, fl
 
@@ -172,13 +150,13 @@ def one_slips(rows, count, i, side, I, tolerance):
 @inner
 def press_of_two(ri, side_i, rj, side_j, I):
     """Normal forces of two contacts that slip, and the total force; the first is NaN where they jam."""
-    ix, iz, il = _push(ri, side_i, ri[CONE_SLIP])
-    jx, jz, jl = _push(rj, side_j, rj[CONE_SLIP])
-    ii = _coupling(ri[NX], ri[NZ], ri[NL], ix, iz, il, I)
-    ij = _coupling(ri[NX], ri[NZ], ri[NL], jx, jz, jl, I)
-    ji = _coupling(rj[NX], rj[NZ], rj[NL], ix, iz, il, I)
-    jj = _coupling(rj[NX], rj[NZ], rj[NL], jx, jz, jl, I)
-    bi, bj = ri[TARGET] - ri[BIAS_N], rj[TARGET] - rj[BIAS_N]
+    ix, iz, il = _push(ri, side_i, ri.cone_slip)
+    jx, jz, jl = _push(rj, side_j, rj.cone_slip)
+    ii = _coupling(ri.nx, ri.nz, ri.nl, ix, iz, il, I)
+    ij = _coupling(ri.nx, ri.nz, ri.nl, jx, jz, jl, I)
+    ji = _coupling(rj.nx, rj.nz, rj.nl, ix, iz, il, I)
+    jj = _coupling(rj.nx, rj.nz, rj.nl, jx, jz, jl, I)
+    bi, bj = ri.target - ri.bias_n, rj.target - rj.bias_n
     det = ii * jj - ij * ji
     if abs(det) < 1e-14:
         return math.nan, 0.0, 0.0, 0.0, 0.0
@@ -192,9 +170,9 @@ def both_slip(rows, count, i, side_i, j, side_j, I, tolerance):
     ri, rj = rows[i], rows[j]
     Ni, Nj, fx, fz, fl = press_of_two(ri, side_i, rj, side_j, I)
     ok = Ni >= 0.0 and Nj >= 0.0
-    if ok and ri[SLIPPING] == 0.0:
+    if ok and ri.slipping == 0.0:
         ok = side_i * _rates(ri, fx, fz, fl, I)[1] >= -tolerance
-    if ok and rj[SLIPPING] == 0.0:
+    if ok and rj.slipping == 0.0:
         ok = side_j * _rates(rj, fx, fz, fl, I)[1] >= -tolerance
     return ok and _others_stay_open(rows, count, i, j, fx, fz, fl, I, tolerance), fx, fz, fl
 
@@ -203,18 +181,18 @@ def both_slip(rows, count, i, side_i, j, side_j, I, tolerance):
 def sticks_beside(rows, count, i, j, side_j, I, tolerance):
     """Contact i sticks while j presses: on one plane j sticks with it, else it slips to ``side_j``."""
     ri, rj = rows[i], rows[j]
-    same_plane = PLANE[int(ri[INDEX])] == PLANE[int(rj[INDEX])]
-    jx, jz, jl = _push(rj, 0.0 if same_plane else side_j, rj[CONE_SLIP])
+    same_plane = PLANE[ri.index] == PLANE[rj.index]
+    jx, jz, jl = _push(rj, 0.0 if same_plane else side_j, rj.cone_slip)
     # unknowns N_i, T_i, N_j; rows n_i, t_i, n_j
-    a11 = _coupling(ri[NX], ri[NZ], ri[NL], ri[NX], ri[NZ], ri[NL], I)
-    a12 = _coupling(ri[NX], ri[NZ], ri[NL], ri[TX], ri[TZ], ri[TL], I)
-    a13 = _coupling(ri[NX], ri[NZ], ri[NL], jx, jz, jl, I)
-    a22 = _coupling(ri[TX], ri[TZ], ri[TL], ri[TX], ri[TZ], ri[TL], I)
-    a23 = _coupling(ri[TX], ri[TZ], ri[TL], jx, jz, jl, I)
-    a31 = _coupling(rj[NX], rj[NZ], rj[NL], ri[NX], ri[NZ], ri[NL], I)
-    a32 = _coupling(rj[NX], rj[NZ], rj[NL], ri[TX], ri[TZ], ri[TL], I)
-    a33 = _coupling(rj[NX], rj[NZ], rj[NL], jx, jz, jl, I)
-    b1, b2, b3 = ri[TARGET] - ri[BIAS_N], -ri[BIAS_T], rj[TARGET] - rj[BIAS_N]
+    a11 = _coupling(ri.nx, ri.nz, ri.nl, ri.nx, ri.nz, ri.nl, I)
+    a12 = _coupling(ri.nx, ri.nz, ri.nl, ri.tx, ri.tz, ri.tl, I)
+    a13 = _coupling(ri.nx, ri.nz, ri.nl, jx, jz, jl, I)
+    a22 = _coupling(ri.tx, ri.tz, ri.tl, ri.tx, ri.tz, ri.tl, I)
+    a23 = _coupling(ri.tx, ri.tz, ri.tl, jx, jz, jl, I)
+    a31 = _coupling(rj.nx, rj.nz, rj.nl, ri.nx, ri.nz, ri.nl, I)
+    a32 = _coupling(rj.nx, rj.nz, rj.nl, ri.tx, ri.tz, ri.tl, I)
+    a33 = _coupling(rj.nx, rj.nz, rj.nl, jx, jz, jl, I)
+    b1, b2, b3 = ri.target - ri.bias_n, -ri.bias_t, rj.target - rj.bias_n
     m1, m2, m3 = a22 * a33 - a23 * a32, a12 * a33 - a13 * a32, a12 * a23 - a13 * a22
     det = a11 * m1 - a12 * m2 + a31 * m3
     if abs(det) < 1e-14:
@@ -223,13 +201,13 @@ def sticks_beside(rows, count, i, j, side_j, I, tolerance):
     T = (-b1 * (a12 * a33 - a23 * a31) + b2 * (a11 * a33 - a13 * a31) - b3 * (a11 * a23 - a12 * a13)) / det
     Nj = (b1 * (a12 * a32 - a22 * a31) - b2 * (a11 * a32 - a12 * a31) + b3 * (a11 * a22 - a12 * a12)) / det
     fx, fz, fl = (
-        Ni * ri[NX] + T * ri[TX] + Nj * jx,
-        Ni * ri[NZ] + T * ri[TZ] + Nj * jz,
-        Ni * ri[NL] + T * ri[TL] + Nj * jl,
+        Ni * ri.nx + T * ri.tx + Nj * jx,
+        Ni * ri.nz + T * ri.tz + Nj * jz,
+        Ni * ri.nl + T * ri.tl + Nj * jl,
     )
     carried = Ni + Nj if same_plane else Ni
-    ok = Ni >= 0.0 and Nj >= 0.0 and abs(T) <= ri[CONE_STICK] * carried + tolerance
-    if ok and not same_plane and rj[SLIPPING] == 0.0:
+    ok = Ni >= 0.0 and Nj >= 0.0 and abs(T) <= ri.cone_stick * carried + tolerance
+    if ok and not same_plane and rj.slipping == 0.0:
         ok = side_j * _rates(rj, fx, fz, fl, I)[1] >= -tolerance
     return ok and _others_stay_open(rows, count, i, j, fx, fz, fl, I, tolerance), fx, fz, fl
 
@@ -249,7 +227,7 @@ def touching(contacts, present, x, z, theta, tolerance):
         if present >> c & 1:
             con = contacts[c]
             _, kappa = arm(con, theta)
-            if along(con, x, z)[1] + con[OFFSET] - kappa <= tolerance:
+            if along(con, x, z)[1] + con.offset - kappa <= tolerance:
                 bits |= 1 << c
         c += 1
     return bits

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from stayput.mechanics.columns import (
     C_CEILING,
     CEILING_IMPACT_EVENT,
     CLOSED,
-    CONTACT_COLUMNS,
-    CONTACTS,
     E_KIND,
     E_MODE,
     E_SLIDE,
@@ -18,7 +14,6 @@ from stayput.mechanics.columns import (
     E_TILT_RATE,
     E_TIME,
     ENDED,
-    EVENT,
     FAILED,
     FAILED_EVENT,
     FAILED_OUTCOME,
@@ -27,7 +22,6 @@ from stayput.mechanics.columns import (
     FLOOR_BITS,
     FLOOR_IMPACT_EVENT,
     HELD,
-    HISTORY,
     LEAN_MODE,
     LEANING,
     LIFT_OFF_EVENT,
@@ -41,11 +35,9 @@ from stayput.mechanics.columns import (
     REST_EVENT,
     RESTED,
     ROCKED,
-    ROW_COLUMNS,
     SLID,
     SLIP,
     SLIP_EVENT,
-    STATE,
     STICK,
     STICK_EVENT,
     TURNED_OVER,
@@ -54,7 +46,7 @@ from stayput.mechanics.columns import (
     WALL_RELEASE_EVENT,
 )
 from stayput.mechanics.compiled import entry, inner
-from stayput.mechanics.contact import touching
+from stayput.mechanics.contact import STUCK, touching
 from stayput.mechanics.flat import advance_flat, advance_held, flat_friction
 from stayput.mechanics.free import advance_flight, advance_lean, note_peaks
 from stayput.mechanics.fulcrum import advance_fulcrum
@@ -67,8 +59,8 @@ from stayput.mechanics.geometry import (
     set_up_contacts,
     slide_of,
 )
-from stayput.mechanics.impact import land
-from stayput.mechanics.modes import choose_mode, pivot_on, unjam
+from stayput.mechanics.impact import closing, land
+from stayput.mechanics.modes import choose_mode, pivot_on, settling_rate, unjam
 from stayput.mechanics.motion import loads, named_mode, note_sample
 from stayput.mechanics.paper import choose_paper_mode, collide_by_paper
 
@@ -167,17 +159,17 @@ def _outcome(s):
 
 
 @inner
-def _next_mode(rows, contacts, touch, case, s, ax, az, dt, law):
+def _next_mode(rows, contacts, touch, settle, case, s, ax, az, dt, law):
     """Choose the mode at the present time, under either law."""
     a, a_rate, G, G_rate = loads(case, ax, az, dt, s.k, s.tau)
     if law == PAPER:
         choose_paper_mode(contacts, case, s, touch, a, a_rate)
         return
-    choose_mode(rows, contacts, touch, case, s, a, a_rate, G, G_rate)
+    choose_mode(rows, contacts, touch, settle, case, s, a, a_rate, G, G_rate)
     if s.kind == FAILED:
         s.closed = touch
         unjam(contacts, case, s)
-        choose_mode(rows, contacts, touch, case, s, a, a_rate, G, G_rate)
+        choose_mode(rows, contacts, touch, settle, case, s, a, a_rate, G, G_rate)
 
 
 @entry
@@ -219,7 +211,7 @@ def run_case(
     lifts = law == COULOMB
     last = ax.shape[0] - 1
     touch = touching(contacts, s.present, s.x, s.z, s.theta, GAP_TOLERANCE) | s.closed
-    _next_mode(rows, contacts, touch, case, s, ax, az, dt, law)
+    _next_mode(rows, contacts, touch, STUCK, case, s, ax, az, dt, law)
     note_sample(history, case, s)
     while s.kind != FAILED:
         k, tau, kind, closed = s.k, s.tau, s.kind, s.closed
@@ -236,9 +228,14 @@ def run_case(
             _list_event(events, case, s, dt, why, kind, closed)
             break
         s.stalls = s.stalls + 1 if s.k == k and s.tau - tau < 1e-12 else 0
-        touch = touching(contacts, s.present, s.x, s.z, s.theta, GAP_TOLERANCE) | s.closed
-        if why == CLOSED:
-            touch |= s.hit
+        if why != CLOSED:
+            s.hit = 0
+        touch = touching(contacts, s.present, s.x, s.z, s.theta, GAP_TOLERANCE) | s.closed | s.hit
+        if law == COULOMB:
+            # contacts that close in the same instant as a force reaches its limit collide too
+            s.hit |= closing(contacts, touch & ~s.closed, s)
+        if s.hit:
+            why = CLOSED
             if s.hit & FLOOR_BITS:
                 s.floor_impacts += 1
             else:
@@ -247,19 +244,31 @@ def run_case(
                 collide_by_paper(contacts, case, s)
             else:
                 land(rows, contacts, s.closed, touch & ~s.closed, case, s)
-        else:
-            s.hit = 0
-        _next_mode(rows, contacts, touch, case, s, ax, az, dt, law)
+        settle = settling_rate(case) if s.hit else STUCK
+        _next_mode(rows, contacts, touch, settle, case, s, ax, az, dt, law)
         _list_event(events, case, s, dt, why, kind, closed)
     return _outcome(s), s.k * dt + s.tau, slide_of(case, s)[0]
 
 
 @entry
-def run_batch(cases, ax, az, dt, extremes, law, tolerance, max_step, max_events, results):
-    """Run a column of cases one after another, keeping no histories; see `run_case`."""
-    contacts, rows = np.zeros((CONTACTS, CONTACT_COLUMNS)), np.zeros((CONTACTS, ROW_COLUMNS))
-    states = np.zeros(1, STATE)
-    history, events = np.zeros((0, HISTORY)), np.zeros((0, EVENT))
+def run_batch(
+    cases,
+    ax,
+    az,
+    dt,
+    extremes,
+    law,
+    tolerance,
+    max_step,
+    max_events,
+    contacts,
+    rows,
+    states,
+    history,
+    events,
+    results,
+):
+    """Run a column of cases one after another; as `run_case`, with empty tables for history and events."""
     for n in range(cases.shape[0]):
         s = states[0]
         outcome, end, slide = run_case(

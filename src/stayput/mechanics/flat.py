@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import CLOSED, COS, ENDED, LIMIT, MU_KINETIC, OFFSET, PLANE, SIN
+from stayput.mechanics.columns import CLOSED, ENDED, LIMIT, PLANE
 from stayput.mechanics.compiled import entry, inner
 from stayput.mechanics.geometry import along, arm
 from stayput.mechanics.motion import loads, note_sample, pass_time
@@ -122,7 +122,7 @@ def _first_stop(v, p, p_rate, h):
 def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
     """Slide the body flat along its plane with the coefficient ``friction`` to its next event."""
     con = contacts[s.i]
-    cf, sf = con[COS], con[SIN]
+    cf, sf = con.cos, con.sin
     d = float(s.d)
     others = s.present & ~(0b11 << 2 * PLANE[s.i])
     last = ax.shape[0] - 1
@@ -155,7 +155,7 @@ def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
             if others >> c & 1:
                 wall = contacts[c]
                 _, kappa = arm(wall, s.theta)
-                gap = along(wall, s.x, s.z)[1] + wall[OFFSET] - kappa
+                gap = along(wall, s.x, s.z)[1] + wall.offset - kappa
                 side = d * along(wall, cf, sf)[1]  # the wall's gap opens with the slip, or closes
                 v1, c0, c1 = v - h * (drive + 0.5 * h * drive_rate), -drive, -drive - h * drive_rate
                 gap1 = gap + side * h * (v - h * (drive / 2.0 + h * drive_rate / 6.0))
@@ -180,4 +180,4 @@ def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
 @inner
 def flat_friction(contacts, case, s):
     """Kinetic coefficient of a body that slides flat: the base's on the floor."""
-    return case.kinetic_friction if PLANE[s.i] == 0 else contacts[s.i][MU_KINETIC]
+    return case.kinetic_friction if PLANE[s.i] == 0 else contacts[s.i].mu_kinetic

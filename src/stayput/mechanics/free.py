@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import CLOSED, ENDED, LIMIT, OFFSET, TURNED_OVER
+from stayput.mechanics.columns import CLOSED, ENDED, LIMIT, TURNED_OVER
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import press_of_two, tabulate_forces
 from stayput.mechanics.geometry import (
@@ -132,7 +132,7 @@ def _lean_ends(contacts, s, Ni, Nj):
         if others >> c & 1:
             con = contacts[c]
             _, kappa = arm(con, s.theta)
-            if along(con, s.x, s.z)[1] + con[OFFSET] - kappa < -0.1 * GAP_TOLERANCE:
+            if along(con, s.x, s.z)[1] + con.offset - kappa < -0.1 * GAP_TOLERANCE:
                 s.hit |= 1 << c
         c += 1
     if s.hit:

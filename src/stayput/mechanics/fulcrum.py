@@ -4,26 +4,15 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import (
-    CLOSED,
-    CORNER,
-    COS,
-    ENDED,
-    LIMIT,
-    MU_KINETIC,
-    MU_STATIC,
-    OFFSET,
-    PLANE,
-    SIN,
-    SLIP,
-    TURNED_OVER,
-    R,
-)
+from stayput.mechanics.columns import CLOSED, CORNER, ENDED, LIMIT, PLANE, SLIP, TURNED_OVER
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.geometry import HALF_TURN, along, arm, gap_and_rates
 from stayput.mechanics.motion import loads, note_sample, pass_time
 from stayput.mechanics.roots import falls_inside, first_zero, illinois
 from stayput.mechanics.series import rock_series, slide_rock_series, step_within, tilt_after
+
+SLACK = 4e-12
+"""A corner that swings past a plane at a tangent touches it only if it comes this far behind it [m]."""
 
 STALLED = 8
 """After this many events without time passing, a tiny step is taken without looking for events."""
@@ -44,8 +33,8 @@ def set_tilt_bounds(contacts, case, s):
     s.low, s.high, s.low_hit, s.high_hit = -HALF_TURN, HALF_TURN, 0, 0
     con = contacts[s.i]
     sigma, kappa = arm(con, s.theta)
-    x = s.x + con[COS] * sigma + con[SIN] * kappa
-    z = s.z + con[SIN] * sigma - con[COS] * kappa
+    x = s.x + con.cos * sigma + con.sin * kappa
+    z = s.z + con.sin * sigma - con.cos * kappa
     corner = CORNER[s.i]
     c = 0
     while s.present >> c:
@@ -54,9 +43,9 @@ def set_tilt_bounds(contacts, case, s):
         reach = math.hypot(u, v)
         counts = s.present >> c & 1 and reach > 0.0 and (s.kind != SLIP or PLANE[c] == PLANE[s.i])
         if counts:
-            clear = along(other, x, z)[1] + other[OFFSET]
+            clear = along(other, x, z)[1] + other.offset + SLACK
             # gap = clear + reach cos(θ − centre)
-            centre = math.atan2(-other[SIN] * v - other[COS] * u, other[COS] * v - other[SIN] * u)
+            centre = math.atan2(-other.sin * v - other.cos * u, other.cos * v - other.sin * u)
             if clear < reach:
                 half = math.acos(max(-1.0, -clear / reach))
                 if s.theta - centre > math.pi:
@@ -201,10 +190,10 @@ def place_after(flow, mu_d, kappa, t):
 @inner
 def whole_state(con, sigma, kappa, xi, v_xi, theta, omega, alpha, drive, mu_d):
     """Place, rates and accelerations of a body on a slipping fulcrum, for the gaps to other planes."""
-    height, lift = kappa - con[OFFSET], omega * sigma
+    height, lift = kappa - con.offset, omega * sigma
     rise = alpha * sigma - omega * omega * kappa
     a_xi = drive - mu_d * rise
-    cf, sf = con[COS], con[SIN]
+    cf, sf = con.cos, con.sin
     return (
         cf * xi - sf * height,
         sf * xi + cf * height,
@@ -252,9 +241,9 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, lifts, h
     """
     con = contacts[s.i]
     stick = s.kind != SLIP
-    I, r, cf, sf = case.inertia, con[R], con[COS], con[SIN]
+    I, r, cf, sf = case.inertia, con.r, con.cos, con.sin
     d = float(s.d)
-    mu = con[MU_STATIC] if stick else con[MU_KINETIC]
+    mu = con.mu_static if stick else con.mu_kinetic
     mu_d = mu * d
     q = -r / (I + r * r)
     set_tilt_bounds(contacts, case, s)
@@ -349,7 +338,7 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, lifts, h
 @inner
 def write_back(con, sigma, kappa, xi, v_xi, theta, omega, s):
     """Put the state of a body on a fulcrum back into the room's axes."""
-    height, lift = kappa - con[OFFSET], omega * sigma
-    s.x, s.z = con[COS] * xi - con[SIN] * height, con[SIN] * xi + con[COS] * height
-    s.vx, s.vz = con[COS] * v_xi - con[SIN] * lift, con[SIN] * v_xi + con[COS] * lift
+    height, lift = kappa - con.offset, omega * sigma
+    s.x, s.z = con.cos * xi - con.sin * height, con.sin * xi + con.cos * height
+    s.vx, s.vz = con.cos * v_xi - con.sin * lift, con.sin * v_xi + con.cos * lift
     s.theta, s.omega = theta, omega

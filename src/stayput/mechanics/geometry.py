@@ -11,20 +11,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import (
-    BETA,
-    CONTACTS,
-    CORNER,
-    COS,
-    FLOOR_BITS,
-    MU_KINETIC,
-    MU_STATIC,
-    OFFSET,
-    PLANE,
-    RESTITUTION,
-    SIN,
-    R,
-)
+from stayput.mechanics.columns import CONTACTS, CORNER, FLOOR_BITS, PLANE
 from stayput.mechanics.compiled import inner
 
 GAP_TOLERANCE = 1e-10
@@ -80,42 +67,42 @@ def set_up_contacts(case, contacts):
         plane = PLANE[c]
         u, v = case.u[CORNER[c]], case.v[CORNER[c]]
         row = contacts[c]
-        row[R] = math.sqrt(u * u + v * v)
+        row.r = math.sqrt(u * u + v * v)
         beta = math.atan2(u, -v)
         if plane == 0:
-            row[BETA], row[COS], row[SIN] = beta, 1.0, 0.0
-            row[OFFSET] = 0.0
-            row[MU_STATIC], row[MU_KINETIC] = case.edge_static_friction, case.edge_kinetic_friction
-            row[RESTITUTION] = case.normal_restitution
+            row.beta, row.cos, row.sin = beta, 1.0, 0.0
+            row.offset = 0.0
+            row.mu_static, row.mu_kinetic = case.edge_static_friction, case.edge_kinetic_friction
+            row.restitution = case.normal_restitution
         elif plane == 1:
-            row[BETA], row[COS], row[SIN] = beta - HALF_TURN, 0.0, 1.0
-            row[OFFSET] = rightmost + case.right_distance
-            row[MU_STATIC] = row[MU_KINETIC] = case.right_friction
-            row[RESTITUTION] = case.right_restitution
+            row.beta, row.cos, row.sin = beta - HALF_TURN, 0.0, 1.0
+            row.offset = rightmost + case.right_distance
+            row.mu_static = row.mu_kinetic = case.right_friction
+            row.restitution = case.right_restitution
         elif plane == 2:
-            row[BETA], row[COS], row[SIN] = beta + HALF_TURN, 0.0, -1.0
-            row[OFFSET] = case.left_distance - leftmost
-            row[MU_STATIC] = row[MU_KINETIC] = case.left_friction
-            row[RESTITUTION] = case.left_restitution
+            row.beta, row.cos, row.sin = beta + HALF_TURN, 0.0, -1.0
+            row.offset = case.left_distance - leftmost
+            row.mu_static = row.mu_kinetic = case.left_friction
+            row.restitution = case.left_restitution
         else:
-            row[BETA], row[COS], row[SIN] = beta + math.pi, -1.0, 0.0
-            row[OFFSET] = case.ceiling_distance
-            row[MU_STATIC] = row[MU_KINETIC] = case.ceiling_friction
-            row[RESTITUTION] = case.ceiling_restitution
+            row.beta, row.cos, row.sin = beta + math.pi, -1.0, 0.0
+            row.offset = case.ceiling_distance
+            row.mu_static = row.mu_kinetic = case.ceiling_friction
+            row.restitution = case.ceiling_restitution
     return present
 
 
 @inner
 def arm(row, theta):
     """Corner relative to G in the plane's axes: along the tangent σ, and G above the corner κ [m]."""
-    angle = row[BETA] - theta
-    return row[R] * math.sin(angle), row[R] * math.cos(angle)
+    angle = row.beta - theta
+    return row.r * math.sin(angle), row.r * math.cos(angle)
 
 
 @inner
 def along(row, x, z):
     """Components of a vector along the plane's tangent and normal."""
-    return row[COS] * x + row[SIN] * z, row[COS] * z - row[SIN] * x
+    return row.cos * x + row.sin * z, row.cos * z - row.sin * x
 
 
 @inner
@@ -129,7 +116,7 @@ def gap_and_rates(row, state):
     _, height = along(row, x, z)
     _, rate = along(row, vx, vz)
     _, acceleration = along(row, ax, az)
-    gap = height + row[OFFSET] - kappa
+    gap = height + row.offset - kappa
     return gap, rate - omega * sigma, acceleration - alpha * sigma + omega * omega * kappa
 
 

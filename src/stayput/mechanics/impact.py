@@ -8,28 +8,7 @@ can create energy (Kane's paradox); where it would, the impulses are those of a 
 
 from __future__ import annotations
 
-from stayput.mechanics.columns import (
-    BIAS_N,
-    BIAS_T,
-    CONE_SLIP,
-    CONE_STICK,
-    COS,
-    FLOOR_BITS,
-    INDEX,
-    MU_KINETIC,
-    MU_STATIC,
-    NL,
-    NX,
-    NZ,
-    PLANE,
-    RESTITUTION,
-    SIN,
-    SLIPPING,
-    TARGET,
-    TL,
-    TX,
-    TZ,
-)
+from stayput.mechanics.columns import FLOOR_BITS, PLANE
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import (
     STUCK,
@@ -56,21 +35,21 @@ def _tabulate(rows, contacts, closed, s, flat_static, flat_kinetic):
         if closed >> c & 1:
             con, row = contacts[c], rows[count]
             sigma, kappa = arm(con, s.theta)
-            row[NX], row[NZ], row[NL] = -con[SIN], con[COS], -sigma
-            row[TX], row[TZ], row[TL] = con[COS], con[SIN], -kappa
+            row.nx, row.nz, row.nl = -con.sin, con.cos, -sigma
+            row.tx, row.tz, row.tl = con.cos, con.sin, -kappa
             tangential, normal = along(con, s.vx, s.vz)
-            row[BIAS_N], row[BIAS_T] = normal - s.omega * sigma, tangential - s.omega * kappa
-            row[TARGET] = -con[RESTITUTION] * min(row[BIAS_N], 0.0)
-            row[CONE_STICK], row[CONE_SLIP] = con[MU_STATIC], con[MU_KINETIC]
-            row[INDEX] = c
+            row.bias_n, row.bias_t = normal - s.omega * sigma, tangential - s.omega * kappa
+            row.target = -con.restitution * min(row.bias_n, 0.0)
+            row.cone_stick, row.cone_slip = con.mu_static, con.mu_kinetic
+            row.index = c
             count += 1
         c += 1
     use_flat_friction(rows, count, flat_static, flat_kinetic)
     for k in range(count):
         row = rows[k]
-        mu = row[CONE_STICK] if abs(row[BIAS_T]) <= STUCK else row[CONE_SLIP]
-        row[CONE_STICK] = row[CONE_SLIP] = mu
-        row[SLIPPING] = 0.0  # the direction of slip during an impact is part of the solution
+        mu = row.cone_stick if abs(row.bias_t) <= STUCK else row.cone_slip
+        row.cone_stick = row.cone_slip = mu
+        row.slipping = 0.0  # the direction of slip during an impact is part of the solution
     return count
 
 
@@ -79,7 +58,7 @@ def _consistent(rows, count, I):
     """Find the one consistent set of impulses: one contact, else two."""
     tolerance = 1e-13
     for i in range(count):
-        if rows[i, BIAS_N] >= -CLOSING:
+        if rows[i].bias_n >= -CLOSING:
             continue
         ok, fx, fz, fl = one_sticks(rows, count, i, I, tolerance)
         if ok:
@@ -98,7 +77,7 @@ def _consistent(rows, count, I):
                     return ok, fx, fz, fl
                 if j < i:
                     continue
-                same = PLANE[int(rows[i, INDEX])] == PLANE[int(rows[j, INDEX])]
+                same = PLANE[rows[i].index] == PLANE[rows[j].index]
                 for side_j in (1.0, -1.0):
                     if same and side_j != side:
                         continue
@@ -116,17 +95,15 @@ def _one_after_another(rows, contacts, closed, case, s):
         count = _tabulate(rows, contacts, closed, s, case.static_friction, case.kinetic_friction)
         worst, fastest = -1, -1e-9
         for k in range(count):
-            if rows[k, BIAS_N] < fastest:
-                worst, fastest = k, rows[k, BIAS_N]
+            if rows[k].bias_n < fastest:
+                worst, fastest = k, rows[k].bias_n
         if worst < 0:
             return
-        for column in range(INDEX + 1):
-            rows[0, column] = rows[worst, column]
-        ok, fx, fz, fl = one_sticks(rows, 1, 0, I, 1e-13)
+        ok, fx, fz, fl = one_sticks(rows, 0, worst, I, 1e-13)
         if not ok:
-            ok, fx, fz, fl = one_slips(rows, 1, 0, 1.0, I, 1e-13)
+            ok, fx, fz, fl = one_slips(rows, 0, worst, 1.0, I, 1e-13)
         if not ok:
-            ok, fx, fz, fl = one_slips(rows, 1, 0, -1.0, I, 1e-13)
+            ok, fx, fz, fl = one_slips(rows, 0, worst, -1.0, I, 1e-13)
         if not ok:
             break
         s.vx += fx
@@ -148,7 +125,7 @@ def collide(rows, contacts, closed, case, s):
     count = _tabulate(rows, contacts, closed, s, case.static_friction, case.kinetic_friction)
     landing = False
     for k in range(count):
-        landing = landing or rows[k, BIAS_N] < -CLOSING
+        landing = landing or rows[k].bias_n < -CLOSING
     if not landing:
         return
     ok, fx, fz, fl = _consistent(rows, count, I)
@@ -158,9 +135,9 @@ def collide(rows, contacts, closed, case, s):
     if _energy(I, s.vx + fx, s.vz + fz, s.omega + fl / I) > before * (1.0 + 1e-12):
         factor = 1.0
         for k in range(count):
-            if rows[k, BIAS_N] < -CLOSING:
-                factor = min(factor, rows[k, TARGET] / -rows[k, BIAS_N])
-            rows[k, TARGET] = 0.0
+            if rows[k].bias_n < -CLOSING:
+                factor = min(factor, rows[k].target / -rows[k].bias_n)
+            rows[k].target = 0.0
         ok, fx, fz, fl = _consistent(rows, count, I)
         fx, fz, fl = (1.0 + factor) * fx, (1.0 + factor) * fz, (1.0 + factor) * fl
     s.vx += fx
@@ -187,8 +164,23 @@ def damp_change_of_fulcrum(contacts, fulcrum, case, s):
     change = (factor - 1.0) * s.omega
     s.omega += change
     tangential, normal = tangential + kappa * change, normal + sigma * change
-    s.vx = con[COS] * tangential - con[SIN] * normal
-    s.vz = con[SIN] * tangential + con[COS] * normal
+    s.vx = con.cos * tangential - con.sin * normal
+    s.vz = con.sin * tangential + con.cos * normal
+
+
+@inner
+def closing(contacts, bits, s):
+    """Those of the contacts whose gap is closing."""
+    found = 0
+    c = 0
+    while bits >> c:
+        if bits >> c & 1:
+            con = contacts[c]
+            sigma, _ = arm(con, s.theta)
+            if along(con, s.vx, s.vz)[1] - s.omega * sigma < -CLOSING:
+                found |= 1 << c
+        c += 1
+    return found
 
 
 @inner

@@ -9,23 +9,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import (
-    COS,
-    FAILED,
-    FLAT,
-    FLIGHT,
-    FLOOR_BITS,
-    HELD,
-    INDEX,
-    MU_STATIC,
-    OFFSET,
-    PLANE,
-    SIN,
-    SLIP,
-    SLIPPING,
-    STICK,
-    WEDGE,
-)
+from stayput.mechanics.columns import FAILED, FLAT, FLIGHT, FLOOR_BITS, HELD, PLANE, SLIP, STICK, WEDGE
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import (
     both_slip,
@@ -60,11 +44,16 @@ def _set_mode(s, kind, i, d, j, dj):
 
 
 @inner
-def _hold(rows, count, contacts, closed, case, s, a, G):
+def settling_rate(case):
+    """Rate at which a contact opens in a bounce that is over [m/s]."""
+    return math.sqrt(2.0 * SETTLED_HEIGHT * case.gravity)
+
+
+@inner
+def _hold(rows, count, contacts, closed, settle, case, s, a, G):
     """Try to hold the body still: the contacts must (all but) not move and the forces fit their cones."""
-    settle = math.sqrt(2.0 * SETTLED_HEIGHT * case.gravity)
     for k in range(count):
-        if abs(slip_rate(contacts[int(rows[k, INDEX])], s)) > settle:
+        if abs(slip_rate(contacts[rows[k].index], s)) > settle:
             return False
     low, high = holding_limits(rows, count)
     if not (G > 0.0 and low * G <= a <= high * G):
@@ -86,13 +75,14 @@ def stand_flat(case, s):
 
 
 @inner
-def choose_mode(rows, contacts, touching, case, s, a, a_rate, G, G_rate):
+def choose_mode(rows, contacts, touching, settle, case, s, a, a_rate, G, G_rate):
     """Set the mode of a body whose contacts ``touching`` are closed, and its velocities.
 
+    A contact that opens no faster than ``settle`` [m/s] stays closed if the forces press it: after an
+    impact, the rate of a bounce that is over; else none.
     ``a`` and ``G`` are the floor's acceleration and g + z̈_G now, with their rates.
     """
     I = case.inertia
-    settle = math.sqrt(2.0 * SETTLED_HEIGHT * case.gravity)
     closed = 0
     c = 0
     while touching >> c:
@@ -109,7 +99,7 @@ def choose_mode(rows, contacts, touching, case, s, a, a_rate, G, G_rate):
     use_flat_friction(rows, count, case.static_friction, case.kinetic_friction)
 
     if count >= 2:
-        if _hold(rows, count, contacts, closed, case, s, a, G):
+        if _hold(rows, count, contacts, closed, settle, case, s, a, G):
             return
         for i in range(count):
             for j in range(i + 1, count):
@@ -118,19 +108,19 @@ def choose_mode(rows, contacts, touching, case, s, a, a_rate, G, G_rate):
                     return
     for i in range(count):
         ok, fx, fz, fl = False, 0.0, 0.0, 0.0
-        if rows[i, SLIPPING] == 0.0:
+        if rows[i].slipping == 0.0:
             ok, fx, fz, fl = one_sticks(rows, count, i, I, TOLERANCE)
         if ok:
-            _set_mode(s, STICK, int(rows[i, INDEX]), 0, -1, 0)
+            _set_mode(s, STICK, rows[i].index, 0, -1, 0)
             s.alpha = fl / I
             pivot_on(contacts[s.i], s)
             return
         for side in (1.0, -1.0):
-            if rows[i, SLIPPING] == -side:
+            if rows[i].slipping == -side:
                 continue
             ok, fx, fz, fl = one_slips(rows, count, i, side, I, TOLERANCE)
             if ok:
-                _set_mode(s, SLIP, int(rows[i, INDEX]), int(side), -1, 0)
+                _set_mode(s, SLIP, rows[i].index, int(side), -1, 0)
                 s.alpha = fl / I
                 stay_on_plane(contacts[s.i], s)
                 return
@@ -144,13 +134,13 @@ def choose_mode(rows, contacts, touching, case, s, a, a_rate, G, G_rate):
 @inner
 def _pair(rows, count, i, j, case, s, I):
     """Try two contacts that both press and slip."""
-    first, second = int(rows[i, INDEX]), int(rows[j, INDEX])
+    first, second = rows[i].index, rows[j].index
     same = PLANE[first] == PLANE[second]
     for side_i in (1.0, -1.0):
-        if rows[i, SLIPPING] == -side_i:
+        if rows[i].slipping == -side_i:
             continue
         for side_j in (1.0, -1.0):
-            if (same and side_i != side_j) or rows[j, SLIPPING] == -side_j:
+            if (same and side_i != side_j) or rows[j].slipping == -side_j:
                 continue
             ok, fx, fz, fl = both_slip(rows, count, i, side_i, j, side_j, I, TOLERANCE)
             if ok:
@@ -166,8 +156,8 @@ def pivot_on(con, s):
     """Give G the velocity of a rotation about the contact's corner."""
     sigma, kappa = arm(con, s.theta)
     tangential, normal = s.omega * kappa, s.omega * sigma
-    s.vx = con[COS] * tangential - con[SIN] * normal
-    s.vz = con[SIN] * tangential + con[COS] * normal
+    s.vx = con.cos * tangential - con.sin * normal
+    s.vz = con.sin * tangential + con.cos * normal
 
 
 @inner
@@ -176,12 +166,12 @@ def stay_on_plane(con, s):
     sigma, kappa = arm(con, s.theta)
     tangential, _ = along(con, s.vx, s.vz)
     normal = s.omega * sigma
-    s.vx = con[COS] * tangential - con[SIN] * normal
-    s.vz = con[SIN] * tangential + con[COS] * normal
+    s.vx = con.cos * tangential - con.sin * normal
+    s.vz = con.sin * tangential + con.cos * normal
     along_plane, _ = along(con, s.x, s.z)
-    height = kappa - con[OFFSET]
-    s.x = con[COS] * along_plane - con[SIN] * height
-    s.z = con[SIN] * along_plane + con[COS] * height
+    height = kappa - con.offset
+    s.x = con.cos * along_plane - con.sin * height
+    s.z = con.sin * along_plane + con.cos * height
 
 
 @inner
@@ -203,21 +193,21 @@ def close_both(first, second, I, s):
     sigma, kappa = arm(first, s.theta)
     sigma2, kappa2 = arm(second, s.theta)
     aa, bb = 1.0 + sigma * sigma / I, 1.0 + sigma2 * sigma2 / I
-    ab = first[SIN] * second[SIN] + first[COS] * second[COS] + sigma * sigma2 / I
+    ab = first.sin * second.sin + first.cos * second.cos + sigma * sigma2 / I
     det = aa * bb - ab * ab
     if abs(det) < 1e-14:
         return
-    gap = along(first, s.x, s.z)[1] + first[OFFSET] - kappa
-    gap2 = along(second, s.x, s.z)[1] + second[OFFSET] - kappa2
+    gap = along(first, s.x, s.z)[1] + first.offset - kappa
+    gap2 = along(second, s.x, s.z)[1] + second.offset - kappa2
     p, q = -(gap * bb - gap2 * ab) / det, -(gap2 * aa - gap * ab) / det
-    s.x -= p * first[SIN] + q * second[SIN]
-    s.z += p * first[COS] + q * second[COS]
+    s.x -= p * first.sin + q * second.sin
+    s.z += p * first.cos + q * second.cos
     s.theta -= (p * sigma + q * sigma2) / I
     rate = along(first, s.vx, s.vz)[1] - s.omega * sigma
     rate2 = along(second, s.vx, s.vz)[1] - s.omega * sigma2
     p, q = -(rate * bb - rate2 * ab) / det, -(rate2 * aa - rate * ab) / det
-    s.vx -= p * first[SIN] + q * second[SIN]
-    s.vz += p * first[COS] + q * second[COS]
+    s.vx -= p * first.sin + q * second.sin
+    s.vz += p * first.cos + q * second.cos
     s.omega -= (p * sigma + q * sigma2) / I
 
 
@@ -230,7 +220,7 @@ def unjam(contacts, case, s):
     while s.present >> c:
         if s.closed >> c & 1:
             con = contacts[c]
-            if con[MU_STATIC] > 0.0 and abs(slip_rate(con, s)) > 0.0:
+            if con.mu_static > 0.0 and abs(slip_rate(con, s)) > 0.0:
                 sigma, kappa = arm(con, s.theta)
                 spin = s.omega * case.inertia
                 tangential, normal = along(con, s.vx, s.vz)

@@ -10,25 +10,12 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import (
-    A_FLOOR,
-    B_FLOOR,
-    CONTACTS,
-    CORNER,
-    FLAT,
-    FLOOR_BITS,
-    HELD,
-    MU_KINETIC,
-    MU_STATIC,
-    RESTITUTION,
-    SLIP,
-    STICK,
-)
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CONTACTS, CORNER, FLAT, FLOOR_BITS, HELD, SLIP, STICK
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import STUCK
 from stayput.mechanics.fulcrum import margins
 from stayput.mechanics.geometry import arm, resting_tilt, slip_rate
-from stayput.mechanics.modes import MOMENT, SETTLED_HEIGHT, pivot_on, stand_flat
+from stayput.mechanics.modes import MOMENT, pivot_on, settling_rate, stand_flat
 
 WALL_BITS = 0b11111100  # and the ceiling
 RIGHT_BITS, LEFT_BITS = 0b00001100, 0b00110000
@@ -94,17 +81,17 @@ def _starts_rocking(contacts, case, s, fulcrum, slip, a):
     sigma, kappa = arm(con, s.theta)
     if slip != 0.0:
         d = math.copysign(1.0, slip)
-        alpha = margins(False, I, con[MU_KINETIC], d, sigma, kappa, 0.0, a, g, slip)[2]
+        alpha = margins(False, I, con.mu_kinetic, d, sigma, kappa, 0.0, a, g, slip)[2]
         if (alpha > 0.0) == (fulcrum == B_FLOOR):
             _slip(contacts, case, s, fulcrum, slip, d)
             return True
-    f, f2, alpha = margins(True, I, con[MU_STATIC], 0.0, sigma, kappa, 0.0, a, g, 0.0)
+    f, f2, alpha = margins(True, I, con.mu_static, 0.0, sigma, kappa, 0.0, a, g, 0.0)
     if f >= 0.0 and f2 >= 0.0:
         s.kind, s.d = STICK, 0
         _place_on(contacts, case, s, fulcrum, 0.0)
         return True
     d = -1.0 if f < 0.0 else 1.0
-    alpha = margins(False, I, con[MU_KINETIC], d, sigma, kappa, 0.0, a, g, 0.0)[2]
+    alpha = margins(False, I, con.mu_kinetic, d, sigma, kappa, 0.0, a, g, 0.0)[2]
     if slip == 0.0 and (alpha > 0.0) == (fulcrum == B_FLOOR):
         _slip(contacts, case, s, fulcrum, 0.0, d)
         return True
@@ -119,9 +106,7 @@ def _choose_fulcrum(contacts, case, s, fulcrum, slip, a):
     if abs(slip) > STUCK:
         _slip(contacts, case, s, fulcrum, slip, math.copysign(1.0, slip))
         return
-    f, f2, _ = margins(
-        True, case.inertia, con[MU_STATIC], 0.0, sigma, kappa, s.omega, a, case.gravity, 0.0
-    )
+    f, f2, _ = margins(True, case.inertia, con.mu_static, 0.0, sigma, kappa, s.omega, a, case.gravity, 0.0)
     if f >= 0.0 and f2 >= 0.0:
         s.kind, s.d = STICK, 0
         _place_on(contacts, case, s, fulcrum, 0.0)
@@ -157,7 +142,7 @@ def _leans(contacts, case, s, touch, a):
 @inner
 def collide_by_paper(contacts, case, s):
     """Change the velocities of the state by the paper's collision rules."""
-    settle = math.sqrt(2.0 * SETTLED_HEIGHT * case.gravity)
+    settle = settling_rate(case)
     old = s.i if s.kind != FLAT else A_FLOOR
     slip = slip_rate(contacts[old], s)
     if s.hit & FLOOR_BITS:
@@ -178,12 +163,12 @@ def collide_by_paper(contacts, case, s):
     towards = -1.0 if c >= 4 else 1.0
     reach = slip_rate(contacts[old], s) * towards
     if CORNER[c] >= 2:
-        s.omega *= -wall[RESTITUTION]
+        s.omega *= -wall.restitution
         _, lever = arm(contacts[old], s.theta)
         if abs(s.omega * lever) <= settle:
             s.omega = 0.0
     if (CORNER[c] < 2 or s.kind == SLIP) and reach > 0.0:
-        slip *= -wall[RESTITUTION]
+        slip *= -wall.restitution
     if s.kind == FLAT:
         s.vx = slip if abs(slip) > settle else 0.0
         return

@@ -99,16 +99,23 @@ def first_zero(g0, v0, c0, g1, v1, c1, h):
     _, slope_right = horner(a0, a1, a2, a3, a4, a5, right)
     if slope_left < 0.0 < slope_right:
         low, high = left, right
-        for _ in range(40):
-            u = 0.5 * (low + high)
+        u = left + (right - left) * slope_left / (slope_left - slope_right)
+        for _ in range(20):
             _, slope = horner(a0, a1, a2, a3, a4, a5, u)
+            bend = 2.0 * a2 + u * (6.0 * a3 + u * (12.0 * a4 + u * 20.0 * a5))
             if slope < 0.0:
                 low = u
             else:
                 high = u
-        value, _ = horner(a0, a1, a2, a3, a4, a5, low)
+            new = u - slope / bend if bend > 0.0 else 0.5 * (low + high)
+            if not low < new < high:
+                new = 0.5 * (low + high)
+            if abs(new - u) < 1e-7:
+                break
+            u = new
+        value, _ = horner(a0, a1, a2, a3, a4, a5, u)
         if value < -TOUCHING:
-            last = low
+            last = u
     if last < 0.0:
         return -1.0
     if g0 > TOUCHING:

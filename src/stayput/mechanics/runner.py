@@ -70,6 +70,10 @@ def _loads(
     return np.array(along, np.float64), np.zeros(len(along)) if law == 1 else np.array(up, np.float64)
 
 
+def _room_for_contacts() -> tuple[NDArray[np.void], NDArray[np.void]]:
+    return np.zeros(col.CONTACTS, col.CONTACT), np.zeros(col.CONTACTS, col.ROW)
+
+
 def trace(
     case: np.void,
     along: NDArray[np.float64],
@@ -98,7 +102,7 @@ def trace(
     along, up = _loads(along, up, law)
     bounds = (*extremes(along), *extremes(up))
     state = np.zeros(1, col.STATE)[0]
-    room = np.zeros((col.CONTACTS, col.CONTACT_COLUMNS)), np.zeros((col.CONTACTS, col.ROW_COLUMNS))
+    room = _room_for_contacts()
     history = np.zeros((len(along), col.HISTORY))
     listed = np.zeros((LISTED_EVENTS, col.EVENT))
     while True:
@@ -154,7 +158,12 @@ def run_cases(
     along, up = _loads(along, up, law)
     bounds = (*extremes(along), *extremes(up))
     results = np.zeros(len(cases), col.RESULT)
-    run_batch(cases, along, up, dt, bounds, law, tolerance, max_step, max_events, results)
+    nothing = np.zeros((0, col.HISTORY)), np.zeros((0, col.EVENT))
+    room = _room_for_contacts()
+    states = np.zeros(1, col.STATE)
+    run_batch(
+        cases, along, up, dt, bounds, law, tolerance, max_step, max_events, *room, states, *nothing, results
+    )
     return results
 
 

@@ -1,0 +1,41 @@
+"""The command line: one file a command, and nothing heavy loaded before a command runs."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+import stayput
+from stayput.cli import motion, simulate
+from stayput.cli.plainly import Plainly
+
+app = typer.Typer(
+    cls=Plainly,
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+app.command("simulate")(simulate.simulate)
+app.add_typer(motion.app, name="motion")
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"stayput {stayput.__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(  # pyright: ignore[reportUnusedFunction] - Typer calls it
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    """Verify earthquake-proof measures for furniture."""
+
+
+def main() -> None:
+    """Run the command line: the entry point of ``stayput``."""
+    app(prog_name="stayput")

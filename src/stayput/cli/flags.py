@@ -1,0 +1,134 @@
+"""From the flags of a command to the tables of a scenario, so that one set of rules checks both."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+from stayput.errors import InputError
+
+if TYPE_CHECKING:
+    from stayput.motion import Motion
+
+EXAMPLE: dict[str, Any] = {
+    "furniture": {"preset": "bookcase"},
+    "room": {"floor": "wood flooring", "back_wall": {"gap": 0.02}},
+    "shaking": {"builtin": "near-fault"},
+}
+"""What is simulated when nothing is said: a full bookcase with its back to a wall."""
+
+
+def body_table(text: str) -> dict[str, Any]:
+    """Return the furniture table of ``WIDTHxHEIGHTxMASS``."""
+    width, height, mass = _numbers("--body", text, text.replace("×", "x").split("x"), (3,), "0.4x1.8x100")
+    return {"width": width, "height": height, "mass": mass}
+
+
+def shaking_table(text: str) -> dict[str, Any]:
+    """Return the shaking table of a file, ``near-fault``, or ``sine:AMPLITUDE,FREQUENCY[,DURATION]``."""
+    if text == "near-fault":
+        return {"builtin": text}
+    if text.startswith("sine:"):
+        values = _numbers("--motion", text, text.removeprefix("sine:").split(","), (2, 3), "sine:5,0.8")
+        return {"sine": dict(zip(("amplitude", "frequency", "duration"), values, strict=False))}
+    return {"record": text}
+
+
+def friction_table(text: str) -> dict[str, Any]:
+    """Return the floor table of ``STATIC[,KINETIC]``."""
+    values = _numbers("--friction", text, text.split(","), (1, 2), "0.4,0.3")
+    return {"static_friction": values[0], "kinetic_friction": values[-1]}
+
+
+def overlaid(
+    data: dict[str, Any],
+    *,
+    body: str | None,
+    motion: str | None,
+    shaking: dict[str, Any],
+    floor: str | None,
+    friction: str | None,
+    walls: dict[str, float | None],
+    contact: str | None,
+) -> dict[str, Any]:
+    """Return a scenario's tables with what the flags say in place of what they said.
+
+    Parameters
+    ----------
+    data : dict
+        The tables of a scenario file, or `EXAMPLE`.
+    body, motion, floor, friction : str, optional
+        The flags' texts; each replaces a whole table.
+    shaking : dict
+        Single keys of the shaking table; None where the flag is not given.
+    walls : dict
+        Gap of ``left_wall`` and ``right_wall`` [m]; None where the flag is not given.
+    contact : str, optional
+        The contact law.
+
+    Raises
+    ------
+    InputError
+        A flag's text that cannot be read, or two flags for one thing.
+    """
+    if floor is not None and friction is not None:
+        raise InputError(f"--floor is {floor!r} beside --friction {friction!r}; it must be one of the two.")
+    tables = dict(data)
+    if body is not None:
+        tables["furniture"] = body_table(body)
+    if motion is not None:
+        tables["shaking"] = shaking_table(motion)
+    if given := {key: value for key, value in shaking.items() if value is not None}:
+        tables["shaking"] = {**_table(tables, "shaking"), **given}
+    if floor is not None:
+        tables["room"] = {**_table(tables, "room"), "floor": floor}
+    if friction is not None:
+        tables["room"] = {**_table(tables, "room"), "floor": friction_table(friction)}
+    for name, gap in walls.items():
+        if gap is not None:
+            room = {**_table(tables, "room"), name: {"gap": gap}}
+            if name == "left_wall":
+                room.pop("back_wall", None)
+            tables["room"] = room
+    return tables if contact is None else {**tables, "contact": contact}
+
+
+def scenario_data(path: Path | None, body: str | None) -> dict[str, Any]:
+    """Return the tables to begin with: the file's, or the built-in example's.
+
+    A body of one's own does not stand before the example's wall.
+    """
+    if path is not None:
+        from stayput.scenario.reading import scenario_table
+
+        return scenario_table(path)
+    return EXAMPLE if body is None else {"shaking": EXAMPLE["shaking"]}
+
+
+def motion_of(text: str, **fields: str | float | None) -> Motion:
+    """Return the motion of a ``--motion`` text and of single keys of the shaking table.
+
+    Raises
+    ------
+    InputError
+        A text or a file that cannot be read.
+    """
+    from stayput.scenario import Scenario
+
+    given = {key: value for key, value in fields.items() if value is not None}
+    scenario = Scenario.parse({**EXAMPLE, "shaking": {**shaking_table(text), **given}})
+    return scenario.shaking.motion(Path())
+
+
+def _table(tables: dict[str, Any], name: str) -> dict[str, Any]:
+    table: Any = tables.get(name)
+    return cast("dict[str, Any]", table) if isinstance(table, dict) else {}
+
+
+def _numbers(flag: str, text: str, parts: list[str], counts: tuple[int, ...], example: str) -> list[float]:
+    try:
+        if len(parts) in counts:
+            return [float(part) for part in parts]
+    except ValueError:
+        pass
+    raise InputError(f"{flag} is {text!r}; it must be written like {example}.")

@@ -1,0 +1,163 @@
+"""``stayput simulate``: one body under one motion."""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
+
+    from stayput.report.animation import Progress
+    from stayput.scenario import Scenario
+    from stayput.simulation import Run
+
+COLD_START_SECONDS = 30
+"""About how long the first run on a machine compiles [s]."""
+
+
+def simulate(
+    scenario: Annotated[
+        Path | None,
+        typer.Argument(
+            metavar="[SCENARIO.toml]",
+            help="A scenario file. Default: a bookcase before a wall and a synthetic near-fault motion.",
+            show_default=False,
+        ),
+    ] = None,
+    body: Annotated[
+        str | None,
+        typer.Option(metavar="WxHxM", help="A body: width along the shaking [m] x height [m] x mass [kg]."),
+    ] = None,
+    motion: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FILE|near-fault|sine:A,F[,T]",
+            help="A record's file, the built-in motion, or a sine of A [m/s²], F [Hz] and T [s].",
+        ),
+    ] = None,
+    component: Annotated[str | None, typer.Option(help="The record's channel along the shaking.")] = None,
+    unit: Annotated[
+        str | None, typer.Option(help="The record's unit, where its file does not state it.")
+    ] = None,
+    dt: Annotated[
+        float | None, typer.Option(help="The record's time step [s], where its file does not state it.")
+    ] = None,
+    scale: Annotated[float | None, typer.Option(help="Factor on the motion.")] = None,
+    vertical: Annotated[
+        bool | None, typer.Option("--vertical/--no-vertical", help="Whether the vertical component acts.")
+    ] = None,
+    floor: Annotated[str | None, typer.Option(metavar="SURFACE", help="A surface, such as 'carpet'.")] = None,
+    friction: Annotated[
+        str | None, typer.Option(metavar="STATIC[,KINETIC]", help="Friction of the floor.")
+    ] = None,
+    wall: Annotated[
+        float | None, typer.Option("--wall", "--left-wall", help="Gap to the wall behind (left) [m].")
+    ] = None,
+    right_wall: Annotated[float | None, typer.Option(help="Gap to a wall in front (right) [m].")] = None,
+    contact: Annotated[str | None, typer.Option(metavar="coulomb|paper", help="The contact law.")] = None,
+    json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Plot the histories: .png, .svg or .pdf.")
+    ] = None,
+    animate: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Animate the run: .html, .gif or .mp4.")
+    ] = None,
+    speed: Annotated[float, typer.Option(help="Speed of the animation: 0.25 is slow motion.")] = 1.0,
+    fps: Annotated[float, typer.Option(help="Frames a second of a .gif or .mp4.")] = 20.0,
+) -> None:
+    """Simulate one body under one motion.
+
+    Flags override what the scenario file says; --body without a file stands free of walls.
+    """
+    from stayput.cli.flags import overlaid, scenario_data
+    from stayput.scenario import Scenario
+
+    _check_targets(plot, animate)
+    data = overlaid(
+        scenario_data(scenario, body),
+        body=body,
+        motion=motion,
+        shaking={"component": component, "unit": unit, "dt": dt, "scale": scale, "vertical": vertical},
+        floor=floor,
+        friction=friction,
+        walls={"left_wall": wall, "right_wall": right_wall},
+        contact=contact,
+    )
+    here = Path() if scenario is None or motion is not None else scenario.parent
+    checked = Scenario.parse(data, here)
+    run = _run(checked)
+    name = checked.furniture.title
+    if plot is not None:
+        from stayput.report.plot import plot_run
+
+        plot_run(run, plot, name=name)
+    if animate is not None:
+        from stayput.report.animation import animate_run
+
+        with _progress() as progress:
+            animate_run(run, animate, fps=fps, speed=speed, name=name, progress=progress)
+    if json:
+        import json as writer
+
+        from stayput.report.summary import summary
+
+        typer.echo(writer.dumps(summary(run), allow_nan=False))
+    else:
+        _print_table(run, name, checked.title, [path for path in (plot, animate) if path is not None])
+
+
+def _check_targets(plot: Path | None, animate: Path | None) -> None:
+    if plot is not None:
+        from stayput.report.files import PLOT_SUFFIXES, check_target
+
+        check_target(plot, PLOT_SUFFIXES)
+    if animate is not None:
+        from stayput.report.files import check_animation
+
+        check_animation(animate)
+
+
+def _run(scenario: Scenario) -> Run:
+    from stayput.mechanics.runner import is_compiled
+
+    case = scenario.case()
+    if not is_compiled():
+        typer.echo(f"Compiling the mechanics once (about {COLD_START_SECONDS} s) ...", err=True)
+    return case.run()
+
+
+@contextmanager
+def _progress() -> Generator[Progress | None]:
+    """Give what reports the frames drawn: a bar on standard error, if that is a terminal."""
+    from rich.console import Console
+    from rich.progress import Progress as Bar
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield None
+        return
+    with Bar(console=console, transient=True) as bar:
+        task = bar.add_task("Drawing")
+        yield lambda done, total: bar.update(task, completed=done, total=total)
+
+
+def _print_table(run: Run, name: str, title: str | None, written: list[Path]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    from stayput.report.summary import rows, sentence
+
+    console = Console(highlight=False, markup=False)
+    if title is not None:
+        console.print(title, style="bold")
+    console.print(sentence(run, name))
+    table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
+    for what, value in rows(run):
+        table.add_row(what, value)
+    console.print(table)
+    for path in written:
+        console.print(f"Wrote {path}", soft_wrap=True)

@@ -1,0 +1,42 @@
+"""Presets of furniture: common sizes and masses, as defaults to be changed, not citations."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Preset:
+    """A common piece of furniture, seen from its side.
+
+    Parameters
+    ----------
+    width : float
+        Depth of the piece, which is its base length along the shaking [m].
+    height : float
+        Height [m].
+    mass : float
+        Mass as it usually stands, with its load [kg].
+    carcass_mass : float, optional
+        Mass when it is empty [kg], for pieces whose loads may be given shelf by shelf.
+    """
+
+    width: float
+    height: float
+    mass: float
+    carcass_mass: float | None = None
+
+
+FURNITURE: dict[str, Preset] = {
+    "bookcase": Preset(0.30, 1.80, 200.0, carcass_mass=35.0),
+    "empty bookcase": Preset(0.30, 1.80, 35.0, carcass_mass=35.0),
+    "wardrobe": Preset(0.60, 1.90, 115.0),
+    "cupboard": Preset(0.40, 1.80, 100.0),
+    "chest": Preset(0.42, 1.365, 81.0),
+    "refrigerator": Preset(0.68, 1.82, 105.0),
+    "television": Preset(0.27, 0.76, 18.0),
+    "vending machine": Preset(0.83, 1.83, 350.0),
+    "server rack": Preset(1.00, 2.00, 500.0),
+    "upright piano": Preset(0.62, 1.25, 230.0),
+}
+"""Pieces of furniture by name: typical Japanese sizes; masses in the middle of the usual range."""

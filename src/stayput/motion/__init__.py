@@ -1,0 +1,11 @@
+"""What shakes: records, their readers, and synthetic motions."""
+
+from __future__ import annotations
+
+from stayput.motion.builtin import near_fault
+from stayput.motion.peaks import Peaks
+from stayput.motion.readers import read_motion
+from stayput.motion.record import Motion
+from stayput.motion.synthetic import pulse, sine
+
+__all__ = ["Motion", "Peaks", "near_fault", "pulse", "read_motion", "sine"]

@@ -1,0 +1,296 @@
+"""`Motion`: how the floor shakes."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stayput.errors import InputError, finite, within
+from stayput.motion import integrals
+from stayput.motion.peaks import Peaks, arias_intensity, significant_duration
+from stayput.motion.processing import coarsen, refine, whole_ratio, without_baseline
+from stayput.motion.samples import MOST_SAMPLES, STEP_RANGE, checked_samples
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from numpy.typing import NDArray
+
+COMPONENTS = ("x", "y", "z")
+"""Names of a motion's components: along the shaking, across it, up."""
+
+
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class Motion:
+    """The floor's acceleration, linear between equally spaced samples; the floor starts at rest.
+
+    The arrays are copied and cannot be written to. ``pga``, ``pgv``, ``pgd``, ``arias``,
+    ``significant_duration``, ``velocity`` and ``displacement`` are those of x, of the piecewise linear
+    record itself (so with the peaks between samples), and with no hidden baseline correction;
+    `component` gives the same for y and z, `peaks` for all.
+
+    Parameters
+    ----------
+    dt : float
+        Time step [s].
+    x : array_like, shape (n,)
+        Acceleration along the shaking, + right [m/s²].
+    y : array_like, shape (n,), optional
+        Acceleration across it [m/s²].
+    z : array_like, shape (n,), optional
+        Vertical acceleration, + up, without gravity [m/s²].
+    name : str
+        What the record is called.
+    synthetic : bool
+        Whether it was computed, not recorded.
+    source : str
+        Where it comes from: format, unit, what was done to it.
+
+    Raises
+    ------
+    InputError
+        A time step or a sample that is not finite or not sane, fewer than two samples, or components
+        of different lengths.
+    """
+
+    dt: float
+    x: NDArray[np.float64]
+    y: NDArray[np.float64] | None = None
+    z: NDArray[np.float64] | None = None
+    name: str = ""
+    synthetic: bool = False
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "dt", within("Motion dt", self.dt, *STEP_RANGE, "s"))
+        for name in COMPONENTS:
+            values = getattr(self, name)
+            if name == "x" or values is not None:
+                object.__setattr__(self, name, checked_samples(name, values))
+        for name, values in self.components.items():
+            if len(values) != len(self.x):
+                raise InputError(
+                    f"Motion {name} has {len(values)} samples and x has {len(self.x)}; they must be as many."
+                )
+
+    def __repr__(self) -> str:
+        peaks = ", ".join(f"{name} {np.abs(a).max():.4g}" for name, a in self.components.items())
+        return f"Motion({self.name!r}, {len(self)} samples, dt={self.dt:g} s, peaks [m/s²]: {peaks})"
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Motion):
+            return NotImplemented
+        mine, theirs = self.components, other.components
+        return (
+            (self.dt, self.name, self.synthetic, self.source)
+            == (other.dt, other.name, other.synthetic, other.source)
+            and mine.keys() == theirs.keys()
+            and all(np.array_equal(mine[name], theirs[name]) for name in mine)
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.dt, self.name, len(self), self.x.tobytes()))
+
+    def __reduce__(self) -> tuple[Any, ...]:  # so that a pickled motion comes back checked and read-only
+        return Motion, (self.dt, self.x, self.y, self.z, self.name, self.synthetic, self.source)
+
+    @property
+    def components(self) -> dict[str, NDArray[np.float64]]:
+        """The components that are there, x first: name → acceleration [m/s²], shape (n,)."""
+        given = {"x": self.x, "y": self.y, "z": self.z}
+        return {name: values for name, values in given.items() if values is not None}
+
+    @property
+    def duration(self) -> float:
+        """Time from the first to the last sample [s]."""
+        return (len(self) - 1) * self.dt
+
+    @property
+    def time(self) -> NDArray[np.float64]:
+        """Times of the samples [s], shape (n,)."""
+        return np.arange(len(self), dtype=np.float64) * self.dt
+
+    @property
+    def velocity(self) -> NDArray[np.float64]:
+        """Velocity of x at the samples [m/s], shape (n,)."""
+        return integrals.velocity(self.x, self.dt)
+
+    @property
+    def displacement(self) -> NDArray[np.float64]:
+        """Displacement of x at the samples [m], shape (n,)."""
+        return integrals.displacement(self.x, self.dt)
+
+    @property
+    def pga(self) -> float:
+        """Largest magnitude of the acceleration of x [m/s²]."""
+        return float(np.abs(self.x).max())
+
+    @property
+    def pgv(self) -> float:
+        """Largest magnitude of the velocity of x [m/s]."""
+        return integrals.peak_velocity(self.x, self.dt)
+
+    @property
+    def pgd(self) -> float:
+        """Largest magnitude of the displacement of x [m]."""
+        return integrals.peak_displacement(self.x, self.dt)
+
+    @property
+    def arias(self) -> float:
+        """Arias intensity of x, π/(2g)·∫a² dt [m/s] (Arias 1970)."""
+        return arias_intensity(self.x, self.dt)
+
+    @property
+    def significant_duration(self) -> float:
+        """D5–95 of x: time in which ∫a² dt grows from 5 % to 95 % [s] (Trifunac and Brady 1975)."""
+        return significant_duration(self.x, self.dt)
+
+    def component(self, name: str) -> Motion:
+        """Return one component ("x", "y" or "z") as a motion of its own, along its x."""
+        if name not in self.components:
+            raise InputError(f"The component is {name!r}; this motion has {', '.join(self.components)}.")
+        return replace(self, x=self.components[name], y=None, z=None)
+
+    def peaks(self) -> dict[str, Peaks]:
+        """Return the peaks of every component that is there, x first."""
+        return {name: Peaks.of(a, self.dt) for name, a in self.components.items()}
+
+    def _each(self, change: Callable[[NDArray[np.float64]], NDArray[np.float64]], **fields: Any) -> Motion:
+        changed: dict[str, Any] = {name: change(values) for name, values in self.components.items()}
+        return replace(self, **changed, **fields)
+
+    def _note(self, what: str) -> str:
+        return f"{self.source}; {what}" if self.source else what
+
+    def scaled(self, factor: float) -> Motion:
+        """Return the motion with every component times ``factor``."""
+        k = finite("Motion scale", factor)
+        return self._each(lambda a: k * a, source=self._note(f"scaled by {k:g}"))
+
+    def flipped(self) -> Motion:
+        """Return the motion turned by half a turn about the vertical: x and y change sign, z does not."""
+        y = None if self.y is None else -self.y
+        return replace(self, x=-self.x, y=y, source=self._note("turned by 180°"))
+
+    def rotated(self, angle: float) -> Motion:
+        """Return the motion as felt along a direction ``angle`` [rad] from x towards y.
+
+        Raises
+        ------
+        InputError
+            There is no y component.
+        """
+        turn = finite("Motion angle", angle)
+        if self.y is None:
+            raise InputError("The motion has no y component; rotated needs x and y (flipped does not).")
+        c, s = math.cos(turn), math.sin(turn)
+        source = self._note(f"turned by {math.degrees(turn):g}°")
+        return replace(self, x=c * self.x + s * self.y, y=c * self.y - s * self.x, source=source)
+
+    def trimmed(self, start: float = 0.0, end: float | None = None) -> Motion:
+        """Return the samples with start ≤ t ≤ end [s]; the floor is at rest at the first of them."""
+        last = self.duration if end is None else within("Trim end", end, 0.0, self.duration + 1e-9, "s")
+        first = within("Trim start", start, 0.0, self.duration, "s")
+        i, j = math.ceil(first / self.dt - 1e-6), math.floor(last / self.dt + 1e-6)
+        if j - i < 1:
+            raise InputError(
+                f"The trim from {first:g} s to {last:g} s keeps fewer than 2 samples; it must keep 2."
+            )
+        return self._each(
+            lambda a: a[i : j + 1], source=self._note(f"trimmed to {i * self.dt:g}-{j * self.dt:g} s")
+        )
+
+    def padded(self, before: float = 0.0, after: float = 0.0) -> Motion:
+        """Return the motion with a still floor before and after it [s], in whole time steps.
+
+        A record that does not begin or end at zero is joined to the still part by one time step's ramp.
+        """
+        most = MOST_SAMPLES * self.dt
+        lead, tail = (round(within("Padding", t, 0.0, most, "s") / self.dt) for t in (before, after))
+        source = self._note(f"padded by {lead * self.dt:g} s and {tail * self.dt:g} s")
+        return self._each(lambda a: np.pad(a, (lead, tail)), source=source)
+
+    def resampled(self, dt: float) -> Motion:
+        """Return the motion at another time step [s], which must be a whole part or multiple of its own.
+
+        To a whole part of the step the record stays the same function, bit by bit at its own samples.
+        To a multiple it passes a zero-phase low-pass first (−6 dB at 0.8 of the new Nyquist frequency),
+        so nothing is folded down; what is faster than that is lost, and up to one new step at the end.
+        For any other step do one after the other.
+        """
+        step = within("Motion dt", dt, *STEP_RANGE, "s")
+        source = self._note(f"resampled from {self.dt:g} s to {step:g} s")
+        if parts := whole_ratio(self.dt, step):
+            return self._each(lambda a: refine(a, parts), dt=self.dt / parts, source=source)
+        if steps := whole_ratio(step, self.dt):
+            return self._each(lambda a: coarsen(a, steps), dt=step, source=source)
+        raise InputError(f"The new dt is {step:g} s; it must be a whole part or a multiple of {self.dt:g} s.")
+
+    def baseline_corrected(self, order: int = 1) -> Motion:
+        """Return the motion less a polynomial of time, fitted to the velocity by least squares.
+
+        Parameters
+        ----------
+        order : int
+            Of the polynomial taken from the acceleration: 0 a constant, 1 a line, up to 5.
+        """
+        if order not in range(6):
+            raise InputError(f"The baseline order is {order!r}; it must be a whole number from 0 to 5.")
+        source = self._note(f"baseline of order {order} removed")
+        return self._each(lambda a: without_baseline(a, self.dt, order), source=source)
+
+    @classmethod
+    def combine(
+        cls, x: Motion, y: Motion | None = None, z: Motion | None = None, name: str | None = None
+    ) -> Motion:
+        """Make one motion of up to three read from a file each: the x of each becomes x, y and z.
+
+        Lengths may differ by 1 %, as they do in published triples; the longer ones are cut at their end.
+
+        Parameters
+        ----------
+        x, y, z : Motion
+            Along the shaking, across it, up.
+        name : str, optional
+            Default: the name of ``x``.
+
+        Raises
+        ------
+        InputError
+            The time steps differ, or the lengths by more than 1 %.
+        """
+        from stayput.motion.channels import combined
+
+        return combined({"x": x, "y": y, "z": z}, name)
+
+    @classmethod
+    def from_obspy(
+        cls, traces: Iterable[Any], unit: str, *, component: str | None = None, name: str | None = None
+    ) -> Motion:
+        """Make a motion of an ObsPy Stream (or of traces), for the formats that ObsPy reads.
+
+        Parameters
+        ----------
+        traces : iterable of obspy.Trace
+            One complete trace a channel, all of one start and one time step.
+        unit : str
+            Unit of the traces' numbers as they stand; ``stats.calib`` is *not* applied.
+        component : str, optional
+            Channel that becomes x, by its code or direction; default the first horizontal one.
+        name : str, optional
+            Default: network and station.
+
+        Raises
+        ------
+        InputError
+            Gaps, different starts or steps, an unknown unit or component.
+        """
+        from stayput.motion.traces import motion_of_traces
+
+        return motion_of_traces(traces, unit, component, name)

@@ -1,0 +1,188 @@
+"""Computed motions: sines and single pulses."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.errors import InputError, within
+from stayput.motion.record import Motion
+from stayput.motion.samples import LARGEST_ACCELERATION, MOST_SAMPLES, STEP_RANGE
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+PULSE_KINDS = ("rectangular", "half-sine", "ricker", "mavroeidis-papageorgiou")
+"""The kinds of `pulse`."""
+
+_FEWEST_STEPS = 20
+"""Fewest time steps in a period, so that a chain of straight lines is a sine to 1 %."""
+
+
+def _steps(duration: float, dt: float, quiet: float) -> tuple[int, int, float]:
+    """Return the steps of the shaking and of the quiet after it, and the step that fits the former [s]."""
+    steps = max(1, math.ceil(duration / dt - 1e-9))
+    step = duration / steps
+    still = math.ceil(quiet / step - 1e-9)
+    if steps + still >= MOST_SAMPLES:
+        raise InputError(
+            f"The motion would have {steps + still + 1} samples; it must have at most {MOST_SAMPLES}."
+        )
+    return steps, still, step
+
+
+def _then_quiet(a: NDArray[np.float64], still: int) -> NDArray[np.float64]:
+    """Append ``still`` zeros; the last sample is put half way, so that the jump's impulse stays exact."""
+    if not still:
+        return a
+    return np.concatenate((a[:-1], [0.5 * a[-1]], np.zeros(still)))
+
+
+def sine(
+    amplitude: float,
+    frequency: float,
+    duration: float = 30.0,
+    phase: float = 0.0,
+    dt: float = 0.005,
+    *,
+    quiet: float = 0.0,
+) -> Motion:
+    """Make a harmonic motion a = A sin(2πft + φ).
+
+    Parameters
+    ----------
+    amplitude : float
+        A [m/s²].
+    frequency : float
+        f [Hz].
+    duration : float
+        Time of shaking [s]; ``1 / frequency`` is one full wave.
+    phase : float
+        φ [rad]; π/2 is a cosine.
+    dt : float
+        Largest time step [s]; the step is made to divide ``duration`` exactly.
+    quiet : float
+        Still floor after the shaking [s]. Where the shaking ends off zero, the jump is spread over the
+        two steps around its end; the impulse is that of the jump.
+
+    Raises
+    ------
+    InputError
+        A value out of range, or fewer than 20 steps in a wave.
+
+    Examples
+    --------
+    >>> sine(5.0, 1.0).pga
+    5.0
+    """
+    a0 = within("Sine amplitude", amplitude, -LARGEST_ACCELERATION, LARGEST_ACCELERATION, "m/s²")
+    f = within("Sine frequency", frequency, 1e-3, 1e3, "Hz")
+    length = within("Sine duration", duration, 1e-3, 1e5, "s")
+    angle = within("Sine phase", phase, -1e3, 1e3, "rad")
+    still = within("Sine quiet", quiet, 0.0, 1e5, "s")
+    step = within("Sine dt", dt, *STEP_RANGE, "s")
+    if step * f * _FEWEST_STEPS > 1.0 + 1e-9:
+        raise InputError(
+            f"Sine dt is {step:g} s; at most {1 / f / _FEWEST_STEPS:g} s, period/{_FEWEST_STEPS}, is allowed."
+        )
+    n, zeros, step = _steps(length, step, still)
+    a = a0 * np.sin(2.0 * math.pi * f * step * np.arange(n + 1) + angle)
+    name = f"sine {a0:g} m/s², {f:g} Hz"
+    return Motion(step, _then_quiet(a, zeros), name=name, synthetic=True, source=f"{name}, {length:g} s")
+
+
+def _ricker(tau: NDArray[np.float64], f: float) -> NDArray[np.float64]:
+    """Return a Ricker wavelet of unit peak acceleration about τ = 0 (Ricker 1953)."""
+    squared = (math.pi * f * tau) ** 2
+    return (1.0 - 2.0 * squared) * np.exp(-squared)
+
+
+def mavroeidis_papageorgiou(
+    tau: NDArray[np.float64], f: float, gamma: float, nu: float
+) -> NDArray[np.float64]:
+    """Return the acceleration of v = ½[1 + cos(2πfτ/γ)] cos(2πfτ + ν), |τ| ≤ γ/(2f).
+
+    Source: Mavroeidis and Papageorgiou (2003), doi:10.1785/0120020100.
+    """
+    w = 2.0 * math.pi * f
+    carrier = w * tau + nu
+    envelope = 1.0 + np.cos(w * tau / gamma)
+    a = -0.5 * w * (np.sin(w * tau / gamma) * np.cos(carrier) / gamma + envelope * np.sin(carrier))
+    return np.where(np.abs(tau) <= gamma / (2.0 * f), a, 0.0)
+
+
+def pulse(
+    kind: str,
+    amplitude: float,
+    duration: float | None = None,
+    frequency: float | None = None,
+    *,
+    gamma: float = 2.0,
+    nu: float = 0.0,
+    quiet: float = 10.0,
+    dt: float | None = None,
+) -> Motion:
+    """Make a single pulse and a still floor after it.
+
+    Parameters
+    ----------
+    kind : str
+        "rectangular" (A for ``duration``) and "half-sine" (A sin(πt/``duration``)) begin at t = 0;
+        "ricker" (A(1 − 2π²f²τ²)exp(−π²f²τ²), 3 periods long) and "mavroeidis-papageorgiou" (velocity
+        (A/2)[1 + cos(2πfτ/γ)]cos(2πfτ + ν), γ periods long) have τ = 0 at their middle.
+    amplitude : float
+        A: peak acceleration [m/s²]; for "mavroeidis-papageorgiou" the velocity [m/s].
+    duration : float, optional
+        Length of the first two kinds [s].
+    frequency : float, optional
+        f of the last two kinds [Hz].
+    gamma, nu : float
+        γ ≥ 1 and ν [rad] of "mavroeidis-papageorgiou".
+    quiet : float
+        Still floor after the pulse [s].
+    dt : float, optional
+        Largest time step [s]; the step is made to divide the pulse exactly. Default 1 ms, or 1/200 of
+        the pulse or period where that is less. A record is linear between samples, so the end of a
+        rectangular pulse is a ramp over the two steps around it; its impulse A·T is exact.
+
+    Raises
+    ------
+    InputError
+        An unknown kind, a value out of range, or a length where a frequency belongs or the reverse.
+    """
+    if kind not in PULSE_KINDS:
+        raise InputError(f"The pulse kind is {kind!r}; it must be one of {', '.join(PULSE_KINDS)}.")
+    by_length = kind in PULSE_KINDS[:2]
+    needed, other = (duration, frequency) if by_length else (frequency, duration)
+    quantity = "duration" if by_length else "frequency"
+    if needed is None or other is not None:
+        given = f"duration {duration} and frequency {frequency}"
+        raise InputError(f"A {kind} pulse is given {given}; it must be given its {quantity} only.")
+    largest = LARGEST_ACCELERATION if kind != PULSE_KINDS[3] else 100.0
+    a0 = within("Pulse amplitude", amplitude, -largest, largest, "m/s" if kind == PULSE_KINDS[3] else "m/s²")
+    still = within("Pulse quiet", quiet, 0.0, 1e5, "s")
+    g, phase = within("Pulse gamma", gamma, 1.0, 50.0), within("Pulse nu", nu, -1e3, 1e3, "rad")
+    if by_length:
+        period = within("Pulse duration", needed, 1e-3, 1e3, "s")
+        length = period
+    else:
+        period = 1.0 / within("Pulse frequency", needed, 1e-3, 1e3, "Hz")
+        length = period * (3.0 if kind == "ricker" else g)
+    step = min(1e-3, period / 200.0) if dt is None else within("Pulse dt", dt, *STEP_RANGE, "s")
+    if step * _FEWEST_STEPS > period * (1.0 + 1e-9):
+        raise InputError(f"Pulse dt is {step:g} s; it must be at most a {_FEWEST_STEPS}th of {period:g} s.")
+    half, zeros, step = _steps(length / 2.0, step, still)
+    tau = np.arange(-half, half + 1, dtype=np.float64) * step
+    if kind == "rectangular":
+        a = np.ones(2 * half + 1)
+    elif kind == "half-sine":
+        a = np.cos(math.pi * tau / length)
+    elif kind == "ricker":
+        a = _ricker(tau, 1.0 / period)
+    else:
+        a = mavroeidis_papageorgiou(tau, 1.0 / period, g, phase)
+    unit = "m/s" if kind == PULSE_KINDS[3] else "m/s²"
+    name = f"{kind} pulse {a0:g} {unit}, {quantity} {needed:g} {'s' if by_length else 'Hz'}"
+    return Motion(step, _then_quiet(a0 * a, zeros), name=name, synthetic=True, source=name)

@@ -1,0 +1,1 @@
+"""What is shown: words, plots and animations of a run."""

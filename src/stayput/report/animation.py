@@ -1,0 +1,155 @@
+"""Animations of a run: GIF, MP4, or one HTML page that needs nothing else."""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+from collections.abc import Callable
+from typing import TYPE_CHECKING, TypeAlias
+
+from PIL import Image
+
+from stayput.errors import InputError, within
+from stayput.report.files import check_animation, draft
+from stayput.report.film import film_of
+from stayput.report.frames import Painter
+from stayput.report.player import player_page
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from stayput.report.film import Film
+    from stayput.simulation import Run
+
+Progress: TypeAlias = Callable[[int, int], None]
+"""Called with the number of frames drawn and the number of all frames."""
+
+_SHORTEST = 2  # hundredths of a second between a GIF's frames: browsers slow down what is shorter
+_COLOURS = 64  # colours of a GIF
+_SAMPLED = 12  # frames from which these are chosen
+
+
+def animate_run(
+    run: Run,
+    path: str | Path,
+    *,
+    fps: float = 20.0,
+    speed: float = 1.0,
+    hold: float = 1.5,
+    width: int = 640,
+    name: str = "body",
+    progress: Progress | None = None,
+) -> Path:
+    """Animate a run: the shaken room in section, to scale, above the floor's acceleration.
+
+    Parameters
+    ----------
+    run : Run
+        The run.
+    path : str or Path
+        Where to write it: GIF, MP4 (needs ffmpeg) or HTML (a player in one file), by its ending.
+    fps : float
+        Frames a second. A GIF counts in hundredths of a second, so 20, 25 and 50 are met exactly and
+        others as nearly as can be, at most 50, always at the right speed. The HTML player draws
+        as fast as the screen.
+    speed : float
+        Seconds of the run in one second of the film: 0.25 is slow motion. In the HTML player, the speed
+        to start with.
+    hold : float
+        How long the last pose is held [s].
+    width : int
+        Width of a frame [pixels]; the height is three quarters of it. Not used for HTML.
+    name : str
+        What the body is called.
+    progress : callable, optional
+        Called with the number of frames drawn and the number of all frames.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    InputError
+        A value out of range, a path that cannot be written, or no ffmpeg for an MP4.
+    """
+    target = check_animation(path)
+    within("The animation's fps", fps, 1.0, 100.0)
+    within("The animation's speed", speed, 0.01, 100.0)
+    within("The animation's hold", hold, 0.0, 60.0, "s")
+    within("The animation's width", width, 200, 4000, "pixels")
+    film = film_of(run, name)
+    with draft(target) as unfinished:
+        match target.suffix.lower():
+            case ".html":
+                unfinished.write_text(player_page(film, speed, hold), encoding="utf-8")
+            case ".gif":
+                delay = max(_SHORTEST, round(100.0 / fps))
+                times = film.times(100.0 / delay, speed, hold)
+                _write_gif(film, unfinished, times, delay, width, progress)
+            case _:
+                _write_mp4(film, unfinished, film.times(fps, speed, hold), fps, width, progress)
+    return target
+
+
+def _images(
+    film: Film, times: NDArray[np.float64], width: int, progress: Progress | None
+) -> Iterator[Image.Image]:
+    painter = Painter(film, width - width % 2, round(0.375 * width) * 2)
+    for i, time in enumerate(times):
+        yield painter.frame(film.at(float(time)))
+        if progress is not None:
+            progress(i + 1, len(times))
+
+
+def _write_gif(
+    film: Film, path: Path, times: NDArray[np.float64], delay: int, width: int, progress: Progress | None
+) -> None:
+    """Write a GIF with one palette for all frames and a delay between them in hundredths of a second."""
+    colours = _palette(film, times, width)
+    frames = (
+        image.quantize(palette=colours, dither=Image.Dither.NONE)
+        for image in _images(film, times, width, progress)
+    )
+    first = next(frames)
+    first.save(path, "GIF", save_all=True, append_images=frames, duration=10 * delay, loop=0)
+
+
+def _palette(film: Film, times: NDArray[np.float64], width: int) -> Image.Image:
+    """Return an image whose palette serves every frame: chosen from some of them, one above the other."""
+    chosen = times[:: max(1, len(times) // _SAMPLED)]
+    samples = [*_images(film, chosen, width, None), *_images(film, times[-1:], width, None)]
+    sheet = Image.new("RGB", (samples[0].width, sum(image.height for image in samples)))
+    for i, image in enumerate(samples):
+        sheet.paste(image, (0, i * image.height))
+    return sheet.quantize(_COLOURS, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+
+
+def _write_mp4(
+    film: Film, path: Path, times: NDArray[np.float64], fps: float, width: int, progress: Progress | None
+) -> None:
+    size = f"{width - width % 2}x{round(0.375 * width) * 2}"
+    command = ["ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", size]
+    command += ["-r", f"{fps:g}", "-i", "-", "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(path)]
+    with tempfile.TemporaryFile() as messages:
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=messages, stderr=messages) as ffmpeg:
+            assert ffmpeg.stdin is not None
+            try:
+                for image in _images(film, times, width, progress):
+                    ffmpeg.stdin.write(image.tobytes())
+            except BrokenPipeError:
+                pass  # ffmpeg gave up; its message says why
+            except BaseException:
+                ffmpeg.kill()
+                raise
+        if ffmpeg.returncode:
+            messages.seek(0)
+            said = messages.read().decode(errors="replace").strip().splitlines()
+            raise InputError(
+                f"ffmpeg could not write {path.suffix}: {said[-1] if said else 'no reason given'}."
+            )

@@ -1,0 +1,57 @@
+"""The colours of every picture, in one place; safe for the common kinds of colour blindness.
+
+The mode colours are those of Okabe and Ito (2008), *Color universal design*.
+"""
+
+from __future__ import annotations
+
+from stayput.simulation import EventKind, Mode
+
+MODE_COLOURS: dict[Mode, str] = {
+    Mode.REST: "#b9bec5",
+    Mode.SLIDE: "#56b4e9",
+    Mode.ROCK: "#e69f00",
+    Mode.SLIDE_ROCK: "#009e73",
+    Mode.FLIGHT: "#cc79a7",
+    Mode.LEAN: "#f0e442",
+    Mode.OVERTURNED: "#d55e00",
+}
+"""Colour of each mode, in bands and as the body's fill."""
+
+EVENT_MARKERS: dict[EventKind, tuple[str, str]] = {
+    EventKind.FLOOR_IMPACT: ("v", "#1f2933"),
+    EventKind.WALL_IMPACT: ("s", "#0072b2"),
+    EventKind.CEILING_IMPACT: ("D", "#cc79a7"),
+    EventKind.OVERTURNED: ("X", "#d55e00"),
+    EventKind.FAILED: ("P", "#d55e00"),
+}
+"""Marker shape (Matplotlib's letters) and colour of the events that are marked."""
+
+INK = "#1f2933"
+"""Lines of histories and outlines, and text."""
+
+MUTED = "#6b7580"
+"""Reference lines and secondary text."""
+
+FAINT = "#dfe3e8"
+"""Grids and the still background."""
+
+ROOM = "#8d99a6"
+"""Floor slab, walls and ceiling."""
+
+ROOM_SHADE = "#74808d"
+"""Marks on the floor and the walls that make their shaking visible."""
+
+PAPER = "#ffffff"
+"""Background."""
+
+ALARM = "#d55e00"
+"""Time cursor and overturning."""
+
+COMPONENT_COLOURS: dict[str, str] = {"x": "#0072b2", "y": "#009e73", "z": "#cc79a7"}
+"""Colour of each component of a motion."""
+
+
+def rgb(colour: str) -> tuple[int, int, int]:
+    """Red, green and blue, 0 to 255, of a colour written ``#rrggbb``."""
+    return int(colour[1:3], 16), int(colour[3:5], 16), int(colour[5:7], 16)

@@ -1,0 +1,285 @@
+"""Plots of a run and of a motion, as Matplotlib figures made without pyplot (thread-safe, headless)."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from stayput.report.files import PLOT_SUFFIXES, check_target, draft
+from stayput.report.fonts import drawable
+from stayput.report.history import history
+from stayput.report.palette import ALARM, COMPONENT_COLOURS, EVENT_MARKERS, FAINT, INK, MODE_COLOURS, MUTED
+from stayput.report.summary import motion_label, sentence
+from stayput.simulation import EventKind, Mode
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from matplotlib.axes import Axes
+
+    from stayput.motion import Motion
+    from stayput.simulation import Run
+
+_FONT = 10.0
+_AFTER = 1.2  # the time axis goes on after overturning by this factor
+_TILT_SHOWN = 3.0  # the tilt axis ends here, in critical angles; a fall beyond it is marked, not followed
+
+
+def plot_run(run: Run, path: str | Path | None = None, *, name: str = "body") -> Figure:
+    """Plot the floor's acceleration, the tilt and the slide, with the modes as bands and the events marked.
+
+    Parameters
+    ----------
+    run : Run
+        The run.
+    path : str or Path, optional
+        Where to save it: PNG, SVG or PDF, by its ending.
+    name : str
+        What the body is called in the title.
+
+    Returns
+    -------
+    Figure
+        The Matplotlib figure.
+
+    Raises
+    ------
+    InputError
+        A path that cannot be written.
+    """
+    figure = _figure(9.5, 7.2)
+    axes = figure.subplots(4, 1, sharex=True, height_ratios=[1.0, 1.6, 1.0, 0.16])
+    acceleration, tilt, slide, modes = axes
+    figure.suptitle(drawable(sentence(run, name)), fontsize=_FONT + 2.0, color=INK)
+    _draw_acceleration(acceleration, run.motion)
+    _draw_tilt(tilt, run)
+    _draw_slide(slide, run)
+    _draw_modes(modes, (tilt, slide), run)
+    modes.set_xlim(0.0, _last_time(run))
+    modes.set_xlabel("Time [s]", fontsize=_FONT)
+    figure.align_ylabels(axes[:3])
+    return _saved(figure, path)
+
+
+def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
+    """Plot acceleration, velocity and displacement of every component of a motion.
+
+    Velocity and displacement are integrals of the record as it is, without any correction.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    path : str or Path, optional
+        Where to save it: PNG, SVG or PDF, by its ending.
+
+    Returns
+    -------
+    Figure
+        The Matplotlib figure.
+
+    Raises
+    ------
+    InputError
+        A path that cannot be written.
+    """
+    parts = motion.components
+    figure = _figure(4.0 + 3.6 * len(parts), 6.6)
+    axes = figure.subplots(3, len(parts), sharex=True, sharey="row", squeeze=False)
+    figure.suptitle(drawable(motion_label(motion)), fontsize=_FONT + 2.0, color=INK)
+    titles = {"x": "x, along the shaking", "y": "y, across", "z": "z, up"}
+    for column, component in enumerate(parts):
+        one = motion.component(component)
+        time = motion.time
+        rows = (one.x, 100.0 * one.velocity, 100.0 * one.displacement)
+        axes[0, column].set_title(titles[component], fontsize=_FONT, color=INK)
+        axes[2, column].set_xlabel("Time [s]", fontsize=_FONT)
+        for axis, values, unit in zip(axes[:, column], rows, ("m/s²", "cm/s", "cm"), strict=True):
+            _style(axis)
+            peak = int(np.argmax(np.abs(values)))
+            axis.plot(time, values, color=COMPONENT_COLOURS[component], linewidth=0.9)
+            axis.plot(
+                time[peak], values[peak], "o", color=INK, markersize=4.0, label=f"{values[peak]:.3g} {unit}"
+            )
+            axis.legend(loc="upper right", fontsize=_FONT - 1.5, framealpha=0.85, handletextpad=0.2)
+    for axis, label in zip(
+        axes[:, 0], ("Acceleration [m/s²]", "Velocity [cm/s]", "Displacement [cm]"), strict=True
+    ):
+        axis.set_ylabel(label, fontsize=_FONT)
+    figure.align_ylabels(axes[:, 0])
+    return _saved(figure, path)
+
+
+def critical_angles(run: Run) -> tuple[float, float]:
+    """Return the tilts beyond which the body falls by itself, to the left (negative) and right [rad]."""
+    left, right = run.body.slenderness
+    return -left, right
+
+
+def wall_angles(run: Run) -> tuple[float | None, float | None]:
+    """Return the tilts at which a top corner reaches the left and the right wall at slide 0 [rad]."""
+    corners = run.body.corners
+    height = corners[2][1] - min(corners[0][1], corners[1][1])
+    angles: list[float | None] = []
+    for wall, sign in ((run.room.left_wall, -1.0), (run.room.right_wall, 1.0)):
+        reached = wall is not None and wall.gap < height
+        angles.append(sign * math.asin(wall.gap / height) if wall is not None and reached else None)
+    return angles[0], angles[1]
+
+
+def _figure(width: float, height: float) -> Figure:
+    figure = Figure(figsize=(width, height), dpi=120, layout="constrained", facecolor="white")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def _saved(figure: Figure, path: str | Path | None) -> Figure:
+    if path is not None:
+        target = check_target(path, PLOT_SUFFIXES)
+        with draft(target) as unfinished:
+            figure.savefig(unfinished)
+    return figure
+
+
+def _style(axis: Axes) -> None:
+    axis.tick_params(labelsize=_FONT - 1.0, colors=INK)
+    axis.grid(True, color=FAINT, linewidth=0.7)
+    axis.set_axisbelow(True)
+    axis.axhline(0.0, color=MUTED, linewidth=0.6)
+    for side in ("top", "right"):
+        axis.spines[side].set_visible(False)
+
+
+def _last_time(run: Run) -> float:
+    """Return the end of the time axis [s]: the record's, or some time after the body turned over."""
+    duration = run.motion.duration
+    return min(duration, _AFTER * run.overturn_time) if run.overturned else duration
+
+
+def _draw_acceleration(axis: Axes, motion: Motion) -> None:
+    _style(axis)
+    for component, a, told in (("x", motion.x, "x, horizontal"), ("z", motion.z, "z, vertical")):
+        if a is not None:
+            axis.plot(motion.time, a, color=COMPONENT_COLOURS[component], linewidth=0.9, label=told)
+    axis.set_ylabel("Floor\nacceleration [m/s²]", fontsize=_FONT)
+    axis.set_title(drawable(motion_label(motion)), fontsize=_FONT - 0.5, color=MUTED, loc="left")
+    axis.legend(loc="upper right", fontsize=_FONT - 1.5, framealpha=0.85)
+
+
+def _draw_tilt(axis: Axes, run: Run) -> None:
+    _style(axis)
+    shown = history(run)
+    axis.plot(shown.time, np.degrees(shown.tilt), color=INK, linewidth=1.3)
+    axis.set_ylabel("Tilt [°]\n(+ to the right)", fontsize=_FONT)
+    low, high = _tilt_limits(run)
+    axis.set_ylim(low, high)
+    lines = [
+        (angle, "--", MUTED, f"critical angle {abs(math.degrees(angle)):.1f}°")
+        for angle in critical_angles(run)
+    ]
+    lines += [
+        (
+            angle,
+            ":",
+            EVENT_MARKERS[EventKind.WALL_IMPACT][1],
+            f"wall reached at {abs(math.degrees(angle)):.1f}°, no slide",
+        )
+        for angle in wall_angles(run)
+        if angle is not None
+    ]
+    told: set[str] = set()
+    for angle, dashes, colour, label in lines:
+        if low < math.degrees(angle) < high:
+            axis.axhline(
+                math.degrees(angle),
+                color=colour,
+                linewidth=1.1,
+                linestyle=dashes,
+                label="" if label in told else label,
+            )
+            told.add(label)
+    for kind, (marker, colour) in EVENT_MARKERS.items():
+        events = [event for event in run.events if event.kind is kind]
+        if events:
+            times = [event.time for event in events]
+            heights = [min(max(math.degrees(event.tilt), low), high) for event in events]
+            label = f"{kind.value} × {len(events)}" if len(events) > 1 else kind.value
+            if kind is EventKind.OVERTURNED:
+                label = f"overturned (90°) at {run.overturn_time:.2f} s"
+            axis.plot(
+                times,
+                heights,
+                marker,
+                color=colour,
+                markersize=6.0,
+                markeredgecolor="white",
+                markeredgewidth=0.6,
+                label=label,
+                clip_on=False,
+                zorder=5,
+            )
+    if axis.get_legend_handles_labels()[0]:
+        axis.legend(loc="best", fontsize=_FONT - 1.5, framealpha=0.85)
+
+
+def _tilt_limits(run: Run) -> tuple[float, float]:
+    """Return the tilt axis' ends [°]: with the critical angles once they matter, but not all of a fall."""
+    low, high = (math.degrees(angle) for angle in critical_angles(run))
+    tilt = np.degrees(history(run).tilt)
+    below, above = float(tilt.min()), float(tilt.max())
+    peak = max(-below, above, 0.1)
+    if peak < 0.25 * min(-low, high):
+        return -1.3 * peak, 1.3 * peak
+    return (
+        max(_TILT_SHOWN * low, min(1.15 * below, 1.25 * low)),
+        min(_TILT_SHOWN * high, max(1.15 * above, 1.25 * high)),
+    )
+
+
+def _draw_slide(axis: Axes, run: Run) -> None:
+    _style(axis)
+    shown = history(run)
+    axis.plot(shown.time, 100.0 * shown.slide, color=INK, linewidth=1.3)
+    axis.set_ylabel("Slide [cm]\n(+ to the right)", fontsize=_FONT)
+    if run.peak_slide < 1e-3:
+        axis.set_ylim(-0.1, 0.1)
+
+
+def _draw_modes(strip: Axes, bands: tuple[Axes, ...], run: Run) -> None:
+    """Draw the modes as a solid strip with a legend, and as faint bands behind the histories."""
+    spans = history(run).spans()
+    present = [mode for mode in Mode if any(span[2] is mode for span in spans)]
+    for mode in present:
+        widths = [(start, end - start) for start, end, span in spans if span is mode]
+        strip.broken_barh(widths, (0.0, 1.0), facecolors=MODE_COLOURS[mode], linewidth=0.0)
+        for axis in bands if mode is not Mode.REST else ():
+            axis.broken_barh(
+                widths,
+                (0.0, 1.0),
+                facecolors=MODE_COLOURS[mode],
+                alpha=0.25,
+                linewidth=0.0,
+                transform=axis.get_xaxis_transform(),
+                zorder=0,
+            )
+    for axis in bands:
+        if run.overturned:
+            axis.axvline(run.overturn_time, color=ALARM, linewidth=1.0)
+    strip.set_yticks([])
+    strip.set_ylim(0.0, 1.0)
+    strip.set_ylabel("Mode", fontsize=_FONT, rotation=0, ha="right", va="center")
+    strip.tick_params(labelsize=_FONT - 1.0, colors=INK)
+    handles = [Patch(facecolor=MODE_COLOURS[mode], label=mode.value) for mode in present]
+    strip.legend(
+        handles=handles,
+        loc="upper center",
+        bbox_to_anchor=(0.5, -2.6),
+        ncols=len(present),
+        fontsize=_FONT - 1.0,
+        frameon=False,
+    )

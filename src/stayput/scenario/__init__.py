@@ -1,0 +1,8 @@
+"""A scenario file: what stands where and how it is shaken, in TOML, checked before anything runs."""
+
+from __future__ import annotations
+
+from stayput.scenario.reading import read_scenario
+from stayput.scenario.scenario import Scenario
+
+__all__ = ["Scenario", "read_scenario"]

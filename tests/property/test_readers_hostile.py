@@ -1,0 +1,272 @@
+"""Damaged files: each gives a finite motion of the record's own step, or InputError, and nothing else.
+
+The files are written here, in each format, from one wave; then they are cut, mixed up and overwritten.
+"""
+
+import re
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from stayput.errors import InputError
+from stayput.motion import Motion, read_motion
+
+N = 96
+WAVE = np.round(200.0 * np.sin(np.arange(N) * 0.37) * np.exp(-np.arange(N) / 60.0), 3)  # gal, or g/1000
+PEAK = float(np.abs(WAVE).max())
+
+
+def _block(values, form, per_line):
+    rows = (values[i : i + per_line] for i in range(0, len(values), per_line))
+    return "".join("".join(form % v for v in row) + "\n" for row in rows)
+
+
+def peer():
+    size = f"NPTS= {N:5d}, DT= .01000 SEC"
+    head = f"PEER DATABASE RECORD\nQUAKE 1/2/99, PLACE, 090\nACCELERATION HISTORY IN UNITS OF G\n{size}\n"
+    return head + _block(WAVE / 1000, "%15.7E", 5)
+
+
+def jma():
+    head = "SITE CODE= 1試験  ,1,2\n LAT.= 0.0\n LON.= 0.0\n SAMPLING RATE= 100Hz\n UNIT  = gal(cm/s/s)\n"
+    rows = "".join(f"{a:.3f},{-a:.3f},{a / 2:.3f}\n" for a in WAVE)
+    return f"{head}INITIAL TIME = 2016 04 14 21 26 20\n NS,EW,UD\n{rows}".replace("\n", "\r\n")
+
+
+def knet():
+    counts = np.round(WAVE * 1000).astype(int) + 12345
+    peak = np.abs(counts - counts.mean()).max() / 1000
+    entries = [
+        ("Origin Time", "2006/01/18 23:25:00"),
+        *[(key, "1.0") for key in ("Lat.", "Long.", "Depth. (km)", "Mag.")],
+        ("Station Code", "TST001"),
+        *[(key, "1.0") for key in ("Station Lat.", "Station Lon.", "Station Height(m)")],
+        ("Record Time", "2006/01/18 23:25:46"),
+        ("Sampling Freq(Hz)", "100Hz"),
+        ("Duration Time(s)", "0.96"),
+        ("Dir.", "N-S"),
+        ("Scale Factor", "1000(gal)/1000000"),
+        ("Max. Acc. (gal)", f"{peak:.3f}"),
+        ("Last Correction", "2006/01/18 23:25:31"),
+        ("Memo.", ""),
+    ]
+    return "".join(f"{key:<18}{value}\n" for key, value in entries) + _block(counts, "%9d", 8)
+
+
+def knet_csv():
+    head = "#Station Code,TST001\n#Offset(gal),1.5,2.5,-3.5\n#Datetime,Relative Time(s),NS,EW,UD\n"
+    rows = "".join(
+        f"2024/01/01 16:10:00,{i / 100:.2f},{a + 1.5:.3f},{2.5 - a:.3f},{a / 2 - 3.5:.3f}\n"
+        for i, a in enumerate(WAVE)
+    )
+    return head + rows
+
+
+def esm():
+    head = f"EVENT_ID: T\nSAMPLING_INTERVAL_S: 0.01\nNDATA: {N}\nSTREAM: HNN\nUNITS: cm/s^2\n"
+    return f"{head}PGA_CM/S^2: {PEAK}\nDATA_TYPE: ACCELERATION\n" + _block(WAVE, "%.6f", 1)
+
+
+def csmip():
+    def channel(number, direction, values):
+        block = _block(values, "%10.3f", 8)
+        head = f"CORRECTED ACCELEROGRAM   1   CHAN  {number}: {direction}     FROM\n" + "TEXT LINE\n" * 7
+        peak = f"PEAK ACCELERATION = {np.abs(values).max():9.3f}    CM/SEC/SEC  AT 1.0   SEC.\n"
+        kinds = {"ACCEL": "CM/SEC/SEC", "VELOC": "CM/SEC", "DISPL": "CM"}
+        blocks = "".join(
+            f" {N} POINTS OF {kind} DATA EQUALLY SPACED AT  .010 SEC.  (UNITS: {unit})\n{block}"
+            for kind, unit in kinds.items()
+        )
+        return f"{head}{peak}{blocks}/&  ----------  END OF DATA FOR CHANNEL  {number}  ----------\n"
+
+    return channel(1, "360 DEG", WAVE) + channel(2, "UP", WAVE / 2) + channel(3, " 90 DEG", -WAVE)
+
+
+def cosmos():
+    real = np.full(100, -999.0)
+    real[61], real[63] = 10.0, PEAK
+    text = "Corrected acceleration    (Format v01.20 with 13 text lines)\nRecord of Test\n" + "text\n" * 6
+    text += "Sta Chan   1: 360 Deg (Rcrdr Chan  1)\n" + "text\n" * 3
+    text += "Values used when parameter or data value is unknown/unspecified:   -999, -999.00\n"
+    text += " 100 Integer-header values follow on  10 lines, Format= (10I8)\n" + ("    -999" * 10 + "\n") * 10
+    text += " 100 Real-header values follow on  20 lines, Format= (5F15.6)\n" + _block(real, "%15.6f", 5)
+    text += f"   {N} acceleration pts, approx  1 secs, units=cm/sec2(04),Format=(1E15.6)\n"
+    return text + _block(WAVE, "%15.6e", 1) + "End-of-data for Chan 1 acceleration\n"
+
+
+def columns():
+    return "# t, x, y, z\n" + "".join(
+        f"{i / 100:.2f} {a:.3f} {-a:.3f} {a / 2:.3f}\n" for i, a in enumerate(WAVE)
+    )
+
+
+FORMATS = {f.__name__: f().encode("cp932") for f in (peer, jma, knet, knet_csv, esm, csmip, cosmos, columns)}
+UNITS = {"columns": "gal"}
+COUNTED = {"peer", "knet", "esm", "csmip", "cosmos"}  # their headers state how many samples there are
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    return tmp_path_factory.mktemp("hostile") / "record"
+
+
+def _read(file, name, content) -> Motion | None:
+    file.write_bytes(content)
+    try:
+        motion = read_motion(file, unit=UNITS.get(name))
+    except InputError as error:
+        text = str(error)
+        assert text.endswith(".")
+        assert "\n" not in text.strip()
+        return None
+    for values in motion.components.values():
+        assert np.isfinite(values).all()
+        assert len(values) == len(motion) >= 2
+    assert 0.0 < motion.dt <= 1.0
+    return motion
+
+
+def _needs(name):
+    if name == "knet":
+        pytest.importorskip("obspy", reason="ObsPy is not installed")
+
+
+hostile = settings(
+    max_examples=60,
+    deadline=2000,
+    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
+    derandomize=True,
+)
+each_format = pytest.mark.parametrize("name", FORMATS)
+
+
+@each_format
+def test_the_undamaged_file_is_the_wave(name, file):
+    _needs(name)
+    motion = _read(file, name, FORMATS[name])
+    assert motion is not None
+    size = 9.80665e-3 if name == "peer" else 0.01
+    wave = WAVE - WAVE.mean() if name == "knet" else WAVE
+    assert motion.x == pytest.approx(size * wave, abs=2e-5)
+    assert motion.dt == pytest.approx(0.01)
+    if len(motion.components) == 3:
+        assert motion.y == pytest.approx(-motion.x)
+        assert motion.z == pytest.approx(motion.x / 2, abs=1e-5)
+
+
+@each_format
+@hostile
+@given(data=st.data())
+def test_truncated_anywhere(name, file, data):
+    _needs(name)
+    content = FORMATS[name]
+    motion = _read(file, name, content[: data.draw(st.integers(0, len(content) - 1))])
+    if motion is None:
+        return
+    whole = _read(file, name, content)
+    assert whole is not None
+    if name in COUNTED:
+        assert len(motion) == len(whole)
+    last = len(motion) - 1  # the last number may have lost digits where nothing tells how many it had
+    for key, values in motion.components.items():
+        difference = values[:last] - whole.components[key][:last]
+        if name == "knet":  # whose offset, the mean, moves with the last number
+            difference = np.diff(difference)
+        assert np.abs(difference).max(initial=0.0) < 1e-12
+
+
+@each_format
+@hostile
+@given(data=st.data())
+def test_bytes_overwritten(name, file, data):
+    _needs(name)
+    content = bytearray(FORMATS[name])
+    for _ in range(data.draw(st.integers(1, 8))):
+        content[data.draw(st.integers(0, len(content) - 1))] = data.draw(st.integers(0, 255))
+    _read(file, name, bytes(content))
+
+
+@each_format
+@hostile
+@given(data=st.data())
+def test_lines_swapped_dropped_and_doubled(name, file, data):
+    _needs(name)
+    lines = FORMATS[name].split(b"\n")
+    for _ in range(data.draw(st.integers(1, 3))):
+        place = st.integers(0, len(lines) - 1)
+        i, j = data.draw(place), data.draw(place)
+        what = data.draw(st.sampled_from(["swap", "drop", "double"]))
+        if what == "swap":
+            lines[i], lines[j] = lines[j], lines[i]
+        elif what == "drop":
+            lines = lines[:i] + lines[i + 1 :] or [b""]
+        else:
+            lines.insert(j, lines[i])
+    _read(file, name, b"\n".join(lines))
+
+
+BAD = ["nan", "NaN", "inf", "-Infinity", "1e999", "*****", "1_0", "0x1F", "1,5", "--1", "1.2.3", "", "\u0663"]
+
+
+@each_format
+@hostile
+@given(data=st.data())
+def test_a_sample_that_is_no_number_is_refused(name, file, data):
+    _needs(name)
+    text = FORMATS[name].decode("cp932")
+    places = list(re.finditer(r"-?[0-9.]+(?:E[+-][0-9]+)?", text, re.IGNORECASE))
+    last = {"csmip": "END OF DATA", "cosmos": "End-of-data"}.get(name)
+    end = text.rindex(last) if last else len(text)
+    begin = text.index(_first(name)) + len(_first(name))
+    samples = [m for m in places if m.start() >= begin and m.end() <= end]
+    if name == "csmip":  # velocities and displacements are not read
+        samples = samples[: N - 1]
+    if name == "knet_csv":  # nor are the dates
+        samples = [m for m in samples if text[m.start() - 1] == ","]
+    found = data.draw(st.sampled_from(samples))
+    bad = data.draw(st.sampled_from([b for b in BAD if b not in {"", "1,5", "--1"}]))
+    field = bad.rjust(found.end() - found.start())
+    assert _read(file, name, (text[: found.start()] + field + text[found.end() :]).encode()) is None
+
+
+def _first(name):
+    """Return the text after which only samples (and times) stand."""
+    return {
+        "peer": " SEC\n",
+        "jma": "NS,EW,UD",
+        "knet": "Memo.",
+        "knet_csv": "EW,UD",
+        "esm": "DATA_TYPE",
+        "csmip": "(UNITS: CM/SEC/SEC)",
+        "cosmos": "Format=(1E15.6)",
+        "columns": "y, z",
+    }[name]
+
+
+@hostile
+@given(content=st.binary(max_size=300))
+def test_any_bytes(file, content):
+    _read(file, "columns", content)
+
+
+HEADS = [
+    "",
+    "NPTS= 3, DT= .01\n",
+    "SITE CODE= 1\nSAMPLING RATE= 100Hz\nNS,EW,UD\n",
+    "Origin Time\nScale Factor\n",
+    "#Offset(gal),1,2,3\n",
+    "EVENT: x\nNDATA: 3\nSAMPLING_INTERVAL_S: 0.01\nDATA_TYPE: ACCELERATION\n",
+    "9 POINTS OF ACCEL DATA EQUALLY SPACED AT .01 SEC (UNITS: G)\n",
+    "Corrected (Format v01.20 with 13 text lines)\n",
+]
+
+
+@hostile
+@given(
+    content=st.text(alphabet="0123456789.,-+eE \t\n#;:=()NPTSDTGunitsgal/^é加", max_size=400),
+    head=st.sampled_from(HEADS),
+)
+def test_any_text_after_any_head(file, content, head):
+    _read(file, "columns", (head + content).encode())

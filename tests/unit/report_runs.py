@@ -1,0 +1,54 @@
+"""Runs made by hand, in closed form, for the tests of what is shown of a run."""
+
+import math
+
+import numpy as np
+
+import stayput as sp
+from stayput.simulation import Event, EventKind, Mode, Outcome, Run, State
+
+DT = 0.01
+BODY = sp.Body(0.3, 1.8, 200.0)
+ROOM = sp.Room(left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))
+SHAKE = sp.sine(5.0, 0.8, 4.0, dt=DT)
+
+
+def made(tilt, slide, mode, events=(), *, overturn_time=math.nan, outcome=Outcome.ROCKED):
+    """Return a run about B where the tilt is ≥ 0 and about A elsewhere, from its tilts and slides."""
+    a, b = BODY.corners[:2]
+    corner = np.where(tilt[:, None] >= 0.0, np.array(b), np.array(a))
+    u, v, cos, sin = corner[:, 0], corner[:, 1], np.cos(tilt), np.sin(tilt)
+    overturned = outcome is Outcome.OVERTURNED
+    return Run(
+        BODY, ROOM, SHAKE, "coulomb", State(), 9.80665, outcome, overturn_time,
+        peak_slide=float(np.abs(slide).max()), residual_slide=float(slide[-1]),
+        peak_tilt=math.pi / 2 if overturned else float(np.abs(tilt).max()), residual_tilt=float(tilt[-1]),
+        floor_impacts=sum(e.kind is EventKind.FLOOR_IMPACT for e in events),
+        wall_impacts=sum(e.kind is EventKind.WALL_IMPACT for e in events),
+        time=DT * np.arange(len(tilt)), slide=slide, slide_rate=np.zeros_like(slide),
+        tilt=tilt, tilt_rate=np.zeros_like(tilt), x=slide + u - u * cos - v * sin, z=u * sin - v * cos,
+        mode=np.array(mode), events=tuple(events),
+    )  # fmt: skip
+
+
+def event(time, kind, mode, tilt=0.0, slide=0.0):
+    return Event(time, kind, mode, tilt, 0.0, slide, 0.0)
+
+
+def falling(sign=1.0):
+    """Slides 5 cm from 0.5 to 1 s, hits the wall at 1.2 s, falls from 1.5 s to 2.505 s."""
+    t = DT * np.arange(251)
+    slide = 0.05 * np.clip((t - 0.5) / 0.5, 0.0, 1.0)
+    tilt = sign * math.pi / 2 * np.clip((t - 1.5) / 1.005, 0.0, 1.0) ** 2
+    mode = ["slide" if 0.5 <= time < 1.0 else "rock" if time >= 1.5 else "rest" for time in t]
+    events = (
+        event(0.5, EventKind.SLIP, Mode.SLIDE),
+        event(1.2, EventKind.WALL_IMPACT, Mode.REST),
+        event(2.505, EventKind.OVERTURNED, Mode.OVERTURNED, sign * math.pi / 2, 0.06),
+    )
+    return made(tilt, slide, mode, events, overturn_time=2.505, outcome=Outcome.OVERTURNED)
+
+
+def rocking(peak=0.05):
+    t = DT * np.arange(401)
+    return made(peak * np.sin(3.0 * t), 0.02 * t / 4.0, ["rock"] * 401)

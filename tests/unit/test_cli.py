@@ -1,0 +1,225 @@
+"""The command line: what it prints, writes and refuses, in this process and in real ones."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+from typer.testing import CliRunner
+
+import stayput
+from stayput.cli import app
+
+PROGRAM = [sys.executable, "-c", "from stayput.cli import main; main()"]
+RECORD = "\n".join(f"{k * 0.01:.2f} {300 * ((k // 40) % 2 * 2 - 1)}" for k in range(400))
+
+
+def cli(*arguments):
+    return CliRunner().invoke(app, [str(argument) for argument in arguments])
+
+
+def process(*arguments, **options):
+    return subprocess.run(
+        [*PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120, check=False, **options
+    )
+
+
+@pytest.fixture
+def record(tmp_path):
+    file = tmp_path / "record.txt"
+    file.write_text(RECORD)
+    return file
+
+
+def test_nothing_said_is_the_built_in_example():
+    result = cli("simulate")
+    assert result.exit_code == 0
+    assert result.stdout.startswith("The bookcase ")
+    for row in ("Motion", "Outcome", "Peak tilt", "Peak slide", "Wall impacts"):
+        assert row in result.stdout
+
+
+def test_json_is_one_object_with_units():
+    result = cli("simulate", "--body", "0.4x1.8x100", "--motion", "sine:5,0.8,5", "--json")
+    data = json.loads(result.stdout)
+    assert {"outcome", "peak_slide_m", "overturn_time_s", "peak_tilt_rad", "residual_slide_m"} <= set(data)
+    assert {"floor_impacts", "wall_impacts", "events"} <= set(data)
+    assert data["motion"]["duration_s"] == 5.0
+    run = stayput.simulate(stayput.Body(0.4, 1.8, 100.0), stayput.Room(), stayput.sine(5.0, 0.8, 5.0))
+    assert data["peak_slide_m"] == run.peak_slide
+    assert data["outcome"] == run.outcome
+    assert (data["overturn_time_s"] is None) == (not run.overturned)
+
+
+def test_a_body_that_rests_has_null_for_its_overturning():
+    data = json.loads(cli("simulate", "--body", "1x1x100", "--motion", "sine:0.1,1,1", "--json").stdout)
+    assert (data["outcome"], data["overturn_time_s"], data["events"]) == ("rested", None, [])
+
+
+def test_flags_override_the_scenario_file(tmp_path):
+    file = tmp_path / "room.toml"
+    file.write_text('[furniture]\npreset = "chest"\n[room]\nback_wall = { gap = 0.5 }\n')
+    flags = [
+        "--motion",
+        "sine:1,1,1",
+        "--scale",
+        "2",
+        "--friction",
+        "0.2,0.1",
+        "--wall",
+        "0.1",
+        "--right-wall",
+        "0.3",
+    ]
+    seen = []
+    original = stayput.Case.run
+
+    def look(case):
+        seen.append(case)
+        return original(case)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(stayput.Case, "run", look)
+        result = cli("simulate", file, *flags, "--contact", "paper", "--json")
+    assert result.exit_code == 0, result.stderr
+    (case,) = seen
+    assert (case.body.height, case.contact, case.motion.pga) == (1.365, "paper", 2.0)
+    assert case.room.floor == stayput.Floor(0.2, 0.1)
+    assert (case.room.left_wall.gap, case.room.right_wall.gap) == (0.1, 0.3)
+
+
+def test_a_record_relative_to_the_working_folder_and_to_the_scenario(tmp_path, record, monkeypatch):
+    (tmp_path / "room.toml").write_text(
+        '[furniture]\npreset = "chest"\n[shaking]\nrecord = "record.txt"\nunit = "gal"\n'
+    )
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    by_file = json.loads(cli("simulate", "../room.toml", "--json").stdout)
+    by_flag = json.loads(
+        cli("simulate", "../room.toml", "--motion", record, "--unit", "gal", "--json").stdout
+    )
+    assert by_file == by_flag
+    assert by_file["motion"]["pga_m_s2"] == pytest.approx(3.0)
+
+
+def test_plot_and_animation_are_written(tmp_path):
+    picture, film = tmp_path / "a.svg", tmp_path / "a.html"
+    result = cli("simulate", "--motion", "sine:3,1,2", "--plot", picture, "--animate", film, "--speed", "0.5")
+    assert result.exit_code == 0
+    assert f"Wrote {picture}" in result.stdout
+    assert "<svg" in picture.read_text()
+    assert '"speed":0.5' in film.read_text()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["simulate", "--body", "0.4x1.8"], "--body is '0.4x1.8'"),
+        (["simulate", "--body", "0.4xtallx1"], "--body is"),
+        (["simulate", "--body", "0.4x-1.8x100"], "furniture.height is -1.8"),
+        (["simulate", "--body", "0.4xnanx100"], "furniture.height is NaN"),
+        (["simulate", "--motion", "sine:5"], "--motion is 'sine:5'"),
+        (["simulate", "--motion", "nowhere.txt"], "nowhere.txt"),
+        (["simulate", "--friction", "0.1,0.5"], "kinetic friction is 0.5"),
+        (["simulate", "--friction", "0.1", "--floor", "carpet"], "--floor is 'carpet' beside"),
+        (["simulate", "--floor", "carpt"], "did you mean 'carpet'"),
+        (["simulate", "--wall", "-1"], "room.left_wall.gap is -1"),
+        (["simulate", "--contact", "glue"], 'contact is "glue"'),
+        (["simulate", "nowhere.toml"], "could not be read"),
+        (["simulate", "."], "could not be read"),
+        (["simulate", "--unit", "gal"], "shaking.unit is given without"),
+        (["simulate", "--plot", "nowhere/a.png"], "its folder must exist"),
+        (["simulate", "--plot", "a.txt"], "must end in .png, .svg, .pdf"),
+        (["simulate", "--animate", "a.png"], "must end in .gif, .mp4, .html"),
+        (["simulate", "--animate", "a.gif", "--fps", "0"], "fps is 0"),
+        (["motion", "info", "nowhere.txt"], "nowhere.txt"),
+        (["motion", "info", "."], "'.'"),
+        (["motion", "info", "near-fault", "--plot", "nowhere/a.png"], "its folder must exist"),
+    ],
+)
+def test_what_is_wrong_is_one_sentence_on_standard_error(tmp_path, monkeypatch, arguments, message):
+    monkeypatch.chdir(tmp_path)
+    result = cli(*arguments)
+    assert result.exit_code == 2
+    assert result.stdout == ""
+    assert message in result.stderr
+    assert result.stderr.count("\n") == 1
+    assert result.stderr.endswith(".\n")
+    assert not list(tmp_path.iterdir())
+
+
+def test_motion_info(record, tmp_path):
+    data = json.loads(cli("motion", "info", record, "--unit", "gal", "--json").stdout)
+    assert (data["samples"], data["dt_s"], data["synthetic"]) == (400, 0.01, False)
+    assert data["components"]["x"]["pga_m_s2"] == pytest.approx(3.0)
+    picture = tmp_path / "m.png"
+    result = cli("motion", "info", "near-fault", "--plot", picture)
+    assert "synthetic" in result.stdout
+    assert "PGV [cm/s]" in result.stdout
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    refused = cli("motion", "info", record)
+    assert refused.exit_code == 2
+    assert "unit must be given" in refused.stderr
+
+
+def test_version():
+    assert cli("--version").stdout == f"stayput {stayput.__version__}\n"
+
+
+def test_a_cold_start_is_announced_on_standard_error(monkeypatch):
+    monkeypatch.setattr("stayput.mechanics.runner.is_compiled", lambda: False)
+    result = cli("simulate", "--motion", "sine:1,1,1", "--json")
+    assert result.stderr.startswith("Compiling the mechanics once")
+    json.loads(result.stdout)
+
+
+def test_help_is_quick_and_loads_nothing_heavy():
+    look = "import sys; from stayput.cli import main\ntry: main()\nexcept SystemExit: pass\n"
+    heavy = {"numba", "numpy", "obspy", "matplotlib", "pydantic", "xarray"}
+    look += f"print({heavy} & set(sys.modules))"
+    started = time.perf_counter()
+    result = subprocess.run(
+        [sys.executable, "-c", look, "--help"], capture_output=True, text=True, check=True
+    )
+    assert time.perf_counter() - started < 2.0  # about 0.2 s; a busy machine is given room
+    assert result.stdout.rstrip().endswith("set()")
+    assert "simulate" in result.stdout
+
+
+def test_a_real_process_prints_json_and_exits_with_0():
+    result = process("simulate", "--motion", "sine:1,1,1", "--json")
+    assert result.returncode == 0
+    assert json.loads(result.stdout)["outcome"]
+
+
+def test_a_real_process_refuses_with_2_and_leaves_nothing(tmp_path):
+    file = tmp_path / "room.toml"
+    file.write_text('[furniture]\npreset = "bokcase"\n')
+    result = process("simulate", "room.toml", "--plot", "a.png", "--animate", "a.gif", cwd=tmp_path)
+    assert result.returncode == 2
+    assert result.stdout == ""
+    assert result.stderr.startswith("furniture.preset is \"bokcase\" (did you mean 'bookcase'?)")
+    assert "Traceback" not in result.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["room.toml"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
+def test_ctrl_c_exits_with_130_and_leaves_nothing(tmp_path):
+    file = tmp_path / "a.gif"
+    running = subprocess.Popen(
+        [*PROGRAM, "simulate", "--animate", str(file), "--speed", "0.02"],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    deadline = time.monotonic() + 90.0
+    while not list(tmp_path.iterdir()) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert [path.name.startswith(".a-") for path in tmp_path.iterdir()] == [True]  # the draft, being written
+    running.send_signal(signal.SIGINT)
+    _, said = running.communicate(timeout=60)
+    assert running.returncode == 130
+    assert said.endswith("Interrupted.\n")
+    assert "Traceback" not in said
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,33 @@
+"""Presets of furniture: sizes of the table they were taken from."""
+
+import pytest
+
+from stayput.body import Body
+from stayput.furniture import FURNITURE
+
+
+@pytest.mark.parametrize(
+    ("name", "width", "height", "lightest", "heaviest"),
+    [
+        ("refrigerator", 0.68, 1.82, 90, 120),
+        ("wardrobe", 0.60, 1.90, 80, 150),
+        ("bookcase", 0.30, 1.80, 150, 250),
+        ("empty bookcase", 0.30, 1.80, 35, 35),
+        ("television", 0.27, 0.76, 18, 18),
+        ("cupboard", 0.40, 1.80, 100, 100),
+        ("chest", 0.42, 1.365, 81, 81),
+        ("vending machine", 0.83, 1.83, 250, 450),
+        ("server rack", 1.00, 2.00, 120, 900),
+        ("upright piano", 0.62, 1.25, 230, 230),
+    ],
+)
+def test_preset(name, width, height, lightest, heaviest):
+    preset = FURNITURE[name]
+    assert (preset.width, preset.height) == (width, height)
+    assert lightest <= preset.mass <= heaviest
+    Body(preset.width, preset.height, preset.mass)
+
+
+def test_a_carcass_is_not_heavier_than_the_loaded_piece():
+    for preset in FURNITURE.values():
+        assert preset.carcass_mass is None or preset.carcass_mass <= preset.mass

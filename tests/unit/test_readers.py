@@ -1,0 +1,199 @@
+"""Files that are no record, the choice of a component, units, and what no reader may let pass."""
+
+import os
+
+import numpy as np
+import pytest
+
+from stayput.errors import InputError
+from stayput.motion import Motion, read_motion
+from stayput.motion.channels import Channel, is_vertical, motion_of_channels, plain_label
+from stayput.motion.units import unit_factor
+
+WAVE = np.sin(np.arange(40) * 0.3)
+
+
+def channel(label, size=1.0, **fields):
+    return Channel(label, size * WAVE, fields.pop("dt", 0.01), **fields)
+
+
+def test_missing_file_and_directory(tmp_path):
+    with pytest.raises(InputError, match="does not exist"):
+        read_motion(tmp_path / "no.at2")
+    with pytest.raises(InputError, match="is a directory"):
+        read_motion(tmp_path)
+    with pytest.raises(InputError, match="path of a file"):
+        read_motion(3.5)
+    if hasattr(os, "mkfifo"):  # it would be waited for without end
+        os.mkfifo(tmp_path / "pipe")
+        with pytest.raises(InputError, match="device or a pipe"):
+            read_motion(tmp_path / "pipe")
+    with pytest.raises(InputError, match=r"cannot be read|path of a file|does not exist"):
+        read_motion("a\0b")
+
+
+@pytest.mark.skipif(getattr(os, "geteuid", lambda: 0)() == 0, reason="root may read every file")
+def test_unreadable_file(tmp_path):
+    file = tmp_path / "locked.txt"
+    file.write_text("1\n2\n")
+    file.chmod(0)
+    with pytest.raises(InputError, match="cannot be read"):
+        read_motion(file, unit="gal", dt=0.01)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (b"", "empty"),
+        (b" \r\n\t\n", "empty"),
+        (b"\x00\x01\x02\x03 1 2 3", "binary"),
+        (b"PK\x03\x04 zipped", "binary"),
+        ("1\n2\n".encode("utf-16"), "binary"),
+        (b"1 " * 6000, "a line of 12000 characters"),
+        (b"Dear Sir,\nplease find no numbers here.\n", "no known format"),
+        (b"<html><body>404</body></html>", "no known format"),
+    ],
+)
+def test_files_that_are_no_record(tmp_path, content, message):
+    file = tmp_path / "record.at2"
+    file.write_bytes(content)
+    with pytest.raises(InputError, match=message):
+        read_motion(file, unit="gal", dt=0.01)
+
+
+def test_message_names_the_file_and_its_format(tmp_path):
+    file = tmp_path / "record.dat"
+    file.write_text("1\n2\nx\n")
+    with pytest.raises(InputError, match=r"^record\.dat \(columns of numbers\): .*'x'"):
+        read_motion(file, unit="gal", dt=0.01)
+
+
+@pytest.mark.parametrize(
+    ("unit", "size"),
+    [
+        ("m/s²", 1.0),
+        ("m/s2", 1.0),
+        ("M/S^2", 1.0),
+        ("cm/s²", 0.01),
+        ("cm/s^2", 0.01),
+        ("cm/s/s", 0.01),
+        ("CM/SEC/SEC", 0.01),
+        ("cm/sec2", 0.01),
+        ("gal", 0.01),
+        ("Gals", 0.01),
+        ("gal(cm/s/s)", 0.01),
+        ("mm/s²", 0.001),
+        ("g", 9.80665),
+        (" G. ", 9.80665),
+    ],
+)
+def test_units(unit, size):
+    assert unit_factor(unit) == size
+
+
+@pytest.mark.parametrize("unit", ["", "counts", "m/s", "cm", "cm/s", "ft/s2", "mg", "ggal", 5, None])
+def test_unknown_units(unit):
+    with pytest.raises(InputError, match="must be one of m/s²"):
+        unit_factor(unit)
+
+
+def test_an_unknown_unit_or_step_is_refused_before_the_file_is_looked_at():
+    with pytest.raises(InputError, match="unit of acceleration"):
+        read_motion("nowhere", unit="furlong")
+    with pytest.raises(InputError, match="dt is nan"):
+        read_motion("nowhere", dt=float("nan"))
+
+
+@pytest.mark.parametrize(
+    ("label", "plain"),
+    [("N-S", "NS"), ("090", "90"), (" 360 deg", "360"), ("Up", "UP"), ("000", "0"), ("HNE", "HNE")],
+)
+def test_labels_in_one_spelling(label, plain):
+    assert plain_label(label) == plain
+
+
+def test_vertical_labels():
+    assert all(map(is_vertical, ["UD", "U-D", "UD2", "UP", "Down", "HNZ", "z", "V", "VERT"]))
+    assert not any(map(is_vertical, ["NS", "EW", "360", "HNE", "x", "", "N", "UNKNOWN"]))
+
+
+THREE = [channel("UD", 3.0), channel("EW", 2.0), channel("NS", 1.0)]
+
+
+@pytest.mark.parametrize(
+    ("component", "sizes"),
+    [
+        (None, {"x": 2.0, "y": 1.0, "z": 3.0}),
+        ("EW", {"x": 2.0, "y": 1.0, "z": 3.0}),
+        ("e-w", {"x": 2.0, "y": 1.0, "z": 3.0}),
+        ("NS", {"x": 1.0, "y": 2.0, "z": 3.0}),
+        ("360", {"x": 1.0, "y": 2.0, "z": 3.0}),
+        (360, {"x": 1.0, "y": 2.0, "z": 3.0}),
+        ("90", {"x": 2.0, "y": 1.0, "z": 3.0}),
+        ("channel 3", {"x": 1.0, "y": 2.0, "z": 3.0}),
+        ("UD", {"x": 3.0}),
+        ("up", {"x": 3.0}),
+    ],
+)
+def test_component_chooses_x_and_the_rest_follows(component, sizes):
+    motion = motion_of_channels(THREE, component, "test")
+    assert list(motion.components) == list(sizes)
+    for name, size in sizes.items():
+        assert motion.components[name] == pytest.approx(size * WAVE)
+
+
+@pytest.mark.parametrize("component", ["45", "channel 4", "channel 0", "SN", "180", "", "NS2"])
+def test_no_such_component(component):
+    with pytest.raises(InputError, match=r"no channel of the file; it must be one of UD \(channel 1\), EW"):
+        motion_of_channels(THREE, component, "test")
+
+
+def test_a_building_array_must_be_told_its_channel_and_gives_only_that():
+    floors = [channel("360", 1.0), channel("90", 2.0), channel("360", 3.0), channel("UP", 4.0)]
+    with pytest.raises(InputError, match="component must name one of"):
+        motion_of_channels(floors, None, "test")
+    with pytest.raises(InputError, match="more than one channel"):
+        motion_of_channels(floors, "360", "test")
+    motion = motion_of_channels(floors, "channel 3", "test")
+    assert motion.x == pytest.approx(3.0 * WAVE)
+    assert list(motion.components) == ["x"]
+
+
+def test_a_channel_that_points_down_is_turned_up():
+    motion = motion_of_channels([channel("360"), channel("DOWN")], None, "test")
+    assert motion.z == pytest.approx(-WAVE)
+    assert "sign changed to up" in motion.source
+    assert motion_of_channels([channel("DWN")], None, "test").x == pytest.approx(-WAVE)
+
+
+def test_channels_that_differ_are_cut_or_refused():
+    short = Channel("EW", np.ones(199), 0.01)
+    motion = motion_of_channels([Channel("NS", np.ones(200), 0.01), short], None, "test")
+    assert len(motion) == 199
+    assert "cut to 199 samples: x from 200" in motion.source
+    with pytest.raises(InputError, match="within 1 %"):
+        motion_of_channels([Channel("NS", np.ones(250), 0.01), short], None, "test")
+    with pytest.raises(InputError, match="must be the same"):
+        motion_of_channels([channel("NS"), channel("EW", dt=0.02)], None, "test")
+
+
+def test_a_header_peak_that_the_samples_contradict_is_refused():
+    peak = float(np.abs(WAVE).max())
+    assert motion_of_channels([channel("NS", peak=-1.005 * peak)], None, "test").pga == pytest.approx(peak)
+    with pytest.raises(InputError, match="the file is damaged"):
+        motion_of_channels([channel("NS", peak=1.02 * peak)], None, "test")
+    with pytest.raises(InputError, match="the file is damaged"):  # also of a channel that is not x
+        motion_of_channels([channel("NS"), channel("EW", peak=2.0 * peak)], "NS", "test")
+
+
+def test_name_is_the_files_own_or_its_stem():
+    assert motion_of_channels([channel("NS", name="AKT013")], None, "test", "stem").name == "AKT013, NS"
+    assert motion_of_channels([channel("x")], None, "test", "stem").name == "stem"
+
+
+def test_a_path_may_be_text(tmp_path):
+    file = tmp_path / "a.txt"
+    file.write_text("0\n1\n0\n")
+    assert read_motion(str(file), unit="m/s2", dt=0.01) == Motion(
+        0.01, [0.0, 1.0, 0.0], name="a", source="columns of numbers: x = unnamed"
+    )

@@ -1,0 +1,115 @@
+"""Columns of numbers: what counts as a record, and what is refused."""
+
+import numpy as np
+import pytest
+
+from stayput.errors import InputError
+from stayput.motion import read_motion
+
+
+@pytest.fixture
+def read(tmp_path):
+    def reader(text, **kwargs):
+        file = tmp_path / "record.txt"
+        file.write_bytes(text.encode() if isinstance(text, str) else text)
+        return read_motion(file, **kwargs)
+
+    return reader
+
+
+@pytest.mark.parametrize(
+    "text", ["0\n1.5\n-2\n", " 0.\r\n+1.5e0\r\n-.2E+1\r\n", "# gal\n\n0\n1.5\n-2", "\ufeff0\n1.5\n-2\n\x1a"]
+)
+def test_one_column(read, text):
+    motion = read(text, unit="gal", dt=0.01)
+    assert motion.x == pytest.approx([0.0, 0.015, -0.02])
+    assert motion.dt == 0.01
+    assert motion.name == "record"
+
+
+@pytest.mark.parametrize("mark", [" ", "\t", ",", ", ", ";", "; "])
+def test_two_columns_are_time_and_x(read, mark):
+    motion = read("".join(f"{0.02 * i:.2f}{mark}{i}\n" for i in range(5)), unit="m/s²")
+    assert motion.dt == pytest.approx(0.02)
+    assert motion.x.tolist() == [0.0, 1.0, 2.0, 3.0, 4.0]
+
+
+def test_time_may_begin_anywhere_and_be_rounded(read):
+    motion = read("".join(f"{12.0 + i / 128:.3f} {i}\n" for i in range(129)), unit="gal")
+    assert motion.dt == pytest.approx(1 / 128, rel=1e-5)
+    motion = read("".join(f"{1e-5 * round(1999.9999 * (i + 1)):.5f} {i}\n" for i in range(500)), unit="gal")
+    assert motion.dt == pytest.approx(0.02, rel=1e-6)
+
+
+def test_four_columns_are_time_x_y_z(read):
+    motion = read("0.00 1 2 3\n0.01 4 5 6\n0.02 7 8 9\n", unit="g")
+    assert motion.x == pytest.approx(9.80665 * np.array([1, 4, 7]))
+    assert motion.y == pytest.approx(9.80665 * np.array([2, 5, 8]))
+    assert motion.z == pytest.approx(9.80665 * np.array([3, 6, 9]))
+
+
+@pytest.mark.parametrize(
+    "names", ["time,UD,EW,NS", "# t [s], UD [gal], EW [gal], NS [gal]", '"Time","UD","EW","NS"']
+)
+def test_named_columns_are_taken_by_name(read, names):
+    text = f"{names}\n0.00,1,2,3\n0.01,4,5,6\n0.02,7,8,9\n"
+    assert read(text, unit="m/s2", component="NS").x.tolist() == [3.0, 6.0, 9.0]
+    assert read(text, unit="m/s2", component="NS").z.tolist() == [1.0, 4.0, 7.0]
+    assert read(text, unit="m/s2").x.tolist() == [2.0, 5.0, 8.0]
+
+
+def test_component_of_unnamed_columns(read):
+    text = "0.00 1 2 3\n0.01 4 5 6\n"
+    assert read(text, unit="m/s2", component="y").x.tolist() == [2.0, 5.0]
+    with pytest.raises(InputError, match="'NS' is no channel"):
+        read(text, unit="m/s2", component="NS")
+
+
+def test_dt_that_agrees_with_the_time_column(read):
+    text = "".join(f"{0.02 * i:.2f} {i}\n" for i in range(50))
+    assert read(text, unit="gal", dt=0.02).dt == 0.02
+    with pytest.raises(InputError, match=r"time column, 0\.02 s"):
+        read(text, unit="gal", dt=0.01)
+
+
+@pytest.mark.parametrize(
+    ("text", "kwargs", "message"),
+    [
+        ("0\n1\n", {"dt": 0.01}, "no unit"),
+        ("0\n1\n", {"unit": "gal"}, "no time step"),
+        ("0 1\n0.01 2\n", {}, "no unit"),
+        ("0\n", {"unit": "gal", "dt": 0.01}, "at least 2"),
+        ("0 1 2\n0.01 2 3\n", {"unit": "gal"}, "3 columns"),
+        ("0 1 2 3 4\n0.01 2 3 4 5\n", {"unit": "gal"}, "5 columns"),
+        ("0 1\n0.01 2 3\n0.02 3\n", {"unit": "gal"}, "Row 2 has 3 values"),
+        ("0,1\n0.01,\n0.02,3\n", {"unit": "gal"}, "Row 2 has 1 values"),
+        ("0,1,2,3\n0.01,4,,6\n", {"unit": "gal"}, "''"),
+        ("0 1\n0.01 nan\n0.02 3\n", {"unit": "gal"}, "'nan'"),
+        ("0 1\n0.01 inf\n0.02 3\n", {"unit": "gal"}, "'inf'"),
+        ("0 1\n0.01 1_0\n0.02 3\n", {"unit": "gal"}, "'1_0'"),
+        ("0 1\n0.01 ٣\n0.02 3\n", {"unit": "gal"}, "'٣'"),
+        ("0 1\n0.01 1.0D+01\n0.02 3\n", {"unit": "gal"}, "'1.0D"),
+        ("0 1\n0.01 1e999\n0.02 3\n", {"unit": "gal"}, "'1e999'"),
+        ("0 1\n0.01 0x10\n0.02 3\n", {"unit": "gal"}, "'0x10'"),
+        ("0;1\n0,01;2\n0,02;3\n", {"unit": "gal"}, "'0,01'"),
+        ("0 1\n0.01 2\n0.03 3\n0.04 4\n", {"unit": "gal"}, "irregular"),
+        ("0 1\n0.01 2\n0.01 3\n0.02 4\n", {"unit": "gal"}, "irregular"),
+        ("0.02 1\n0.01 2\n0.00 3\n", {"unit": "gal"}, "must grow"),
+        ("0 1\n0 2\n", {"unit": "gal"}, "must grow"),
+        ("0 1\n5 2\n10 3\n", {"unit": "gal"}, "time step"),
+        ("20\n" + "0.1\n" * 20, {"unit": "gal", "dt": 0.01}, "looks like a count"),
+        ("0\n9e6\n", {"unit": "gal", "dt": 0.01}, "10000"),
+        ("time,acc\nthen,words\n0,1\n", {"unit": "gal"}, "no known format"),
+    ],
+)
+def test_columns_that_are_refused(read, text, kwargs, message):
+    with pytest.raises(InputError, match=message):
+        read(text, **kwargs)
+
+
+@pytest.mark.parametrize("place", [1, 50, 98])
+def test_a_missing_row_is_noticed_wherever_it_is(read, place):
+    rows = [f"{0.01 * i:.2f} {i}\n" for i in range(100)]
+    del rows[place]
+    with pytest.raises(InputError, match="irregular"):
+        read("".join(rows), unit="gal")

@@ -1,0 +1,212 @@
+"""ESM, CSMIP V2 and COSMOS V1.20."""
+
+import numpy as np
+import pytest
+
+from stayput.errors import InputError
+from stayput.motion import read_motion
+
+WAVE = np.round(150.0 * np.sin(np.arange(21) * 0.9), 3)
+
+
+@pytest.fixture
+def read(tmp_path):
+    def reader(text, **kwargs):
+        file = tmp_path / "record"
+        file.write_text(text)
+        return read_motion(file, **kwargs)
+
+    return reader
+
+
+def esm(**changes):
+    header = {
+        "EVENT_NAME": "NOWHERE",
+        "EVENT_ID": "TEST-1",
+        "NETWORK": "XX",
+        "STATION_CODE": "ABC",
+        "LOCATION": "",
+        "SAMPLING_INTERVAL_S": "0.005000",
+        "NDATA": str(len(WAVE)),
+        "STREAM": "HNE",
+        "UNITS": "cm/s^2",
+        "PGA_CM/S^2": f"{np.abs(WAVE).max():.6f}",
+        "DATA_TYPE": "ACCELERATION",
+        "USER5": "a path: /with colons: in it",
+        **changes,
+    }
+    return "".join(f"{k}: {v}\n" for k, v in header.items()) + "".join(f"{v:.6f}\n" for v in WAVE)
+
+
+def test_esm(read):
+    motion = read(esm())
+    assert motion.x == pytest.approx(0.01 * WAVE)
+    assert motion.dt == 0.005
+    assert motion.name == "XX.ABC, TEST-1, HNE"
+    assert np.array_equal(read(esm(), component="EW").x, motion.x)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (esm(DATA_TYPE="VELOCITY"), "'VELOCITY'"),
+        (esm(UNITS=""), "no unit"),
+        (esm(UNITS="cm/s"), "'cm/s'"),
+        (esm(NDATA="20"), "states 20 samples and the file has 21"),
+        (esm(NDATA=""), "no NDATA"),
+        (esm(SAMPLING_INTERVAL_S="0"), "time step"),
+        (esm(**{"PGA_CM/S^2": "300.0"}), "the file is damaged"),
+        (esm().rsplit("\n", 3)[0], "states 21 samples"),
+        (esm() + "nan\n", "'nan'"),
+    ],
+)
+def test_esm_files_that_are_refused(read, text, message):
+    with pytest.raises(InputError, match=message):
+        read(text)
+
+
+def block(values, width=10, decimals=3, per_line=8):
+    return "\n".join(
+        "".join(f"{v:{width}.{decimals}f}" for v in values[i : i + per_line])
+        for i in range(0, len(values), per_line)
+    )
+
+
+def csmip_channel(
+    number,
+    direction,
+    values,
+    *,
+    count=None,
+    peak=None,
+    announce="POINTS OF ACCEL DATA EQUALLY SPACED AT",
+    unit="  (UNITS: CM/SEC/SEC)",
+    **layout,
+):
+    n = len(values) if count is None else count
+    peak = np.abs(values).max() if peak is None else peak
+    return (
+        f"CORRECTED ACCELEROGRAM   12345-S1-2.01       CHAN  {number}: {direction}     FROM\n"
+        "UNCORRECTED ACCELEROGRAM DATA\nNOWHERE EARTHQUAKE\nMAY 2, 1983\n12345   TRIGGER TIME\n"
+        f"STATION NO. 12345\nFAULT ZONE 14\nCHAN  {number}: {direction}\n"
+        f"PEAK ACCELERATION =  {peak:.3f}    CM/SEC/SEC  AT   10.940   SEC.\n"
+        f" {n} {announce}  .020 SEC.{unit}\n{block(values, **layout)}\n"
+        f" {n} POINTS OF VELOC DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC)\n{block(values)}\n"
+        f" {n} POINTS OF DISPL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM)\n{block(values)}\n"
+        f"/&  ----------  END OF DATA FOR CHANNEL  {number}  ----------\n"
+    )
+
+
+def test_csmip_three_channels(read):
+    text = (
+        csmip_channel(1, " 90 DEG", WAVE)
+        + csmip_channel(2, "UP", 2 * WAVE)
+        + csmip_channel(3, "360 DEG", 3 * WAVE)
+    )
+    motion = read(text)
+    assert motion.x == pytest.approx(0.01 * WAVE)
+    assert motion.y == pytest.approx(0.03 * WAVE)
+    assert motion.z == pytest.approx(0.02 * WAVE)
+    assert motion.dt == 0.02
+    assert motion.name == "FAULT ZONE 14, NOWHERE EARTHQUAKE, 90 DEG"
+    assert read(text, component="NS").x == pytest.approx(0.03 * WAVE)
+
+
+def test_csmip_touching_fields_another_layout_and_lower_case(read):
+    touching = np.array([-12345.678, -99999.999, 1234.5, -54321.123, 10.0])
+    assert read(csmip_channel(1, "90 DEG", touching)).x == pytest.approx(0.01 * touching)
+    text = csmip_channel(1, "90 DEG", WAVE, unit=", in cm/sec2. (5f12.4)", width=12, decimals=4, per_line=5)
+    assert read(text).x == pytest.approx(0.01 * WAVE)
+    assert read(csmip_channel(1, "90 DEG", WAVE).lower()).x == pytest.approx(0.01 * WAVE)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (csmip_channel(1, "90 DEG", WAVE, count=20), "states 20 samples|More numbers"),
+        (csmip_channel(1, "90 DEG", WAVE, count=16), "More numbers follow"),
+        (csmip_channel(1, "90 DEG", WAVE, count=40), "decimal number|states 40"),
+        (csmip_channel(1, "90 DEG", WAVE, count=0), "announces no samples"),
+        (csmip_channel(1, "90 DEG", WAVE, peak=200.0), "the file is damaged"),
+        (csmip_channel(1, "90 DEG", WAVE, unit=""), "no unit"),
+        (csmip_channel(1, "90 DEG", WAVE).split("/&")[0], "must be complete"),
+        (csmip_channel(1, "90 DEG", WAVE)[:700], "states|complete|decimal"),
+    ],
+)
+def test_csmip_files_that_are_refused(read, text, message):
+    with pytest.raises(InputError, match=message):
+        read(text)
+
+
+def cosmos(
+    values=WAVE,
+    *,
+    count=None,
+    interval=5.0,
+    peak=None,
+    label="1: 360 Deg",
+    kind="acceleration",
+    unit="cm/sec2(04)",
+    fmt="8F10.3",
+    reals=100,
+    end="End-of-data for Chan 1 acceleration\n",
+):
+    real = np.full(100, -999.0)
+    real[61], real[63] = interval, (values[np.abs(values).argmax()] if peak is None else peak)
+    count = len(values) if count is None else count
+    text_lines = [
+        "Corrected acceleration    (Format v01.20 with 13 text lines)",
+        "Record of Nowhere Earthquake of Fri Nov 30, 2018",
+        *["Hypocenter: ..."] * 6,
+        f"Sta Chan   {label} (Rcrdr Chan  1) Location:",
+        *["Processed: ..."] * 3,
+        "Values used when parameter or data value is unknown/unspecified:   -999, -999.00",
+    ]
+    return (
+        "\n".join(text_lines)
+        + "\n 100 Integer-header values follow on  10 lines, Format= (10I8)\n"
+        + "\n".join(["    -999" * 10] * 10)
+        + f"\n {reals} Real-header values follow on  {-(-reals // 5)} lines, Format= (5F15.6)\n"
+        + block(real[:reals], 15, 6, 5)
+        + '\n   1 Comment line(s) follow, each starting with a "|":\n| comment\n'
+        + f"   {count} {kind} pts, approx  1 secs, units={unit},Format=({fmt})\n{block(values)}\n{end}"
+    )
+
+
+def test_cosmos(read):
+    motion = read(cosmos())
+    assert motion.x == pytest.approx(0.01 * WAVE)
+    assert motion.dt == 0.005
+    assert motion.name == "Nowhere Earthquake of Fri Nov 30, 2018, 360"
+    three = cosmos() + cosmos(2 * WAVE, label="2: Up") + cosmos(3 * WAVE, label="3:  90 Deg")
+    motion = read(three, component="EW")
+    assert motion.x == pytest.approx(0.03 * WAVE)
+    assert motion.y == pytest.approx(0.01 * WAVE)
+    assert motion.z == pytest.approx(0.02 * WAVE)
+
+
+def test_cosmos_without_an_interval_needs_dt(read):
+    with pytest.raises(InputError, match="no time step"):
+        read(cosmos(interval=-999.0))
+    assert read(cosmos(interval=-999.0), dt=0.01).dt == 0.01
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (cosmos(kind="velocity"), "no block of acceleration"),
+        (cosmos(unit="counts"), "'counts'"),
+        (cosmos(count=20), "states 20|More numbers"),
+        (cosmos(count=30), "decimal number|states 30"),
+        (cosmos(count=0), "announces no samples"),
+        (cosmos(peak=300.0), "the file is damaged"),
+        (cosmos(reals=50), "64 or more"),
+        (cosmos(end=""), "End-of-data"),
+        (cosmos().replace("Real-header", "Some-header"), "no real-header"),
+        (cosmos(fmt="0F10.3"), "announces no samples"),
+        (cosmos()[:1200], "no block|real"),
+    ],
+)
+def test_cosmos_files_that_are_refused(read, text, message):
+    with pytest.raises(InputError, match=message):
+        read(text)

@@ -1,0 +1,229 @@
+"""Pictures and animations of a run made by hand."""
+
+import dataclasses
+import itertools
+import json
+import math
+import re
+import shutil
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+from PIL import Image
+from report_runs import BODY, SHAKE, falling, made, rocking
+
+import stayput as sp
+from stayput.report.animation import animate_run
+from stayput.report.film import film_of, ground_displacement, section
+from stayput.report.frames import Painter
+from stayput.report.history import history
+from stayput.report.palette import ALARM, MODE_COLOURS, rgb
+from stayput.report.plot import plot_motion, plot_run
+from stayput.simulation import Mode, Outcome
+
+
+def test_the_history_ends_with_the_body_lying_on_the_floor():
+    for sign in (1.0, -1.0):
+        shown = history(falling(sign))
+        assert shown.end == 2.505
+        assert shown.tilt[-1] == pytest.approx(sign * math.pi / 2)
+        assert shown.z[-1] == pytest.approx(BODY.width / 2)
+        assert shown.x[-1] == pytest.approx(sign * (BODY.width / 2 + BODY.height / 2) + 0.06)
+        assert shown.mode[-1] is Mode.OVERTURNED
+    upright = rocking()
+    assert history(upright).time is upright.time
+
+
+def test_the_modes_follow_one_another():
+    spans = history(falling()).spans()
+    assert [mode.value for *_, mode in spans] == ["rest", "slide", "rest", "rock", "overturned"]
+    assert spans[1][:2] == pytest.approx((0.5, 1.0))
+    assert all(one[1] == two[0] for one, two in itertools.pairwise(spans))
+
+
+@pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf"])
+def test_plots_are_saved(tmp_path, suffix):
+    path = tmp_path / f"run{suffix}"
+    falling().plot(path)
+    assert path.read_bytes().startswith({".png": b"\x89PNG", ".svg": b"<?xml", ".pdf": b"%PDF"}[suffix])
+    assert [file.name for file in tmp_path.iterdir()] == [path.name]
+
+
+def test_the_plot_shows_the_histories_the_events_and_the_modes(tmp_path):
+    figure = plot_run(falling(), tmp_path / "a.png", name="chest")
+    acceleration, tilt, slide, modes = figure.axes
+    assert acceleration.lines[1].get_ydata() == pytest.approx(SHAKE.x)
+    labels = tilt.get_legend_handles_labels()[1]
+    assert "critical angle 9.5°" in labels
+    assert any("wall reached at 1.0°" in label for label in labels)
+    assert "overturned (90°) at 2.50 s" in labels
+    assert "wall impact" in labels
+    assert max(slide.lines[1].get_ydata()) == pytest.approx(6.0)
+    shown = [text.get_text() for text in modes.get_legend().get_texts()]
+    assert shown == ["rest", "slide", "rock", "overturned"]
+    colours = Image.open(tmp_path / "a.png").convert("RGB").getcolors(1 << 24)
+    assert {rgb(MODE_COLOURS[mode]) for mode in (Mode.REST, Mode.SLIDE, Mode.ROCK)} <= {c for _, c in colours}
+
+
+def test_a_still_run_is_plotted_too():
+    still = made(np.zeros(401), np.zeros(401), ["rest"] * 401, outcome=Outcome.RESTED)
+    assert plot_run(still).axes[1].get_ylim()[1] > 0.0
+
+
+def test_a_motion_is_plotted_with_its_peaks_and_called_synthetic(tmp_path):
+    motion = sp.near_fault()
+    figure = plot_motion(motion, tmp_path / "m.png")
+    assert len(figure.axes) == 9
+    assert "synthetic" in figure.get_suptitle()
+    assert figure.axes[3].lines[1].get_ydata() == pytest.approx(100.0 * motion.velocity)
+    assert "(synthetic)" in plot_motion(SHAKE).get_suptitle()
+
+
+def test_a_name_that_the_font_lacks_is_left_out_of_pictures(tmp_path, recwarn):
+    run = dataclasses.replace(
+        rocking(), motion=dataclasses.replace(SHAKE, name="宇城市, NS", synthetic=False)
+    )
+    figure = plot_run(run, tmp_path / "a.png", name="本棚")
+    assert figure.axes[0].get_title(loc="left") == "…, NS"
+    assert figure.get_suptitle().startswith("The … rocked")
+    animate_run(run, tmp_path / "a.gif", fps=2, name="本棚")
+    assert not recwarn.list
+
+
+def test_figures_can_be_made_on_many_threads():
+    with ThreadPoolExecutor(3) as pool:
+        figures = list(pool.map(plot_run, [rocking()] * 3))
+    assert len({len(figure.axes[1].lines) for figure in figures}) == 1
+
+
+def test_the_ground_of_a_sine_is_a_sine_without_drift():
+    f = 0.8
+    motion = sp.sine(5.0, f, 80.0, phase=0.3)
+    shown = ground_displacement(motion)
+    middle = slice(len(shown) // 4, -len(shown) // 4)
+    w = 2.0 * math.pi * f
+    wanted = -5.0 / w**2 * np.sin(w * motion.time + 0.3) / (1.0 + (0.1 / f) ** 4)
+    assert shown[middle] == pytest.approx(wanted[middle], abs=0.002)
+    drifting = dataclasses.replace(motion, x=motion.x + 0.05)  # 160 m of drift in the record
+    assert np.abs(ground_displacement(drifting) - shown)[middle].max() < 0.15
+
+
+def test_a_large_ground_displacement_is_drawn_smaller_and_said_so():
+    long = dataclasses.replace(rocking(), motion=sp.sine(20.0, 0.3, 20.0))
+    film = film_of(long)
+    assert film.shift_scale < 1.0
+    assert "of its size" in film.caption
+    assert film_of(rocking()).shift_scale == 1.0
+
+
+def test_poses_are_linear_between_samples_and_hold_at_the_end():
+    film = film_of(falling())
+    run = falling()
+    pose = film.at(2.003)
+    assert pose.tilt == pytest.approx(0.7 * run.tilt[200] + 0.3 * run.tilt[201])
+    assert pose.x == pytest.approx(0.7 * run.x[200] + 0.3 * run.x[201])
+    assert pose.mode is Mode.ROCK
+    assert film.at(99.0) == film.at(2.505)
+    lowest = min(z for _, z in section(BODY, film.at(99.0)))
+    assert lowest == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize(("fps", "speed"), [(20.0, 1.0), (30.0, 0.5), (25.0, 2.0)])
+def test_frames_show_every_instant_once_and_then_hold(fps, speed):
+    times = film_of(falling()).times(fps, speed, hold=1.0)
+    moving = times[times < 2.505]
+    assert moving == pytest.approx(np.arange(len(moving)) * speed / fps)
+    assert len(moving) == math.ceil(2.505 * fps / speed)
+    assert len(times) - len(moving) == fps
+
+
+def test_the_room_is_drawn_to_scale_and_moves_with_the_ground():
+    film = film_of(falling())
+    painter = Painter(film, 640, 480)
+    frame = np.asarray(painter.frame(film.at(0.7)))
+    body = np.argwhere((frame[60:340] == rgb(MODE_COLOURS[Mode.SLIDE])).all(axis=2))
+    height, width = body.max(axis=0) - body.min(axis=0)
+    line = 4  # pixels of the outline, of both sides
+    assert (height + line) / (width + line) == pytest.approx(6.0, rel=0.05)
+
+    def left_edge(time):
+        row = np.asarray(painter.frame(film.at(time)))[200]
+        return np.argwhere((row == rgb(MODE_COLOURS[Mode.REST])).all(axis=1)).min()
+
+    moved = film.at(1.4).shift + film.at(1.4).x - film.at(0.3).shift - film.at(0.3).x
+    assert left_edge(1.4) - left_edge(0.3) == pytest.approx(moved * (width + line) / 0.3, abs=2.0)
+
+
+def test_a_gif_has_its_frames_and_its_time(tmp_path):
+    seen = []
+    path = animate_run(
+        falling(), tmp_path / "a.gif", fps=10, hold=0.5, progress=lambda *step: seen.append(step)
+    )
+    with Image.open(path) as gif:
+        durations, cursors = [], []
+        for k in range(gif.n_frames):
+            gif.seek(k)
+            durations.append(gif.info["duration"])
+            strip = np.asarray(gif.convert("RGB"), dtype=int)[390:420]
+            red = np.abs(strip - rgb(ALARM)).max(axis=2) < 40
+            cursors.append(np.argwhere(red.all(axis=0)).mean())
+    assert sum(durations) == 10 * (26 + 5) * 10
+    assert seen[-1] == (31, 31)
+    assert np.diff(cursors[:25]) == pytest.approx(np.mean(np.diff(cursors[:25])), abs=1.5)  # an even clock
+    assert path.stat().st_size < 500_000
+
+
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not installed")
+def test_an_mp4_is_written(tmp_path):
+    path = animate_run(falling(), tmp_path / "a.mp4", fps=10)
+    assert path.read_bytes()[4:8] == b"ftyp"
+
+
+def test_without_ffmpeg_an_mp4_is_refused_in_a_sentence(tmp_path, monkeypatch):
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    with pytest.raises(sp.InputError, match="ffmpeg, which is not installed"):
+        animate_run(falling(), tmp_path / "a.mp4")
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_html_page_stands_alone_and_holds_the_histories(tmp_path):
+    page = animate_run(falling(), tmp_path / "a.html", name="</script><b>").read_text(encoding="utf-8")
+    assert not re.search(r"https?:|src=|@import|url\(", page)
+    assert page.count("</script>") == 2
+    assert "{{" not in page
+    data = json.loads(re.search(r'type="application/json">(.*?)</script>', page, re.DOTALL).group(1))
+    shown = history(falling())
+    for key, values in {"time_s": shown.time, "x_m": shown.x, "tilt_rad": shown.tilt}.items():
+        assert data[key] == pytest.approx(values, abs=1e-5)
+    assert len(data["shift_m"]) == len(data["time_s"])
+    assert [mode for _, mode in data["modes"]] == ["rest", "slide", "rest", "rock", "overturned"]
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "message"),
+    [
+        ("a.avi", {}, "must end in .gif, .mp4, .html"),
+        ("nowhere/a.gif", {}, "its folder must exist"),
+        ("a.gif", {"fps": 0.0}, "fps is 0"),
+        ("a.gif", {"speed": math.nan}, "speed is nan"),
+        ("a.gif", {"width": 10}, "width is 10"),
+    ],
+)
+def test_animations_that_are_refused_leave_nothing(tmp_path, name, options, message):
+    with pytest.raises(sp.InputError, match=message):
+        animate_run(falling(), tmp_path / name, **options)
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_interrupted_animation_leaves_the_older_file(tmp_path):
+    path = tmp_path / "a.gif"
+    path.write_text("older")
+
+    def stop(done, total):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        animate_run(falling(), path, progress=stop)
+    assert [file.name for file in tmp_path.iterdir()] == ["a.gif"]
+    assert path.read_text() == "older"

@@ -1,0 +1,70 @@
+"""A run in words, as a record and as a dataset."""
+
+import dataclasses
+import json
+import math
+
+import numpy as np
+import pytest
+from report_runs import falling, rocking
+
+from stayput.report.summary import sentence, summary
+from stayput.simulation import EventKind, Outcome
+
+
+@pytest.mark.parametrize(
+    ("run", "said"),
+    [
+        (falling(), "The chest overturned to the right 2.5 s into the motion after hitting the wall once."),
+        (
+            falling(-1.0),
+            "The chest overturned to the left 2.5 s into the motion after hitting the wall once.",
+        ),
+        (rocking(), "The chest rocked by up to 2.9° and slid by up to 2.0 cm, and stayed upright."),
+        (
+            dataclasses.replace(rocking(), outcome=Outcome.RESTED),
+            "The chest stayed put: it neither slid nor rocked.",
+        ),
+    ],
+)
+def test_the_sentence(run, said):
+    assert sentence(run, "chest") == said
+
+
+@pytest.mark.parametrize("outcome", list(Outcome))
+def test_every_outcome_has_a_sentence_and_a_record(outcome):
+    run = dataclasses.replace(falling(), outcome=outcome)
+    assert sentence(run).endswith(".")
+    assert json.loads(json.dumps(summary(run), allow_nan=False))["outcome"] == outcome.value
+
+
+def test_the_record_has_units_and_null_for_a_time_that_is_not():
+    record = summary(rocking())
+    assert record["overturn_time_s"] is None
+    assert record["peak_tilt_rad"] == pytest.approx(0.05, rel=1e-3)
+    assert summary(falling())["events"][1] == {
+        "time_s": 1.2, "kind": "wall impact", "mode": "rest", "tilt_rad": 0.0, "tilt_rate_rad_s": 0.0,
+        "slide_m": 0.0, "slide_rate_m_s": 0.0,
+    }  # fmt: skip
+
+
+def test_a_ceiling_hit_is_not_a_wall_hit():
+    hit = dataclasses.replace(falling().events[1], kind=EventKind.CEILING_IMPACT)
+    run = dataclasses.replace(rocking(), events=(hit, hit), wall_impacts=2)
+    assert "after hitting the ceiling twice" in sentence(run)
+
+
+def test_the_dataset_has_every_history_and_event_with_its_unit():
+    run = falling()
+    data = run.to_dataset()
+    for name, unit in {"slide": "m", "tilt": "rad", "tilt_rate": "rad/s", "z": "m"}.items():
+        assert np.array_equal(data[name], getattr(run, name))
+        assert data[name].attrs["units"] == unit
+        assert data[name].dims == ("time",)
+    assert data.time.attrs["units"] == "s"
+    assert data.event_kind.values.tolist() == ["slip", "wall impact", "overturned"]
+    assert data.event_time[2] == run.overturn_time
+    assert float(data.peak_tilt) == run.peak_tilt
+    assert data.attrs["outcome"] == "overturned"
+    assert rocking().to_dataset().sizes["event"] == 0
+    assert math.isnan(rocking().to_dataset().overturn_time)
