@@ -50,23 +50,14 @@ $(VENV)/bin/python:
 	$(PYTHON) -m venv $(VENV)
 
 # Byte-compiling in parallel afterwards takes half as long as pip's own.
-define install_extras
-	$(PIP) install --quiet --no-compile -c requirements.lock -e '.$(1)'
+$(STAMP)-core: EXTRAS :=
+$(STAMP)-test: EXTRAS := [formats,test]
+$(STAMP)-lint: EXTRAS := [formats,test,lint]
+$(STAMP)-docs: EXTRAS := [formats,docs]
+$(STAMP)-core $(STAMP)-test $(STAMP)-lint $(STAMP)-docs: | $(VENV)/bin/python
+	$(PIP) install --quiet --no-compile -c requirements.lock -e '.$(EXTRAS)'
 	-@$(BIN)/python -m compileall -q -j 0 -x '/tests?/' $(VENV)/lib >/dev/null 2>&1
 	@touch $@
-endef
-
-$(STAMP)-core: | $(VENV)/bin/python
-	$(call install_extras,)
-
-$(STAMP)-test: | $(VENV)/bin/python
-	$(call install_extras,[formats,test])
-
-$(STAMP)-lint: | $(VENV)/bin/python
-	$(call install_extras,[formats,test,lint])
-
-$(STAMP)-docs: | $(VENV)/bin/python
-	$(call install_extras,[formats,docs])
 
 lock:
 	@set -e; dir=$$(mktemp -d); trap 'rm -rf "$$dir"' EXIT; \

@@ -54,11 +54,10 @@ def record() -> sp.Motion:
 def mixed(count: int, seed: int = 1) -> list[Drawn]:
     """Draw furniture of all kinds: kinetic friction 0.75 μ, half of it beside a wall."""
     rng = np.random.default_rng(seed)
+    low, high = (0.2, 0.6, 0.2, 0.0, 0.3, 0.0), (0.6, 2.0, 0.9, 0.3, 1.5, 1.0)
     drawn: list[Drawn] = []
     for _ in range(count):
-        b, h, mu, gap, scale, free = rng.uniform(
-            (0.2, 0.6, 0.2, 0.0, 0.3, 0.0), (0.6, 2.0, 0.9, 0.3, 1.5, 1.0)
-        )
+        b, h, mu, gap, scale, free = rng.uniform(low, high)
         drawn.append(Drawn(b, h, mu, 0.75 * mu, None if free < 0.5 else gap, scale))
     return drawn
 

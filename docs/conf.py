@@ -1,0 +1,69 @@
+"""Sphinx configuration; `setup` lets the code write its tables before the pages are read."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).parent
+sys.path[:0] = [str(HERE), str(HERE.parent / "benchmarks")]
+
+import pages  # noqa: E402
+
+import stayput  # noqa: E402
+
+project = "stayput"
+author = copyright = "The stayput authors"  # noqa: A001
+version = release = stayput.__version__
+
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
+    "sphinx.ext.napoleon",
+    "mathml",
+]
+myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "colon_fence"]
+myst_heading_anchors = 3
+exclude_patterns = ["_build", "generated/*.md"]
+default_role = "py:obj"  # single backquotes in docstrings name Python objects
+
+autosummary_generate = True
+templates_path = ["_templates"]
+autodoc_typehints = "signature"
+autodoc_member_order = "bysource"
+autodoc_class_signature = "mixed"
+napoleon_google_docstring = False
+napoleon_custom_sections = [("Attributes", "params_style")]  # "x, z : ndarray" documents both
+napoleon_preprocess_types = False
+python_maximum_signature_line_length = 90
+
+html_theme = "furo"
+html_title = f"stayput {version}"
+html_static_path = ["_static"]
+html_css_files = ["extra.css"]
+html_math_renderer = "mathml"
+html_copy_source = False
+html_show_sphinx = False
+
+
+_properties: dict[str, list[str]] = {}
+
+
+def _before_napoleon(app: Any, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
+    """Set a property's docstring aside: "name: text" in it is no type."""
+    if what == "property":
+        _properties[name] = list(lines)
+
+
+def _after_napoleon(app: Any, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
+    """Let |tilt| in a docstring be a magnitude, not a substitution of reStructuredText."""
+    lines[:] = [line.replace("|", "\\|") for line in _properties.pop(name, lines)]
+
+
+def setup(app: Any) -> None:
+    """Write the generated parts, once a build."""
+    app.connect("builder-inited", lambda _: pages.write(HERE / "generated"), priority=1)
+    app.connect("autodoc-process-docstring", _before_napoleon, priority=400)
+    app.connect("autodoc-process-docstring", _after_napoleon, priority=600)

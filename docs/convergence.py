@@ -1,0 +1,102 @@
+"""How the error falls with the step, through events, and what accuracy costs: computed and drawn."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import stayput as sp
+import workload
+from stayput.cases import State, case_columns
+from stayput.mechanics.runner import Traced, trace
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+G = 9.81
+STEPS = (0.2, 0.1, 0.05, 0.025, 0.0125)
+NO_TOLERANCE = 1e300
+FINEST = {"tolerance": 1e-15, "max_step": 1e-3}
+TOLERANCES = (1e-4, 1e-6, 1e-9, 1e-12)
+OVERTURNED = list(sp.Outcome).index(sp.Outcome.OVERTURNED)
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """Errors of an event's time, one for each of `STEPS` [s]."""
+
+    name: str
+    errors: tuple[float, ...]
+
+    @property
+    def order(self) -> float:
+        """Slope of the least-squares line through the logarithms."""
+        return float(np.polyfit(np.log(STEPS), np.log(self.errors), 1)[0])
+
+
+def _curve(
+    name: str, event: int, friction: float, samples: NDArray[np.float64], dt: float, tilt: float
+) -> Curve:
+    body, room = sp.Body(0.4, 1.6), sp.Room(sp.Floor(friction, friction))
+    case = case_columns(body, room, State(tilt=tilt), G)[0]
+
+    def run(**settings: float) -> Traced:
+        return trace(case, samples, np.zeros_like(samples), dt, 0, **settings)
+
+    true = run(**FINEST).events[event].time
+    found = (run(tolerance=NO_TOLERANCE, max_step=h).events[event].time for h in STEPS)
+    return Curve(name, tuple(abs(time - true) for time in found))
+
+
+def curves() -> list[Curve]:
+    """Run the three problems; their records have few samples, so that the step alone limits the error."""
+    shake = 0.6 * np.array([0.0, 4.0, -6.0, 5.0, -3.0, 6.0, -4.0, 2.0, -1.0, 0.0, 0.0, 0.0, 0.0])
+    return [
+        _curve("free rocking, fifth impact", 4, 3.0, np.zeros(20), 0.5, math.atan(0.25) / 2),
+        _curve("forced rocking, fifth impact", 5, 3.0, shake, 0.5, 0.0),
+        _curve("slide-rock, stick and slip again", 1, 0.3, np.full(4, 0.6 * G), 0.3, 0.0),
+    ]
+
+
+def plot(found: list[Curve], path: Path) -> None:
+    """Draw the errors over the step, and a line of slope 4 to compare with."""
+    figure, axes = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
+    for curve, marker in zip(found, "os^", strict=True):
+        label = f"{curve.name} (order {curve.order:.1f})"
+        axes.loglog(STEPS, curve.errors, marker=marker, markersize=5, linewidth=1.2, label=label)
+    h = np.array([STEPS[-1], STEPS[0]])
+    guide = 3.0 * max(curve.errors[0] for curve in found) * (h / h[1]) ** 4
+    axes.loglog(h, guide, "k--", linewidth=0.8, label="slope 4")
+    axes.set_xticks(STEPS, [f"{step:g}" for step in STEPS])
+    axes.minorticks_off()
+    axes.set_xlabel("step [s]")
+    axes.set_ylabel("error of the event's time [s]")
+    axes.grid(visible=True, which="major", linewidth=0.4, alpha=0.5)
+    axes.legend(fontsize="small", frameon=False)
+    figure.savefig(path)
+    plt.close(figure)
+
+
+def work_precision(cases: int = 1000) -> list[tuple[float, float, float, float, int, float]]:
+    """Run mixed cases at several tolerances.
+
+    Returns the tolerance [rad], the median, 99 % and largest error of the peak tilt where both stand
+    [rad], the flipped verdicts, and the cases per second and core.
+    """
+    motion = sp.near_fault().component("x")
+    table = workload.columns(workload.mixed(cases))
+    exact = workload.timed(table, motion, repeats=1, **workload.EXACT).results
+    rows: list[tuple[float, float, float, float, int, float]] = []
+    for tolerance in TOLERANCES:
+        run = workload.timed(table, motion, repeats=3, tolerance=tolerance)
+        fell, falls = run.results["outcome"] == OVERTURNED, exact["outcome"] == OVERTURNED
+        off = np.abs(run.results["peak_tilt"] - exact["peak_tilt"])[~fell & ~falls]
+        half, most, worst = (float(q) for q in np.quantile(off, (0.5, 0.99, 1.0)))
+        rows.append((tolerance, half, most, worst, int((fell != falls).sum()), run.rate))
+    return rows

@@ -1,0 +1,151 @@
+"""The parts of the documentation that the code writes: tables of formats, presets and keys, and examples."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import inspect
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import validation_run
+
+import stayput as sp
+from stayput.furniture import FURNITURE
+from stayput.motion.readers import READERS
+
+ROOT = Path(__file__).parents[1]
+EXAMPLES = ROOT / "examples"
+
+
+def formats() -> str:
+    """Return the table of formats; the text is the first paragraph of each reader's docstring."""
+    rows = []
+    for reader in READERS:
+        about = (inspect.getdoc(importlib.import_module(reader.__name__)) or "").split("\n\n")[0]  # type: ignore[attr-defined]
+        rows.append(
+            [f"**{reader.FORMAT}**", " ".join(about.split()).partition(": ")[2] or " ".join(about.split())]
+        )
+    return validation_run.markdown(["format", "what a file holds"], rows, "ll")
+
+
+def surfaces() -> str:
+    """Return the table of surface presets."""
+    rows = [[name, f"{static:g}", f"{kinetic:g}"] for name, (static, kinetic) in sp.SURFACES.items()]
+    return validation_run.markdown(["surface", "static", "kinetic"], rows, "lrr")
+
+
+def furniture() -> str:
+    """Return the table of furniture presets."""
+    rows = [
+        [
+            name,
+            f"{p.width:g}",
+            f"{p.height:g}",
+            f"{p.mass:g}",
+            f"{p.carcass_mass:g}" if p.carcass_mass else "",
+        ]
+        for name, p in FURNITURE.items()
+    ]
+    heads = ["preset", "width (depth) [m]", "height [m]", "mass [kg]", "empty carcass [kg]"]
+    return validation_run.markdown(heads, rows, "lrrrr")
+
+
+def _kinds(node: dict[str, Any], schema: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return the kinds of value that a node of a JSON Schema allows, references followed, null left out."""
+    if "$ref" in node:
+        return _kinds(schema["$defs"][node["$ref"].rsplit("/", 1)[-1]], schema)
+    several = node.get("anyOf") or node.get("oneOf")
+    if several:
+        return [kind for one in several if one.get("type") != "null" for kind in _kinds(one, schema)]
+    return [node]
+
+
+def _number(value: float) -> str:
+    """Write a bound: 0.001, 1,000,000, 1e+12."""
+    return f"{value:,.10g}" if 1e-4 <= abs(value) < 1e7 else f"{value:g}"
+
+
+def _in_words(kind: dict[str, Any], schema: dict[str, Any]) -> str:
+    unit = f" {kind['unit']}" if "unit" in kind else ""
+    if "const" in kind:
+        return f"`{kind['const']}`"
+    if "enum" in kind:
+        return ", ".join(f"`{name}`" for name in kind["enum"])
+    match kind.get("type"):
+        case "number" | "integer":
+            return f"number, {_number(kind['minimum'])} to {_number(kind['maximum'])}{unit}"
+        case "boolean":
+            return "`true`, `false`"
+        case "array":
+            items = " or ".join(_in_words(one, schema) for one in _kinds(kind["items"], schema))
+            least, most = kind.get("minItems", 0), kind.get("maxItems")
+            return f"list of {least if least == most else f'{least} to {most}'}: {items}"
+        case "object":
+            return "table"
+        case _:
+            return "text"
+
+
+def _default(node: dict[str, Any], required: bool) -> str:
+    if required:
+        return "required"
+    value = node.get("default")
+    if value is None or isinstance(value, dict | list):
+        return ""
+    return f"`{str(value).lower() if isinstance(value, bool) else value}`"
+
+
+def _table(name: str, about: dict[str, Any], schema: dict[str, Any]) -> list[str]:
+    rows, inner = [], []
+    for key, node in about["properties"].items():
+        kinds = _kinds(node, schema)
+        words = " or ".join(_in_words(kind, schema) for kind in kinds)
+        needed = key in about.get("required", ())
+        rows.append([f"`{key}`", words, _default(node, needed), node.get("description", "")])
+        dotted = f"{name}.{key}" if name else key
+        inner += [(dotted, kind) for kind in kinds if kind.get("properties")]
+    head = f"## `[{name}]`" if name else "## Top level"
+    text = about.get("description", "") if name else ""
+    parts = [
+        f"{head}\n\n{text}\n\n{validation_run.markdown(['key', 'value', 'default', 'meaning'], rows, 'llll')}"
+    ]
+    for dotted, kind in inner:
+        parts += _table(dotted, kind, schema)
+    return parts
+
+
+def scenario() -> str:
+    """Return the reference of the scenario file, from its JSON Schema."""
+    schema = sp.Scenario.model_json_schema()
+    return "\n".join(_table("", schema, schema))
+
+
+def examples() -> str:
+    """Run the example programs; return each with what it printed."""
+    parts = []
+    for path in sorted(EXAMPLES.glob("*.py")):
+        source = path.read_text(encoding="utf-8")
+        about = ast.get_docstring(ast.parse(source)) or ""
+        command = [sys.executable, str(path)]
+        ran = subprocess.run(command, capture_output=True, text=True, check=True, cwd=ROOT)
+        title = path.stem.replace("_", " ").capitalize()
+        parts.append(f"## {title}\n\n{about}\n\n`examples/{path.name}`\n")
+        code = source.split('"""', 2)[2].strip()
+        parts.append(f"```python\n{code}\n```\n")
+        parts.append(f"It prints\n\n```text\n{ran.stdout.strip()}\n```\n")
+    parts += [
+        f"## `{path.name}`\n\n```toml\n{path.read_text(encoding='utf-8').strip()}\n```\n"
+        for path in sorted(EXAMPLES.glob("*.toml"))
+    ]
+    return "\n".join(parts)
+
+
+def write(folder: Path) -> None:
+    """Write every generated part into a folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for make in (formats, surfaces, furniture, scenario, examples):
+        (folder / f"{make.__name__}.md").write_text(make(), encoding="utf-8")
+    validation_run.write(folder)

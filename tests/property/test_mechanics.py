@@ -1,0 +1,457 @@
+"""What must hold for every body, room and motion: the mechanics under thousands of random cases."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from mechanics_cases import (
+    COULOMB,
+    LAWS,
+    SEEDS,
+    Seeded,
+    Standing,
+    clearances,
+    mirrored,
+    motions,
+    random_body,
+    random_motion,
+    random_samples,
+    random_standing,
+    scaled,
+    stacked,
+    standings,
+    up,
+)
+
+from stayput import Floor, Motion, Room, State, Wall, simulate
+from stayput.mechanics.runner import run_cases
+from stayput.simulation import STANDARD_GRAVITY, Outcome
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from stayput.simulation import Run
+
+MANY = 50
+"""Cases an example, where they run by the column."""
+
+FEW_EVENTS = 20_000
+"""Events after which these tests give a case up: far above what a motion of some seconds needs."""
+
+INTEGRATED = 1e-8
+"""Part of the energy by which the integration of a step may be out."""
+
+SETTLED = 2e-4
+"""Rates below which a bounce is over, with some slack: the impulse that ends it is not followed [m/s]."""
+
+FEW_STRANGE, MOST_SAME = 0.04, 0.8
+"""Part of the cases that may come out differently though they are not sensitive, and that must not."""
+
+FAILED = list(Outcome).index(Outcome.FAILED)
+
+
+def run(cases: NDArray[np.void], motion: Motion, law: int, **kwargs: float) -> NDArray[np.void]:
+    return run_cases(cases, motion.x, up(motion), motion.dt, law, max_events=FEW_EVENTS, **kwargs)
+
+
+def many(seed: int, *, walls: bool = True) -> tuple[list[Standing], Motion]:
+    source = Seeded(np.random.default_rng(seed))
+    motion = random_motion(source)
+    return [random_standing(source, walls=walls) for _ in range(MANY)], motion
+
+
+def traced(case: Standing, motion: Motion, law: int) -> Run:
+    """Run a case with its history; one that would be given up is left to the test that every run ends."""
+    result = run(case.columns(), motion, law)
+    assume(result["outcome"][0] != FAILED)
+    return simulate(case.body, case.room, motion, contact=LAWS[law], initial=case.start)
+
+
+def corners(found: Run) -> NDArray[np.float64]:
+    """Places of the corners at the samples, shape [n, 4, 2] [m]."""
+    sin, cos = np.sin(found.tilt), np.cos(found.tilt)
+    return np.stack(
+        [
+            np.stack([found.x + u * cos + v * sin, found.z + v * cos - u * sin], axis=1)
+            for u, v in found.body.corners
+        ],
+        axis=1,
+    )
+
+
+def foot(found: Run) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Where the lower base corner is, from the centre of gravity, in the room's axes [m]."""
+    body = found.body
+    rest = body.resting_tilt
+    right = (found.tilt > rest) | ((found.tilt == rest) & (found.tilt_rate > 0.0))
+    u, v = np.array(body.corners)[right.astype(int)].T
+    sin, cos = np.sin(found.tilt), np.cos(found.tilt)
+    return u * cos + v * sin, v * cos - u * sin
+
+
+def velocities(found: Run) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Rates of the centre of gravity at the samples, nan upwards where a body in flight hides them [m/s]."""
+    px, pz = foot(found)
+    vx, vz = found.slide_rate - found.tilt_rate * pz, found.tilt_rate * px
+    flies = found.mode == "flight"
+    away = found.z + pz > 1e-9  # also a body that leans on a wall alone
+    vz[flies | away] = np.nan
+    n, dt = len(found.time), found.motion.dt
+    eventful = np.zeros(n, bool)
+    for event in found.events:
+        eventful[max(0, min(n - 1, math.ceil(event.time / dt - 1e-9))) :][:1] = True
+        eventful[max(0, min(n - 1, math.floor(event.time / dt + 1e-9))) :][:1] = True
+    up_there = up(found.motion)[:n]
+    near = clearances(found.body, found.room, corners(found)).min(axis=1) < 1e-9
+    free = flies & ~near
+    k = np.flatnonzero(free[:-1] & free[1:] & ~eventful[1:] & ~eventful[:-1])
+    # z falls with g + z̈, which is linear between the samples
+    fall = STANDARD_GRAVITY / 2 + up_there[k] / 3 + up_there[k + 1] / 6
+    vz[k] = (found.z[k + 1] - found.z[k]) / dt + fall * dt
+    return vx, vz
+
+
+def energies(found: Run, a: NDArray[np.float64], G: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Energy per mass under steady loads, in which it can only be lost [m²/s²]."""
+    vx, vz = velocities(found)
+    inertia = found.body.inertia_about_cg / found.body.mass
+    return 0.5 * (vx**2 + vz**2 + inertia * found.tilt_rate**2) + G * found.z + a * found.x
+
+
+@pytest.mark.parametrize("law", [0, 1], ids=LAWS)
+@given(seed=SEEDS)
+def test_every_run_ends_with_finite_results(law: int, seed: int) -> None:
+    cases, motion = many(seed)
+    results = run(stacked(cases), motion, law)
+    for name in results.dtype.names:
+        assert np.isfinite(results[name]).all(), name
+    given_up = np.flatnonzero(results["outcome"] == FAILED)
+    assert len(given_up) == 0, [(i, cases[i]) for i in given_up]
+    assert (results["end"] <= (len(motion.x) - 1) * motion.dt * (1 + 1e-12)).all()
+    assert (results["peak_tilt"] >= np.abs(results["residual_tilt"])).all()
+    assert (results["peak_slide"] >= np.abs(results["residual_slide"])).all()
+
+
+@given(case=standings(), motion=motions(longest=600), law=st.sampled_from([0, 1]))
+def test_histories_are_finite_and_agree_with_the_results(case: Standing, motion: Motion, law: int) -> None:
+    found = traced(case, motion, law)
+    for name in ("x", "z", "tilt", "tilt_rate", "slide", "slide_rate"):
+        assert np.isfinite(getattr(found, name)).all(), name
+    assert np.abs(found.tilt).max() <= found.peak_tilt * (1 + 1e-12) + 1e-12
+    assert np.abs(found.slide).max() <= found.peak_slide * (1 + 1e-12) + 1e-12
+    times = [event.time for event in found.events]
+    assert times == sorted(times)
+    batch = run(case.columns(), motion, law)[0]
+    assert batch["peak_tilt"] == found.peak_tilt
+    assert batch["residual_slide"] == found.residual_slide
+    assert batch["events"] == len(found.events)
+
+
+@given(seed=SEEDS)
+def test_energy_never_grows_under_steady_loads(seed: int) -> None:
+    """The loads stay level for a while, then jump: at level loads each impact and slip only loses energy."""
+    source = Seeded(np.random.default_rng(seed))
+    for _ in range(10):
+        motion = random_motion(source, kind=3, longest=800)
+        case = random_standing(source)
+        if run(case.columns(), motion, COULOMB)["outcome"][0] == FAILED:
+            continue
+        found = simulate(case.body, case.room, motion, initial=case.start)
+        n = len(found.time)
+        a, G = motion.x[:n], STANDARD_GRAVITY + up(motion)[:n]
+        level = (a[1:] == a[:-1]) & (G[1:] == G[:-1])
+        here = energies(found, a, G)[:-1]
+        after = energies(found, np.append(a[0], a[:-1]), np.append(G[0], G[:-1]))[
+            1:
+        ]  # under the loads before
+        speed = np.nanmax(np.abs(np.stack(velocities(found))), initial=1.0)
+        size = np.abs(G).max() * case.body.height + np.abs(a).max() * np.ptp(found.x) + speed**2
+        grown = (after - here)[level]
+        worst = np.nanmax(grown, initial=0.0)
+        assert worst <= INTEGRATED * size, (worst / size, case, motion)
+
+
+@given(seed=SEEDS)
+def test_no_corner_gets_behind_the_floor_a_wall_or_the_ceiling(seed: int) -> None:
+    source = Seeded(np.random.default_rng(seed))
+    for _ in range(10):
+        motion, case = random_motion(source, longest=800), random_standing(source)
+        if run(case.columns(), motion, COULOMB)["outcome"][0] == FAILED:
+            continue
+        found = simulate(case.body, case.room, motion, initial=case.start)
+        least = clearances(case.body, case.room, corners(found)).min(axis=0)
+        scale = max(1.0, np.abs(found.x).max())
+        assert (least >= -1e-9 * scale).all(), (least, case, motion)
+
+
+@given(seed=SEEDS)
+def test_floor_pushes_within_its_friction_cone(seed: int) -> None:
+    """Over any time, impacts included, the floor's impulse points up and its drag is at most μ of it."""
+    source = Seeded(np.random.default_rng(seed))
+    for _ in range(10):
+        motion = random_motion(source, longest=800)
+        case = random_standing(source, walls=False)
+        floor = case.room.floor
+        floor = Floor(floor.static_friction, floor.kinetic_friction, *floor.edge_friction)
+        case = Standing(case.body, Room(floor), case.start)
+        if run(case.columns(), motion, COULOMB)["outcome"][0] == FAILED:
+            continue
+        found = simulate(case.body, case.room, motion, initial=case.start)
+        n, dt = len(found.time), motion.dt
+        vx, vz = velocities(found)
+        pushed = np.diff(vz) + dt * (STANDARD_GRAVITY + (up(motion)[: n - 1] + up(motion)[1:n]) / 2)
+        dragged = np.diff(vx) + dt * (motion.x[: n - 1] + motion.x[1:n]) / 2
+        mu = max(floor.static_friction, *floor.edge_friction)
+        slack = SETTLED * max(1.0, np.nanmax(np.abs(vz), initial=0.0), np.abs(vx).max())
+        known = np.isfinite(pushed)
+        assert (pushed[known] >= -slack).all(), (pushed[known].min(), case, motion)
+        beyond = (np.abs(dragged) - mu * pushed)[known]
+        assert beyond.max(initial=0.0) <= slack, (beyond.max(), case, motion)
+
+
+@given(seed=SEEDS)
+def test_friction_opposes_a_flat_slide(seed: int) -> None:
+    source = Seeded(np.random.default_rng(seed))
+    for _ in range(10):
+        motion = random_motion(source, longest=800)
+        case = random_standing(source)
+        if run(case.columns(), motion, COULOMB)["outcome"][0] == FAILED:
+            continue
+        found = simulate(case.body, case.room, motion, initial=case.start)
+        n, dt = len(found.time), motion.dt
+        happened = np.zeros(n, bool)
+        for event in found.events:
+            first, last = math.floor(event.time / dt - 1e-6), math.ceil(event.time / dt + 1e-6)
+            happened[max(0, first) : last + 1] = True
+        steady = (found.mode == "slide") & ~happened & (found.slide_rate != 0.0)
+        k = np.flatnonzero(steady[:-1] & steady[1:])
+        G = STANDARD_GRAVITY + (up(motion)[k] + up(motion)[k + 1]) / 2
+        drag = -case.room.floor.kinetic_friction * G * np.sign(found.slide_rate[k])
+        gained = (drag - (motion.x[k] + motion.x[k + 1]) / 2) * dt
+        assert np.allclose(np.diff(found.slide_rate)[k], gained, rtol=1e-9, atol=1e-11), (case, motion)
+
+
+@given(seed=SEEDS)
+def test_tilt_and_slide_are_continuous(seed: int) -> None:
+    """From each known state the next one is reached by its rate, and by what the rate can change."""
+    source = Seeded(np.random.default_rng(seed))
+    for _ in range(10):
+        motion = random_motion(source, longest=800)
+        case = random_standing(source)
+        if run(case.columns(), motion, COULOMB)["outcome"][0] == FAILED:
+            continue
+        found = simulate(case.body, case.room, motion, initial=case.start)
+        states = list(
+            zip(found.time, found.tilt, found.tilt_rate, found.slide, found.slide_rate, strict=True)
+        )
+        samples = len(states)
+        states += [(e.time, e.tilt, e.tilt_rate, e.slide, e.slide_rate) for e in found.events]
+        order = sorted(range(len(states)), key=lambda i: (states[i][0], i >= samples))
+        table = np.array([states[i] for i in order])
+        step = np.diff(table[:, 0])
+        rates, slips = np.abs(table[:, 2]).max(), np.abs(table[:, 4]).max()
+        reach = math.hypot(case.body.width, case.body.height)
+        load = STANDARD_GRAVITY + np.abs(motion.x).max() + np.abs(up(motion)).max()
+        turn = 2.0 * load * reach * case.body.mass / case.body.inertia_about_cg
+        for column, largest, push in ((1, rates, turn), (3, slips + rates * reach, load + turn * reach)):
+            jump = np.abs(np.diff(table[:, column]))
+            assert (jump <= 3.0 * largest * step + push * step**2 + 1e-8).all(), (jump.max(), case, motion)
+
+
+@pytest.mark.parametrize("law", [0, 1], ids=LAWS)
+@given(seed=SEEDS)
+def test_mirrored_case_runs_as_its_mirror_image(law: int, seed: int) -> None:
+    cases, motion = many(seed)
+    back = Motion(motion.dt, -motion.x, z=motion.z)
+    one, other = run(stacked(cases), motion, law), run(stacked([mirrored(c) for c in cases]), back, law)
+    judge(cases, motion, law, one, other, alike(one, other, 1e-9, mirrored=True))
+
+
+def alike(
+    one: NDArray[np.void],
+    other: NDArray[np.void],
+    tolerance: float,
+    *,
+    mirrored: bool = False,
+    k: float = 1.0,
+) -> NDArray[np.bool_]:
+    """Whether the outcomes are the same and peaks and ends agree, those of ``other`` with slides × k."""
+    same = one["outcome"] == other["outcome"]
+    side = -1.0 if mirrored else 1.0
+    factors = {"peak_tilt": 1.0, "peak_slide": k, "residual_tilt": side, "residual_slide": side * k}
+    for name, factor in factors.items():
+        expected = factor * one[name]
+        same &= np.abs(expected - other[name]) <= tolerance * (1.0 + np.abs(expected))
+    return same
+
+
+def judge(
+    cases: list[Standing],
+    motion: Motion,
+    law: int,
+    one: NDArray[np.void],
+    other: NDArray[np.void],
+    same: NDArray[np.bool_],
+) -> None:
+    """Nearly all cases that end must be the same, and no outcome differ where the case is not sensitive.
+
+    Rounding, and the height at which a bounce is over, may grow to something that is seen where
+    impacts pile up, even in a case that a small change of the motion leaves as it is.
+    """
+    ended = (one["outcome"] != FAILED) & (other["outcome"] != FAILED)
+    strange = np.flatnonzero(ended & ~same & (sensitivity(cases, motion, law) <= 1e-7))
+    shown = [(int(i), one[i], other[i], cases[i]) for i in strange]
+    assert len(strange) <= FEW_STRANGE * len(cases), shown
+    assert (one["outcome"][strange] == other["outcome"][strange]).all(), shown
+    assert same[ended].mean() >= MOST_SAME
+
+
+def sensitivity(cases: list[Standing], motion: Motion, law: int) -> NDArray[np.float64]:
+    """How much the results change when motion and inertia do by a part in 10⁹; inf where the outcome does."""
+    columns = stacked(cases)
+    one = run(columns, motion, law)
+    change = np.zeros(len(cases))
+    inertia = columns["inertia"].copy()
+    for factor in (1.0 - 1e-9, 1.0 + 1e-9):
+        columns["scale"], columns["inertia"] = factor, factor * inertia
+        other = run(columns, motion, law)
+        for name in ("peak_tilt", "peak_slide", "residual_tilt", "residual_slide"):
+            change = np.maximum(change, np.abs(one[name] - other[name]) / (1.0 + np.abs(one[name])))
+        change[one["outcome"] != other["outcome"]] = np.inf
+    return change
+
+
+@pytest.mark.parametrize("law", [0, 1], ids=LAWS)
+@given(seed=SEEDS, k=st.sampled_from([0.25, 4.0]))
+def test_similar_cases_run_alike(law: int, seed: int, k: float) -> None:
+    """Lengths × k and times × √k at the same accelerations: the tilt stays, the slide grows k times."""
+    cases, motion = many(seed)
+    slower = Motion(motion.dt * math.sqrt(k), motion.x, z=motion.z)
+    cases = [c for c in cases if c.body.width * k >= 1e-3]
+    one = run(stacked(cases), motion, law)
+    other = run(stacked([scaled(c, k) for c in cases]), slower, law)
+    judge(cases, motion, law, one, other, alike(one, other, 1e-5, k=k))
+
+
+def resting_case(source: Seeded) -> tuple[Standing, float]:
+    """Return a body that can stand, with flush walls or none, and what it bears of ẍ_G/G."""
+    while True:
+        body = random_body(source)
+        a, b = body.corners[:2]
+        tilt = body.resting_tilt
+        sin, cos = math.sin(tilt), math.cos(tilt)
+        (x_a, z_a), (x_b, z_b) = ((u * cos + v * sin, v * cos - u * sin) for u, v in (a, b))
+        bears = min(-x_a / -z_a, x_b / -z_b)
+        if bears > 1e-3:
+            break
+    static = source.uniform(0.05, 1.2)
+    wall = Wall(0.0, 0.3, source.uniform(0.0, 1.0))
+    how = source.whole(0, 3)
+    room = Room(
+        Floor(static, static * source.uniform(0.0, 1.0)), wall if how & 1 else None, wall if how & 2 else None
+    )
+    return Standing(body, room, State()), min(static, bears)
+
+
+@pytest.mark.parametrize("law", [0, 1], ids=LAWS)
+@given(seed=SEEDS)
+def test_body_below_its_limits_never_moves(law: int, seed: int) -> None:
+    source = Seeded(np.random.default_rng(seed))
+    dt = source.uniform(0.01, 0.05)
+    n = int(600.0 / dt)
+    vertical = source.whole(0, 1)
+    z = random_samples(source, n, dt, 0.5 * STANDARD_GRAVITY, 0) * vertical
+    x = random_samples(source, n, dt, 1.0, source.whole(0, 3))
+    G = STANDARD_GRAVITY + (z if law == COULOMB else np.zeros(n))
+    for _ in range(10):
+        case, ratio = resting_case(source)
+        least = np.minimum(G, np.minimum(np.append(G[1:], G[-1]), np.insert(G[:-1], 0, G[0])))
+        motion = Motion(dt, 0.99 * ratio * least * x / max(1.0, np.abs(x).max()), z=z)
+        result = run(case.columns(), motion, law)[0]
+        assert result["outcome"] == 0, (result, case, motion)
+        assert result["residual_slide"] == 0.0
+        assert result["peak_slide"] == 0.0
+        assert result["peak_tilt"] == abs(result["residual_tilt"])
+        assert result["residual_tilt"] == case.body.resting_tilt
+        assert result["events"] == 0
+
+
+@given(seed=SEEDS)
+def test_body_just_above_its_limits_moves(seed: int) -> None:
+    source = Seeded(np.random.default_rng(seed))
+    for _ in range(10):
+        case, ratio = resting_case(source)
+        case = Standing(case.body, Room(case.room.floor), State())
+        x = np.zeros(200)
+        x[50:150] = 1.01 * ratio * STANDARD_GRAVITY * (1 if source.whole(0, 1) else -1)
+        both = [run(case.columns(), Motion(0.01, sign * x), COULOMB)[0] for sign in (1.0, -1.0)]
+        assert any(result["events"] > 0 for result in both), case
+
+
+@given(seed=SEEDS, law=st.sampled_from([0, 1]))
+def test_same_bits_in_any_company(seed: int, law: int) -> None:
+    cases, motion = many(seed)
+    columns = stacked(cases)
+    results = run(columns, motion, law)
+    assert results.tobytes() == run(columns, motion, law).tobytes()
+    order = np.random.default_rng(seed).permutation(len(cases))
+    assert results[order].tobytes() == run(columns[order], motion, law).tobytes()
+    for i in order[:10]:
+        assert results[i].tobytes() == run(columns[i : i + 1], motion, law)[0].tobytes()
+
+
+@given(seed=SEEDS)
+def test_history_changes_no_bit(seed: int) -> None:
+    cases, motion = many(seed)
+    results = run(stacked(cases), motion, COULOMB)
+    for i in np.flatnonzero(results["outcome"] != FAILED)[:5]:
+        found = simulate(cases[i].body, cases[i].room, motion, initial=cases[i].start)
+        assert (found.peak_tilt, found.peak_slide) == (results["peak_tilt"][i], results["peak_slide"][i])
+        assert (found.residual_tilt, found.residual_slide) == (
+            results["residual_tilt"][i],
+            results["residual_slide"][i],
+        )
+
+
+def halved(motion: Motion) -> Motion:
+    """Return the same piecewise linear record with twice the samples."""
+
+    def between(values: NDArray[np.float64]) -> NDArray[np.float64]:
+        finer = np.empty(2 * len(values) - 1)
+        finer[::2], finer[1::2] = values, 0.5 * (values[1:] + values[:-1])
+        return finer
+
+    return Motion(motion.dt / 2, between(motion.x), z=None if motion.z is None else between(motion.z))
+
+
+@pytest.mark.parametrize("law", [0, 1], ids=LAWS)
+@given(seed=SEEDS)
+def test_finer_samples_of_the_same_motion_change_nothing(law: int, seed: int) -> None:
+    cases, motion = many(seed)
+    one, other = run(stacked(cases), motion, law), run(stacked(cases), halved(motion), law)
+    judge(cases, motion, law, one, other, alike(one, other, 1e-6))
+
+
+def test_random_cases_reach_every_mode_and_outcome() -> None:
+    """What the properties are checked on: all modes, kinds of events and outcomes occur."""
+    outcomes: Counter[str] = Counter()
+    modes: Counter[str] = Counter()
+    kinds: Counter[str] = Counter()
+    source = Seeded(np.random.default_rng(20))
+    for _ in range(150):
+        motion, case = random_motion(source, longest=600), random_standing(source)
+        if run(case.columns(), motion, COULOMB)["outcome"][0] == FAILED:
+            continue
+        found = simulate(case.body, case.room, motion, initial=case.start)
+        outcomes[found.outcome] += 1
+        modes.update(set(found.mode.tolist()))
+        kinds.update({event.kind.value for event in found.events})
+    assert set(outcomes) >= {"rested", "slid", "rocked", "leaning", "overturned"}
+    assert set(modes) >= {"rest", "slide", "rock", "slide-rock", "flight", "lean"}
+    assert len(kinds) >= 9
