@@ -19,6 +19,7 @@ from rich.table import Table
 
 import mujoco_block as mb
 import workload as work
+from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -76,7 +77,7 @@ def theirs(name: str, cases: list[work.Drawn], motion: sp.Motion, threads: int, 
         mb.Block(c.width, c.height, friction=c.static, right_gap=math.inf if c.gap is None else c.gap)
         for c in cases
     ]
-    models = [block.model(step, work.GRAVITY) for block in blocks]
+    models = [block.model(step, STANDARD_GRAVITY) for block in blocks]
     states = np.array([block.state() for block in blocks])
     middles = mb.middles(motion.duration, step)
     scales = np.array([case.scale for case in cases])

@@ -14,13 +14,13 @@ import numpy as np
 import stayput as sp
 from stayput.cases import State, case_columns
 from stayput.mechanics.runner import run_cases
+from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 RECORD = Path(__file__).parents[2] / "shared" / "motions" / "jma_kobe_1995_ns.AT2"
 DURATION = 30.0  # s
-GRAVITY = 9.80665
 EXACT = {"tolerance": 1e-13, "max_step": 1.25e-3}
 """Settings of the converged reference [rad, s]."""
 
@@ -40,7 +40,7 @@ class Drawn:
         """Return its row of the kernel's table."""
         wall = None if self.gap is None else sp.Wall(self.gap, restitution=0.3, friction=0.3)
         room = sp.Room(sp.Floor(self.static, self.kinetic), right_wall=wall)
-        row = case_columns(sp.Body(self.width, self.height), room, State(), GRAVITY)
+        row = case_columns(sp.Body(self.width, self.height), room, State(), STANDARD_GRAVITY)
         row["scale"] = self.scale
         return row
 

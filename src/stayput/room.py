@@ -29,10 +29,10 @@ class Floor:
     static_friction, kinetic_friction : float
         Amontons–Coulomb coefficients μ ≥ μ' of the flat base.
     edge_static_friction, edge_kinetic_friction : float, optional
-        The same for a single corner (the paper's "rotational" coefficients); default the flat base's.
+        The same for a single corner ("rotational" in the paper, 14WCEE 2008); default the flat base's.
     restitution : float
-        Factor e of Eq. 3.14 on the rotation rate at a change of fulcrum, on top of the momentum
-        balance; 1 is Housner's.
+        Factor e on the rotation rate at a change of fulcrum, on top of the momentum balance (the paper's
+        Eq. 3.14); 1 is Housner's.
     normal_restitution : float
         Newton's restitution e_n of a landing corner (``contact="coulomb"`` only); 0 is plastic.
 
@@ -88,7 +88,7 @@ SURFACES: dict[str, tuple[float, float]] = {
     "free caster, carpet": (0.06, 0.06),
     "locked caster": (0.40, 0.40),
 }
-"""Static and kinetic friction of a piece of furniture on common surfaces: defaults to be changed, not citations."""
+"""Static and kinetic friction of furniture on common surfaces: defaults to be changed, not citations."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,6 +12,7 @@ import numpy as np
 from stayput.cases import State, case_columns, standing_corners
 from stayput.errors import InputError, within
 from stayput.mechanics import columns as col
+from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -25,11 +26,12 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.room import Room
 
-STANDARD_GRAVITY = 9.80665
-"""Standard acceleration of gravity [m/s²]."""
-
 Contact = Literal["coulomb", "paper"]
-"""The contact law: unilateral contact with Coulomb friction, or the paper's rules as written."""
+"""The contact law: unilateral contact with Coulomb friction, or the rules of the paper as written.
+
+The paper is *A fundamental study on development of a verification system for earthquake-proof measures for
+furniture* (14WCEE, 2008).
+"""
 
 
 class Outcome(StrEnum):
@@ -115,8 +117,10 @@ class Run:
         Largest magnitudes at any time, not only at samples [m, rad].
     residual_slide, residual_tilt : float
         Values at the end [m, rad].
-    floor_impacts, wall_impacts : int
-        Number of landings, and of hits on walls and ceiling.
+    floor_impacts : int
+        Number of landings on the floor.
+    wall_impacts : int
+        Number of hits on the walls and the ceiling; `events` tells the two apart.
     time : ndarray of float64
         Times of the samples [s].
     slide, slide_rate : ndarray of float64
@@ -222,7 +226,9 @@ def simulate(
     motion : Motion
         Acceleration of the floor: ``x`` along the shaking and ``z`` up; ``y`` plays no part.
     contact : {"coulomb", "paper"}
-        Contact law; "paper" knows no vertical motion.
+        Contact law: unilateral contact with Coulomb friction, or the rules of *A fundamental study on
+        development of a verification system for earthquake-proof measures for furniture* (14WCEE, 2008)
+        as written, which know no vertical motion.
     initial : State, optional
         Initial state; default at rest.
     gravity : float
@@ -297,7 +303,7 @@ def _as_run(case: Case, traced: Traced) -> Run:
         residual_tilt=traced.tilt,
         floor_impacts=traced.floor_impacts,
         wall_impacts=traced.wall_impacts,
-        time=np.arange(history.shape[1]) * case.motion.dt,
+        time=np.arange(history.shape[1], dtype=np.float64) * case.motion.dt,
         slide=history[col.H_SLIDE],
         slide_rate=history[col.H_SLIDE_RATE],
         tilt=history[col.H_TILT],

@@ -24,7 +24,7 @@ def made(tilt, slide, mode, events=(), *, overturn_time=math.nan, outcome=Outcom
         peak_slide=float(np.abs(slide).max()), residual_slide=float(slide[-1]),
         peak_tilt=math.pi / 2 if overturned else float(np.abs(tilt).max()), residual_tilt=float(tilt[-1]),
         floor_impacts=sum(e.kind is EventKind.FLOOR_IMPACT for e in events),
-        wall_impacts=sum(e.kind is EventKind.WALL_IMPACT for e in events),
+        wall_impacts=sum(e.kind in (EventKind.WALL_IMPACT, EventKind.CEILING_IMPACT) for e in events),
         time=DT * np.arange(len(tilt)), slide=slide, slide_rate=np.zeros_like(slide),
         tilt=tilt, tilt_rate=np.zeros_like(tilt), x=slide + u - u * cos - v * sin, z=u * sin - v * cos,
         mode=np.array(mode), events=tuple(events),

@@ -188,7 +188,7 @@ def test_knet_files_that_are_refused(read, text, message):
 
 def test_knet_without_obspy_says_what_to_install(read, monkeypatch):
     monkeypatch.setitem(sys.modules, "obspy", None)
-    with pytest.raises(InputError, match=r'pip install "stayput\[formats\]"'):
+    with pytest.raises(InputError, match="pip install obspy"):
         read(knet())
 
 

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from report_runs import falling, rocking
 
-from stayput.report.summary import sentence, summary
+from stayput.report.summary import rows, sentence, summary
+from stayput.room import Room
 from stayput.simulation import EventKind, Outcome
 
 
@@ -52,6 +53,17 @@ def test_a_ceiling_hit_is_not_a_wall_hit():
     hit = dataclasses.replace(falling().events[1], kind=EventKind.CEILING_IMPACT)
     run = dataclasses.replace(rocking(), events=(hit, hit), wall_impacts=2)
     assert "after hitting the ceiling twice" in sentence(run)
+
+
+def test_wall_impacts_count_the_ceiling_and_say_so():
+    hits = [
+        dataclasses.replace(falling().events[1], kind=k)
+        for k in (EventKind.WALL_IMPACT, EventKind.CEILING_IMPACT)
+    ]
+    run = dataclasses.replace(rocking(), events=tuple(hits), wall_impacts=2)
+    assert ("Wall and ceiling impacts", "2") in rows(run)
+    assert summary(run)["wall_impacts"] == int(run.to_dataset().wall_impacts) == 2
+    assert ("Wall impacts", "2") in rows(dataclasses.replace(run, room=Room()))
 
 
 def test_the_dataset_has_every_history_and_event_with_its_unit():

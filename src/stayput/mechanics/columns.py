@@ -40,6 +40,8 @@ STATE = np.dtype(
         ("x", "f8"),  # G, right of where the middle of the base stood [m]
         ("z", "f8"),  # G above the floor [m]
         ("theta", "f8"),
+        ("sin", "f8"),  # of θ
+        ("cos", "f8"),
         ("vx", "f8"),
         ("vz", "f8"),
         ("omega", "f8"),
@@ -53,17 +55,20 @@ STATE = np.dtype(
         ("dj", "i8"),
         ("closed", "i8"),  # bits of the contacts that touch
         ("present", "i8"),  # bits of the contacts that this room has
-        ("low", "f8"),  # HELD: the range of ẍ_G/G; on a fulcrum: that of the tilt
+        ("low", "f8"),  # the loads (ẍ_G, G) that leave a held body at rest lie between two rays:
+        ("low_up", "f8"),  # (low, low_up) and (high, high_up)
         ("high", "f8"),
-        ("low_hit", "i8"),  # the contacts that close there; 0 is overturning
-        ("high_hit", "i8"),
+        ("high_up", "f8"),
+        ("rest", "f8"),  # tilt with both base corners on the floor [rad]
+        ("foot_a", "f8"),  # place of A at rest and slide 0 [m]
+        ("foot_b", "f8"),
+        ("settle", "f8"),  # rate at which a contact opens in a bounce that is over [m/s]
         ("hit", "i8"),  # bits of the contacts that closed in the last event
         ("peak_tilt", "f8"),
         ("peak_slide", "f8"),
         ("floor_impacts", "i8"),
         ("wall_impacts", "i8"),
         ("events", "i8"),
-        ("stalls", "i8"),  # events in a row without time passing
         ("steps", "i8"),
         ("moved", "i8"),  # bits: 1 slid, 2 rocked, 4 flew
     ],
@@ -79,14 +84,15 @@ CONTACTS = 8
 
 CONTACT = np.dtype(
     [
-        ("r", "f8"),  # the corner's distance from G [m]
-        ("beta", "f8"),  # its angle in the plane's axes [rad]
+        ("sigma", "f8"),  # r sin β and r cos β: the corner from G in the plane's axes, at θ = 0 [m]
+        ("kappa", "f8"),
         ("offset", "f8"),  # of the plane, along its normal [m]
         ("cos", "f8"),  # direction of the plane
         ("sin", "f8"),
         ("mu_static", "f8"),
         ("mu_kinetic", "f8"),
         ("restitution", "f8"),
+        ("level", "f8"),  # gap [m], or rate of slip [m/s], at which the present step ends
     ],
     align=True,
 )
@@ -103,8 +109,11 @@ ROW = np.dtype(
         ("bias_n", "f8"),  # rates without forces at the contacts
         ("bias_t", "f8"),
         ("target", "f8"),  # the normal rate of a contact that presses
-        ("cone_stick", "f8"),  # coefficients of friction
-        ("cone_slip", "f8"),
+        ("mu_stick", "f8"),  # coefficients of friction of the corner alone
+        ("mu_slip", "f8"),
+        ("flat_stick", "f8"),  # and where the plane's other corner is closed too
+        ("flat_slip_right", "f8"),
+        ("flat_slip_left", "f8"),
         ("slipping", "f8"),  # direction of slip, 0 where there is none
         ("index", "i8"),  # which contact
     ],

@@ -13,81 +13,101 @@ import math
 
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, PLANE
 from stayput.mechanics.compiled import inner
-from stayput.mechanics.geometry import along, arm, slip_rate
+from stayput.mechanics.geometry import arm_at
 
 STUCK = 1e-10
 """A contact whose slip rate is not larger than this sticks [m/s]."""
 
+OPEN = 100.0
+"""A contact may be left out of a pattern if it closes by less than this many tolerances.
+
+More than one: a force within the tolerance may be left out as well as taken.
+"""
+
 
 @inner
-def tabulate_forces(rows, contacts, closed, theta, omega, a, G):
-    """List the closed contacts with the rates that they would have without contact forces."""
+def tabulate(rows, contacts, closed, sin, cos, case):
+    """List the closed contacts: normals, tangents, levers and coefficients of friction."""
     count = 0
     c = 0
     while closed >> c:
         if closed >> c & 1:
             con, row = contacts[c], rows[count]
-            sigma, kappa = arm(con, theta)
+            sigma, kappa = arm_at(con, sin, cos)
             row.nx, row.nz, row.nl = -con.sin, con.cos, -sigma
             row.tx, row.tz, row.tl = con.cos, con.sin, -kappa
-            tangential, normal = along(con, -a, -G)
-            row.bias_n = normal + omega * omega * kappa
-            row.bias_t = tangential - omega * omega * sigma
-            row.target = 0.0
-            row.cone_stick, row.cone_slip = con.mu_static, con.mu_kinetic
+            row.mu_stick = row.flat_stick = con.mu_static
+            row.mu_slip = row.flat_slip_right = row.flat_slip_left = con.mu_kinetic
             row.index = c
             count += 1
         c += 1
+    if count >= 2 and rows[0].index == A_FLOOR and rows[1].index == B_FLOOR:
+        for k in range(2):
+            row = rows[k]
+            row.flat_stick = case.static_friction
+            row.flat_slip_right = base_friction(case, row.mu_slip, -rows[1].nl, -rows[1].tl)
+            row.flat_slip_left = base_friction(case, row.mu_slip, rows[0].nl, -rows[0].tl)
     return count
 
 
 @inner
-def mark_slips(rows, count, contacts, s):
-    """Note in which direction each closed contact slips; 0 where it does not."""
-    for k in range(count):
-        slip = slip_rate(contacts[rows[k].index], s)
-        rows[k].slipping = 0.0 if abs(slip) <= STUCK else math.copysign(1.0, slip)
+def base_friction(case, edge, reach, kappa):
+    """Kinetic coefficient of the flat base; G is ``reach`` behind the leading corner and κ above it.
+
+    A body tips when its friction is larger than reach/κ. If the edge's own friction is too small to keep
+    it tipped, the base's falls with the load on the trailing corner to the ratio at which that is zero.
+    """
+    return min(case.kinetic_friction, max(edge, reach / kappa))
 
 
 @inner
-def use_flat_friction(rows, count, static, kinetic):
-    """Give both base corners the flat base's coefficients when both stand on the floor."""
-    if count >= 2 and rows[0].index == A_FLOOR and rows[1].index == B_FLOOR:
-        rows[0].cone_stick = rows[1].cone_stick = static
-        rows[0].cone_slip = rows[1].cone_slip = kinetic
+def turned(px, pz, qx, qz):
+    """Positive where q lies to the left, against the clock, of p."""
+    return px * qz - pz * qx
 
 
 @inner
-def holding_limits(rows, count):
-    """Range of ẍ_G/G in which the closed contacts can hold the body still.
+def holding_cone(rows, first, count):
+    """Loads (ẍ_G, G) under which contacts that do not slip can hold the body still.
 
     The forces that friction allows form a cone spanned by two edges at each contact. Those without moment
-    about G are spanned by pairs of edges; their directions bound the range.
+    about G are spanned by pairs of edges; they form the cone of loads.
+
+    Parameters
+    ----------
+    first, count : int
+        The rows of the contacts: from ``first``, ``count`` of them.
 
     Returns
     -------
-    tuple of float
-        Lowest and highest ratio; (inf, −inf) where nothing holds the body.
+    tuple
+        Whether there is such a cone, and its two rays, the one with the lowest ẍ_G first; all zeros where
+        it is the whole plane.
     """
-    low, high = math.inf, -math.inf
-    for p in range(2 * count):
-        rp, op = rows[p >> 1], 1.0 - 2.0 * (p & 1)
-        mu = rp.cone_stick
-        px, pz, pl = rp.nx + op * mu * rp.tx, rp.nz + op * mu * rp.tz, rp.nl + op * mu * rp.tl
-        for q in range(p):
-            rq, oq = rows[q >> 1], 1.0 - 2.0 * (q & 1)
-            mu = rq.cone_stick
-            qx, qz, ql = rq.nx + oq * mu * rq.tx, rq.nz + oq * mu * rq.tz, rq.nl + oq * mu * rq.tl
+    lx = lz = hx = hz = 0.0
+    found = False
+    for p in range(2 * first, 2 * (first + count)):
+        rp, mu = rows[p >> 1], (1.0 - 2.0 * (p & 1)) * rows[p >> 1].flat_stick
+        px, pz, pl = rp.nx + mu * rp.tx, rp.nz + mu * rp.tz, rp.nl + mu * rp.tl
+        for q in range(2 * first, p):
+            rq, mu = rows[q >> 1], (1.0 - 2.0 * (q & 1)) * rows[q >> 1].flat_stick
+            qx, qz, ql = rq.nx + mu * rq.tx, rq.nz + mu * rq.tz, rq.nl + mu * rq.tl
             if pl * ql > 0.0 or (pl == 0.0 and ql == 0.0):
                 continue
             fx, fz = abs(ql) * px + abs(pl) * qx, abs(ql) * pz + abs(pl) * qz
             if fz > 1e-12 * abs(fx):
-                low, high = min(low, fx / fz), max(high, fx / fz)
-            elif fx > 0.0:
-                high = math.inf
-            elif fx < 0.0:
-                low = -math.inf
-    return low, high
+                fx, fz = fx / fz, 1.0
+            if not found:
+                found, lx, lz, hx, hz = True, fx, fz, fx, fz
+                continue
+            before_low, behind_high = turned(fx, fz, lx, lz) < 0.0, turned(hx, hz, fx, fz) < 0.0
+            if before_low and behind_high:
+                return True, 0.0, 0.0, 0.0, 0.0
+            if before_low:
+                lx, lz = fx, fz
+            elif behind_high:
+                hx, hz = fx, fz
+    return found, lx, lz, hx, hz
 
 
 @inner
@@ -102,25 +122,28 @@ def _push(row, side, mu):
 
 
 @inner
-def _rates(row, fx, fz, fl, I):
-    """Normal and tangential rate of a contact under a total force."""
-    return (
-        row.bias_n + _coupling(row.nx, row.nz, row.nl, fx, fz, fl, I),
-        row.bias_t + _coupling(row.tx, row.tz, row.tl, fx, fz, fl, I),
-    )
+def _normal_rate(row, fx, fz, fl, I):
+    """Normal rate of a contact under a total force."""
+    return row.bias_n + _coupling(row.nx, row.nz, row.nl, fx, fz, fl, I)
+
+
+@inner
+def _tangential_rate(row, fx, fz, fl, I):
+    """Tangential rate of a contact under a total force."""
+    return row.bias_t + _coupling(row.tx, row.tz, row.tl, fx, fz, fl, I)
 
 
 @inner
 def _others_stay_open(rows, count, i, j, fx, fz, fl, I, tolerance):
     for k in range(count):
-        if k != i and k != j and _rates(rows[k], fx, fz, fl, I)[0] < rows[k].target - tolerance:
+        if k != i and k != j and _normal_rate(rows[k], fx, fz, fl, I) < rows[k].target - OPEN * tolerance:
             return False
     return True
 
 
 @inner
 def one_sticks(rows, count, i, I, tolerance):
-    """Only contact i presses, and sticks: total force, and whether that is consistent."""
+    """Only contact i presses, and sticks: whether that is consistent, and the total force."""
     row = rows[i]
     nn = _coupling(row.nx, row.nz, row.nl, row.nx, row.nz, row.nl, I)
     tt = _coupling(row.tx, row.tz, row.tl, row.tx, row.tz, row.tl, I)
@@ -129,7 +152,7 @@ def one_sticks(rows, count, i, I, tolerance):
     det = nn * tt - nt * nt
     N, T = (bn * tt - bt * nt) / det, (bt * nn - bn * nt) / det
     fx, fz, fl = N * row.nx + T * row.tx, N * row.nz + T * row.tz, N * row.nl + T * row.tl
-    ok = N >= 0.0 and abs(T) <= row.cone_stick * N + tolerance
+    ok = N >= 0.0 and abs(T) <= row.mu_stick * N + tolerance
     return ok and _others_stay_open(rows, count, i, i, fx, fz, fl, I, tolerance), fx, fz, fl
 
 
@@ -137,21 +160,25 @@ def one_sticks(rows, count, i, I, tolerance):
 def one_slips(rows, count, i, side, I, tolerance):
     """Only contact i presses, and slips to ``side``."""
     row = rows[i]
-    fx, fz, fl = _push(row, side, row.cone_slip)
+    fx, fz, fl = _push(row, side, row.mu_slip)
     press = _coupling(row.nx, row.nz, row.nl, fx, fz, fl, I)
+    if press <= 0.0:
+        return False, 0.0, 0.0, 0.0
     N = (row.target - row.bias_n) / press
     fx, fz, fl = N * fx, N * fz, N * fl
-    ok = press > 0.0 and N >= 0.0
-    if ok and row.slipping == 0.0:
-        ok = side * _rates(row, fx, fz, fl, I)[1] >= -tolerance
+    ok = N >= 0.0 and (row.slipping != 0.0 or side * _tangential_rate(row, fx, fz, fl, I) >= -tolerance)
     return ok and _others_stay_open(rows, count, i, i, fx, fz, fl, I, tolerance), fx, fz, fl
 
 
 @inner
 def press_of_two(ri, side_i, rj, side_j, I):
     """Normal forces of two contacts that slip, and the total force; the first is NaN where they jam."""
-    ix, iz, il = _push(ri, side_i, ri.cone_slip)
-    jx, jz, jl = _push(rj, side_j, rj.cone_slip)
+    mu_i, mu_j = ri.mu_slip, rj.mu_slip
+    if PLANE[ri.index] == PLANE[rj.index]:
+        mu_i = ri.flat_slip_right if side_i > 0.0 else ri.flat_slip_left
+        mu_j = rj.flat_slip_right if side_j > 0.0 else rj.flat_slip_left
+    ix, iz, il = _push(ri, side_i, mu_i)
+    jx, jz, jl = _push(rj, side_j, mu_j)
     ii = _coupling(ri.nx, ri.nz, ri.nl, ix, iz, il, I)
     ij = _coupling(ri.nx, ri.nz, ri.nl, jx, jz, jl, I)
     ji = _coupling(rj.nx, rj.nz, rj.nl, ix, iz, il, I)
@@ -166,14 +193,18 @@ def press_of_two(ri, side_i, rj, side_j, I):
 
 @inner
 def both_slip(rows, count, i, side_i, j, side_j, I, tolerance):
-    """Contacts i and j press, and slip to their sides."""
+    """Contacts i and j press, and slip to their sides.
+
+    On one plane either may press with nothing; on two planes one that does not press is left out.
+    """
     ri, rj = rows[i], rows[j]
     Ni, Nj, fx, fz, fl = press_of_two(ri, side_i, rj, side_j, I)
-    ok = Ni >= 0.0 and Nj >= 0.0
+    least = -tolerance if PLANE[ri.index] == PLANE[rj.index] else tolerance
+    ok = Ni >= least and Nj >= least
     if ok and ri.slipping == 0.0:
-        ok = side_i * _rates(ri, fx, fz, fl, I)[1] >= -tolerance
+        ok = side_i * _tangential_rate(ri, fx, fz, fl, I) >= -tolerance
     if ok and rj.slipping == 0.0:
-        ok = side_j * _rates(rj, fx, fz, fl, I)[1] >= -tolerance
+        ok = side_j * _tangential_rate(rj, fx, fz, fl, I) >= -tolerance
     return ok and _others_stay_open(rows, count, i, j, fx, fz, fl, I, tolerance), fx, fz, fl
 
 
@@ -182,7 +213,7 @@ def sticks_beside(rows, count, i, j, side_j, I, tolerance):
     """Contact i sticks while j presses: on one plane j sticks with it, else it slips to ``side_j``."""
     ri, rj = rows[i], rows[j]
     same_plane = PLANE[ri.index] == PLANE[rj.index]
-    jx, jz, jl = _push(rj, 0.0 if same_plane else side_j, rj.cone_slip)
+    jx, jz, jl = _push(rj, 0.0 if same_plane else side_j, rj.mu_slip)
     # unknowns N_i, T_i, N_j; rows n_i, t_i, n_j
     a11 = _coupling(ri.nx, ri.nz, ri.nl, ri.nx, ri.nz, ri.nl, I)
     a12 = _coupling(ri.nx, ri.nz, ri.nl, ri.tx, ri.tz, ri.tl, I)
@@ -205,29 +236,19 @@ def sticks_beside(rows, count, i, j, side_j, I, tolerance):
         Ni * ri.nz + T * ri.tz + Nj * jz,
         Ni * ri.nl + T * ri.tl + Nj * jl,
     )
-    carried = Ni + Nj if same_plane else Ni
-    ok = Ni >= 0.0 and Nj >= 0.0 and abs(T) <= ri.cone_stick * carried + tolerance
+    if same_plane:
+        ok = Ni >= -tolerance and Nj >= -tolerance and abs(T) <= ri.flat_stick * (Ni + Nj) + tolerance
+    else:
+        ok = Ni >= tolerance and Nj >= tolerance and abs(T) <= ri.mu_stick * Ni + tolerance
     if ok and not same_plane and rj.slipping == 0.0:
-        ok = side_j * _rates(rj, fx, fz, fl, I)[1] >= -tolerance
+        ok = side_j * _tangential_rate(rj, fx, fz, fl, I) >= -tolerance
     return ok and _others_stay_open(rows, count, i, j, fx, fz, fl, I, tolerance), fx, fz, fl
 
 
 @inner
 def none_presses(rows, count, tolerance):
     """Whether no contact closes without a force."""
-    return _others_stay_open(rows, count, -1, -1, 0.0, 0.0, 0.0, 1.0, tolerance)
-
-
-@inner
-def touching(contacts, present, x, z, theta, tolerance):
-    """Bits of the contacts whose gap is not larger than the tolerance."""
-    bits = 0
-    c = 0
-    while present >> c:
-        if present >> c & 1:
-            con = contacts[c]
-            _, kappa = arm(con, theta)
-            if along(con, x, z)[1] + con.offset - kappa <= tolerance:
-                bits |= 1 << c
-        c += 1
-    return bits
+    for k in range(count):
+        if rows[k].bias_n < rows[k].target - OPEN * tolerance:
+            return False
+    return True

@@ -46,21 +46,13 @@ from stayput.mechanics.columns import (
     WALL_RELEASE_EVENT,
 )
 from stayput.mechanics.compiled import entry, inner
-from stayput.mechanics.contact import STUCK, touching
+from stayput.mechanics.contact import STUCK
 from stayput.mechanics.flat import advance_flat, advance_held, flat_friction
-from stayput.mechanics.free import advance_flight, advance_lean, note_peaks
+from stayput.mechanics.free import advance_flight, advance_lean
 from stayput.mechanics.fulcrum import advance_fulcrum
-from stayput.mechanics.geometry import (
-    GAP_TOLERANCE,
-    arm,
-    half_base,
-    resting_place,
-    resting_tilt,
-    set_up_contacts,
-    slide_of,
-)
-from stayput.mechanics.impact import closing, land
-from stayput.mechanics.modes import choose_mode, pivot_on, settling_rate, unjam
+from stayput.mechanics.geometry import above, across, note_peaks, set_up, slide_of, touching, turn_to
+from stayput.mechanics.impact import closing, land, unjam
+from stayput.mechanics.modes import choose_mode, pivot_on
 from stayput.mechanics.motion import loads, named_mode, note_sample
 from stayput.mechanics.paper import choose_paper_mode, collide_by_paper
 
@@ -70,25 +62,26 @@ COULOMB, PAPER = 0, 1
 @inner
 def start(case, contacts, s):
     """Set the initial state: the body on the floor, tilted about one corner or flat."""
-    s.present = set_up_contacts(case, contacts)
-    rest = resting_tilt(case)
-    s.theta = rest + case.tilt
+    set_up(case, contacts, s)
     s.omega = case.tilt_rate
     right = case.tilt > 0.0 or (case.tilt == 0.0 and case.tilt_rate > 0.0)
+    s.i, s.j, s.d, s.dj = (1 if right else 0), -1, 0, 0
     if case.tilt == 0.0:
-        s.x, s.z = resting_place(case, rest)
         s.x += case.slide
+        s.kind = FLAT if case.tilt_rate == 0.0 else STICK
         s.closed = FLOOR_BITS
     else:
-        con = contacts[1 if right else 0]
-        sigma, kappa = arm(con, s.theta)
-        foot = half_base(case) if right else -half_base(case)
-        s.x, s.z = case.slide + foot - sigma, kappa
-        s.closed = 2 if right else 1
-    pivot_on(contacts[1 if right else 0], s)
+        turn_to(s, s.rest + case.tilt)
+        s.x = case.slide + (s.foot_b if right else s.foot_a) - across(case, s.i, s)
+        s.z = -above(case, s.i, s)
+        s.kind = STICK
+        s.closed = 1 << s.i
+    pivot_on(contacts[s.i], s)
     s.vx += case.slide_rate
+    if s.kind == STICK and case.slide_rate != 0.0:
+        s.kind = SLIP
     s.alpha = s.tau = 0.0
-    s.k = s.floor_impacts = s.wall_impacts = s.events = s.stalls = s.steps = s.moved = s.hit = 0
+    s.k = s.floor_impacts = s.wall_impacts = s.events = s.steps = s.moved = s.hit = 0
     s.peak_tilt = s.peak_slide = 0.0
     note_peaks(case, s)
 
@@ -109,7 +102,7 @@ def advance(rows, contacts, case, s, ax, az, dt, extremes, tolerance, max_step, 
     s.moved |= MOVED_FLYING
     if kind == FLIGHT:
         return advance_flight(contacts, case, s, ax, az, dt, history)
-    return advance_lean(rows, contacts, case, s, ax, az, dt, history)
+    return advance_lean(rows, contacts, case, s, ax, az, dt, tolerance, max_step, history)
 
 
 @inner
@@ -167,9 +160,26 @@ def _next_mode(rows, contacts, touch, settle, case, s, ax, az, dt, law):
         return
     choose_mode(rows, contacts, touch, settle, case, s, a, a_rate, G, G_rate)
     if s.kind == FAILED:
-        s.closed = touch
-        unjam(contacts, case, s)
+        unjam(contacts, touch, case, s)
         choose_mode(rows, contacts, touch, settle, case, s, a, a_rate, G, G_rate)
+
+
+@inner
+def _meet(rows, contacts, touch, case, s, law):
+    """Carry out the impact of the contacts that close, if any do."""
+    if law == COULOMB:
+        # contacts that close in the same instant as another, or as a force reaches its limit, collide too
+        s.hit |= closing(contacts, touch & ~s.closed, s)
+    if not s.hit:
+        return
+    if s.hit & FLOOR_BITS:
+        s.floor_impacts += 1
+    else:
+        s.wall_impacts += 1
+    if law == PAPER:
+        collide_by_paper(contacts, case, s)
+    else:
+        land(rows, contacts, s.closed, touch & ~s.closed, case, s)
 
 
 @entry
@@ -210,11 +220,17 @@ def run_case(
     start(case, contacts, s)
     lifts = law == COULOMB
     last = ax.shape[0] - 1
-    touch = touching(contacts, s.present, s.x, s.z, s.theta, GAP_TOLERANCE) | s.closed
-    _next_mode(rows, contacts, touch, STUCK, case, s, ax, az, dt, law)
+    touch = touching(contacts, s) | s.closed
+    s.hit = closing(contacts, touch & ~s.closed, s)
+    _meet(rows, contacts, touch, case, s, law)
+    kind, closed = s.kind, s.closed
+    _next_mode(rows, contacts, touch, s.settle if s.hit else STUCK, case, s, ax, az, dt, law)
+    if s.hit:
+        s.events += 1
+        _list_event(events, case, s, dt, CLOSED, kind, closed)
     note_sample(history, case, s)
     while s.kind != FAILED:
-        k, tau, kind, closed = s.k, s.tau, s.kind, s.closed
+        kind, closed = s.kind, s.closed
         why = advance(rows, contacts, case, s, ax, az, dt, extremes, tolerance, max_step, lifts, history)
         note_peaks(case, s)
         if why == ENDED:
@@ -227,25 +243,13 @@ def run_case(
         if s.kind == FAILED or s.kind == OVERTURNED or s.k >= last:
             _list_event(events, case, s, dt, why, kind, closed)
             break
-        s.stalls = s.stalls + 1 if s.k == k and s.tau - tau < 1e-12 else 0
         if why != CLOSED:
             s.hit = 0
-        touch = touching(contacts, s.present, s.x, s.z, s.theta, GAP_TOLERANCE) | s.closed | s.hit
-        if law == COULOMB:
-            # contacts that close in the same instant as a force reaches its limit collide too
-            s.hit |= closing(contacts, touch & ~s.closed, s)
+        touch = touching(contacts, s) | s.closed | s.hit
+        _meet(rows, contacts, touch, case, s, law)
         if s.hit:
             why = CLOSED
-            if s.hit & FLOOR_BITS:
-                s.floor_impacts += 1
-            else:
-                s.wall_impacts += 1
-            if law == PAPER:
-                collide_by_paper(contacts, case, s)
-            else:
-                land(rows, contacts, s.closed, touch & ~s.closed, case, s)
-        settle = settling_rate(case) if s.hit else STUCK
-        _next_mode(rows, contacts, touch, settle, case, s, ax, az, dt, law)
+        _next_mode(rows, contacts, touch, s.settle if s.hit else STUCK, case, s, ax, az, dt, law)
         _list_event(events, case, s, dt, why, kind, closed)
     return _outcome(s), s.k * dt + s.tau, slide_of(case, s)[0]
 

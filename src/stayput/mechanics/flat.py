@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import CLOSED, ENDED, LIMIT, PLANE
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, ENDED, LIMIT, PLANE
 from stayput.mechanics.compiled import entry, inner
-from stayput.mechanics.geometry import along, arm
+from stayput.mechanics.contact import STUCK, base_friction, turned
+from stayput.mechanics.geometry import along, arm, gap
 from stayput.mechanics.motion import loads, note_sample, pass_time
-from stayput.mechanics.roots import first_zero
+from stayput.mechanics.roots import closed_level, first_zero
 
 BLOCK = 16
 """Samples a block of the extremes that let rest be skipped."""
@@ -30,24 +31,23 @@ def block_extremes(values, low, high):
 
 
 @inner
-def _block_holds(case, s, block, a_low, a_high, z_low, z_high):
-    lowest, highest = case.scale * a_low[block], case.scale * a_high[block]
-    down = case.scale * (z_low[block] if case.scale >= 0.0 else z_high[block])
-    if case.scale < 0.0:
-        lowest, highest = highest, lowest
-    G = case.gravity + down  # the least, which is the worst where the range contains zero
-    return s.low <= 0.0 <= s.high and G > 0.0 and lowest >= s.low * G and highest <= s.high * G
+def _lowest(p, low, high):
+    """Smallest product of p with a value between low and high."""
+    return p * low if p >= 0.0 else p * high
 
 
 @inner
-def _exceeds(s, a, G):
-    """How far the loads are out of the range that holds the body: positive when it cannot stay."""
-    over = -G
-    if s.high < math.inf:
-        over = max(over, a - s.high * G)
-    if s.low > -math.inf:
-        over = max(over, s.low * G - a)
-    return over
+def _block_holds(case, s, block, a_low, a_high, z_low, z_high):
+    """Whether the loads of a whole block of the record leave the body at rest."""
+    k = case.scale
+    a0, a1, z0, z1 = k * a_low[block], k * a_high[block], k * z_low[block], k * z_high[block]
+    if k < 0.0:
+        a0, a1, z0, z1 = a1, a0, z1, z0
+    z0, z1 = case.gravity + z0, case.gravity + z1
+    return (
+        _lowest(s.low_up, a0, a1) + _lowest(-s.low, z0, z1) >= 0.0
+        and _lowest(-s.high_up, a0, a1) + _lowest(s.high, z0, z1) >= 0.0
+    )
 
 
 @inner
@@ -73,14 +73,12 @@ def advance_held(case, s, ax, az, dt, extremes, history):
                 s.k = min(last, s.k + BLOCK)
                 continue
         h = dt - s.tau
-        a0, a_rate, G0, G_rate = loads(case, ax, az, dt, s.k, s.tau)
+        a0, _, G0, _ = loads(case, ax, az, dt, s.k, s.tau)
         a1, G1 = case.scale * ax[s.k + 1], case.gravity + case.scale * az[s.k + 1]
-        if _exceeds(s, a1, G1) > 0.0 or (s.tau > 0.0 and _exceeds(s, a0, G0) > 0.0):
-            t = _leaves_at(-G0, -G1, h)
-            if s.high < math.inf:
-                t = min(t, _leaves_at(a0 - s.high * G0, a1 - s.high * G1, h))
-            if s.low > -math.inf:
-                t = min(t, _leaves_at(s.low * G0 - a0, s.low * G1 - a1, h))
+        low1, high1 = turned(a1, G1, s.low, s.low_up), turned(s.high, s.high_up, a1, G1)
+        low0, high0 = turned(a0, G0, s.low, s.low_up), turned(s.high, s.high_up, a0, G0)
+        if low1 < 0.0 or high1 < 0.0 or (s.tau > 0.0 and (low0 < 0.0 or high0 < 0.0)):
+            t = min(_leaves_at(-low0, -low1, h), _leaves_at(-high0, -high1, h))
             if t < h:
                 s.tau += t
                 return LIMIT
@@ -93,8 +91,7 @@ def advance_held(case, s, ax, az, dt, extremes, history):
 @inner
 def _first_stop(v, p, p_rate, h):
     """First time in (0, h] at which v − pτ − p'τ²/2, positive or just starting, comes to zero; −1 if not."""
-    # divide out a start at zero
-    if abs(v) <= 1e-15:
+    if v == 0.0:  # divide out a start at zero
         if p_rate != 0.0:
             t = -2.0 * p / p_rate
             if BARELY < t <= h:
@@ -126,7 +123,6 @@ def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
     d = float(s.d)
     others = s.present & ~(0b11 << 2 * PLANE[s.i])
     last = ax.shape[0] - 1
-    s.moved |= 1
     while s.k < last:
         a, a_rate, G, G_rate = loads(case, ax, az, dt, s.k, s.tau)
         N, N_rate = cf * G - sf * a, cf * G_rate - sf * a_rate
@@ -134,6 +130,8 @@ def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
         drive_rate = d * (cf * a_rate + sf * G_rate) + friction * N_rate
         h = dt - s.tau
         v = d * along(con, s.vx, s.vz)[0]
+        if abs(v) <= STUCK:
+            v = 0.0
         outcome = ENDED
         t = _first_stop(v, drive, drive_rate, h)
         if t >= 0.0:
@@ -145,22 +143,21 @@ def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
         if not lifts:  # the paper's body rocks where the load is beyond (b/h)g, sliding or not
             a1, G1 = a + a_rate * h, G + G_rate * h
             t = min(
-                _leaves_at(a - s.high * G, a1 - s.high * G1, h),
-                _leaves_at(s.low * G - a, s.low * G1 - a1, h),
+                _leaves_at(-turned(a, G, s.low, s.low_up), -turned(a1, G1, s.low, s.low_up), h),
+                _leaves_at(-turned(s.high, s.high_up, a, G), -turned(s.high, s.high_up, a1, G1), h),
             )
             if t < h:
                 h, outcome = t, LIMIT
         c = 0
         while others >> c:
-            if others >> c & 1:
-                wall = contacts[c]
-                _, kappa = arm(wall, s.theta)
-                gap = along(wall, s.x, s.z)[1] + wall.offset - kappa
-                side = d * along(wall, cf, sf)[1]  # the wall's gap opens with the slip, or closes
-                v1, c0, c1 = v - h * (drive + 0.5 * h * drive_rate), -drive, -drive - h * drive_rate
-                gap1 = gap + side * h * (v - h * (drive / 2.0 + h * drive_rate / 6.0))
-                t = first_zero(gap, side * v, side * c0, gap1, side * v1, side * c1, h)
-                if t >= 0.0 and side != 0.0:
+            side = d * along(contacts[c], cf, sf)[1]  # the gap opens with the slip, or closes
+            if others >> c & 1 and side != 0.0:
+                g0 = gap(contacts[c], s)
+                g1 = g0 + side * h * (v - h * (drive / 2.0 + h * drive_rate / 6.0))
+                v1, a1 = v - h * (drive + 0.5 * h * drive_rate), drive + h * drive_rate
+                level = closed_level(g0)
+                t = first_zero(g0 - level, side * v, -side * drive, g1 - level, side * v1, -side * a1, h)
+                if t >= 0.0:
                     h, outcome, s.hit = t, CLOSED, 1 << c
             c += 1
         shift = d * h * (v - h * (drive / 2.0 + h * drive_rate / 6.0))
@@ -179,5 +176,10 @@ def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
 
 @inner
 def flat_friction(contacts, case, s):
-    """Kinetic coefficient of a body that slides flat: the base's on the floor."""
-    return case.kinetic_friction if PLANE[s.i] == 0 else contacts[s.i].mu_kinetic
+    """Kinetic coefficient of a body that slides flat: on the floor the base's."""
+    con = contacts[s.i]
+    if PLANE[s.i] > 0:
+        return con.mu_kinetic
+    leading = contacts[B_FLOOR if s.d > 0 else A_FLOOR]
+    sigma, kappa = arm(leading, s)
+    return base_friction(case, con.mu_kinetic, abs(sigma), kappa)

@@ -6,48 +6,71 @@ import math
 
 from stayput.mechanics.columns import CLOSED, ENDED, LIMIT, TURNED_OVER
 from stayput.mechanics.compiled import inner
-from stayput.mechanics.contact import press_of_two, tabulate_forces
+from stayput.mechanics.contact import press_of_two, tabulate
 from stayput.mechanics.geometry import (
-    GAP_TOLERANCE,
     HALF_TURN,
     along,
-    arm,
-    gap_and_rates,
+    arm_at,
+    gap,
+    note_peaks,
     slide_of,
     slip_rate,
+    turn_to,
 )
 from stayput.mechanics.modes import close_both
 from stayput.mechanics.motion import loads, note_sample, pass_time
-from stayput.mechanics.roots import first_zero
+from stayput.mechanics.roots import closed_level, first_zero, illinois
 
 LARGEST_TURN = 0.05
 """Largest rotation in a step of flight [rad]."""
 
-LEAN_STEPS = 4
-"""Runge–Kutta steps in a sample while the body slides on two planes."""
+LOCATED = 1e-13
+"""The end of a lean is located to this part of a second [s]."""
+
+SLACK_PRESS, SLACK_SLIP = 1e-8, 5e-11
+"""A lean is over when a contact pulls, or slips back, by more than this [m/s², m/s]."""
+
+SHORTEST = 1e-6
+"""A step of a lean is not made shorter than this to keep within the tolerance [s]."""
 
 
 @inner
-def _fallen(s, a, a_rate, G, G_rate, t):
-    """State of a flight after a time t: place, rates, accelerations."""
-    return (
-        s.x + t * (s.vx - t * (a / 2.0 + t * a_rate / 6.0)),
-        s.z + t * (s.vz - t * (G / 2.0 + t * G_rate / 6.0)),
-        s.theta + t * s.omega,
-        s.vx - t * (a + 0.5 * t * a_rate),
-        s.vz - t * (G + 0.5 * t * G_rate),
-        s.omega,
-        -a - t * a_rate,
-        -G - t * G_rate,
-        0.0,
-    )
+def note_peaks_since(case, s, slide0, rate0, h):
+    """Keep the largest tilt and slide since a step before, when the slide and its rate were these."""
+    note_peaks(case, s)
+    slide1, rate1 = slide_of(case, s)
+    if rate0 * rate1 < 0.0:  # it turned in between: the cubic through both ends
+        d = 3.0 * (slide1 - slide0) / h - 2.0 * rate0 - rate1
+        e = (rate0 + rate1) / h - 2.0 * (slide1 - slide0) / (h * h)
+        t = h * rate0 / (rate0 - rate1)
+        for _ in range(3):
+            bend = 2.0 * d / h + 6.0 * e * t
+            if bend != 0.0:
+                t = min(h, max(0.0, t - (rate0 + t * (2.0 * d / h + 3.0 * e * t)) / bend))
+        s.peak_slide = max(s.peak_slide, abs(slide0 + t * (rate0 + t * (d / h + t * e))))
 
 
 @inner
-def note_peaks(case, s):
-    """Keep the largest tilt and slide so far."""
-    s.peak_tilt = max(s.peak_tilt, abs(s.theta))
-    s.peak_slide = max(s.peak_slide, abs(slide_of(case, s)[0]))
+def _fly(s, a, a_rate, G, G_rate, t):
+    """Move the state of a flight by a time t."""
+    s.x += t * (s.vx - t * (a / 2.0 + t * a_rate / 6.0))
+    s.z += t * (s.vz - t * (G / 2.0 + t * G_rate / 6.0))
+    s.vx -= t * (a + 0.5 * t * a_rate)
+    s.vz -= t * (G + 0.5 * t * G_rate)
+    turn_to(s, s.theta + t * s.omega)
+
+
+@inner
+def _flying_gap(con, s, a, a_rate, G, G_rate, t):
+    """Gap of a contact after a time t of flight, with its first and second rates."""
+    theta = s.theta + t * s.omega
+    sigma, kappa = arm_at(con, math.sin(theta), math.cos(theta))
+    x = s.x + t * (s.vx - t * (a / 2.0 + t * a_rate / 6.0))
+    z = s.z + t * (s.vz - t * (G / 2.0 + t * G_rate / 6.0))
+    height = along(con, x, z)[1]
+    rate = along(con, s.vx - t * (a + 0.5 * t * a_rate), s.vz - t * (G + 0.5 * t * G_rate))[1]
+    fall = along(con, -a - t * a_rate, -G - t * G_rate)[1]
+    return height + con.offset - kappa, rate - s.omega * sigma, fall + s.omega * s.omega * kappa
 
 
 @inner
@@ -60,27 +83,28 @@ def advance_flight(contacts, case, s, ax, az, dt, history):
         if abs(s.omega) * h > LARGEST_TURN:
             h = LARGEST_TURN / abs(s.omega)
         outcome = ENDED
-        start = _fallen(s, a, a_rate, G, G_rate, 0.0)
-        tilt = abs(s.theta + h * s.omega)
-        if tilt >= HALF_TURN:
+        if abs(s.theta + h * s.omega) >= HALF_TURN:
             h, outcome = (HALF_TURN - abs(s.theta)) / abs(s.omega), TURNED_OVER
         c = 0
         while s.present >> c:
             if s.present >> c & 1:
-                g0, v0, c0 = gap_and_rates(contacts[c], start)
-                g1, v1, c1 = gap_and_rates(contacts[c], _fallen(s, a, a_rate, G, G_rate, h))
-                t = first_zero(g0, v0, c0, g1, v1, c1, h)
+                con = contacts[c]
+                g0, v0, c0 = _flying_gap(con, s, a, a_rate, G, G_rate, 0.0)
+                g1, v1, c1 = _flying_gap(con, s, a, a_rate, G, G_rate, h)
+                level = closed_level(g0)
+                t = first_zero(g0 - level, v0, c0, g1 - level, v1, c1, h)
                 if t >= 0.0:
-                    for _ in range(2):
-                        g, v, _ = gap_and_rates(contacts[c], _fallen(s, a, a_rate, G, G_rate, t))
-                        if v < 0.0 and t > 0.0:
-                            t = min(h, max(0.5 * t, t - g / v))
+                    for _ in range(2):  # on the motion itself
+                        g, v, _ = _flying_gap(con, s, a, a_rate, G, G_rate, t)
+                        if v < 0.0:
+                            t = min(h, max(0.5 * t, t - (g - level) / v))
                     h, outcome, s.hit = t, CLOSED, 1 << c
             c += 1
-        s.x, s.z, s.theta, s.vx, s.vz, s.omega, _, _, _ = _fallen(s, a, a_rate, G, G_rate, h)
+        slide, rate = slide_of(case, s)
+        _fly(s, a, a_rate, G, G_rate, h)
         s.alpha = 0.0
         s.steps += 1
-        note_peaks(case, s)
+        note_peaks_since(case, s, slide, rate, h)
         if pass_time(s, h, dt):
             note_sample(history, case, s)
         if outcome != ENDED:
@@ -89,93 +113,127 @@ def advance_flight(contacts, case, s, ax, az, dt, history):
 
 
 @inner
-def _lean_rates(rows, contacts, s, I, theta, omega, a, G):
+def _lean_rates(rows, contacts, case, s, theta, omega, a, G):
     """Accelerations of a body that slides on both its contacts, and their normal forces."""
-    tabulate_forces(rows, contacts, s.closed, theta, omega, a, G)
-    first_is_i = 0 if s.i < s.j else 1
-    Ni, Nj, fx, fz, fl = press_of_two(rows[first_is_i], float(s.d), rows[1 - first_is_i], float(s.dj), I)
-    return fx - a, fz - G, fl / I, Ni, Nj
+    tabulate(rows, contacts, s.closed, math.sin(theta), math.cos(theta), case)
+    for k in range(2):
+        row = rows[k]
+        row.bias_n = along(contacts[row.index], -a, -G)[1] - omega * omega * row.tl
+        row.target = 0.0
+    i, j = (0, 1) if s.i < s.j else (1, 0)
+    Ni, Nj, fx, fz, fl = press_of_two(rows[i], float(s.d), rows[j], float(s.dj), case.inertia)
+    return fx - a, fz - G, fl / case.inertia, Ni, Nj
 
 
 @inner
-def _lean_step(rows, contacts, case, s, x, z, theta, vx, vz, omega, a, a_rate, G, G_rate, h):
-    """One step of the classical Runge–Kutta method, put back onto both contacts; the state is set."""
-    I = case.inertia
-    k1x, k1z, k1t, _, _ = _lean_rates(rows, contacts, s, I, theta, omega, a, G)
+def _lean(rows, contacts, case, s, start, load, h):
+    """Set the state to that a time h after the start: a step of the classical Runge–Kutta method."""
+    x, z, theta, vx, vz, omega = start
+    a, a_rate, G, G_rate = load
     e = 0.5 * h
-    am, Gm = a + e * a_rate, G + e * G_rate
-    v2x, v2z, w2 = vx + e * k1x, vz + e * k1z, omega + e * k1t
-    k2x, k2z, k2t, _, _ = _lean_rates(rows, contacts, s, I, theta + e * omega, w2, am, Gm)
-    v3x, v3z, w3 = vx + e * k2x, vz + e * k2z, omega + e * k2t
-    k3x, k3z, k3t, _, _ = _lean_rates(rows, contacts, s, I, theta + e * w2, w3, am, Gm)
-    v4x, v4z, w4 = vx + h * k3x, vz + h * k3z, omega + h * k3t
-    ae, Ge = a + h * a_rate, G + h * G_rate
-    k4x, k4z, k4t, _, _ = _lean_rates(rows, contacts, s, I, theta + h * w3, w4, ae, Ge)
-    s.x = x + h * (vx + 2.0 * (v2x + v3x) + v4x) / 6.0
-    s.z = z + h * (vz + 2.0 * (v2z + v3z) + v4z) / 6.0
-    s.theta = theta + h * (omega + 2.0 * (w2 + w3) + w4) / 6.0
+    am, Gm, ae, Ge = a + e * a_rate, G + e * G_rate, a + h * a_rate, G + h * G_rate
+    k1x, k1z, k1t, _, _ = _lean_rates(rows, contacts, case, s, theta, omega, a, G)
+    w2 = omega + e * k1t
+    k2x, k2z, k2t, _, _ = _lean_rates(rows, contacts, case, s, theta + e * omega, w2, am, Gm)
+    w3 = omega + e * k2t
+    k3x, k3z, k3t, _, _ = _lean_rates(rows, contacts, case, s, theta + e * w2, w3, am, Gm)
+    w4 = omega + h * k3t
+    k4x, k4z, k4t, _, _ = _lean_rates(rows, contacts, case, s, theta + h * w3, w4, ae, Ge)
+    s.x = x + h * (vx + h * (k1x + k2x + k3x) / 6.0)
+    s.z = z + h * (vz + h * (k1z + k2z + k3z) / 6.0)
+    turn_to(s, theta + h * (omega + h * (k1t + k2t + k3t) / 6.0))
     s.vx = vx + h * (k1x + 2.0 * (k2x + k3x) + k4x) / 6.0
     s.vz = vz + h * (k1z + 2.0 * (k2z + k3z) + k4z) / 6.0
     s.omega = omega + h * (k1t + 2.0 * (k2t + k3t) + k4t) / 6.0
-    close_both(contacts[s.i], contacts[s.j], I, s)
-    _, _, s.alpha, Ni, Nj = _lean_rates(rows, contacts, s, I, s.theta, s.omega, ae, Ge)
-    return Ni, Nj
+    close_both(contacts[s.i], contacts[s.j], case.inertia, s)
 
 
 @inner
-def _lean_ends(contacts, s, Ni, Nj):
-    """Why the body cannot go on sliding on both contacts, in the state reached: ENDED where it can."""
+def _set_levels(contacts, s):
+    """Set, for a step, the gaps at which other contacts close and the rates at which these two slip back."""
     others = s.present & ~s.closed
-    s.hit = 0
     c = 0
     while others >> c:
         if others >> c & 1:
-            con = contacts[c]
-            _, kappa = arm(con, s.theta)
-            if along(con, s.x, s.z)[1] + con.offset - kappa < -0.1 * GAP_TOLERANCE:
-                s.hit |= 1 << c
+            contacts[c].level = closed_level(gap(contacts[c], s))
         c += 1
-    if s.hit:
-        return CLOSED
-    if abs(s.theta) >= HALF_TURN:
-        return TURNED_OVER
-    slips = s.d * slip_rate(contacts[s.i], s), s.dj * slip_rate(contacts[s.j], s)
-    if not (Ni >= 0.0 and Nj >= 0.0) or slips[0] < 0.0 or slips[1] < 0.0:
-        return LIMIT
-    return ENDED
+    first, second = contacts[s.i], contacts[s.j]
+    first.level = min(float(s.d) * slip_rate(first, s), 0.0) - SLACK_SLIP
+    second.level = min(float(s.dj) * slip_rate(second, s), 0.0) - SLACK_SLIP
 
 
 @inner
-def advance_lean(rows, contacts, case, s, ax, az, dt, history):
+def _lean_margin(rows, contacts, case, s, load, h):
+    """What must stay positive while the body slides on both contacts, h after the start: the least of all."""
+    a, G = load[0] + h * load[1], load[2] + h * load[3]
+    _, _, s.alpha, Ni, Nj = _lean_rates(rows, contacts, case, s, s.theta, s.omega, a, G)
+    least = min(Ni, Nj) + SLACK_PRESS
+    first, second = contacts[s.i], contacts[s.j]
+    slip = min(float(s.d) * slip_rate(first, s) - first.level, float(s.dj) * slip_rate(second, s) - second.level)
+    least = min(least, slip, HALF_TURN - abs(s.theta))
+    s.hit = 0
+    others = s.present & ~s.closed
+    c = 0
+    while others >> c:
+        if others >> c & 1:
+            over = gap(contacts[c], s) - contacts[c].level
+            if over < 0.0:
+                s.hit |= 1 << c
+            least = min(least, over)
+        c += 1
+    return -1.0 if math.isnan(Ni) else least
+
+
+@inner
+def _why_over(s):
+    if s.hit:
+        return CLOSED
+    return TURNED_OVER if abs(s.theta) >= HALF_TURN else LIMIT
+
+
+@inner
+def advance_lean(rows, contacts, case, s, ax, az, dt, tolerance, max_step, history):
     """Slide the body on two planes at once, to where it sticks, a contact opens or another closes."""
     last = ax.shape[0] - 1
+    longest = min(dt, max_step)
     while s.k < last:
-        a, a_rate, G, G_rate = loads(case, ax, az, dt, s.k, s.tau)
-        h = min(dt - s.tau, dt / LEAN_STEPS)
-        x, z, theta, vx, vz, omega = s.x, s.z, s.theta, s.vx, s.vz, s.omega
-        Ni, Nj = _lean_step(rows, contacts, case, s, x, z, theta, vx, vz, omega, a, a_rate, G, G_rate, h)
-        outcome = _lean_ends(contacts, s, Ni, Nj)
-        if outcome != ENDED and s.stalls > 8:
-            outcome = LIMIT
-        elif outcome != ENDED:
-            low, high = 0.0, h
-            while high - low > 1e-13:
-                h = 0.5 * (low + high)
-                Ni, Nj = _lean_step(
-                    rows, contacts, case, s, x, z, theta, vx, vz, omega, a, a_rate, G, G_rate, h
-                )
-                found = _lean_ends(contacts, s, Ni, Nj)
-                if found == ENDED:
-                    low = h
+        load = loads(case, ax, az, dt, s.k, s.tau)
+        start = s.x, s.z, s.theta, s.vx, s.vz, s.omega
+        slide, rate = slide_of(case, s)
+        _set_levels(contacts, s)
+        h = min(dt - s.tau, longest)
+        _lean(rows, contacts, case, s, start, load, h)
+        while h > SHORTEST:  # two halves must agree with the whole
+            whole = s.theta
+            _lean(rows, contacts, case, s, start, load, 0.5 * h)
+            half = s.x, s.z, s.theta, s.vx, s.vz, s.omega
+            late = load[0] + 0.5 * h * load[1], load[1], load[2] + 0.5 * h * load[3], load[3]
+            _lean(rows, contacts, case, s, half, late, 0.5 * h)
+            if abs(s.theta - whole) <= tolerance:
+                longest = min(dt, max_step, 2.0 * longest)
+                break
+            h = longest = 0.5 * h
+            _lean(rows, contacts, case, s, start, load, h)
+        outcome = ENDED
+        margin = _lean_margin(rows, contacts, case, s, load, h)
+        if margin < 0.0:
+            low, high, m_low, m_high = 0.0, h, min(SLACK_SLIP, SLACK_PRESS), margin
+            for _ in range(200):
+                if high - low <= LOCATED:
+                    break
+                t = illinois(low, m_low, high, m_high)
+                _lean(rows, contacts, case, s, start, load, t)
+                margin = _lean_margin(rows, contacts, case, s, load, t)
+                if margin >= 0.0:
+                    low, m_low, m_high = t, max(margin, 1e-300), 0.5 * m_high
                 else:
-                    high, outcome = h, found
+                    high, m_high, m_low = t, margin, 0.5 * m_low
             h = high
-            Ni, Nj = _lean_step(rows, contacts, case, s, x, z, theta, vx, vz, omega, a, a_rate, G, G_rate, h)
-            outcome = _lean_ends(contacts, s, Ni, Nj)
-            if outcome == LIMIT and abs(s.omega) < 1e-9 and not math.isnan(Ni):
-                s.vx = s.vz = s.omega = 0.0
+            _lean(rows, contacts, case, s, start, load, h)
+            _lean_margin(rows, contacts, case, s, load, h)
+            outcome = _why_over(s)
         s.steps += 1
-        note_peaks(case, s)
+        note_peaks_since(case, s, slide, rate, h)
         if pass_time(s, h, dt):
             note_sample(history, case, s)
         if outcome != ENDED:

@@ -3,8 +3,8 @@
 A body can touch the room with its four corners A, B (base) and C, D (top); each pair of a corner and a
 plane that it can meet is one *contact*, numbered 0..7. Every plane is described in its own axes: the
 tangent t and the normal n into the room, turned by φ from the floor's. In those axes each contact obeys
-the floor's equations, with the loads (A, Γ) = (t·(ẍ_G, G), n·(ẍ_G, G)), G = g + z̈_G, and the corner at
-p = (r sin(β−θ), −r cos(β−θ)) from the centre of gravity; β is the corner's angle in the plane's axes.
+the floor's equations, with the loads (A, Γ) = (t·(ẍ_G, G), n·(ẍ_G, G)), G = g + z̈_G, and the corner
+at σ = r sin(β−θ) along t from the centre of gravity and κ = r cos(β−θ) below it, along n.
 """
 
 from __future__ import annotations
@@ -19,120 +19,143 @@ GAP_TOLERANCE = 1e-10
 
 HALF_TURN = math.pi / 2
 
-
-@inner
-def resting_tilt(case):
-    """Tilt at which both base corners stand on the floor [rad]."""
-    return math.atan2(case.v[1] - case.v[0], case.u[1] - case.u[0])
+SETTLED_HEIGHT = 1e-9
+"""A bounce that would not rise higher than this is over [m]."""
 
 
 @inner
-def half_base(case):
-    """Half the distance between the base corners [m]."""
-    return 0.5 * math.hypot(case.u[1] - case.u[0], case.v[1] - case.v[0])
+def turn_to(s, theta):
+    """Set the tilt of the state."""
+    s.theta, s.sin, s.cos = theta, math.sin(theta), math.cos(theta)
 
 
 @inner
-def _across(case, corner, tilt):
-    """Corner right of G at a tilt [m]."""
-    return case.u[corner] * math.cos(tilt) + case.v[corner] * math.sin(tilt)
+def across(case, corner, s):
+    """Corner right of G [m]."""
+    return case.u[corner] * s.cos + case.v[corner] * s.sin
 
 
 @inner
-def resting_place(case, tilt):
-    """G with both base corners on the floor and the middle of the base at x = 0 [m]."""
-    return -0.5 * (_across(case, 0, tilt) + _across(case, 1, tilt)), (
-        case.u[0] * math.sin(tilt) - case.v[0] * math.cos(tilt)
-    )
+def above(case, corner, s):
+    """Corner above G [m]."""
+    return case.v[corner] * s.cos - case.u[corner] * s.sin
 
 
 @inner
-def set_up_contacts(case, contacts):
-    """Fill the contact table of a case and return the bits of the contacts that its room has."""
-    present = FLOOR_BITS
+def stand_flat(case, s):
+    """Put both base corners on the floor where they are."""
+    turn_to(s, s.rest)
+    s.z = -above(case, 0, s)
+
+
+@inner
+def set_up(case, contacts, s):
+    """Fill the contact table of a case and the state's constants; the body at rest at slide 0."""
+    s.rest = math.atan2(case.v[1] - case.v[0], case.u[1] - case.u[0])
+    stand_flat(case, s)
+    s.x = -0.5 * (across(case, 0, s) + across(case, 1, s))
+    s.foot_a, s.foot_b = s.x + across(case, 0, s), s.x + across(case, 1, s)
+    s.settle = math.sqrt(2.0 * SETTLED_HEIGHT * case.gravity)
+    s.present = FLOOR_BITS
     if math.isfinite(case.right_distance):
-        present |= 0b00001100
+        s.present |= 0b00001100
     if math.isfinite(case.left_distance):
-        present |= 0b00110000
+        s.present |= 0b00110000
     if math.isfinite(case.ceiling_distance):
-        present |= 0b11000000
-    # the clear distance to a wall is that of the body at rest, with the middle of its base at x = 0
-    tilt = resting_tilt(case)
-    x = resting_place(case, tilt)[0]
-    rightmost = x + max(_across(case, 1, tilt), _across(case, 3, tilt))
-    leftmost = x + min(_across(case, 0, tilt), _across(case, 2, tilt))
+        s.present |= 0b11000000
+    # the clear distance to a wall is that of the body at rest at slide 0
+    rightmost = max(s.foot_b, s.x + across(case, 3, s))
+    leftmost = min(s.foot_a, s.x + across(case, 2, s))
     for c in range(CONTACTS):
-        if not present >> c & 1:
+        if not s.present >> c & 1:
             continue
         plane = PLANE[c]
         u, v = case.u[CORNER[c]], case.v[CORNER[c]]
-        row = contacts[c]
-        row.r = math.sqrt(u * u + v * v)
-        beta = math.atan2(u, -v)
+        con = contacts[c]
         if plane == 0:
-            row.beta, row.cos, row.sin = beta, 1.0, 0.0
-            row.offset = 0.0
-            row.mu_static, row.mu_kinetic = case.edge_static_friction, case.edge_kinetic_friction
-            row.restitution = case.normal_restitution
+            con.cos, con.sin = 1.0, 0.0
+            con.offset = 0.0
+            con.mu_static, con.mu_kinetic = case.edge_static_friction, case.edge_kinetic_friction
+            con.restitution = case.normal_restitution
         elif plane == 1:
-            row.beta, row.cos, row.sin = beta - HALF_TURN, 0.0, 1.0
-            row.offset = rightmost + case.right_distance
-            row.mu_static = row.mu_kinetic = case.right_friction
-            row.restitution = case.right_restitution
+            con.cos, con.sin = 0.0, 1.0
+            con.offset = rightmost + case.right_distance
+            con.mu_static = con.mu_kinetic = case.right_friction
+            con.restitution = case.right_restitution
         elif plane == 2:
-            row.beta, row.cos, row.sin = beta + HALF_TURN, 0.0, -1.0
-            row.offset = case.left_distance - leftmost
-            row.mu_static = row.mu_kinetic = case.left_friction
-            row.restitution = case.left_restitution
+            con.cos, con.sin = 0.0, -1.0
+            con.offset = case.left_distance - leftmost
+            con.mu_static = con.mu_kinetic = case.left_friction
+            con.restitution = case.left_restitution
         else:
-            row.beta, row.cos, row.sin = beta + math.pi, -1.0, 0.0
-            row.offset = case.ceiling_distance
-            row.mu_static = row.mu_kinetic = case.ceiling_friction
-            row.restitution = case.ceiling_restitution
-    return present
+            con.cos, con.sin = -1.0, 0.0
+            con.offset = case.ceiling_distance
+            con.mu_static = con.mu_kinetic = case.ceiling_friction
+            con.restitution = case.ceiling_restitution
+        con.sigma, con.kappa = con.cos * u + con.sin * v, con.sin * u - con.cos * v
 
 
 @inner
-def arm(row, theta):
-    """Corner relative to G in the plane's axes: along the tangent σ, and G above the corner κ [m]."""
-    angle = row.beta - theta
-    return row.r * math.sin(angle), row.r * math.cos(angle)
+def arm_at(con, sin, cos):
+    """σ and κ of a contact at the tilt with this sine and cosine [m]."""
+    return con.sigma * cos - con.kappa * sin, con.kappa * cos + con.sigma * sin
 
 
 @inner
-def along(row, x, z):
+def arm(con, s):
+    """σ and κ of a contact [m]."""
+    return arm_at(con, s.sin, s.cos)
+
+
+@inner
+def along(con, x, z):
     """Components of a vector along the plane's tangent and normal."""
-    return row.cos * x + row.sin * z, row.cos * z - row.sin * x
+    return con.cos * x + con.sin * z, con.cos * z - con.sin * x
 
 
 @inner
-def gap_and_rates(row, state):
-    """Gap of a contact [m] with its first and second rates.
-
-    The state is x, z, θ, their rates and their second rates.
-    """
-    x, z, theta, vx, vz, omega, ax, az, alpha = state
-    sigma, kappa = arm(row, theta)
-    _, height = along(row, x, z)
-    _, rate = along(row, vx, vz)
-    _, acceleration = along(row, ax, az)
-    gap = height + row.offset - kappa
-    return gap, rate - omega * sigma, acceleration - alpha * sigma + omega * omega * kappa
+def gap(con, s):
+    """Distance of the contact's corner from its plane [m]."""
+    _, kappa = arm(con, s)
+    return along(con, s.x, s.z)[1] + con.offset - kappa
 
 
 @inner
-def slip_rate(row, s):
+def gap_rate(con, s):
+    """Rate of the gap [m/s]."""
+    sigma, _ = arm(con, s)
+    return along(con, s.vx, s.vz)[1] - s.omega * sigma
+
+
+@inner
+def slip_rate(con, s):
     """Rate of the contact's corner along its plane [m/s]."""
-    _, kappa = arm(row, s.theta)
-    tangential, _ = along(row, s.vx, s.vz)
-    return tangential - s.omega * kappa
+    _, kappa = arm(con, s)
+    return along(con, s.vx, s.vz)[0] - s.omega * kappa
+
+
+@inner
+def touching(contacts, s):
+    """Bits of the contacts whose gap is closed."""
+    bits = 0
+    c = 0
+    while s.present >> c:
+        if s.present >> c & 1 and gap(contacts[c], s) <= GAP_TOLERANCE:
+            bits |= 1 << c
+        c += 1
+    return bits
 
 
 @inner
 def slide_of(case, s):
     """Slide and its rate, measured at the lower base corner: the fulcrum [m, m/s]."""
-    lower = 1 if s.theta > resting_tilt(case) else 0
-    u, v = case.u[lower], case.v[lower]
-    sin, cos = math.sin(s.theta), math.cos(s.theta)
-    rest = half_base(case) if lower == 1 else -half_base(case)
-    return s.x + u * cos + v * sin - rest, s.vx + s.omega * (v * cos - u * sin)
+    lower = 1 if s.theta > s.rest else 0
+    foot = s.foot_b if lower == 1 else s.foot_a
+    return s.x + across(case, lower, s) - foot, s.vx + s.omega * above(case, lower, s)
+
+
+@inner
+def note_peaks(case, s):
+    """Keep the largest tilt and slide so far."""
+    s.peak_tilt = max(s.peak_tilt, abs(s.theta))
+    s.peak_slide = max(s.peak_slide, abs(slide_of(case, s)[0]))

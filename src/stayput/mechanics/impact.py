@@ -8,6 +8,8 @@ can create energy (Kane's paradox); where it would, the impulses are those of a 
 
 from __future__ import annotations
 
+import math
+
 from stayput.mechanics.columns import FLOOR_BITS, PLANE
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import (
@@ -16,11 +18,14 @@ from stayput.mechanics.contact import (
     one_slips,
     one_sticks,
     sticks_beside,
-    use_flat_friction,
+    tabulate,
 )
-from stayput.mechanics.geometry import along, arm, slip_rate
+from stayput.mechanics.geometry import along, arm, gap_rate, slip_rate
 
-CLOSING = 1e-13
+TOLERANCE = 1e-13
+"""Slack of the inequalities between rates [m/s]."""
+
+CLOSING = 1e-11
 """A contact that closes faster than this takes an impulse [m/s]."""
 
 ROUNDS = 200
@@ -28,27 +33,21 @@ ROUNDS = 200
 
 
 @inner
-def _tabulate(rows, contacts, closed, s, flat_static, flat_kinetic):
-    count = 0
-    c = 0
-    while closed >> c:
-        if closed >> c & 1:
-            con, row = contacts[c], rows[count]
-            sigma, kappa = arm(con, s.theta)
-            row.nx, row.nz, row.nl = -con.sin, con.cos, -sigma
-            row.tx, row.tz, row.tl = con.cos, con.sin, -kappa
-            tangential, normal = along(con, s.vx, s.vz)
-            row.bias_n, row.bias_t = normal - s.omega * sigma, tangential - s.omega * kappa
-            row.target = -con.restitution * min(row.bias_n, 0.0)
-            row.cone_stick, row.cone_slip = con.mu_static, con.mu_kinetic
-            row.index = c
-            count += 1
-        c += 1
-    use_flat_friction(rows, count, flat_static, flat_kinetic)
+def _tabulate(rows, contacts, closed, case, s):
+    """List the contacts of an impact, with the rates before it and the normal rates wanted after it."""
+    count = tabulate(rows, contacts, closed, s.sin, s.cos, case)
     for k in range(count):
         row = rows[k]
-        mu = row.cone_stick if abs(row.bias_t) <= STUCK else row.cone_slip
-        row.cone_stick = row.cone_slip = mu
+        con = contacts[row.index]
+        row.bias_n, row.bias_t = gap_rate(con, s), slip_rate(con, s)
+        rebound = -con.restitution * min(row.bias_n, 0.0)
+        row.target = rebound if rebound > s.settle else 0.0
+        if abs(row.bias_t) <= STUCK:
+            row.mu_slip = row.mu_stick
+            row.flat_slip_right = row.flat_slip_left = row.flat_stick
+        else:
+            row.mu_stick = row.mu_slip
+            row.flat_stick = row.flat_slip_right if row.bias_t > 0.0 else row.flat_slip_left
         row.slipping = 0.0  # the direction of slip during an impact is part of the solution
     return count
 
@@ -56,15 +55,14 @@ def _tabulate(rows, contacts, closed, s, flat_static, flat_kinetic):
 @inner
 def _consistent(rows, count, I):
     """Find the one consistent set of impulses: one contact, else two."""
-    tolerance = 1e-13
     for i in range(count):
         if rows[i].bias_n >= -CLOSING:
             continue
-        ok, fx, fz, fl = one_sticks(rows, count, i, I, tolerance)
+        ok, fx, fz, fl = one_sticks(rows, count, i, I, TOLERANCE)
         if ok:
             return ok, fx, fz, fl
         for side in (1.0, -1.0):
-            ok, fx, fz, fl = one_slips(rows, count, i, side, I, tolerance)
+            ok, fx, fz, fl = one_slips(rows, count, i, side, I, TOLERANCE)
             if ok:
                 return ok, fx, fz, fl
     for i in range(count):
@@ -72,7 +70,7 @@ def _consistent(rows, count, I):
             if i == j:
                 continue
             for side in (1.0, -1.0):
-                ok, fx, fz, fl = sticks_beside(rows, count, i, j, side, I, tolerance)
+                ok, fx, fz, fl = sticks_beside(rows, count, i, j, side, I, TOLERANCE)
                 if ok:
                     return ok, fx, fz, fl
                 if j < i:
@@ -81,7 +79,7 @@ def _consistent(rows, count, I):
                 for side_j in (1.0, -1.0):
                     if same and side_j != side:
                         continue
-                    ok, fx, fz, fl = both_slip(rows, count, i, side, j, side_j, I, tolerance)
+                    ok, fx, fz, fl = both_slip(rows, count, i, side, j, side_j, I, TOLERANCE)
                     if ok:
                         return ok, fx, fz, fl
     return False, 0.0, 0.0, 0.0
@@ -92,18 +90,18 @@ def _one_after_another(rows, contacts, closed, case, s):
     """Where more than two contacts must press: single impulses at the contact that closes fastest."""
     I = case.inertia
     for _ in range(ROUNDS):
-        count = _tabulate(rows, contacts, closed, s, case.static_friction, case.kinetic_friction)
+        count = _tabulate(rows, contacts, closed, case, s)
         worst, fastest = -1, -1e-9
         for k in range(count):
             if rows[k].bias_n < fastest:
                 worst, fastest = k, rows[k].bias_n
         if worst < 0:
             return
-        ok, fx, fz, fl = one_sticks(rows, 0, worst, I, 1e-13)
+        ok, fx, fz, fl = one_sticks(rows, 0, worst, I, TOLERANCE)
         if not ok:
-            ok, fx, fz, fl = one_slips(rows, 0, worst, 1.0, I, 1e-13)
+            ok, fx, fz, fl = one_slips(rows, 0, worst, 1.0, I, TOLERANCE)
         if not ok:
-            ok, fx, fz, fl = one_slips(rows, 0, worst, -1.0, I, 1e-13)
+            ok, fx, fz, fl = one_slips(rows, 0, worst, -1.0, I, TOLERANCE)
         if not ok:
             break
         s.vx += fx
@@ -122,7 +120,7 @@ def collide(rows, contacts, closed, case, s):
     """Change the velocities of the state by the impact at the closed contacts."""
     I = case.inertia
     before = _energy(I, s.vx, s.vz, s.omega)
-    count = _tabulate(rows, contacts, closed, s, case.static_friction, case.kinetic_friction)
+    count = _tabulate(rows, contacts, closed, case, s)
     landing = False
     for k in range(count):
         landing = landing or rows[k].bias_n < -CLOSING
@@ -152,7 +150,7 @@ def damp_change_of_fulcrum(contacts, fulcrum, case, s):
     On a slipping fulcrum less rotation can mean more energy; the factor is then the one that keeps it.
     """
     con = contacts[fulcrum]
-    sigma, kappa = arm(con, s.theta)
+    sigma, kappa = arm(con, s)
     slip = slip_rate(con, s)
     tangential, normal = along(con, s.vx, s.vz)
     lift = normal - s.omega * sigma
@@ -174,11 +172,8 @@ def closing(contacts, bits, s):
     found = 0
     c = 0
     while bits >> c:
-        if bits >> c & 1:
-            con = contacts[c]
-            sigma, _ = arm(con, s.theta)
-            if along(con, s.vx, s.vz)[1] - s.omega * sigma < -CLOSING:
-                found |= 1 << c
+        if bits >> c & 1 and gap_rate(contacts[c], s) < -CLOSING:
+            found |= 1 << c
         c += 1
     return found
 
@@ -190,7 +185,38 @@ def land(rows, contacts, closed, arrived, case, s):
     landed = arrived & FLOOR_BITS
     if case.restitution < 1.0 and (landed == 1 or landed == 2) and closed & FLOOR_BITS == FLOOR_BITS - landed:
         other = 2 - landed  # contact number of the old fulcrum: B (1) where A (bit 1) has landed
-        con = contacts[other]
-        sigma, _ = arm(con, s.theta)
-        if along(con, s.vx, s.vz)[1] - s.omega * sigma > STUCK:
+        if gap_rate(contacts[other], s) > STUCK:
             damp_change_of_fulcrum(contacts, landed - 1, case, s)
+
+
+@inner
+def stop(contacts, c, I, s):
+    """Stop the corner of a contact by an impulse there; whether its friction and the others allow it."""
+    con = contacts[c]
+    sigma, kappa = arm(con, s)
+    slip, lift = slip_rate(con, s), gap_rate(con, s)
+    # impulses N and T that take the corner's rates away
+    nn, tt, nt = 1.0 + sigma * sigma / I, 1.0 + kappa * kappa / I, sigma * kappa / I
+    det = nn * tt - nt * nt
+    N, T = (-lift * tt + slip * nt) / det, (-slip * nn + lift * nt) / det
+    omega = s.omega - (sigma * N + kappa * T) / I
+    vx, vz = s.vx + con.cos * T - con.sin * N, s.vz + con.sin * T + con.cos * N
+    return N >= 0.0 and math.fabs(T) <= con.mu_static * N, vx, vz, omega
+
+
+@inner
+def unjam(contacts, touching, case, s):
+    """Stop the corner that no force can keep slipping (Painlevé): an impact without a collision.
+
+    The corner is one whose stop lets no other contact close; where there is none, all motion stops.
+    """
+    c = 0
+    while touching >> c:
+        if touching >> c & 1 and abs(slip_rate(contacts[c], s)) > STUCK:
+            before = s.vx, s.vz, s.omega
+            ok, s.vx, s.vz, s.omega = stop(contacts, c, case.inertia, s)
+            if ok and not closing(contacts, touching & ~(1 << c), s):
+                return
+            s.vx, s.vz, s.omega = before
+        c += 1
+    s.vx = s.vz = s.omega = 0.0

@@ -1,36 +1,35 @@
 """Which mode follows: the one consistent set of contact forces, and the velocities that go with it.
 
-The patterns are tried from the most contacts to the fewest, so that where more than one is consistent
-the body keeps the contacts, and the rest, that it has. At the instant of an event a force is exactly at
-its limit; the choice is therefore made for the loads and the state a moment later.
+The patterns are tried from the fewest contacts to the most, save that a body which can stay at rest on
+one plane does: a wall or a ceiling presses only where the body would move into it, and never by a
+self-stress that nothing has set up. At the instant of an event a force is exactly at its limit; the
+choice is therefore made for the loads and the state a moment later.
 """
 
 from __future__ import annotations
 
-import math
-
 from stayput.mechanics.columns import FAILED, FLAT, FLIGHT, FLOOR_BITS, HELD, PLANE, SLIP, STICK, WEDGE
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import (
+    STUCK,
     both_slip,
-    holding_limits,
-    mark_slips,
+    holding_cone,
     none_presses,
     one_slips,
     one_sticks,
-    tabulate_forces,
-    use_flat_friction,
+    tabulate,
+    turned,
 )
-from stayput.mechanics.geometry import along, arm, resting_place, resting_tilt, slip_rate
+from stayput.mechanics.geometry import along, arm, gap, gap_rate, slip_rate, stand_flat, turn_to
 
 MOMENT = 1e-9
 """How far ahead the forces are looked at when a mode is chosen [s]."""
 
-SETTLED_HEIGHT = 1e-9
-"""A bounce that would not rise higher than this is over [m]."""
-
 TOLERANCE = 1e-11
 """Slack of the inequalities between accelerations [m/s²]."""
+
+ALL_BUT_FLAT = 1e-8
+"""A body on both base corners is put flat where it is no more out of it than this [rad]."""
 
 
 @inner
@@ -44,117 +43,168 @@ def _set_mode(s, kind, i, d, j, dj):
 
 
 @inner
-def settling_rate(case):
-    """Rate at which a contact opens in a bounce that is over [m/s]."""
-    return math.sqrt(2.0 * SETTLED_HEIGHT * case.gravity)
+def choose_mode(rows, contacts, touching, settle, case, s, a, a_rate, G, G_rate):
+    """Set the mode of a body whose contacts ``touching`` are closed, and its velocities.
+
+    A contact that opens no faster than ``settle`` [m/s] is closed: after an impact, the rate of a bounce
+    that is over; else none. ``a`` and ``G`` are the floor's acceleration and g + z̈_G now, with their rates.
+    """
+    closed, moving = 0, 0.0
+    c = 0
+    while touching >> c:
+        if touching >> c & 1:
+            rate = gap_rate(contacts[c], s)
+            if rate <= settle:
+                closed |= 1 << c
+                moving = max(moving, abs(rate))
+        c += 1
+    if moving > STUCK:
+        stay_closed(contacts, closed, case.inertia, s)
+    turn = MOMENT * s.omega
+    omega = s.omega + MOMENT * s.alpha
+    a, G = a + MOMENT * a_rate, G + MOMENT * G_rate
+    count = tabulate(rows, contacts, closed, s.sin + turn * s.cos, s.cos - turn * s.sin, case)
+    still = True
+    for k in range(count):
+        row = rows[k]
+        con = contacts[row.index]
+        tangential, normal = along(con, -a, -G)
+        row.bias_n = normal - omega * omega * row.tl
+        row.bias_t = tangential + omega * omega * row.nl
+        row.target = 0.0
+        slip = slip_rate(con, s)
+        row.slipping = 0.0 if abs(slip) <= STUCK else (1.0 if slip > 0.0 else -1.0)
+        still = still and abs(slip) <= settle
+
+    if none_presses(rows, count, TOLERANCE):
+        _set_mode(s, FLIGHT, -1, 0, -1, 0)
+        s.alpha = 0.0
+    elif not (
+        (still and _hold_on_plane(rows, count, closed, case, s, a, G))
+        or _stick(rows, count, contacts, case, s)
+        or _slide(rows, count, contacts, case, s, True)
+        or _slip(rows, count, contacts, case, s)
+        or (still and _hold(rows, count, closed, case, s, a, G))
+        or _slide(rows, count, contacts, case, s, False)
+    ):
+        _set_mode(s, FAILED, -1, 0, -1, 0)
 
 
 @inner
-def _hold(rows, count, contacts, closed, settle, case, s, a, G):
-    """Try to hold the body still: the contacts must (all but) not move and the forces fit their cones."""
-    for k in range(count):
-        if abs(slip_rate(contacts[rows[k].index], s)) > settle:
-            return False
-    low, high = holding_limits(rows, count)
-    if not (G > 0.0 and low * G <= a <= high * G):
-        return False
+def _bears(cone, a, G):
+    """Whether the load lies in a cone from `holding_cone`."""
+    found, lx, lz, hx, hz = cone
+    return found and turned(a, G, lx, lz) >= 0.0 and turned(hx, hz, a, G) >= 0.0
+
+
+@inner
+def _stay_held(cone, closed, case, s):
     _set_mode(s, HELD, -1, 0, -1, 0)
     s.closed = closed
-    s.low, s.high = low, high
+    _, s.low, s.low_up, s.high, s.high_up = cone
     s.vx = s.vz = s.omega = s.alpha = 0.0
-    if closed & FLOOR_BITS == FLOOR_BITS:
+    if closed & FLOOR_BITS == FLOOR_BITS and abs(s.theta - s.rest) < ALL_BUT_FLAT:
         stand_flat(case, s)
+
+
+@inner
+def _hold_on_plane(rows, count, closed, case, s, a, G):
+    """Try to hold the body still by both its corners on one plane."""
+    for k in range(count - 1):
+        if PLANE[rows[k].index] == PLANE[rows[k + 1].index]:
+            cone = holding_cone(rows, k, 2)
+            if _bears(cone, a, G):
+                _stay_held(cone, closed, case, s)
+                return True
+    return False
+
+
+@inner
+def _hold(rows, count, closed, case, s, a, G):
+    """Try to hold the body still by all its contacts, those on other planes than the floor's pressed.
+
+    They press as long as the load moves the body their way: the other end of the range is that of the
+    floor alone.
+    """
+    if count < 2:
+        return False
+    cone = holding_cone(rows, 0, count)
+    if not _bears(cone, a, G):
+        return False
+    found, lx, lz, hx, hz = cone
+    if closed & FLOOR_BITS == FLOOR_BITS:
+        alone, ax, az, bx, bz = holding_cone(rows, 0, 2)
+        if alone and turned(bx, bz, a, G) < 0.0:
+            lx, lz = ax, az
+        elif alone:
+            hx, hz = bx, bz
+    elif closed & FLOOR_BITS:  # the load whose line passes through the foot and G
+        ray_x, ray_z = rows[0].nl, -rows[0].tl
+        if turned(a, G, ray_x, ray_z) >= 0.0:
+            lx, lz = ray_x, ray_z
+        else:
+            hx, hz = ray_x, ray_z
+    _stay_held((found, lx, lz, hx, hz), closed, case, s)
     return True
 
 
 @inner
-def stand_flat(case, s):
-    """Put both base corners exactly on the floor."""
-    s.theta = resting_tilt(case)
-    s.z = resting_place(case, s.theta)[1]
+def _stick(rows, count, contacts, case, s):
+    """Try one contact that sticks, the others opening."""
+    for i in range(count):
+        if rows[i].slipping == 0.0:
+            ok, _, _, fl = one_sticks(rows, count, i, case.inertia, TOLERANCE)
+            if ok:
+                _set_mode(s, STICK, rows[i].index, 0, -1, 0)
+                s.alpha = fl / case.inertia
+                pivot_on(contacts[s.i], s)
+                return True
+    return False
 
 
 @inner
-def choose_mode(rows, contacts, touching, settle, case, s, a, a_rate, G, G_rate):
-    """Set the mode of a body whose contacts ``touching`` are closed, and its velocities.
-
-    A contact that opens no faster than ``settle`` [m/s] stays closed if the forces press it: after an
-    impact, the rate of a bounce that is over; else none.
-    ``a`` and ``G`` are the floor's acceleration and g + z̈_G now, with their rates.
-    """
-    I = case.inertia
-    closed = 0
-    c = 0
-    while touching >> c:
-        if touching >> c & 1:
-            con = contacts[c]
-            sigma, _ = arm(con, s.theta)
-            if along(con, s.vx, s.vz)[1] - s.omega * sigma <= settle:
-                closed |= 1 << c
-        c += 1
-    theta, omega = s.theta + MOMENT * s.omega, s.omega + MOMENT * s.alpha
-    a, G = a + MOMENT * a_rate, G + MOMENT * G_rate
-    count = tabulate_forces(rows, contacts, closed, theta, omega, a, G)
-    mark_slips(rows, count, contacts, s)
-    use_flat_friction(rows, count, case.static_friction, case.kinetic_friction)
-
-    if count >= 2:
-        if _hold(rows, count, contacts, closed, settle, case, s, a, G):
-            return
-        for i in range(count):
-            for j in range(i + 1, count):
-                if _pair(rows, count, i, j, case, s, I):
-                    _settle_pair(contacts, case, s)
-                    return
+def _slip(rows, count, contacts, case, s):
+    """Try one contact that slips, the others opening."""
     for i in range(count):
-        ok, fx, fz, fl = False, 0.0, 0.0, 0.0
-        if rows[i].slipping == 0.0:
-            ok, fx, fz, fl = one_sticks(rows, count, i, I, TOLERANCE)
-        if ok:
-            _set_mode(s, STICK, rows[i].index, 0, -1, 0)
-            s.alpha = fl / I
-            pivot_on(contacts[s.i], s)
-            return
         for side in (1.0, -1.0):
             if rows[i].slipping == -side:
                 continue
-            ok, fx, fz, fl = one_slips(rows, count, i, side, I, TOLERANCE)
+            ok, _, _, fl = one_slips(rows, count, i, side, case.inertia, TOLERANCE)
             if ok:
                 _set_mode(s, SLIP, rows[i].index, int(side), -1, 0)
-                s.alpha = fl / I
+                s.alpha = fl / case.inertia
                 stay_on_plane(contacts[s.i], s)
-                return
-    if none_presses(rows, count, TOLERANCE):
-        _set_mode(s, FLIGHT, -1, 0, -1, 0)
-        s.alpha = 0.0
-        return
-    _set_mode(s, FAILED, -1, 0, -1, 0)
+                return True
+    return False
 
 
 @inner
-def _pair(rows, count, i, j, case, s, I):
-    """Try two contacts that both press and slip."""
-    first, second = rows[i].index, rows[j].index
-    same = PLANE[first] == PLANE[second]
-    for side_i in (1.0, -1.0):
-        if rows[i].slipping == -side_i:
-            continue
-        for side_j in (1.0, -1.0):
-            if (same and side_i != side_j) or rows[j].slipping == -side_j:
+def _slide(rows, count, contacts, case, s, flat):
+    """Try two contacts that both press and slip: on one plane (``flat``), or on two."""
+    for i in range(count):
+        for j in range(i + 1, count):
+            first, second = rows[i].index, rows[j].index
+            if (PLANE[first] == PLANE[second]) != flat:
                 continue
-            ok, fx, fz, fl = both_slip(rows, count, i, side_i, j, side_j, I, TOLERANCE)
-            if ok:
-                kind = FLAT if same else WEDGE
-                _set_mode(s, kind, first, int(side_i), second, int(side_j))
-                s.alpha = fl / I
-                return True
+            for side_i in (1.0, -1.0):
+                if rows[i].slipping == -side_i:
+                    continue
+                for side_j in (1.0, -1.0):
+                    if (flat and side_i != side_j) or rows[j].slipping == -side_j:
+                        continue
+                    ok, _, _, fl = both_slip(rows, count, i, side_i, j, side_j, case.inertia, TOLERANCE)
+                    if ok:
+                        _set_mode(s, FLAT if flat else WEDGE, first, int(side_i), second, int(side_j))
+                        s.alpha = fl / case.inertia
+                        _settle_pair(contacts, case, s)
+                        return True
     return False
 
 
 @inner
 def pivot_on(con, s):
     """Give G the velocity of a rotation about the contact's corner."""
-    sigma, kappa = arm(con, s.theta)
+    sigma, kappa = arm(con, s)
     tangential, normal = s.omega * kappa, s.omega * sigma
     s.vx = con.cos * tangential - con.sin * normal
     s.vz = con.sin * tangential + con.cos * normal
@@ -163,7 +213,7 @@ def pivot_on(con, s):
 @inner
 def stay_on_plane(con, s):
     """Take away the velocity of the contact's corner off its plane, and the corner's distance to it."""
-    sigma, kappa = arm(con, s.theta)
+    sigma, kappa = arm(con, s)
     tangential, _ = along(con, s.vx, s.vz)
     normal = s.omega * sigma
     s.vx = con.cos * tangential - con.sin * normal
@@ -176,11 +226,11 @@ def stay_on_plane(con, s):
 
 @inner
 def _settle_pair(contacts, case, s):
-    """Velocities with both contacts closed: along the plane they share, or the rotation that keeps both."""
+    """Place and velocities with both contacts closed: flat on their plane, or as they turn on two."""
     first, second = contacts[s.i], contacts[s.j]
     if s.kind == FLAT:
         s.omega = s.alpha = 0.0
-        if s.closed == FLOOR_BITS:
+        if s.closed == FLOOR_BITS and abs(s.theta - s.rest) < ALL_BUT_FLAT:
             stand_flat(case, s)
         stay_on_plane(first, s)
         return
@@ -188,45 +238,62 @@ def _settle_pair(contacts, case, s):
 
 
 @inner
-def close_both(first, second, I, s):
-    """Move the state, by the least change in the metric of mass, to where both contacts are closed."""
-    sigma, kappa = arm(first, s.theta)
-    sigma2, kappa2 = arm(second, s.theta)
-    aa, bb = 1.0 + sigma * sigma / I, 1.0 + sigma2 * sigma2 / I
-    ab = first.sin * second.sin + first.cos * second.cos + sigma * sigma2 / I
-    det = aa * bb - ab * ab
-    if abs(det) < 1e-14:
-        return
-    gap = along(first, s.x, s.z)[1] + first.offset - kappa
-    gap2 = along(second, s.x, s.z)[1] + second.offset - kappa2
-    p, q = -(gap * bb - gap2 * ab) / det, -(gap2 * aa - gap * ab) / det
-    s.x -= p * first.sin + q * second.sin
-    s.z += p * first.cos + q * second.cos
-    s.theta -= (p * sigma + q * sigma2) / I
-    rate = along(first, s.vx, s.vz)[1] - s.omega * sigma
-    rate2 = along(second, s.vx, s.vz)[1] - s.omega * sigma2
-    p, q = -(rate * bb - rate2 * ab) / det, -(rate2 * aa - rate * ab) / det
-    s.vx -= p * first.sin + q * second.sin
-    s.vz += p * first.cos + q * second.cos
-    s.omega -= (p * sigma + q * sigma2) / I
+def stay_closed(contacts, closed, I, s):
+    """Take away, by the least change in the metric of mass, the rates of the gaps of closed contacts.
+
+    Two contacts on one plane leave sliding, two on two planes one way to turn, more leave nothing.
+    """
+    i, j, count = -1, -1, 0
+    c = 0
+    while closed >> c:
+        if closed >> c & 1:
+            i, j, count = j, c, count + 1
+        c += 1
+    if count == 1:
+        con = contacts[j]
+        sigma, _ = arm(con, s)
+        change = -gap_rate(con, s) / (1.0 + sigma * sigma / I)
+        s.vx, s.vz = s.vx - con.sin * change, s.vz + con.cos * change
+        s.omega -= sigma * change / I
+    elif count == 2 and PLANE[i] == PLANE[j]:
+        con = contacts[i]
+        normal = along(con, s.vx, s.vz)[1]
+        s.vx, s.vz, s.omega = s.vx + con.sin * normal, s.vz - con.cos * normal, 0.0
+    elif count == 2:
+        _stop_both(contacts[i], contacts[j], I, s)
+    else:
+        s.vx = s.vz = s.omega = 0.0
 
 
 @inner
-def unjam(contacts, case, s):
-    """Stop the fulcrum where no force can keep it slipping (Painlevé): an impact without a collision."""
-    if s.kind != FAILED:
-        return
-    c = 0
-    while s.present >> c:
-        if s.closed >> c & 1:
-            con = contacts[c]
-            if con.mu_static > 0.0 and abs(slip_rate(con, s)) > 0.0:
-                sigma, kappa = arm(con, s.theta)
-                spin = s.omega * case.inertia
-                tangential, normal = along(con, s.vx, s.vz)
-                s.omega = (spin + kappa * tangential + sigma * normal) / (
-                    case.inertia + sigma * sigma + kappa * kappa
-                )
-                pivot_on(con, s)
-                return
-        c += 1
+def _least_change(first, second, gap1, gap2, I, s):
+    """Changes of x, z and θ, or of their rates, that take two gaps, or their rates, away."""
+    sigma1, _ = arm(first, s)
+    sigma2, _ = arm(second, s)
+    aa, bb = 1.0 + sigma1 * sigma1 / I, 1.0 + sigma2 * sigma2 / I
+    ab = first.sin * second.sin + first.cos * second.cos + sigma1 * sigma2 / I
+    det = aa * bb - ab * ab
+    if abs(det) < 1e-14:
+        return 0.0, 0.0, 0.0
+    p, q = -(gap1 * bb - gap2 * ab) / det, -(gap2 * aa - gap1 * ab) / det
+    return (
+        -(p * first.sin + q * second.sin),
+        p * first.cos + q * second.cos,
+        -(p * sigma1 + q * sigma2) / I,
+    )
+
+
+@inner
+def _stop_both(first, second, I, s):
+    rate1, rate2 = gap_rate(first, s), gap_rate(second, s)
+    dx, dz, turn = _least_change(first, second, rate1, rate2, I, s)
+    s.vx, s.vz, s.omega = s.vx + dx, s.vz + dz, s.omega + turn
+
+
+@inner
+def close_both(first, second, I, s):
+    """Move the state, by the least change in the metric of mass, to where both contacts are closed."""
+    dx, dz, turn = _least_change(first, second, gap(first, s), gap(second, s), I, s)
+    s.x, s.z = s.x + dx, s.z + dz
+    turn_to(s, s.theta + turn)
+    _stop_both(first, second, I, s)

@@ -31,8 +31,9 @@ from stayput.mechanics.geometry import slide_of
 @inner
 def loads(case, ax, az, dt, k, tau):
     """Floor acceleration and g + z̈_G in the sample k after a time tau, with their rates."""
-    a_rate = case.scale * (ax[k + 1] - ax[k]) / dt
-    G_rate = case.scale * (az[k + 1] - az[k]) / dt
+    per_second = case.scale / dt
+    a_rate = per_second * (ax[k + 1] - ax[k])
+    G_rate = per_second * (az[k + 1] - az[k])
     return case.scale * ax[k] + a_rate * tau, a_rate, case.gravity + case.scale * az[k] + G_rate * tau, G_rate
 
 

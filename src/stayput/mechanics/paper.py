@@ -10,15 +10,15 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CONTACTS, CORNER, FLAT, FLOOR_BITS, HELD, SLIP, STICK
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CONTACTS, CORNER, FLAT, FLOOR_BITS, HELD, PLANE, SLIP, STICK
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import STUCK
 from stayput.mechanics.fulcrum import margins
-from stayput.mechanics.geometry import arm, resting_tilt, slip_rate
-from stayput.mechanics.modes import MOMENT, pivot_on, settling_rate, stand_flat
+from stayput.mechanics.geometry import arm, arm_at, slip_rate, stand_flat, turn_to
+from stayput.mechanics.modes import MOMENT, pivot_on
 
 WALL_BITS = 0b11111100  # and the ceiling
-RIGHT_BITS, LEFT_BITS = 0b00001100, 0b00110000
+RIGHT_BITS, LEFT_BITS, CEILING_BITS = 0b00001100, 0b00110000, 0b11000000
 
 
 @inner
@@ -34,21 +34,21 @@ def _place_on(contacts, case, s, fulcrum, slip):
 def choose_paper_mode(contacts, case, s, touch, a, a_rate):
     """Set the mode that the paper's rules give, for the load a moment ahead."""
     a += MOMENT * a_rate
-    s.alpha = 0.0
-    if s.theta == resting_tilt(case) and s.omega == 0.0:
+    if s.theta == s.rest and s.omega == 0.0:
         _choose_flat(contacts, case, s, touch, a)
     elif not _leans(contacts, case, s, touch, a):
-        right = s.theta > resting_tilt(case) or (s.theta == resting_tilt(case) and s.omega > 0.0)
+        right = s.theta > s.rest or (s.theta == s.rest and s.omega > 0.0)
         fulcrum = B_FLOOR if right else A_FLOOR
         _choose_fulcrum(contacts, case, s, fulcrum, slip_rate(contacts[fulcrum], s), a)
+    s.alpha = 0.0
 
 
 @inner
 def _choose_flat(contacts, case, s, touch, a):
     g = case.gravity
     stand_flat(case, s)
-    sigma_a, kappa_a = arm(contacts[A_FLOOR], s.theta)
-    sigma_b, kappa_b = arm(contacts[B_FLOOR], s.theta)
+    sigma_a, kappa_a = arm(contacts[A_FLOOR], s)
+    sigma_b, kappa_b = arm(contacts[B_FLOOR], s)
     low, high = -sigma_b / kappa_b, -sigma_a / kappa_a  # of ẍ_G/g: beyond them the body rocks
     slide_low = slide_high = case.static_friction
     slip = s.vx if abs(s.vx) > STUCK else 0.0
@@ -57,20 +57,28 @@ def _choose_flat(contacts, case, s, touch, a):
         low, slide_low, slip = -math.inf, math.inf, min(slip, 0.0)
     if touch & LEFT_BITS:
         high, slide_high, slip = math.inf, math.inf, max(slip, 0.0)
+    if touch & CEILING_BITS:  # nor does it rock under a ceiling that it touches
+        low, high = -math.inf, math.inf
     if a < low * g and _starts_rocking(contacts, case, s, B_FLOOR, slip, a):
         return
     if a > high * g and _starts_rocking(contacts, case, s, A_FLOOR, slip, a):
         return
     s.i, s.j, s.closed = A_FLOOR, B_FLOOR, FLOOR_BITS | touch & WALL_BITS
     s.vx = slip
-    if slip == 0.0 and -slide_low * g <= a <= slide_high * g:
+    if slip == 0.0 and max(low, -slide_low) * g <= a <= min(high, slide_high) * g:
         s.kind = HELD
-        s.low, s.high = max(low, -slide_low), min(high, slide_high)
+        _bound(s, max(low, -slide_low), min(high, slide_high))
         return
     s.kind = FLAT
-    s.low = low if a >= low * g else -math.inf  # it has had its chance to rock
-    s.high = high if a <= high * g else math.inf
+    _bound(s, low if a >= low * g else -math.inf, high if a <= high * g else math.inf)  # else it cannot rock
     s.d = s.dj = int(math.copysign(1.0, slip if slip != 0.0 else -a))
+
+
+@inner
+def _bound(s, low, high):
+    """Keep the mode while ẍ_G/g is between these."""
+    s.low, s.low_up = (low, 1.0) if low > -math.inf else (-1.0, 0.0)
+    s.high, s.high_up = (high, 1.0) if high < math.inf else (1.0, 0.0)
 
 
 @inner
@@ -78,7 +86,7 @@ def _starts_rocking(contacts, case, s, fulcrum, slip, a):
     """Rock on a corner that slips on, where that opens the other corner, or else on one that sticks."""
     con = contacts[fulcrum]
     I, g = case.inertia, case.gravity
-    sigma, kappa = arm(con, s.theta)
+    sigma, kappa = arm(con, s)
     if slip != 0.0:
         d = math.copysign(1.0, slip)
         alpha = margins(False, I, con.mu_kinetic, d, sigma, kappa, 0.0, a, g, slip)[2]
@@ -102,11 +110,13 @@ def _starts_rocking(contacts, case, s, fulcrum, slip, a):
 def _choose_fulcrum(contacts, case, s, fulcrum, slip, a):
     """Rock on: the fulcrum slips on, sticks where it can, or starts to slip."""
     con = contacts[fulcrum]
-    sigma, kappa = arm(con, s.theta)
     if abs(slip) > STUCK:
         _slip(contacts, case, s, fulcrum, slip, math.copysign(1.0, slip))
         return
-    f, f2, _ = margins(True, case.inertia, con.mu_static, 0.0, sigma, kappa, s.omega, a, case.gravity, 0.0)
+    turn = MOMENT * s.omega
+    sigma, kappa = arm_at(con, s.sin + turn * s.cos, s.cos - turn * s.sin)
+    omega = s.omega + MOMENT * s.alpha
+    f, f2, _ = margins(True, case.inertia, con.mu_static, 0.0, sigma, kappa, omega, a, case.gravity, 0.0)
     if f >= 0.0 and f2 >= 0.0:
         s.kind, s.d = STICK, 0
         _place_on(contacts, case, s, fulcrum, 0.0)
@@ -126,15 +136,15 @@ def _leans(contacts, case, s, touch, a):
     """Hold a tilted body against a wall while its weight and the load press it there."""
     if not touch & WALL_BITS or s.omega != 0.0:
         return False
-    fulcrum = B_FLOOR if s.theta > resting_tilt(case) else A_FLOOR
-    sigma, kappa = arm(contacts[fulcrum], s.theta)
+    fulcrum = B_FLOOR if s.theta > s.rest else A_FLOOR
+    sigma, kappa = arm(contacts[fulcrum], s)
     ratio = -sigma / kappa
     presses = a < ratio * case.gravity if fulcrum == B_FLOOR else a > ratio * case.gravity
     if not presses:
         return False
     s.kind = HELD
     s.closed = 1 << fulcrum | touch & WALL_BITS
-    s.low, s.high = (-math.inf, ratio) if fulcrum == B_FLOOR else (ratio, math.inf)
+    _bound(s, -math.inf if fulcrum == B_FLOOR else ratio, ratio if fulcrum == B_FLOOR else math.inf)
     s.vx = s.vz = 0.0
     return True
 
@@ -142,17 +152,16 @@ def _leans(contacts, case, s, touch, a):
 @inner
 def collide_by_paper(contacts, case, s):
     """Change the velocities of the state by the paper's collision rules."""
-    settle = settling_rate(case)
     old = s.i if s.kind != FLAT else A_FLOOR
     slip = slip_rate(contacts[old], s)
     if s.hit & FLOOR_BITS:
         new = B_FLOOR if s.hit & 2 else A_FLOOR
-        s.theta = resting_tilt(case)
-        sigma, kappa = arm(contacts[new], s.theta)
-        sigma_old, kappa_old = arm(contacts[old], s.theta)
+        turn_to(s, s.rest)
+        sigma, kappa = arm(contacts[new], s)
+        sigma_old, kappa_old = arm(contacts[old], s)
         kept = case.inertia + sigma * sigma_old + kappa * kappa_old
         s.omega *= max(0.0, case.restitution * kept / (case.inertia + sigma * sigma + kappa * kappa))
-        if abs(s.omega * (sigma - sigma_old)) <= settle:
+        if abs(s.omega * (sigma - sigma_old)) <= s.settle:
             s.omega = 0.0
         _place_on(contacts, case, s, new, slip)
         return
@@ -160,16 +169,15 @@ def collide_by_paper(contacts, case, s):
     while c < CONTACTS - 1 and not s.hit >> c & 1:
         c += 1
     wall = contacts[c]
-    towards = -1.0 if c >= 4 else 1.0
-    reach = slip_rate(contacts[old], s) * towards
+    reach = slip * (0.0, 1.0, -1.0, 0.0)[PLANE[c]]  # towards the wall; the ceiling leaves the slip as it is
     if CORNER[c] >= 2:
         s.omega *= -wall.restitution
-        _, lever = arm(contacts[old], s.theta)
-        if abs(s.omega * lever) <= settle:
+        _, lever = arm(contacts[old], s)
+        if abs(s.omega * lever) <= s.settle:
             s.omega = 0.0
     if (CORNER[c] < 2 or s.kind == SLIP) and reach > 0.0:
         slip *= -wall.restitution
     if s.kind == FLAT:
-        s.vx = slip if abs(slip) > settle else 0.0
+        s.vx = slip if abs(slip) > s.settle else 0.0
         return
     _place_on(contacts, case, s, old, slip)

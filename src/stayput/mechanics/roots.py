@@ -6,8 +6,18 @@ import math
 
 from stayput.mechanics.compiled import inner
 
-TOUCHING = 1e-12
-"""A value that is not larger than this counts as zero at the start of a step [m, rad]."""
+TOUCHING = 1e-13
+"""A gap that is not larger than this at the start of a step is a contact that has just been closed [m]."""
+
+
+@inner
+def closed_level(g0):
+    """Gap at which a contact counts as closed in a step that starts with the gap g0 [m].
+
+    A contact that has just been closed and opens, or rests, must not be found closed again by rounding.
+    It is, when it comes this much further, which takes time: the same event cannot repeat for ever.
+    """
+    return 0.0 if g0 > TOUCHING else min(g0, 0.0) - TOUCHING
 
 
 @inner
@@ -29,8 +39,9 @@ def hermite(g0, v0, c0, g1, v1, c1, h):
 
 
 @inner
-def horner(c0, c1, c2, c3, c4, c5, u):
+def horner(quintic, u):
     """Value and derivative of a quintic."""
+    c0, c1, c2, c3, c4, c5 = quintic
     p = c5
     q = p
     p = p * u + c4
@@ -45,32 +56,61 @@ def horner(c0, c1, c2, c3, c4, c5, u):
 
 
 @inner
-def root_between(c0, c1, c2, c3, c4, c5, low, high):
-    """Zero of a quintic between ``low``, where it is positive, and ``high``, where it is not."""
-    u = 0.5 * (low + high)
+def root_between(quintic, high):
+    """Zero of a quintic between 0, where it is positive, and ``high``, where it is not."""
+    a0, a1, a2, _, _, _ = quintic
+    low = 0.0
+    root = math.sqrt(max(0.0, a1 * a1 - 4.0 * a2 * a0)) - a1
+    u = 2.0 * a0 / root if root > 0.0 else high  # the zero of the parabola at the start
+    if not u < high:
+        u = high
     for _ in range(60):
-        p, q = horner(c0, c1, c2, c3, c4, c5, u)
+        p, q = horner(quintic, u)
         if p > 0.0:
             low = u
         else:
             high = u
-        if q != 0.0:
-            new = u - p / q
-        else:
-            new = low
+        new = u - p / q if q != 0.0 else low
         if not low < new < high:
             new = 0.5 * (low + high)
-        if abs(new - u) <= 1e-14:
+        if abs(new - u) <= 1e-10:
             return new
         u = new
     return u
 
 
 @inner
-def first_zero(g0, v0, c0, g1, v1, c1, h):
-    """Time of the first zero that a positive function falls through on (0, h], or −1.
+def lowest_inside(quintic, left, right):
+    """Where a quintic that is convex between ``left`` and ``right`` is least there."""
+    _, slope = horner(quintic, left)
+    if slope >= 0.0:
+        return left
+    _, slope = horner(quintic, right)
+    if slope <= 0.0:
+        return right
+    _, _, a2, a3, a4, a5 = quintic
+    low, high = left, right
+    u = 0.5 * (left + right)
+    for _ in range(20):
+        _, slope = horner(quintic, u)
+        bend = 2.0 * a2 + u * (6.0 * a3 + u * (12.0 * a4 + u * 20.0 * a5))
+        if slope < 0.0:
+            low = u
+        else:
+            high = u
+        new = u - slope / bend if bend > 0.0 else 0.5 * (low + high)
+        if not low < new < high:
+            new = 0.5 * (low + high)
+        if abs(new - u) < 1e-7:
+            break
+        u = new
+    return u
 
-    The function may start at zero (a contact that has just opened); that zero is divided out.
+
+@inner
+def first_zero(g0, v0, c0, g1, v1, c1, h):
+    """Time of the first zero that a function, positive at the start, falls through on (0, h], or −1.
+
     Between the ends its second rate is taken to change sign at most once.
 
     Parameters
@@ -79,57 +119,27 @@ def first_zero(g0, v0, c0, g1, v1, c1, h):
         Value, rate and second rate at both ends.
     h : float
         Length of the step [s].
-
-    Returns
-    -------
-    float
-        Time since the start of the step [s]; −1 where there is no zero; 0 where the function falls from
-        its start.
     """
-    if g1 >= -TOUCHING and not (c0 > 0.0 or c1 > 0.0):
-        return -1.0  # concave: smallest at an end
-    if g1 > TOUCHING and g0 > TOUCHING and v0 >= 0.0 and c0 >= 0.0 and v1 >= 0.0:
-        return -1.0
-    a0, a1, a2, a3, a4, a5 = hermite(g0, v0, c0, g1, v1, c1, h)
-    # the first place where the function is negative: the end, or a minimum inside
-    last = 1.0 if g1 < -TOUCHING else -1.0
-    bend = c0 / (c0 - c1) if c0 * c1 < 0.0 else 1.0
-    left, right = (0.0, bend) if c0 > 0.0 or bend == 1.0 else (bend, 1.0)  # the convex part
-    _, slope_left = horner(a0, a1, a2, a3, a4, a5, left)
-    _, slope_right = horner(a0, a1, a2, a3, a4, a5, right)
-    if slope_left < 0.0 < slope_right:
-        low, high = left, right
-        u = left + (right - left) * slope_left / (slope_left - slope_right)
-        for _ in range(20):
-            _, slope = horner(a0, a1, a2, a3, a4, a5, u)
-            bend = 2.0 * a2 + u * (6.0 * a3 + u * (12.0 * a4 + u * 20.0 * a5))
-            if slope < 0.0:
-                low = u
-            else:
-                high = u
-            new = u - slope / bend if bend > 0.0 else 0.5 * (low + high)
-            if not low < new < high:
-                new = 0.5 * (low + high)
-            if abs(new - u) < 1e-7:
-                break
-            u = new
-        value, _ = horner(a0, a1, a2, a3, a4, a5, u)
-        if value < -TOUCHING:
-            last = u
-    if last < 0.0:
-        return -1.0
-    if g0 > TOUCHING:
-        return h * root_between(a0, a1, a2, a3, a4, a5, 0.0, last)
-    # starts at zero: divide it out, twice if it starts with no rate, three times if with no second rate
-    if a1 > 1e-15:
-        return h * root_between(a1, a2, a3, a4, a5, 0.0, 0.0, last)
-    if a1 < -1e-15:
-        return 0.0
-    if a2 > 1e-16:
-        return h * root_between(a2, a3, a4, a5, 0.0, 0.0, 0.0, last)
-    if a2 < -1e-16 or a3 <= 0.0:
-        return 0.0
-    return h * root_between(a3, a4, a5, 0.0, 0.0, 0.0, 0.0, last)
+    if g1 >= 0.0:
+        bend = max(abs(c0), abs(c1))
+        if min(g0, g1) > 0.25 * h * h * bend or (c0 <= 0.0 and c1 <= 0.0):
+            return -1.0  # too far to fall to zero and rise again, or concave: least at an end
+        if c0 >= 0.0 and c1 >= 0.0 and (v0 >= 0.0 or v1 <= 0.0):
+            return -1.0  # monotone
+        quintic = hermite(g0, v0, c0, g1, v1, c1, h)
+        turn = c0 / (c0 - c1) if c0 * c1 < 0.0 else 1.0
+        u = lowest_inside(quintic, 0.0, turn) if c0 >= 0.0 else lowest_inside(quintic, turn, 1.0)
+        if horner(quintic, u)[0] >= 0.0:
+            return -1.0
+        return h * root_between(quintic, u)
+    quintic = hermite(g0, v0, c0, g1, v1, c1, h)
+    last = 1.0
+    if v1 > 0.0:  # it rises at the end: the first zero is before the lowest place
+        turn = c0 / (c0 - c1) if c0 * c1 < 0.0 else 1.0
+        last = lowest_inside(quintic, 0.0, turn) if c0 >= 0.0 else lowest_inside(quintic, turn, 1.0)
+        if horner(quintic, last)[0] >= 0.0:
+            last = 1.0
+    return h * root_between(quintic, last)
 
 
 @inner

@@ -19,36 +19,33 @@ import math
 
 from stayput.mechanics.compiled import inner
 
-ORDER = 7
-
-
 @inner
-def rock_series(q, sin, cos, theta, omega, load):
+def rock_series(q, sg0, ka0, theta, omega, load):
     """Coefficients θ₀..θ₇ of a rocking body.
 
-    q = −r/(I+r²); sin and cos of β−θ at the start; load = (A, its rate, Γ, its rate).
+    q = −1/(I+r²); σ and κ at the start; load = (A, its rate, Γ, its rate).
     """
     A0, A1, G0, G1 = load
-    t2 = 0.5 * q * (cos * A0 + sin * G0)
+    t2 = 0.5 * q * (ka0 * A0 + sg0 * G0)
     w1 = 2.0 * t2
-    s1 = -cos * omega
-    c1 = sin * omega
-    t3 = q * (c1 * A0 + cos * A1 + s1 * G0 + sin * G1) / 6.0
+    sg1 = -ka0 * omega
+    ka1 = sg0 * omega
+    t3 = q * (ka1 * A0 + ka0 * A1 + sg1 * G0 + sg0 * G1) * (1.0 / 6.0)
     w2 = 3.0 * t3
-    s2 = -0.5 * (cos * w1 + c1 * omega)
-    c2 = 0.5 * (sin * w1 + s1 * omega)
-    t4 = q * (c2 * A0 + c1 * A1 + s2 * G0 + s1 * G1) / 12.0
+    sg2 = -0.5 * (ka0 * w1 + ka1 * omega)
+    ka2 = 0.5 * (sg0 * w1 + sg1 * omega)
+    t4 = q * (ka2 * A0 + ka1 * A1 + sg2 * G0 + sg1 * G1) * (1.0 / 12.0)
     w3 = 4.0 * t4
-    s3 = -(cos * w2 + c1 * w1 + c2 * omega) / 3.0
-    c3 = (sin * w2 + s1 * w1 + s2 * omega) / 3.0
-    t5 = q * (c3 * A0 + c2 * A1 + s3 * G0 + s2 * G1) / 20.0
+    sg3 = -(ka0 * w2 + ka1 * w1 + ka2 * omega) * (1.0 / 3.0)
+    ka3 = (sg0 * w2 + sg1 * w1 + sg2 * omega) * (1.0 / 3.0)
+    t5 = q * (ka3 * A0 + ka2 * A1 + sg3 * G0 + sg2 * G1) * (1.0 / 20.0)
     w4 = 5.0 * t5
-    s4 = -0.25 * (cos * w3 + c1 * w2 + c2 * w1 + c3 * omega)
-    c4 = 0.25 * (sin * w3 + s1 * w2 + s2 * w1 + s3 * omega)
-    t6 = q * (c4 * A0 + c3 * A1 + s4 * G0 + s3 * G1) / 30.0
-    s5 = -0.2 * (cos * w4 + c1 * w3 + c2 * w2 + c3 * w1 + c4 * omega)
-    c5 = 0.2 * (sin * w4 + s1 * w3 + s2 * w2 + s3 * w1 + s4 * omega)
-    t7 = q * (c5 * A0 + c4 * A1 + s5 * G0 + s4 * G1) / 42.0
+    sg4 = -0.25 * (ka0 * w3 + ka1 * w2 + ka2 * w1 + ka3 * omega)
+    ka4 = 0.25 * (sg0 * w3 + sg1 * w2 + sg2 * w1 + sg3 * omega)
+    t6 = q * (ka4 * A0 + ka3 * A1 + sg4 * G0 + sg3 * G1) * (1.0 / 30.0)
+    sg5 = -0.2 * (ka0 * w4 + ka1 * w3 + ka2 * w2 + ka3 * w1 + ka4 * omega)
+    ka5 = 0.2 * (sg0 * w4 + sg1 * w3 + sg2 * w2 + sg3 * w1 + sg4 * omega)
+    t7 = q * (ka5 * A0 + ka4 * A1 + sg5 * G0 + sg4 * G1) * (1.0 / 42.0)
     return theta, omega, t2, t3, t4, t5, t6, t7
 
 
@@ -62,9 +59,10 @@ def slide_rock_series(I, mu_d, sg0, ka0, theta, omega, load):
     G0, G1 = load[2], load[3]
     k0 = sg0 - mu_d * ka0
     M0 = I + k0 * sg0
+    over = -1.0 / M0
     v0 = omega * omega
     P0 = G0 - ka0 * v0
-    a0 = -k0 * P0 / M0
+    a0 = k0 * P0 * over
     w1 = a0
 
     sg1, ka1 = -ka0 * omega, sg0 * omega
@@ -72,8 +70,8 @@ def slide_rock_series(I, mu_d, sg0, ka0, theta, omega, load):
     M1 = k0 * sg1 + k1 * sg0
     v1 = 2.0 * omega * w1
     P1 = G1 - (ka0 * v1 + ka1 * v0)
-    a1 = -(k0 * P1 + k1 * P0 + M1 * a0) / M0
-    w2 = a1 / 2.0
+    a1 = (k0 * P1 + k1 * P0 + M1 * a0) * over
+    w2 = 0.5 * a1
 
     sg2 = -0.5 * (ka0 * w1 + ka1 * omega)
     ka2 = 0.5 * (sg0 * w1 + sg1 * omega)
@@ -81,17 +79,17 @@ def slide_rock_series(I, mu_d, sg0, ka0, theta, omega, load):
     M2 = k0 * sg2 + k1 * sg1 + k2 * sg0
     v2 = 2.0 * omega * w2 + w1 * w1
     P2 = -(ka0 * v2 + ka1 * v1 + ka2 * v0)
-    a2 = -(k0 * P2 + k1 * P1 + k2 * P0 + M1 * a1 + M2 * a0) / M0
-    w3 = a2 / 3.0
+    a2 = (k0 * P2 + k1 * P1 + k2 * P0 + M1 * a1 + M2 * a0) * over
+    w3 = a2 * (1.0 / 3.0)
 
-    sg3 = -(ka0 * w2 + ka1 * w1 + ka2 * omega) / 3.0
-    ka3 = (sg0 * w2 + sg1 * w1 + sg2 * omega) / 3.0
+    sg3 = -(ka0 * w2 + ka1 * w1 + ka2 * omega) * (1.0 / 3.0)
+    ka3 = (sg0 * w2 + sg1 * w1 + sg2 * omega) * (1.0 / 3.0)
     k3 = sg3 - mu_d * ka3
     M3 = k0 * sg3 + k1 * sg2 + k2 * sg1 + k3 * sg0
     v3 = 2.0 * (omega * w3 + w1 * w2)
     P3 = -(ka0 * v3 + ka1 * v2 + ka2 * v1 + ka3 * v0)
-    a3 = -(k0 * P3 + k1 * P2 + k2 * P1 + k3 * P0 + M1 * a2 + M2 * a1 + M3 * a0) / M0
-    w4 = a3 / 4.0
+    a3 = (k0 * P3 + k1 * P2 + k2 * P1 + k3 * P0 + M1 * a2 + M2 * a1 + M3 * a0) * over
+    w4 = 0.25 * a3
 
     sg4 = -0.25 * (ka0 * w3 + ka1 * w2 + ka2 * w1 + ka3 * omega)
     ka4 = 0.25 * (sg0 * w3 + sg1 * w2 + sg2 * w1 + sg3 * omega)
@@ -99,8 +97,8 @@ def slide_rock_series(I, mu_d, sg0, ka0, theta, omega, load):
     M4 = k0 * sg4 + k1 * sg3 + k2 * sg2 + k3 * sg1 + k4 * sg0
     v4 = 2.0 * (omega * w4 + w1 * w3) + w2 * w2
     P4 = -(ka0 * v4 + ka1 * v3 + ka2 * v2 + ka3 * v1 + ka4 * v0)
-    a4 = -(k0 * P4 + k1 * P3 + k2 * P2 + k3 * P1 + k4 * P0 + M1 * a3 + M2 * a2 + M3 * a1 + M4 * a0) / M0
-    w5 = a4 / 5.0
+    a4 = (k0 * P4 + k1 * P3 + k2 * P2 + k3 * P1 + k4 * P0 + M1 * a3 + M2 * a2 + M3 * a1 + M4 * a0) * over
+    w5 = 0.2 * a4
 
     sg5 = -0.2 * (ka0 * w4 + ka1 * w3 + ka2 * w2 + ka3 * w1 + ka4 * omega)
     ka5 = 0.2 * (sg0 * w4 + sg1 * w3 + sg2 * w2 + sg3 * w1 + sg4 * omega)
@@ -109,8 +107,8 @@ def slide_rock_series(I, mu_d, sg0, ka0, theta, omega, load):
     v5 = 2.0 * (omega * w5 + w1 * w4 + w2 * w3)
     P5 = -(ka0 * v5 + ka1 * v4 + ka2 * v3 + ka3 * v2 + ka4 * v1 + ka5 * v0)
     kP = k0 * P5 + k1 * P4 + k2 * P3 + k3 * P2 + k4 * P1 + k5 * P0
-    a5 = -(kP + M1 * a4 + M2 * a3 + M3 * a2 + M4 * a1 + M5 * a0) / M0
-    return theta, omega, a0 / 2.0, a1 / 6.0, a2 / 12.0, a3 / 20.0, a4 / 30.0, a5 / 42.0
+    a5 = (kP + M1 * a4 + M2 * a3 + M3 * a2 + M4 * a1 + M5 * a0) * over
+    return theta, omega, 0.5 * a0, a1 * (1.0 / 6.0), a2 * (1.0 / 12.0), a3 * (1.0 / 20.0), a4 * (1.0 / 30.0), a5 * (1.0 / 42.0)
 
 
 @inner
@@ -123,9 +121,14 @@ def tilt_after(series, h):
 
 
 @inner
-def step_within(h, t7, tolerance):
-    """Longest step, at most h, whose last term θ₇h⁷ stays within the tolerance [rad]."""
-    last = abs(t7) * h * h * h * h * h * h * h
+def step_within(h, series, tolerance):
+    """Longest step, at most h, whose last term θ₇h⁷ stays within the tolerance [rad].
+
+    Every other term vanishes where the motion is even in time, as at a release from rest; so the term
+    before the last must stay within 16 tolerances too, which it else does by itself.
+    """
+    h6 = h * h * h * h * h * h
+    last = max(abs(series[7]) * h6 * h, abs(series[6]) * h6 / 16.0)
     if last > tolerance:
-        h *= 0.9 * math.exp(math.log(tolerance / last) / 7.0)
+        h *= 0.9 * math.exp(math.log(tolerance / last) / 6.0)
     return h

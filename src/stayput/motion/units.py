@@ -5,7 +5,7 @@ from __future__ import annotations
 from stayput.errors import InputError
 
 STANDARD_GRAVITY = 9.80665
-"""Standard acceleration of gravity [m/s²]: what one "g" of a record is."""
+"""Standard acceleration of gravity [m/s²]: one "g" of a record, and the default of a simulation."""
 
 ACCELERATION_UNITS = {"m/s²": 1.0, "cm/s²": 0.01, "gal": 0.01, "mm/s²": 0.001, "g": STANDARD_GRAVITY}
 """Size of each accepted unit [m/s²]."""

@@ -74,5 +74,5 @@ def run_to_dataset(run: Run) -> xr.Dataset:
     for name, (unit, meaning) in results.items():
         data[name] = ((), getattr(run, name), {"units": unit, "long_name": meaning})
     data["floor_impacts"] = ((), run.floor_impacts, {"long_name": "landings on the floor"})
-    data["wall_impacts"] = ((), run.wall_impacts, {"long_name": "hits on walls and ceiling"})
+    data["wall_impacts"] = ((), run.wall_impacts, {"long_name": "hits on the walls and the ceiling"})
     return data

@@ -9,11 +9,12 @@ from pydantic import Field, PrivateAttr, ValidationError
 from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
 from stayput.errors import InputError
+from stayput.motion.units import STANDARD_GRAVITY
 from stayput.scenario.fields import Table, Text, between
 from stayput.scenario.messages import sentence_of
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import FurnitureTable, InitialTable, RoomTable
-from stayput.simulation import STANDARD_GRAVITY, Case
+from stayput.simulation import Case
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -29,7 +30,9 @@ class Scenario(Table):
     furniture: FurnitureTable = Field(description="What stands.")
     room: RoomTable = Field(default_factory=RoomTable, description="Where it stands.")
     shaking: ShakingTable = Field(default_factory=ShakingTable, description="How the floor is shaken.")
-    contact: Literal["coulomb", "paper"] = Field(default="coulomb", description="The law of contact.")
+    contact: Literal["coulomb", "paper"] = Field(
+        default="coulomb", description="The contact law; see the theory page."
+    )
     gravity: Annotated[float, between(0.1, 100.0, "m/s²")] = Field(
         default=STANDARD_GRAVITY, description="Acceleration of gravity."
     )

@@ -116,7 +116,7 @@ class FloorTable(Table):
         default=None, description="Kinetic friction of a single corner."
     )
     restitution: Restitution = Field(
-        default=1.0, description="Factor of Eq. 3.14 on the rotation rate; 1: Housner."
+        default=1.0, description="Factor on the rotation rate at a change of fulcrum; 1: Housner."
     )
     normal_restitution: Restitution = Field(
         default=0.0, description="Newton's restitution of a landing corner."
@@ -190,7 +190,7 @@ class InitialTable(Table):
 
     tilt: Annotated[float, between(-1.57, 1.57, "rad")] = Field(default=0.0, description="Tilt, + right.")
     tilt_rate: Annotated[float, between(-1e3, 1e3, "rad/s")] = Field(default=0.0, description="Tilt rate.")
-    slide: Annotated[float, between(-1e4, 1e4, "m")] = Field(default=0.0, description="Slide, + right.")
+    slide: Annotated[float, between(-1e3, 1e3, "m")] = Field(default=0.0, description="Slide, + right.")
     slide_rate: Annotated[float, between(-1e3, 1e3, "m/s")] = Field(default=0.0, description="Slide rate.")
 
     def state(self) -> State:

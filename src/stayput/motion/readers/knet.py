@@ -40,7 +40,7 @@ def _obspy_read(text: str) -> Any:
         from obspy import read as obspy_read
     except ImportError:
         raise InputError(
-            'K-NET ASCII needs ObsPy, which is absent; pip install "stayput[formats]".'
+            "ObsPy is absent; it must be installed to read K-NET ASCII: pip install obspy."
         ) from None
     try:
         return obspy_read(BytesIO(text.encode()), format="KNET")[0]
