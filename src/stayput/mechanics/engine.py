@@ -154,7 +154,7 @@ def _outcome(s):
 @inner
 def _next_mode(rows, contacts, touch, settle, case, s, ax, az, dt, law):
     """Choose the mode at the present time, under either law."""
-    a, a_rate, G, G_rate = loads(case, ax, az, dt, s.k, s.tau)
+    a, a_rate, G, G_rate = loads(case, ax, az, case.scale / dt, s.k, s.tau)
     if law == PAPER:
         choose_paper_mode(contacts, case, s, touch, a, a_rate)
         return

@@ -65,6 +65,7 @@ def advance_held(case, s, ax, az, dt, extremes, history):
     """Keep the body exactly where it is, to the time when the contacts can hold it no longer."""
     a_low, a_high, z_low, z_high = extremes
     last = ax.shape[0] - 1
+    per_second = case.scale / dt
     keeps = history.shape[0] > 0
     while s.k < last:
         if s.tau == 0.0 and s.k % BLOCK == 0 and not keeps:
@@ -73,7 +74,7 @@ def advance_held(case, s, ax, az, dt, extremes, history):
                 s.k = min(last, s.k + BLOCK)
                 continue
         h = dt - s.tau
-        a0, _, G0, _ = loads(case, ax, az, dt, s.k, s.tau)
+        a0, _, G0, _ = loads(case, ax, az, per_second, s.k, s.tau)
         a1, G1 = case.scale * ax[s.k + 1], case.gravity + case.scale * az[s.k + 1]
         low1, high1 = turned(a1, G1, s.low, s.low_up), turned(s.high, s.high_up, a1, G1)
         low0, high0 = turned(a0, G0, s.low, s.low_up), turned(s.high, s.high_up, a0, G0)
@@ -123,8 +124,9 @@ def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
     d = float(s.d)
     others = s.present & ~(0b11 << 2 * PLANE[s.i])
     last = ax.shape[0] - 1
+    per_second = case.scale / dt
     while s.k < last:
-        a, a_rate, G, G_rate = loads(case, ax, az, dt, s.k, s.tau)
+        a, a_rate, G, G_rate = loads(case, ax, az, per_second, s.k, s.tau)
         N, N_rate = cf * G - sf * a, cf * G_rate - sf * a_rate
         drive = d * (cf * a + sf * G) + friction * N  # deceleration in the direction of slip
         drive_rate = d * (cf * a_rate + sf * G_rate) + friction * N_rate

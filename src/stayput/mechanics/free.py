@@ -19,7 +19,7 @@ from stayput.mechanics.geometry import (
 )
 from stayput.mechanics.modes import close_both
 from stayput.mechanics.motion import loads, note_sample, pass_time
-from stayput.mechanics.roots import closed_level, first_zero, illinois
+from stayput.mechanics.roots import closed_level, first_zero, narrowed, secant
 
 LARGEST_TURN = 0.05
 """Largest rotation in a step of flight [rad]."""
@@ -77,8 +77,9 @@ def _flying_gap(con, s, a, a_rate, G, G_rate, t):
 def advance_flight(contacts, case, s, ax, az, dt, history):
     """Let the body fly to where a contact closes."""
     last = ax.shape[0] - 1
+    per_second = case.scale / dt
     while s.k < last:
-        a, a_rate, G, G_rate = loads(case, ax, az, dt, s.k, s.tau)
+        a, a_rate, G, G_rate = loads(case, ax, az, per_second, s.k, s.tau)
         h = dt - s.tau
         if abs(s.omega) * h > LARGEST_TURN:
             h = LARGEST_TURN / abs(s.omega)
@@ -195,9 +196,10 @@ def _why_over(s):
 def advance_lean(rows, contacts, case, s, ax, az, dt, tolerance, max_step, history):
     """Slide the body on two planes at once, to where it sticks, a contact opens or another closes."""
     last = ax.shape[0] - 1
+    per_second = case.scale / dt
     longest = min(dt, max_step)
     while s.k < last:
-        load = loads(case, ax, az, dt, s.k, s.tau)
+        load = loads(case, ax, az, per_second, s.k, s.tau)
         start = s.x, s.z, s.theta, s.vx, s.vz, s.omega
         slide, rate = slide_of(case, s)
         _set_levels(contacts, s)
@@ -209,7 +211,7 @@ def advance_lean(rows, contacts, case, s, ax, az, dt, tolerance, max_step, histo
             half = s.x, s.z, s.theta, s.vx, s.vz, s.omega
             late = load[0] + 0.5 * h * load[1], load[1], load[2] + 0.5 * h * load[3], load[3]
             _lean(rows, contacts, case, s, half, late, 0.5 * h)
-            if abs(s.theta - whole) <= tolerance:
+            if abs(s.theta - whole) <= 15.0 * tolerance:
                 longest = min(dt, max_step, 2.0 * longest)
                 break
             h = longest = 0.5 * h
@@ -217,18 +219,14 @@ def advance_lean(rows, contacts, case, s, ax, az, dt, tolerance, max_step, histo
         outcome = ENDED
         margin = _lean_margin(rows, contacts, case, s, load, h)
         if margin < 0.0:
-            low, high, m_low, m_high = 0.0, h, min(SLACK_SLIP, SLACK_PRESS), margin
+            bracket = (0.0, min(SLACK_SLIP, SLACK_PRESS), h, margin, 0)
             for _ in range(200):
-                if high - low <= LOCATED:
+                t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
+                if bracket[2] - bracket[0] <= LOCATED:
                     break
-                t = illinois(low, m_low, high, m_high)
                 _lean(rows, contacts, case, s, start, load, t)
-                margin = _lean_margin(rows, contacts, case, s, load, t)
-                if margin >= 0.0:
-                    low, m_low, m_high = t, max(margin, 1e-300), 0.5 * m_high
-                else:
-                    high, m_high, m_low = t, margin, 0.5 * m_low
-            h = high
+                bracket = narrowed(bracket, t, _lean_margin(rows, contacts, case, s, load, t))
+            h = bracket[2]
             _lean(rows, contacts, case, s, start, load, h)
             _lean_margin(rows, contacts, case, s, load, h)
             outcome = _why_over(s)

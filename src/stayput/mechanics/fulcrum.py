@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 
 from stayput.mechanics.columns import CLOSED, CORNER, ENDED, LIMIT, SLIP, TURNED_OVER
-from stayput.mechanics.compiled import inner
-from stayput.mechanics.geometry import HALF_TURN, along, arm_at
+from stayput.mechanics.compiled import inline, inner
+from stayput.mechanics.geometry import HALF_TURN, along, arm_at, sin_cos
 from stayput.mechanics.motion import loads, note_sample, pass_time
-from stayput.mechanics.roots import closed_level, falls_inside, first_zero, illinois
+from stayput.mechanics.roots import closed_level, falls_inside, first_zero, narrowed, secant, stays_positive
 from stayput.mechanics.series import rock_series, slide_rock_series, step_within, tilt_after
 
-NEAR_LIMIT = 0.05
+NEAR_LIMIT = 0.01
 """A margin smaller than this part of g at either end of a step is also looked at in its middle."""
 
 SLACK_FORCE, SLACK_SLIP = 1e-8, 5e-11
@@ -21,14 +21,16 @@ LOCATED = 1e-13
 """A limit is located to this part of a second [s]."""
 
 
-@inner
-def margins(stick, I, mu, d, sigma, kappa, omega, A, G, slip):
+@inline
+def margins(law, sigma, kappa, omega, A, G, slip):
     """What must stay positive on a fulcrum, and the tilt acceleration.
 
     Sticking: μN − T and μN + T. Slipping: N and the slip rate in its direction.
+    law holds whether it sticks, I, −1/(I+r²), μ or μ', and d.
     """
+    stick, I, q, mu, d = law
     if stick:
-        alpha = -(kappa * A + sigma * G) / (I + sigma * sigma + kappa * kappa)
+        alpha = q * (kappa * A + sigma * G)
         N = G + alpha * sigma - omega * omega * kappa
         T = A + alpha * kappa + omega * omega * sigma
         return mu * N - T, mu * N + T, alpha
@@ -37,7 +39,7 @@ def margins(stick, I, mu, d, sigma, kappa, omega, A, G, slip):
     return G + alpha * sigma - omega * omega * kappa, d * slip, alpha
 
 
-@inner
+@inline
 def slip_after(flow, mu_d, sigma, kappa, omega, t):
     """Slip rate of the fulcrum after a time t.
 
@@ -47,66 +49,65 @@ def slip_after(flow, mu_d, sigma, kappa, omega, t):
     return flow[0] - t * (flow[2] + 0.5 * t * flow[3]) - omega * (mu_d * sigma + kappa)
 
 
-@inner
+@inline
 def place_after(flow, mu_d, kappa, t):
     """Place of G along the plane after a time t of slipping."""
     return flow[1] - mu_d * kappa + t * (flow[0] - t * (flow[2] / 2.0 + t * flow[3] / 6.0))
 
 
 @inner
-def margins_after(t, stick, I, mu, d, con, series, flow, load):
+def margins_after(t, law, con, sin0, cos0, series, flow, load):
     """The margins at a time t in a step."""
     theta, omega = tilt_after(series, t)
-    sigma, kappa = arm_at(con, math.sin(theta), math.cos(theta))
-    slip = slip_after(flow, mu * d, sigma, kappa, omega, t)
-    return margins(stick, I, mu, d, sigma, kappa, omega, load[0] + load[1] * t, load[2] + load[3] * t, slip)
+    sin, cos = sin_cos(theta, series[0], sin0, cos0)
+    sigma, kappa = arm_at(con, sin, cos)
+    slip = slip_after(flow, law[3] * law[4], sigma, kappa, omega, t)
+    return margins(law, sigma, kappa, omega, load[0] + load[1] * t, load[2] + load[3] * t, slip)
 
 
-@inner
+@inline
 def limit_level(m0, slack):
     """Value at which a margin counts as passed in a step that starts with m0; see `closed_level`."""
     return 0.0 if m0 > slack else min(m0, 0.0) - slack
 
 
 @inner
-def first_limit(f0, g0, f1, g1, h, near, watch_force, stick, I, mu, d, con, series, flow, load):
+def first_limit(f0, g0, f1, g1, h, watch_force, law, con, sin0, cos0, series, flow, load):
     """Time of the first margin that becomes negative in a step, or −1."""
-    f_level, g_level = limit_level(f0, SLACK_FORCE), limit_level(g0, SLACK_FORCE if stick else SLACK_SLIP)
-    fm, gm, _ = margins_after(0.5 * h, stick, I, mu, d, con, series, flow, load)
+    f_level, g_level = limit_level(f0, SLACK_FORCE), limit_level(g0, SLACK_FORCE if law[0] else SLACK_SLIP)
+    fm, gm, _ = margins_after(0.5 * h, law, con, sin0, cos0, series, flow, load)
     first = -1.0
     u = falls_inside(f0 - f_level, fm - f_level, f1 - f_level)
     if u > 0.0 and watch_force:
-        first = _locate(True, f_level, f0, u * h, stick, I, mu, d, con, series, flow, load)
+        first = _locate(True, f_level, f0, u * h, law, con, sin0, cos0, series, flow, load)
     u = falls_inside(g0 - g_level, gm - g_level, g1 - g_level)
     if u > 0.0:
-        t = _locate(False, g_level, g0, u * h, stick, I, mu, d, con, series, flow, load)
+        t = _locate(False, g_level, g0, u * h, law, con, sin0, cos0, series, flow, load)
         if t >= 0.0 and (first < 0.0 or t < first):
             first = t
     return first
 
 
 @inner
-def _locate(is_f, level, m0, high, stick, I, mu, d, con, series, flow, load):
+def _locate(is_f, level, m0, high, law, con, sin0, cos0, series, flow, load):
     """Time at which a margin falls below its level, at or before ``high``; −1 where it is not below there."""
-    f, g, _ = margins_after(high, stick, I, mu, d, con, series, flow, load)
+    f, g, _ = margins_after(high, law, con, sin0, cos0, series, flow, load)
     m_high = (f if is_f else g) - level
     if m_high >= 0.0:
         return -1.0
-    low, m_low = 0.0, m0 - level
+    bracket = (0.0, m0 - level, high, m_high, 0)
+    last = high
     for _ in range(100):
-        if high - low <= LOCATED:
-            break
-        t = illinois(low, m_low, high, m_high)
-        f, g, _ = margins_after(t, stick, I, mu, d, con, series, flow, load)
-        m = (f if is_f else g) - level
-        if m > 0.0:
-            low, m_low, m_high = t, m, 0.5 * m_high
-        else:
-            high, m_high, m_low = t, m, 0.5 * m_low
-    return high
+        t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
+        if abs(t - last) <= LOCATED:
+            return t
+        f, g, _ = margins_after(t, law, con, sin0, cos0, series, flow, load)
+        bracket = narrowed(bracket, t, (f if is_f else g) - level)
+        last = t
+    return last
 
 
-@inner
+@inline
 def distance(other, u, v, sin, cos):
     """Corner (u, v) of the fulcrum's from it: across and along the normal of another contact's plane [m].
 
@@ -142,18 +143,16 @@ def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, 
             across0, up0 = distance(other, u, v, sin0, cos0)
             across1, up1 = distance(other, u, v, sin1, cos1)
             level = closed_level(clear + up0)
-            t = first_zero(
-                clear + up0 - level,
-                omega0 * across0 + aside * slip0,
-                alpha0 * across0 - omega0 * omega0 * up0 + aside * push0,
-                clear + up1 + aside * (place1 - place0) - level,
-                omega1 * across1 + aside * slip1,
-                alpha1 * across1 - omega1 * omega1 * up1 + aside * push1,
-                h,
-            )
+            g0, g1 = clear + up0 - level, clear + up1 + aside * (place1 - place0) - level
+            v0, v1 = omega0 * across0 + aside * slip0, omega1 * across1 + aside * slip1
+            c0 = alpha0 * across0 - omega0 * omega0 * up0 + aside * push0
+            c1 = alpha1 * across1 - omega1 * omega1 * up1 + aside * push1
+            t = -1.0
+            if not stays_positive(g0, v0, c0, g1, v1, c1, h):
+                t = first_zero(g0, v0, c0, g1, v1, c1, h)
             if t > 0.0:  # on the series itself
                 theta, omega = tilt_after(series, t)
-                sin, cos = math.sin(theta), math.cos(theta)
+                sin, cos = sin_cos(theta, series[0], sin0, cos0)
                 across, up = distance(other, u, v, sin, cos)
                 sigma, kappa = arm_at(con, sin, cos)
                 moved, slip = 0.0, 0.0
@@ -188,9 +187,7 @@ def turned_over_at(series, theta1, h):
 
 @inner
 def largest_tilt(series, omega1, h):
-    """Tilt of largest magnitude in a step, where the rotation turns inside it; 0 where it does not."""
-    if series[1] * omega1 >= 0.0:
-        return 0.0
+    """Magnitude of the tilt where the rotation turns inside a step."""
     t = h * series[1] / (series[1] - omega1)
     for _ in range(2):
         rate = tilt_after(series, t)[1]
@@ -225,18 +222,20 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, lifts, h
     mu = con.mu_static if stick else con.mu_kinetic
     mu_d = mu * d
     q = -1.0 / (I + con.sigma * con.sigma + con.kappa * con.kappa)
+    law = (stick, I, q, mu, d)
     theta, omega, sin, cos = s.theta, s.omega, s.sin, s.cos
     sigma, kappa = arm_at(con, sin, cos)
     xi, v_xi = along(con, s.x, s.z)[0], along(con, s.vx, s.vz)[0]
     foot = xi + sigma  # where the fulcrum is along its plane
     near = NEAR_LIMIT * case.gravity
     last = ax.shape[0] - 1
-    a, a_rate, G, G_rate = loads(case, ax, az, dt, s.k, s.tau)
+    per_second = case.scale / dt
+    a, a_rate, G, G_rate = loads(case, ax, az, per_second, s.k, s.tau)
     slip = v_xi - omega * kappa
-    f, g, alpha = margins(stick, I, mu, d, sigma, kappa, omega, cf * a + sf * G, cf * G - sf * a, slip)
+    f, g, alpha = margins(law, sigma, kappa, omega, cf * a + sf * G, cf * G - sf * a, slip)
     outcome = ENDED
     while s.k < last and outcome == ENDED:
-        a, a_rate, G, G_rate = loads(case, ax, az, dt, s.k, s.tau)
+        a, a_rate, G, G_rate = loads(case, ax, az, per_second, s.k, s.tau)
         load = (cf * a + sf * G, cf * a_rate + sf * G_rate, cf * G - sf * a, cf * G_rate - sf * a_rate)
         if stick:
             series = rock_series(q, sigma, kappa, theta, omega, load)
@@ -253,14 +252,14 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, lifts, h
         event = -1.0
         for _ in range(2):  # once more, to the first event, where there is one
             theta1, omega1 = tilt_after(series, h)
-            sin1, cos1 = math.sin(theta1), math.cos(theta1)
+            sin1, cos1 = sin_cos(theta1, theta, sin, cos)
             sigma1, kappa1 = arm_at(con, sin1, cos1)
             slip1, place1 = 0.0, foot
             if not stick:
                 slip1 = slip_after(flow, mu_d, sigma1, kappa1, omega1, h)
                 place1 = place_after(flow, mu_d, kappa1, h) + sigma1
             A1, G1 = load[0] + load[1] * h, load[2] + load[3] * h
-            f1, g1, alpha1 = margins(stick, I, mu, d, sigma1, kappa1, omega1, A1, G1, slip1)
+            f1, g1, alpha1 = margins(law, sigma1, kappa1, omega1, A1, G1, slip1)
             if outcome != ENDED:
                 break
             push, push1 = 0.0, 0.0
@@ -286,14 +285,18 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, lifts, h
                 t = turned_over_at(series, theta1, h)
                 if event < 0.0 or t < event:
                     event, outcome = t, TURNED_OVER
-            if min(min(f, g), min(f1, g1)) <= near:
-                t = first_limit(f, g, f1, g1, h, near, lifts or stick, stick, I, mu, d, con, series, flow, load)
+            # a slip rate can fall to zero inside the step only if it falls first and rises afterwards
+            close = min(g, g1) <= near if stick else g1 <= 0.0 or (d * push < 0.0 < d * push1)
+            if close or min(f, f1) <= near:
+                t = first_limit(f, g, f1, g1, h, lifts or stick, law, con, sin, cos, series, flow, load)
                 if t >= 0.0 and (event < 0.0 or t < event):
                     event, outcome = t, LIMIT
             if outcome == ENDED:
                 break
             h = event
-        s.peak_tilt = max(s.peak_tilt, abs(theta1), largest_tilt(series, omega1, h))
+        s.peak_tilt = max(s.peak_tilt, abs(theta1))
+        if omega * omega1 < 0.0:
+            s.peak_tilt = max(s.peak_tilt, largest_tilt(series, omega1, h))
         theta, omega, sin, cos, sigma, kappa = theta1, omega1, sin1, cos1, sigma1, kappa1
         slip, foot, f, g, alpha = slip1, place1, f1, g1, alpha1
         xi, v_xi = foot - sigma, slip + omega * kappa

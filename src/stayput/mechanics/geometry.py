@@ -12,15 +12,15 @@ from __future__ import annotations
 import math
 
 from stayput.mechanics.columns import CONTACTS, CORNER, FLOOR_BITS, PLANE
-from stayput.mechanics.compiled import inner
+from stayput.mechanics.compiled import inline, inner
 
 GAP_TOLERANCE = 1e-10
 """A contact is closed when its gap is not larger than this [m]."""
 
 HALF_TURN = math.pi / 2
 
-SETTLED_HEIGHT = 1e-9
-"""A bounce that would not rise higher than this is over [m]."""
+SETTLED = 1e-7
+"""A bounce that would not rise higher than this part of the base's length is over."""
 
 
 @inner
@@ -29,13 +29,26 @@ def turn_to(s, theta):
     s.theta, s.sin, s.cos = theta, math.sin(theta), math.cos(theta)
 
 
-@inner
+@inline
+def sin_cos(theta, theta0, sin0, cos0):
+    """Sine and cosine of a tilt near another whose sine and cosine are known."""
+    turn = theta - theta0
+    if abs(turn) > 0.1:
+        return math.sin(theta), math.cos(theta)
+    t2 = turn * turn
+    t4 = t2 * t2
+    s = turn * (1.0 - t2 * (1.0 / 6.0) + t4 * (1.0 / 120.0 - t2 * (1.0 / 5040.0) + t4 * (1.0 / 362880.0)))
+    c = t2 * (0.5 - t2 * (1.0 / 24.0) + t4 * (1.0 / 720.0 - t2 * (1.0 / 40320.0) + t4 * (1.0 / 3628800.0)))
+    return sin0 + (cos0 * s - sin0 * c), cos0 - (sin0 * s + cos0 * c)
+
+
+@inline
 def across(case, corner, s):
     """Corner right of G [m]."""
     return case.u[corner] * s.cos + case.v[corner] * s.sin
 
 
-@inner
+@inline
 def above(case, corner, s):
     """Corner above G [m]."""
     return case.v[corner] * s.cos - case.u[corner] * s.sin
@@ -55,7 +68,8 @@ def set_up(case, contacts, s):
     stand_flat(case, s)
     s.x = -0.5 * (across(case, 0, s) + across(case, 1, s))
     s.foot_a, s.foot_b = s.x + across(case, 0, s), s.x + across(case, 1, s)
-    s.settle = math.sqrt(2.0 * SETTLED_HEIGHT * case.gravity)
+    base = math.hypot(case.u[1] - case.u[0], case.v[1] - case.v[0])
+    s.settle = math.sqrt(2.0 * SETTLED * base * case.gravity)
     s.present = FLOOR_BITS
     if math.isfinite(case.right_distance):
         s.present |= 0b00001100
@@ -95,39 +109,39 @@ def set_up(case, contacts, s):
         con.sigma, con.kappa = con.cos * u + con.sin * v, con.sin * u - con.cos * v
 
 
-@inner
+@inline
 def arm_at(con, sin, cos):
     """σ and κ of a contact at the tilt with this sine and cosine [m]."""
     return con.sigma * cos - con.kappa * sin, con.kappa * cos + con.sigma * sin
 
 
-@inner
+@inline
 def arm(con, s):
     """σ and κ of a contact [m]."""
     return arm_at(con, s.sin, s.cos)
 
 
-@inner
+@inline
 def along(con, x, z):
     """Components of a vector along the plane's tangent and normal."""
     return con.cos * x + con.sin * z, con.cos * z - con.sin * x
 
 
-@inner
+@inline
 def gap(con, s):
     """Distance of the contact's corner from its plane [m]."""
     _, kappa = arm(con, s)
     return along(con, s.x, s.z)[1] + con.offset - kappa
 
 
-@inner
+@inline
 def gap_rate(con, s):
     """Rate of the gap [m/s]."""
     sigma, _ = arm(con, s)
     return along(con, s.vx, s.vz)[1] - s.omega * sigma
 
 
-@inner
+@inline
 def slip_rate(con, s):
     """Rate of the contact's corner along its plane [m/s]."""
     _, kappa = arm(con, s)

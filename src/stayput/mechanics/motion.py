@@ -24,14 +24,16 @@ from stayput.mechanics.columns import (
     SLIP,
     STICK,
 )
-from stayput.mechanics.compiled import inner
+from stayput.mechanics.compiled import inline, inner
 from stayput.mechanics.geometry import slide_of
 
 
-@inner
-def loads(case, ax, az, dt, k, tau):
-    """Floor acceleration and g + z̈_G in the sample k after a time tau, with their rates."""
-    per_second = case.scale / dt
+@inline
+def loads(case, ax, az, per_second, k, tau):
+    """Floor acceleration and g + z̈_G in the sample k after a time tau, with their rates.
+
+    ``per_second`` is the factor on the motion over the time between samples [1/s].
+    """
     a_rate = per_second * (ax[k + 1] - ax[k])
     G_rate = per_second * (az[k + 1] - az[k])
     return case.scale * ax[k] + a_rate * tau, a_rate, case.gravity + case.scale * az[k] + G_rate * tau, G_rate
@@ -65,7 +67,7 @@ def note_sample(history, case, s):
     row[H_MODE], row[H_REACHED] = named_mode(s), 1.0
 
 
-@inner
+@inline
 def pass_time(s, h, dt):
     """Move the clock by a step that ends at, or before, the next sample; True at the sample."""
     if s.tau + h >= dt * (1.0 - 1e-14):

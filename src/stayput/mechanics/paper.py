@@ -87,19 +87,20 @@ def _starts_rocking(contacts, case, s, fulcrum, slip, a):
     con = contacts[fulcrum]
     I, g = case.inertia, case.gravity
     sigma, kappa = arm(con, s)
+    q = -1.0 / (I + sigma * sigma + kappa * kappa)
     if slip != 0.0:
         d = math.copysign(1.0, slip)
-        alpha = margins(False, I, con.mu_kinetic, d, sigma, kappa, 0.0, a, g, slip)[2]
+        alpha = margins((False, I, q, con.mu_kinetic, d), sigma, kappa, 0.0, a, g, slip)[2]
         if (alpha > 0.0) == (fulcrum == B_FLOOR):
             _slip(contacts, case, s, fulcrum, slip, d)
             return True
-    f, f2, alpha = margins(True, I, con.mu_static, 0.0, sigma, kappa, 0.0, a, g, 0.0)
+    f, f2, alpha = margins((True, I, q, con.mu_static, 0.0), sigma, kappa, 0.0, a, g, 0.0)
     if f >= 0.0 and f2 >= 0.0:
         s.kind, s.d = STICK, 0
         _place_on(contacts, case, s, fulcrum, 0.0)
         return True
     d = -1.0 if f < 0.0 else 1.0
-    alpha = margins(False, I, con.mu_kinetic, d, sigma, kappa, 0.0, a, g, 0.0)[2]
+    alpha = margins((False, I, q, con.mu_kinetic, d), sigma, kappa, 0.0, a, g, 0.0)[2]
     if slip == 0.0 and (alpha > 0.0) == (fulcrum == B_FLOOR):
         _slip(contacts, case, s, fulcrum, 0.0, d)
         return True
@@ -116,7 +117,10 @@ def _choose_fulcrum(contacts, case, s, fulcrum, slip, a):
     turn = MOMENT * s.omega
     sigma, kappa = arm_at(con, s.sin + turn * s.cos, s.cos - turn * s.sin)
     omega = s.omega + MOMENT * s.alpha
-    f, f2, _ = margins(True, case.inertia, con.mu_static, 0.0, sigma, kappa, omega, a, case.gravity, 0.0)
+    q = -1.0 / (case.inertia + sigma * sigma + kappa * kappa)
+    f, f2, _ = margins(
+        (True, case.inertia, q, con.mu_static, 0.0), sigma, kappa, omega, a, case.gravity, 0.0
+    )
     if f >= 0.0 and f2 >= 0.0:
         s.kind, s.d = STICK, 0
         _place_on(contacts, case, s, fulcrum, 0.0)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.compiled import inner
+from stayput.mechanics.compiled import inline, inner
 
 TOUCHING = 1e-13
 """A gap that is not larger than this at the start of a step is a contact that has just been closed [m]."""
 
 
-@inner
+@inline
 def closed_level(g0):
     """Gap at which a contact counts as closed in a step that starts with the gap g0 [m].
 
@@ -20,7 +20,7 @@ def closed_level(g0):
     return 0.0 if g0 > TOUCHING else min(g0, 0.0) - TOUCHING
 
 
-@inner
+@inline
 def hermite(g0, v0, c0, g1, v1, c1, h):
     """Coefficients, in u = τ/h, of the quintic with these values, rates and second rates at both ends."""
     a1, a2 = v0 * h, 0.5 * c0 * h * h
@@ -38,7 +38,7 @@ def hermite(g0, v0, c0, g1, v1, c1, h):
     )
 
 
-@inner
+@inline
 def horner(quintic, u):
     """Value and derivative of a quintic."""
     c0, c1, c2, c3, c4, c5 = quintic
@@ -107,6 +107,20 @@ def lowest_inside(quintic, left, right):
     return u
 
 
+@inline
+def stays_positive(g0, v0, c0, g1, v1, c1, h):
+    """Whether a function, positive at the start, cannot have a zero on the step: not all that do are told."""
+    if g1 < 0.0:
+        return False
+    if min(g0, g1) > 0.25 * h * h * max(abs(c0), abs(c1)) or (c0 <= 0.0 and c1 <= 0.0):
+        return True  # too far to fall to zero and rise again, or concave: least at an end
+    if c0 < 0.0 or c1 < 0.0:
+        return False
+    if v0 >= 0.0 or v1 <= 0.0:
+        return True  # monotone
+    return g0 * (v1 - v0) + v0 * (g0 - g1 + v1 * h) > 0.0  # convex: above where its tangents meet
+
+
 @inner
 def first_zero(g0, v0, c0, g1, v1, c1, h):
     """Time of the first zero that a function, positive at the start, falls through on (0, h], or −1.
@@ -120,12 +134,9 @@ def first_zero(g0, v0, c0, g1, v1, c1, h):
     h : float
         Length of the step [s].
     """
+    if stays_positive(g0, v0, c0, g1, v1, c1, h):
+        return -1.0
     if g1 >= 0.0:
-        bend = max(abs(c0), abs(c1))
-        if min(g0, g1) > 0.25 * h * h * bend or (c0 <= 0.0 and c1 <= 0.0):
-            return -1.0  # too far to fall to zero and rise again, or concave: least at an end
-        if c0 >= 0.0 and c1 >= 0.0 and (v0 >= 0.0 or v1 <= 0.0):
-            return -1.0  # monotone
         quintic = hermite(g0, v0, c0, g1, v1, c1, h)
         turn = c0 / (c0 - c1) if c0 * c1 < 0.0 else 1.0
         u = lowest_inside(quintic, 0.0, turn) if c0 >= 0.0 else lowest_inside(quintic, turn, 1.0)
@@ -161,11 +172,23 @@ def falls_inside(f0, fm, f1):
     return -1.0
 
 
-@inner
-def illinois(low, f_low, high, f_high):
-    """Next guess of a bracketed zero by the secant, kept off the ends of the bracket."""
+@inline
+def secant(low, f_low, high, f_high):
+    """Next guess of a bracketed zero, kept off the ends of the bracket."""
     guess = low + (high - low) * f_low / (f_low - f_high)
     edge = 1e-3 * (high - low)
     if math.isnan(guess):
         guess = 0.5 * (low + high)
     return min(max(guess, low + edge), high - edge)
+
+
+@inline
+def narrowed(bracket, t, f):
+    """Bracket (low, its value, high, its value, last side) after the value f at t: the Illinois method.
+
+    The value at an end that stays for the second time is halved, so that the next guess falls beyond.
+    """
+    low, f_low, high, f_high, side = bracket
+    if f > 0.0:
+        return t, f, high, (0.5 * f_high if side > 0 else f_high), 1
+    return low, (0.5 * f_low if side < 0 else f_low), t, f, -1

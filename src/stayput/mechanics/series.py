@@ -17,9 +17,9 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.compiled import inner
+from stayput.mechanics.compiled import inline, inner
 
-@inner
+@inline
 def rock_series(q, sg0, ka0, theta, omega, load):
     """Coefficients θ₀..θ₇ of a rocking body.
 
@@ -111,24 +111,26 @@ def slide_rock_series(I, mu_d, sg0, ka0, theta, omega, load):
     return theta, omega, 0.5 * a0, a1 * (1.0 / 6.0), a2 * (1.0 / 12.0), a3 * (1.0 / 20.0), a4 * (1.0 / 30.0), a5 * (1.0 / 42.0)
 
 
-@inner
+@inline
 def tilt_after(series, h):
     """Tilt and rate of the series after a time h."""
     theta, omega, t2, t3, t4, t5, t6, t7 = series
-    tilt = theta + h * (omega + h * (t2 + h * (t3 + h * (t4 + h * (t5 + h * (t6 + h * t7))))))
-    tail = 4.0 * t4 + h * (5.0 * t5 + h * (6.0 * t6 + h * 7.0 * t7))
-    return tilt, omega + h * (2.0 * t2 + h * (3.0 * t3 + h * tail))
+    h2 = h * h
+    h4 = h2 * h2
+    tilt = (theta + h * omega + h2 * (t2 + h * t3)) + h4 * (t4 + h * t5 + h2 * (t6 + h * t7))
+    rate = (omega + h * (2.0 * t2)) + h2 * (3.0 * t3 + h * (4.0 * t4)) + h4 * (5.0 * t5 + h * (6.0 * t6) + h2 * (7.0 * t7))
+    return tilt, rate
 
 
-@inner
+@inline
 def step_within(h, series, tolerance):
     """Longest step, at most h, whose last term θ₇h⁷ stays within the tolerance [rad].
 
     Every other term vanishes where the motion is even in time, as at a release from rest; so the term
     before the last must stay within 16 tolerances too, which it else does by itself.
     """
-    h6 = h * h * h * h * h * h
-    last = max(abs(series[7]) * h6 * h, abs(series[6]) * h6 / 16.0)
+    h3 = h * h * h
+    last = h3 * h3 * max(abs(series[7]) * h, abs(series[6]) * 0.0625)
     if last > tolerance:
         h *= 0.9 * math.exp(math.log(tolerance / last) / 6.0)
     return h
