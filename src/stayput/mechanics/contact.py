@@ -67,7 +67,7 @@ def turned(px, pz, qx, qz):
 
 
 @inner
-def holding_cone(rows, first, count):
+def holding_cone(rows, first, count, lifted):
     """Loads (ẍ_G, G) under which contacts that do not slip can hold the body still.
 
     The forces that friction allows form a cone spanned by two edges at each contact. Those without moment
@@ -77,6 +77,8 @@ def holding_cone(rows, first, count):
     ----------
     first, count : int
         The rows of the contacts: from ``first``, ``count`` of them.
+    lifted : int
+        Row of a base corner that bears nothing, so that the other has a corner's friction; −1 for none.
 
     Returns
     -------
@@ -87,12 +89,15 @@ def holding_cone(rows, first, count):
     lx = lz = hx = hz = 0.0
     found = False
     for p in range(2 * first, 2 * (first + count)):
-        rp, mu = rows[p >> 1], (1.0 - 2.0 * (p & 1)) * rows[p >> 1].flat_stick
+        rp = rows[p >> 1]
+        mu = (1.0 - 2.0 * (p & 1)) * (rp.flat_stick if lifted < 0 else rp.mu_stick)
         px, pz, pl = rp.nx + mu * rp.tx, rp.nz + mu * rp.tz, rp.nl + mu * rp.tl
         for q in range(2 * first, p):
-            rq, mu = rows[q >> 1], (1.0 - 2.0 * (q & 1)) * rows[q >> 1].flat_stick
+            rq = rows[q >> 1]
+            mu = (1.0 - 2.0 * (q & 1)) * (rq.flat_stick if lifted < 0 else rq.mu_stick)
             qx, qz, ql = rq.nx + mu * rq.tx, rq.nz + mu * rq.tz, rq.nl + mu * rq.tl
-            if pl * ql > 0.0 or (pl == 0.0 and ql == 0.0):
+            none = p >> 1 == lifted or q >> 1 == lifted
+            if none or pl * ql > 0.0 or (pl == 0.0 and ql == 0.0):
                 continue
             fx, fz = abs(ql) * px + abs(pl) * qx, abs(ql) * pz + abs(pl) * qz
             if fz > 1e-12 * abs(fx):

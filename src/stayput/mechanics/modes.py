@@ -8,6 +8,8 @@ choice is therefore made for the loads and the state a moment later.
 
 from __future__ import annotations
 
+import math
+
 from stayput.mechanics.columns import FAILED, FLAT, FLIGHT, FLOOR_BITS, HELD, PLANE, SLIP, STICK, WEDGE
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import (
@@ -59,7 +61,7 @@ def choose_mode(rows, contacts, touching, settle, case, s, a, a_rate, G, G_rate)
                 moving = max(moving, abs(rate))
         c += 1
     if moving > STUCK:
-        stay_closed(contacts, closed, case.inertia, s)
+        stay_closed(contacts, closed, settle, case.inertia, s)
     turn = MOMENT * s.omega
     omega = s.omega + MOMENT * s.alpha
     a, G = a + MOMENT * a_rate, G + MOMENT * G_rate
@@ -112,7 +114,7 @@ def _hold_on_plane(rows, count, closed, case, s, a, G):
     """Try to hold the body still by both its corners on one plane."""
     for k in range(count - 1):
         if PLANE[rows[k].index] == PLANE[rows[k + 1].index]:
-            cone = holding_cone(rows, k, 2)
+            cone = holding_cone(rows, k, 2, -1)
             if _bears(cone, a, G):
                 _stay_held(cone, closed, case, s)
                 return True
@@ -126,26 +128,27 @@ def _hold(rows, count, closed, case, s, a, G):
     They press as long as the load moves the body their way: the other end of the range is that of the
     floor alone.
     """
-    if count < 2:
-        return False
-    cone = holding_cone(rows, 0, count)
-    if not _bears(cone, a, G):
-        return False
-    found, lx, lz, hx, hz = cone
-    if closed & FLOOR_BITS == FLOOR_BITS:
-        alone, ax, az, bx, bz = holding_cone(rows, 0, 2)
-        if alone and turned(bx, bz, a, G) < 0.0:
-            lx, lz = ax, az
-        elif alone:
-            hx, hz = bx, bz
-    elif closed & FLOOR_BITS:  # the load whose line passes through the foot and G
-        ray_x, ray_z = rows[0].nl, -rows[0].tl
-        if turned(a, G, ray_x, ray_z) >= 0.0:
-            lx, lz = ray_x, ray_z
+    both = closed & FLOOR_BITS == FLOOR_BITS
+    for lifted in range(-1, 2 if both and count > 2 else 0):
+        cone = holding_cone(rows, 0, count, lifted)
+        if not _bears(cone, a, G):
+            continue
+        found, lx, lz, hx, hz = cone
+        if both and lifted < 0:
+            found, low_x, low_z, high_x, high_z = holding_cone(rows, 0, 2, -1)
+        else:  # the load whose line passes through the foot and G
+            found = closed & FLOOR_BITS != 0
+            foot = rows[1 if lifted == 0 else 0]
+            low_x, low_z = high_x, high_z = foot.nl, -foot.tl
+        if found and turned(high_x, high_z, a, G) < 0.0:
+            shorter = (True, low_x, low_z, hx, hz)
         else:
-            hx, hz = ray_x, ray_z
-    _stay_held((found, lx, lz, hx, hz), closed, case, s)
-    return True
+            shorter = (True, lx, lz, high_x, high_z)
+        if found and _bears(shorter, a, G):
+            cone = shorter
+        _stay_held(cone, closed, case, s)
+        return True
+    return False
 
 
 @inner
@@ -238,31 +241,37 @@ def _settle_pair(contacts, case, s):
 
 
 @inner
-def stay_closed(contacts, closed, I, s):
-    """Take away, by the least change in the metric of mass, the rates of the gaps of closed contacts.
+def _without(j, e):
+    """Take the part along a unit vector out of a vector."""
+    p = j[0] * e[0] + j[1] * e[1] + j[2] * e[2]
+    return j[0] - p * e[0], j[1] - p * e[1], j[2] - p * e[2]
 
-    Two contacts on one plane leave sliding, two on two planes one way to turn, more leave nothing.
+
+@inner
+def stay_closed(contacts, closed, settle, I, s):
+    """Take away the rates of the gaps of closed contacts, and of slip where it is no more than ``settle``.
+
+    The change is the least in the metric of mass, so energy never grows: the velocities (v_x, v_z, √I ω)
+    lose their part in the space of the contacts' normals and tangents.
     """
-    i, j, count = -1, -1, 0
-    c = 0
-    while closed >> c:
-        if closed >> c & 1:
-            i, j, count = j, c, count + 1
-        c += 1
-    if count == 1:
-        con = contacts[j]
-        sigma, _ = arm(con, s)
-        change = -gap_rate(con, s) / (1.0 + sigma * sigma / I)
-        s.vx, s.vz = s.vx - con.sin * change, s.vz + con.cos * change
-        s.omega -= sigma * change / I
-    elif count == 2 and PLANE[i] == PLANE[j]:
-        con = contacts[i]
-        normal = along(con, s.vx, s.vz)[1]
-        s.vx, s.vz, s.omega = s.vx + con.sin * normal, s.vz - con.cos * normal, 0.0
-    elif count == 2:
-        _stop_both(contacts[i], contacts[j], I, s)
-    else:
-        s.vx = s.vz = s.omega = 0.0
+    root = math.sqrt(I)
+    v = (s.vx, s.vz, root * s.omega)
+    nothing = (0.0, 0.0, 0.0)
+    e1, e2, e3 = nothing, nothing, nothing
+    for tangential in (False, True):
+        c = 0
+        while closed >> c:
+            con = contacts[c]
+            if closed >> c & 1 and not (tangential and abs(slip_rate(con, s)) > settle):
+                sigma, kappa = arm(con, s)
+                j = (con.cos, con.sin, -kappa / root) if tangential else (-con.sin, con.cos, -sigma / root)
+                new = _without(_without(_without(j, e1), e2), e3)
+                size = math.sqrt(new[0] * new[0] + new[1] * new[1] + new[2] * new[2])
+                if size > 1e-6:
+                    e1, e2, e3 = (new[0] / size, new[1] / size, new[2] / size), e1, e2
+                    v = _without(v, e1)
+            c += 1
+    s.vx, s.vz, s.omega = v[0], v[1], v[2] / root
 
 
 @inner
