@@ -98,7 +98,7 @@ def advance(rows, contacts, case, s, ax, az, dt, extremes, tolerance, max_step, 
         return advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history)
     if kind == STICK or kind == SLIP:
         s.moved |= MOVED_ROCKING if kind == STICK else MOVED_ROCKING | MOVED_SLIDING
-        return advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, lifts, history)
+        return advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history)
     s.moved |= MOVED_FLYING
     if kind == FLIGHT:
         return advance_flight(contacts, case, s, ax, az, dt, history)

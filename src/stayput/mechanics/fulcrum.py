@@ -17,6 +17,9 @@ NEAR_LIMIT = 0.01
 SLACK_FORCE, SLACK_SLIP = 1e-8, 5e-11
 """A margin that starts at its limit has passed it when it is this far beyond [m/s², m/s]."""
 
+BORNE = 1e9
+"""What a wall adds to the friction of a fulcrum that stands at it [m/s²]."""
+
 LOCATED = 1e-13
 """A limit is located to this part of a second [s]."""
 
@@ -25,18 +28,19 @@ LOCATED = 1e-13
 def margins(law, sigma, kappa, omega, A, G, slip):
     """What must stay positive on a fulcrum, and the tilt acceleration.
 
-    Sticking: μN − T and μN + T. Slipping: N and the slip rate in its direction.
-    law holds whether it sticks, I, −1/(I+r²), μ or μ', and d.
+    Sticking: μN − T and μN + T. Slipping: N and the slip rate in its direction. law holds whether it
+    sticks, I, −1/(I+r²), μ or μ', d, and the sign of N: under the paper's rules the fulcrum can pull, and a
+    wall at the base can keep one that sticks from slipping to the side d.
     """
-    stick, I, q, mu, d = law
+    stick, I, q, mu, d, sign = law
     if stick:
         alpha = q * (kappa * A + sigma * G)
         N = G + alpha * sigma - omega * omega * kappa
         T = A + alpha * kappa + omega * omega * sigma
-        return mu * N - T, mu * N + T, alpha
-    k = sigma - mu * d * kappa
+        return sign * mu * N - T + (BORNE if d < 0.0 else 0.0), sign * mu * N + T + (BORNE if d > 0.0 else 0.0), alpha
+    k = sigma - sign * mu * d * kappa
     alpha = -k * (G - omega * omega * kappa) / (I + k * sigma)
-    return G + alpha * sigma - omega * omega * kappa, d * slip, alpha
+    return sign * (G + alpha * sigma - omega * omega * kappa), d * slip, alpha
 
 
 @inline
@@ -61,7 +65,7 @@ def margins_after(t, law, con, sin0, cos0, series, flow, load):
     theta, omega = tilt_after(series, t)
     sin, cos = sin_cos(theta, series[0], sin0, cos0)
     sigma, kappa = arm_at(con, sin, cos)
-    slip = slip_after(flow, law[3] * law[4], sigma, kappa, omega, t)
+    slip = slip_after(flow, law[3] * law[4] * law[5], sigma, kappa, omega, t)
     return margins(law, sigma, kappa, omega, load[0] + load[1] * t, load[2] + load[3] * t, slip)
 
 
@@ -72,13 +76,13 @@ def limit_level(m0, slack):
 
 
 @inner
-def first_limit(f0, g0, f1, g1, h, watch_force, law, con, sin0, cos0, series, flow, load):
+def first_limit(f0, g0, f1, g1, h, law, con, sin0, cos0, series, flow, load):
     """Time of the first margin that becomes negative in a step, or −1."""
     f_level, g_level = limit_level(f0, SLACK_FORCE), limit_level(g0, SLACK_FORCE if law[0] else SLACK_SLIP)
     fm, gm, _ = margins_after(0.5 * h, law, con, sin0, cos0, series, flow, load)
     first = -1.0
     u = falls_inside(f0 - f_level, fm - f_level, f1 - f_level)
-    if u > 0.0 and watch_force:
+    if u > 0.0:
         first = _locate(True, f_level, f0, u * h, law, con, sin0, cos0, series, flow, load)
     u = falls_inside(g0 - g_level, gm - g_level, g1 - g_level)
     if u > 0.0:
@@ -198,7 +202,7 @@ def largest_tilt(series, omega1, h):
 
 
 @inner
-def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, lifts, history):
+def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history):
     """Move a body that rocks on the fulcrum s.i, sticking or slipping, to its next event.
 
     Parameters
@@ -207,8 +211,6 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, lifts, h
         Largest last term of the series in a step [rad].
     max_step : float
         Longest step [s].
-    lifts : bool
-        Whether the fulcrum lifts when its force vanishes (not under the paper's rules).
 
     Returns
     -------
@@ -220,9 +222,10 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, lifts, h
     I, cf, sf = case.inertia, con.cos, con.sin
     d = float(s.d)
     mu = con.mu_static if stick else con.mu_kinetic
-    mu_d = mu * d
+    sign = -1.0 if s.dj < 0 else 1.0
+    mu_d = sign * mu * d
     q = -1.0 / (I + con.sigma * con.sigma + con.kappa * con.kappa)
-    law = (stick, I, q, mu, d)
+    law = (stick, I, q, mu, d, sign)
     theta, omega, sin, cos = s.theta, s.omega, s.sin, s.cos
     sigma, kappa = arm_at(con, sin, cos)
     xi, v_xi = along(con, s.x, s.z)[0], along(con, s.vx, s.vz)[0]
@@ -264,8 +267,8 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, lifts, h
                 break
             push, push1 = 0.0, 0.0
             if not stick:  # slip accelerations
-                push = -mu_d * f - load[0] - alpha * kappa - omega * omega * sigma
-                push1 = -mu_d * f1 - A1 - alpha1 * kappa1 - omega1 * omega1 * sigma1
+                push = -mu * d * f - load[0] - alpha * kappa - omega * omega * sigma
+                push1 = -mu * d * f1 - A1 - alpha1 * kappa1 - omega1 * omega1 * sigma1
             event, s.hit = first_contact(
                 contacts,
                 case,
@@ -288,7 +291,7 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, lifts, h
             # a slip rate can fall to zero inside the step only if it falls first and rises afterwards
             close = min(g, g1) <= near if stick else g1 <= 0.0 or (d * push < 0.0 < d * push1)
             if close or min(f, f1) <= near:
-                t = first_limit(f, g, f1, g1, h, lifts or stick, law, con, sin, cos, series, flow, load)
+                t = first_limit(f, g, f1, g1, h, law, con, sin, cos, series, flow, load)
                 if t >= 0.0 and (event < 0.0 or t < event):
                     event, outcome = t, LIMIT
             if outcome == ENDED:

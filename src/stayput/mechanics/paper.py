@@ -10,23 +10,23 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CONTACTS, CORNER, FLAT, FLOOR_BITS, HELD, PLANE, SLIP, STICK
+from stayput.mechanics.columns import A_FLOOR, A_LEFT, B_FLOOR, B_RIGHT, C_CEILING, CONTACTS, CORNER, D_CEILING, FLAT, FLOOR_BITS, HELD, PLANE, SLIP, STICK
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import STUCK
 from stayput.mechanics.fulcrum import margins
-from stayput.mechanics.geometry import arm, arm_at, slip_rate, stand_flat, turn_to
-from stayput.mechanics.modes import MOMENT, pivot_on
+from stayput.mechanics.geometry import along, arm, arm_at, slip_rate, stand_flat, turn_to
+from stayput.mechanics.modes import ALL_BUT_FLAT, MOMENT, pivot_on
 
 WALL_BITS = 0b11111100  # and the ceiling
 RIGHT_BITS, LEFT_BITS, CEILING_BITS = 0b00001100, 0b00110000, 0b11000000
 
 
 @inner
-def _place_on(contacts, case, s, fulcrum, slip):
+def _rock_on(contacts, s, kind, fulcrum, slip, d, sign):
     """Let the body rock on a corner that moves along the floor at the rate ``slip``."""
     pivot_on(contacts[fulcrum], s)
     s.vx += slip
-    s.i, s.j, s.dj = fulcrum, -1, 0
+    s.kind, s.i, s.j, s.d, s.dj = kind, fulcrum, -1, int(d), int(sign)
     s.closed = 1 << fulcrum
 
 
@@ -34,12 +34,15 @@ def _place_on(contacts, case, s, fulcrum, slip):
 def choose_paper_mode(contacts, case, s, touch, a, a_rate):
     """Set the mode that the paper's rules give, for the load a moment ahead."""
     a += MOMENT * a_rate
-    if s.theta == s.rest and s.omega == 0.0:
+    if abs(s.theta - s.rest) < ALL_BUT_FLAT and s.omega == 0.0:
         _choose_flat(contacts, case, s, touch, a)
-    elif not _leans(contacts, case, s, touch, a):
-        right = s.theta > s.rest or (s.theta == s.rest and s.omega > 0.0)
-        fulcrum = B_FLOOR if right else A_FLOOR
-        _choose_fulcrum(contacts, case, s, fulcrum, slip_rate(contacts[fulcrum], s), a)
+        s.alpha = 0.0
+        return
+    right = s.theta > s.rest or (s.theta == s.rest and s.omega > 0.0)
+    fulcrum = B_FLOOR if right else A_FLOOR
+    slides = _slides_under_ceiling(contacts, case, s, touch, fulcrum)
+    if not slides and not _leans(contacts, case, s, touch, fulcrum, a):
+        _choose_fulcrum(contacts, case, s, touch, fulcrum, slip_rate(contacts[fulcrum], s), a)
     s.alpha = 0.0
 
 
@@ -82,6 +85,13 @@ def _bound(s, low, high):
 
 
 @inner
+def _opens(law, sigma, kappa, slip, a, g, fulcrum):
+    """Whether a fulcrum that slips lets the other corner of a flat body rise."""
+    alpha = margins(law, sigma, kappa, 0.0, a, g, slip)[2]
+    return (alpha > 0.0) == (fulcrum == B_FLOOR)
+
+
+@inner
 def _starts_rocking(contacts, case, s, fulcrum, slip, a):
     """Rock on a corner that slips on, where that opens the other corner, or else on one that sticks."""
     con = contacts[fulcrum]
@@ -90,73 +100,106 @@ def _starts_rocking(contacts, case, s, fulcrum, slip, a):
     q = -1.0 / (I + sigma * sigma + kappa * kappa)
     if slip != 0.0:
         d = math.copysign(1.0, slip)
-        alpha = margins((False, I, q, con.mu_kinetic, d), sigma, kappa, 0.0, a, g, slip)[2]
-        if (alpha > 0.0) == (fulcrum == B_FLOOR):
-            _slip(contacts, case, s, fulcrum, slip, d)
+        if _opens((False, I, q, con.mu_kinetic, d, 1.0), sigma, kappa, slip, a, g, fulcrum):
+            _rock_on(contacts, s, SLIP, fulcrum, slip, d, 1.0)
             return True
-    f, f2, alpha = margins((True, I, q, con.mu_static, 0.0), sigma, kappa, 0.0, a, g, 0.0)
+    f, f2, _ = margins((True, I, q, con.mu_static, 0.0, 1.0), sigma, kappa, 0.0, a, g, 0.0)
     if f >= 0.0 and f2 >= 0.0:
-        s.kind, s.d = STICK, 0
-        _place_on(contacts, case, s, fulcrum, 0.0)
+        _rock_on(contacts, s, STICK, fulcrum, 0.0, 0.0, 1.0)
         return True
     d = -1.0 if f < 0.0 else 1.0
-    alpha = margins((False, I, q, con.mu_kinetic, d), sigma, kappa, 0.0, a, g, 0.0)[2]
-    if slip == 0.0 and (alpha > 0.0) == (fulcrum == B_FLOOR):
-        _slip(contacts, case, s, fulcrum, 0.0, d)
+    if slip == 0.0 and _opens((False, I, q, con.mu_kinetic, d, 1.0), sigma, kappa, 0.0, a, g, fulcrum):
+        _rock_on(contacts, s, SLIP, fulcrum, 0.0, d, 1.0)
         return True
     return False
 
 
 @inner
-def _choose_fulcrum(contacts, case, s, fulcrum, slip, a):
-    """Rock on: the fulcrum slips on, sticks where it can, or starts to slip."""
+def _choose_fulcrum(contacts, case, s, touch, fulcrum, slip, a):
+    """Rock on: the fulcrum slips on, sticks where it can, or starts to slip.
+
+    The rules let the fulcrum pull; its friction then is that of the force's magnitude. One whose friction
+    no slip can bear (Painlevé) stops.
+    """
     con = contacts[fulcrum]
-    if abs(slip) > STUCK:
-        _slip(contacts, case, s, fulcrum, slip, math.copysign(1.0, slip))
-        return
+    I, g = case.inertia, case.gravity
     turn = MOMENT * s.omega
     sigma, kappa = arm_at(con, s.sin + turn * s.cos, s.cos - turn * s.sin)
     omega = s.omega + MOMENT * s.alpha
-    q = -1.0 / (case.inertia + sigma * sigma + kappa * kappa)
-    f, f2, _ = margins(
-        (True, case.inertia, q, con.mu_static, 0.0), sigma, kappa, omega, a, case.gravity, 0.0
-    )
-    if f >= 0.0 and f2 >= 0.0:
-        s.kind, s.d = STICK, 0
-        _place_on(contacts, case, s, fulcrum, 0.0)
-        return
-    _slip(contacts, case, s, fulcrum, slip, -1.0 if f < 0.0 else 1.0)
+    q = -1.0 / (I + sigma * sigma + kappa * kappa)
+    d = math.copysign(1.0, slip)
+    if abs(slip) <= STUCK:
+        N = g + q * (kappa * a + sigma * g) * sigma - omega * omega * kappa
+        sign = math.copysign(1.0, N)
+        f, f2, _ = margins((True, I, q, con.mu_static, 0.0, sign), sigma, kappa, omega, a, g, 0.0)
+        if f >= 0.0 and f2 >= 0.0:
+            _rock_on(contacts, s, STICK, fulcrum, 0.0, 0.0, sign)
+            return
+        d = -1.0 if f < 0.0 else 1.0
+        if touch & 1 << (A_LEFT if d < 0.0 else B_RIGHT):
+            _rock_on(contacts, s, STICK, fulcrum, 0.0, d, sign)
+            return
+    sign = math.copysign(1.0, g - omega * omega * kappa)
+    if I + (sigma - sign * con.mu_kinetic * d * kappa) * sigma > 0.0:
+        _rock_on(contacts, s, SLIP, fulcrum, slip, d, sign)
+    else:
+        _rock_on(contacts, s, STICK, fulcrum, 0.0, 0.0, 1.0)
 
 
 @inner
-def _slip(contacts, case, s, fulcrum, slip, d):
-    s.kind = SLIP
-    s.d = int(d)
-    _place_on(contacts, case, s, fulcrum, slip)
+def _closes_by_turning(contacts, c, fulcrum, omega, s):
+    """Whether a rotation about the fulcrum closes another contact."""
+    sigma, kappa = arm(contacts[fulcrum], s)
+    side, _ = arm(contacts[c], s)
+    return omega * (along(contacts[c], kappa, sigma)[1] - side) < 0.0
 
 
 @inner
-def _leans(contacts, case, s, touch, a):
-    """Hold a tilted body against a wall while its weight and the load press it there."""
-    if not touch & WALL_BITS or s.omega != 0.0:
+def _slides_under_ceiling(contacts, case, s, touch, fulcrum):
+    """Let a tilted body that its friction presses against the ceiling slide along as it is."""
+    con = contacts[fulcrum]
+    slip = slip_rate(con, s)
+    if s.omega != 0.0 or abs(slip) <= STUCK or not touch & CEILING_BITS:
         return False
-    fulcrum = B_FLOOR if s.theta > s.rest else A_FLOOR
+    sigma, kappa = arm(con, s)
+    alpha = math.copysign(1.0, slip) * con.mu_kinetic * kappa - sigma  # in sign
+    for c in (C_CEILING, D_CEILING):
+        if touch >> c & 1 and _closes_by_turning(contacts, c, fulcrum, alpha, s):
+            s.kind = FLAT
+            s.i = s.j = fulcrum
+            s.d = s.dj = int(math.copysign(1.0, slip))
+            s.closed = 1 << fulcrum | touch & CEILING_BITS
+            s.vx, s.vz = slip, 0.0
+            _bound(s, -math.inf, math.inf)
+            return True
+    return False
+
+
+@inner
+def _leans(contacts, case, s, touch, fulcrum, a):
+    """Hold a tilted body against a wall while its weight and the load press it there."""
+    if s.omega != 0.0:
+        return False
     sigma, kappa = arm(contacts[fulcrum], s)
     ratio = -sigma / kappa
-    presses = a < ratio * case.gravity if fulcrum == B_FLOOR else a > ratio * case.gravity
-    if not presses:
-        return False
-    s.kind = HELD
-    s.closed = 1 << fulcrum | touch & WALL_BITS
-    _bound(s, -math.inf if fulcrum == B_FLOOR else ratio, ratio if fulcrum == B_FLOOR else math.inf)
-    s.vx = s.vz = 0.0
-    return True
+    alpha = ratio * case.gravity - a  # in sign
+    walls = touch & WALL_BITS
+    c = 0
+    while walls >> c:
+        if walls >> c & 1 and _closes_by_turning(contacts, c, fulcrum, alpha, s):
+            s.kind = HELD
+            s.closed = 1 << fulcrum | walls
+            _bound(s, -math.inf if alpha > 0.0 else ratio, ratio if alpha > 0.0 else math.inf)
+            s.vx = s.vz = 0.0
+            return True
+        c += 1
+    return False
 
 
 @inner
 def collide_by_paper(contacts, case, s):
     """Change the velocities of the state by the paper's collision rules."""
-    old = s.i if s.kind != FLAT else A_FLOOR
+    old = s.i
     slip = slip_rate(contacts[old], s)
     if s.hit & FLOOR_BITS:
         new = B_FLOOR if s.hit & 2 else A_FLOOR
@@ -167,21 +210,21 @@ def collide_by_paper(contacts, case, s):
         s.omega *= max(0.0, case.restitution * kept / (case.inertia + sigma * sigma + kappa * kappa))
         if abs(s.omega * (sigma - sigma_old)) <= s.settle:
             s.omega = 0.0
-        _place_on(contacts, case, s, new, slip)
+        _rock_on(contacts, s, s.kind, new, slip, s.d, s.dj)
         return
     c = 0
     while c < CONTACTS - 1 and not s.hit >> c & 1:
         c += 1
     wall = contacts[c]
     reach = slip * (0.0, 1.0, -1.0, 0.0)[PLANE[c]]  # towards the wall; the ceiling leaves the slip as it is
-    if CORNER[c] >= 2:
+    if s.kind != FLAT and _closes_by_turning(contacts, c, old, s.omega, s):
         s.omega *= -wall.restitution
         _, lever = arm(contacts[old], s)
         if abs(s.omega * lever) <= s.settle:
             s.omega = 0.0
-    if (CORNER[c] < 2 or s.kind == SLIP) and reach > 0.0:
+    if (CORNER[c] < 2 or s.kind != STICK) and reach > 0.0:
         slip *= -wall.restitution
     if s.kind == FLAT:
         s.vx = slip if abs(slip) > s.settle else 0.0
         return
-    _place_on(contacts, case, s, old, slip)
+    _rock_on(contacts, s, s.kind, old, slip, s.d, s.dj)
