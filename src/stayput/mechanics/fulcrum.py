@@ -139,7 +139,7 @@ def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, 
     others = s.present & ~(1 << s.i)
     c = 0
     while others >> c:
-        if others >> c & 1 and CORNER[c] != corner:
+        if others >> c & 1 and (CORNER[c] != corner or s.kind == SLIP):
             other = contacts[c]
             u, v = case.u[CORNER[c]] - case.u[corner], case.v[CORNER[c]] - case.v[corner]
             clear = along(other, foot0, foot1)[1] + other.offset
