@@ -13,7 +13,6 @@ from stayput.mechanics.geometry import (
     arm_at,
     gap,
     note_peaks,
-    slide_of,
     slip_rate,
     turn_to,
 )
@@ -35,19 +34,29 @@ SHORTEST = 1e-6
 
 
 @inner
-def note_peaks_since(case, s, slide0, rate0, h):
-    """Keep the largest tilt and slide since a step before, when the slide and its rate were these."""
-    note_peaks(case, s)
-    slide1, rate1 = slide_of(case, s)
-    if rate0 * rate1 < 0.0:  # it turned in between: the cubic through both ends
-        d = 3.0 * (slide1 - slide0) / h - 2.0 * rate0 - rate1
-        e = (rate0 + rate1) / h - 2.0 * (slide1 - slide0) / (h * h)
-        t = h * rate0 / (rate0 - rate1)
-        for _ in range(3):
-            bend = 2.0 * d / h + 6.0 * e * t
-            if bend != 0.0:
-                t = min(h, max(0.0, t - (rate0 + t * (2.0 * d / h + 3.0 * e * t)) / bend))
-        s.peak_slide = max(s.peak_slide, abs(slide0 + t * (rate0 + t * (d / h + t * e))))
+def _slide_rate_after(case, s, a, a_rate, corner, t):
+    """Rate of a corner's place along the floor after a time t of flight [m/s]."""
+    theta = s.theta + t * s.omega
+    up = case.v[corner] * math.cos(theta) - case.u[corner] * math.sin(theta)
+    return s.vx - t * (a + 0.5 * t * a_rate) + s.omega * up
+
+
+@inner
+def _turn_of_slide(case, s, a, a_rate, h):
+    """Time in a step of flight at which the slide turns; the whole step where it does not."""
+    corner = 1 if s.theta > s.rest else 0
+    rate0 = _slide_rate_after(case, s, a, a_rate, corner, 0.0)
+    rate1 = _slide_rate_after(case, s, a, a_rate, corner, h)
+    if rate0 * rate1 >= 0.0:
+        return h
+    bracket = (0.0, abs(rate0), h, -abs(rate1), 0)
+    for _ in range(30):
+        t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
+        rate = _slide_rate_after(case, s, a, a_rate, corner, t)
+        bracket = narrowed(bracket, t, math.copysign(1.0, rate0) * rate)
+        if bracket[2] - bracket[0] <= 1e-9:
+            break
+    return bracket[2]
 
 
 @inner
@@ -101,11 +110,14 @@ def advance_flight(contacts, case, s, ax, az, dt, history):
                             t = min(h, max(0.5 * t, t - (g - level) / v))
                     h, outcome, s.hit = t, CLOSED, 1 << c
             c += 1
-        slide, rate = slide_of(case, s)
-        _fly(s, a, a_rate, G, G_rate, h)
+        turn = _turn_of_slide(case, s, a, a_rate, h)
+        _fly(s, a, a_rate, G, G_rate, turn)
+        note_peaks(case, s)
+        a, G = a + a_rate * turn, G + G_rate * turn
+        _fly(s, a, a_rate, G, G_rate, h - turn)
+        note_peaks(case, s)
         s.alpha = 0.0
         s.steps += 1
-        note_peaks_since(case, s, slide, rate, h)
         if pass_time(s, h, dt):
             note_sample(history, case, s)
         if outcome != ENDED:
@@ -201,7 +213,6 @@ def advance_lean(rows, contacts, case, s, ax, az, dt, tolerance, max_step, histo
     while s.k < last:
         load = loads(case, ax, az, per_second, s.k, s.tau)
         start = s.x, s.z, s.theta, s.vx, s.vz, s.omega
-        slide, rate = slide_of(case, s)
         _set_levels(contacts, s)
         h = min(dt - s.tau, longest)
         _lean(rows, contacts, case, s, start, load, h)
@@ -231,7 +242,7 @@ def advance_lean(rows, contacts, case, s, ax, az, dt, tolerance, max_step, histo
             _lean_margin(rows, contacts, case, s, load, h)
             outcome = _why_over(s)
         s.steps += 1
-        note_peaks_since(case, s, slide, rate, h)
+        note_peaks(case, s)
         if pass_time(s, h, dt):
             note_sample(history, case, s)
         if outcome != ENDED:

@@ -53,26 +53,37 @@ def _tabulate(rows, contacts, closed, case, s):
 
 
 @inner
+def _lesser(best, ok, fx, fz, fl, I):
+    """Of two sets of impulses the consistent one, or of two such the one that changes the motion less."""
+    size = fx * fx + fz * fz + fl * fl / I
+    if ok and (not best[0] or size < best[1]):
+        return True, size, fx, fz, fl
+    return best
+
+
+@inner
 def _consistent(rows, count, I):
-    """Find the one consistent set of impulses: one contact, else two."""
+    """Find the consistent set of impulses: one contact, else two; where more than one is, the least."""
+    best = (False, 0.0, 0.0, 0.0, 0.0)
     for i in range(count):
         if rows[i].bias_n >= -CLOSING:
             continue
         ok, fx, fz, fl = one_sticks(rows, count, i, I, TOLERANCE)
+        best = _lesser(best, ok, fx, fz, fl, I)
         if ok:
-            return ok, fx, fz, fl
+            continue
         for side in (1.0, -1.0):
             ok, fx, fz, fl = one_slips(rows, count, i, side, I, TOLERANCE)
-            if ok:
-                return ok, fx, fz, fl
+            best = _lesser(best, ok, fx, fz, fl, I)
+    if best[0]:
+        return best[0], best[2], best[3], best[4]
     for i in range(count):
         for j in range(count):
             if i == j:
                 continue
             for side in (1.0, -1.0):
                 ok, fx, fz, fl = sticks_beside(rows, count, i, j, side, I, TOLERANCE)
-                if ok:
-                    return ok, fx, fz, fl
+                best = _lesser(best, ok, fx, fz, fl, I)
                 if j < i:
                     continue
                 same = PLANE[rows[i].index] == PLANE[rows[j].index]
@@ -80,9 +91,8 @@ def _consistent(rows, count, I):
                     if same and side_j != side:
                         continue
                     ok, fx, fz, fl = both_slip(rows, count, i, side, j, side_j, I, TOLERANCE)
-                    if ok:
-                        return ok, fx, fz, fl
-    return False, 0.0, 0.0, 0.0
+                    best = _lesser(best, ok, fx, fz, fl, I)
+    return best[0], best[2], best[3], best[4]
 
 
 @inner

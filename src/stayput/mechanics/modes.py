@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import FAILED, FLAT, FLIGHT, FLOOR_BITS, HELD, PLANE, SLIP, STICK, WEDGE
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, FAILED, FLAT, FLIGHT, FLOOR_BITS, HELD, PLANE, SLIP, STICK, WEDGE
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import (
     STUCK,
@@ -129,7 +129,9 @@ def _hold(rows, count, closed, case, s, a, G):
     floor alone.
     """
     both = closed & FLOOR_BITS == FLOOR_BITS
-    for lifted in range(-1, 2 if both and count > 2 else 0):
+    tips = B_FLOOR if a > 0.0 else A_FLOOR  # the corner that the load lifts
+    for way in range(3 if both and count > 2 else 1):
+        lifted = (-1, tips, 1 - tips)[way]
         cone = holding_cone(rows, 0, count, lifted)
         if not _bears(cone, a, G):
             continue
@@ -183,7 +185,13 @@ def _slip(rows, count, contacts, case, s):
 
 @inner
 def _slide(rows, count, contacts, case, s, flat):
-    """Try two contacts that both press and slip: on one plane (``flat``), or on two."""
+    """Try two contacts that both press and slip: on one plane (``flat``), or on two.
+
+    On two planes more than one way may be consistent where a corner at a wall stands still; the one with
+    the least force is that without self-stress.
+    """
+    found, least = False, math.inf
+    I = case.inertia
     for i in range(count):
         for j in range(i + 1, count):
             first, second = rows[i].index, rows[j].index
@@ -195,13 +203,15 @@ def _slide(rows, count, contacts, case, s, flat):
                 for side_j in (1.0, -1.0):
                     if (flat and side_i != side_j) or rows[j].slipping == -side_j:
                         continue
-                    ok, _, _, fl = both_slip(rows, count, i, side_i, j, side_j, case.inertia, TOLERANCE)
-                    if ok:
+                    ok, fx, fz, fl = both_slip(rows, count, i, side_i, j, side_j, I, TOLERANCE)
+                    size = fx * fx + fz * fz + fl * fl / I
+                    if ok and size < least:
+                        found, least = True, size
                         _set_mode(s, FLAT if flat else WEDGE, first, int(side_i), second, int(side_j))
-                        s.alpha = fl / case.inertia
-                        _settle_pair(contacts, case, s)
-                        return True
-    return False
+                        s.alpha = fl / I
+    if found:
+        _settle_pair(contacts, case, s)
+    return found
 
 
 @inner

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 MAX_EVENTS = 1_000_000
 """Events after which a run is given up, reported as failed."""
 
-TOLERANCE = 1e-9
+TOLERANCE = 1e-10
 """Largest last term of the tilt's series in a step [rad]."""
 
 LISTED_EVENTS = 4096
