@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import A_FLOOR, A_LEFT, B_FLOOR, B_RIGHT, C_CEILING, CONTACTS, CORNER, D_CEILING, FLAT, FLOOR_BITS, HELD, PLANE, SLIP, STICK
+from stayput.mechanics.columns import A_FLOOR, A_LEFT, B_FLOOR, B_RIGHT, C_CEILING, CORNER, D_CEILING, FLAT, FLOOR_BITS, HELD, PLANE, SLIP, STICK
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import STUCK
 from stayput.mechanics.fulcrum import margins
-from stayput.mechanics.geometry import along, arm, arm_at, slip_rate, stand_flat, turn_to
+from stayput.mechanics.geometry import along, arm, arm_at, gap_rate, slip_rate, stand_flat, turn_to
 from stayput.mechanics.modes import ALL_BUT_FLAT, MOMENT, pivot_on
 
 WALL_BITS = 0b11111100  # and the ceiling
@@ -212,10 +212,19 @@ def collide_by_paper(contacts, case, s):
             s.omega = 0.0
         _rock_on(contacts, s, s.kind, new, slip, s.d, s.dj)
         return
-    c = 0
-    while c < CONTACTS - 1 and not s.hit >> c & 1:
-        c += 1
-    wall = contacts[c]
+    for top in (False, True):  # the base first
+        c = A_FLOOR
+        while s.hit >> c:
+            if s.hit >> c & 1 and (CORNER[c] >= 2) == top and gap_rate(contacts[c], s) < 0.0:
+                _bounce(contacts, c, s)
+            c += 1
+
+
+@inner
+def _bounce(contacts, c, s):
+    """Turn round what closes a contact with a wall or the ceiling: the rotation, the slip, or both."""
+    wall, old = contacts[c], s.i
+    slip = slip_rate(contacts[old], s)
     reach = slip * (0.0, 1.0, -1.0, 0.0)[PLANE[c]]  # towards the wall; the ceiling leaves the slip as it is
     if s.kind != FLAT and _closes_by_turning(contacts, c, old, s.omega, s):
         s.omega *= -wall.restitution
