@@ -59,14 +59,26 @@ def place_after(flow, mu_d, kappa, t):
     return flow[1] - mu_d * kappa + t * (flow[0] - t * (flow[2] / 2.0 + t * flow[3] / 6.0))
 
 
-@inner
-def margins_after(t, law, con, sin0, cos0, series, flow, load):
-    """The margins at a time t in a step."""
+@inline
+def state_after(t, law, con, foot, sin0, cos0, series, flow, load):
+    """State at a time t in a step: θ, θ̇, sin θ, cos θ, σ, κ, slip rate, place of the fulcrum, margins, θ̈."""
     theta, omega = tilt_after(series, t)
     sin, cos = sin_cos(theta, series[0], sin0, cos0)
     sigma, kappa = arm_at(con, sin, cos)
-    slip = slip_after(flow, law[3] * law[4] * law[5], sigma, kappa, omega, t)
-    return margins(law, sigma, kappa, omega, load[0] + load[1] * t, load[2] + load[3] * t, slip)
+    slip, place = 0.0, foot
+    if not law[0]:
+        mu_d = law[3] * law[4] * law[5]
+        slip = slip_after(flow, mu_d, sigma, kappa, omega, t)
+        place = place_after(flow, mu_d, kappa, t) + sigma
+    f, g, alpha = margins(law, sigma, kappa, omega, load[0] + load[1] * t, load[2] + load[3] * t, slip)
+    return theta, omega, sin, cos, sigma, kappa, slip, place, f, g, alpha
+
+
+@inner
+def margins_after(t, law, con, sin0, cos0, series, flow, load):
+    """The margins at a time t in a step."""
+    end = state_after(t, law, con, 0.0, sin0, cos0, series, flow, load)
+    return end[8], end[9]
 
 
 @inline
@@ -79,7 +91,7 @@ def limit_level(m0, slack):
 def first_limit(f0, g0, f1, g1, h, law, con, sin0, cos0, series, flow, load):
     """Time of the first margin that becomes negative in a step, or −1."""
     f_level, g_level = limit_level(f0, SLACK_FORCE), limit_level(g0, SLACK_FORCE if law[0] else SLACK_SLIP)
-    fm, gm, _ = margins_after(0.5 * h, law, con, sin0, cos0, series, flow, load)
+    fm, gm = margins_after(0.5 * h, law, con, sin0, cos0, series, flow, load)
     first = -1.0
     u = falls_inside(f0 - f_level, fm - f_level, f1 - f_level)
     if u > 0.0:
@@ -95,7 +107,7 @@ def first_limit(f0, g0, f1, g1, h, law, con, sin0, cos0, series, flow, load):
 @inner
 def _locate(is_f, level, m0, high, law, con, sin0, cos0, series, flow, load):
     """Time at which a margin falls below its level, at or before ``high``; −1 where it is not below there."""
-    f, g, _ = margins_after(high, law, con, sin0, cos0, series, flow, load)
+    f, g = margins_after(high, law, con, sin0, cos0, series, flow, load)
     m_high = (f if is_f else g) - level
     if m_high >= 0.0:
         return -1.0
@@ -105,7 +117,7 @@ def _locate(is_f, level, m0, high, law, con, sin0, cos0, series, flow, load):
         t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
         if abs(t - last) <= LOCATED:
             return t
-        f, g, _ = margins_after(t, law, con, sin0, cos0, series, flow, load)
+        f, g = margins_after(t, law, con, sin0, cos0, series, flow, load)
         bracket = narrowed(bracket, t, (f if is_f else g) - level)
         last = t
     return last
@@ -201,6 +213,49 @@ def largest_tilt(series, omega1, h):
     return abs(tilt_after(series, t)[0])
 
 
+@inline
+def slip_push(law, end, A):
+    """Acceleration of the slip of the fulcrum in a state from `state_after`, under the load A."""
+    return -law[3] * law[4] * end[8] - A - end[10] * end[5] - end[1] * end[1] * end[4]
+
+
+@inline
+def first_event(contacts, case, s, law, start, end, h, near, series, flow, load):
+    """Why and when the motion on the fulcrum ends in a step from ``start`` to ``end``; ENDED where it does not."""
+    con = contacts[s.i]
+    foot = start[7]
+    stick, d, mu_d = law[0], law[4], law[3] * law[4] * law[5]
+    push0, push1 = 0.0, 0.0
+    if not stick:
+        push0, push1 = slip_push(law, start, load[0]), slip_push(law, end, load[0] + load[1] * h)
+    first, s.hit = first_contact(
+        contacts,
+        case,
+        s,
+        (start[2], start[3], start[1], start[10], foot, start[6], push0),
+        (end[2], end[3], end[1], end[10], end[7], end[6], push1),
+        h,
+        con.cos * foot + con.sin * con.offset,
+        con.sin * foot - con.cos * con.offset,
+        series,
+        flow,
+        mu_d,
+    )
+    why = CLOSED if first >= 0.0 else ENDED
+    if abs(end[0]) >= HALF_TURN:
+        t = turned_over_at(series, end[0], h)
+        if first < 0.0 or t < first:
+            first, why = t, TURNED_OVER
+    f0, g0, f1, g1 = start[8], start[9], end[8], end[9]
+    # a slip rate can fall to zero inside the step only if it falls first and rises afterwards
+    close = min(g0, g1) <= near if stick else g1 <= 0.0 or (d * push0 < 0.0 < d * push1)
+    if close or min(f0, f1) <= near:
+        t = first_limit(f0, g0, f1, g1, h, law, con, start[2], start[3], series, flow, load)
+        if t >= 0.0 and (first < 0.0 or t < first):
+            first, why = t, LIMIT
+    return why, first
+
+
 @inner
 def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history):
     """Move a body that rocks on the fulcrum s.i, sticking or slipping, to its next event.
@@ -220,101 +275,61 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history)
     con = contacts[s.i]
     stick = s.kind != SLIP
     I, cf, sf = case.inertia, con.cos, con.sin
-    d = float(s.d)
+    d, sign = float(s.d), -1.0 if s.dj < 0 else 1.0
     mu = con.mu_static if stick else con.mu_kinetic
-    sign = -1.0 if s.dj < 0 else 1.0
     mu_d = sign * mu * d
     q = -1.0 / (I + con.sigma * con.sigma + con.kappa * con.kappa)
     law = (stick, I, q, mu, d, sign)
-    theta, omega, sin, cos = s.theta, s.omega, s.sin, s.cos
-    sigma, kappa = arm_at(con, sin, cos)
-    xi, v_xi = along(con, s.x, s.z)[0], along(con, s.vx, s.vz)[0]
-    foot = xi + sigma  # where the fulcrum is along its plane
     near = NEAR_LIMIT * case.gravity
     last = ax.shape[0] - 1
     per_second = case.scale / dt
+
     a, a_rate, G, G_rate = loads(case, ax, az, per_second, s.k, s.tau)
-    slip = v_xi - omega * kappa
-    f, g, alpha = margins(law, sigma, kappa, omega, cf * a + sf * G, cf * G - sf * a, slip)
-    outcome = ENDED
-    while s.k < last and outcome == ENDED:
+    sigma, kappa = arm_at(con, s.sin, s.cos)
+    xi, v_xi = along(con, s.x, s.z)[0], along(con, s.vx, s.vz)[0]
+    slip = v_xi - s.omega * kappa
+    f, g, alpha = margins(law, sigma, kappa, s.omega, cf * a + sf * G, cf * G - sf * a, slip)
+    start = (s.theta, s.omega, s.sin, s.cos, sigma, kappa, slip, xi + sigma, f, g, alpha)
+    why = ENDED
+    while s.k < last and why == ENDED:
+        theta, omega, sin, cos, sigma, kappa, slip, foot, f, g, alpha = start
+        xi, v_xi = foot - sigma, slip + omega * kappa
         a, a_rate, G, G_rate = loads(case, ax, az, per_second, s.k, s.tau)
         load = (cf * a + sf * G, cf * a_rate + sf * G_rate, cf * G - sf * a, cf * G_rate - sf * a_rate)
         if stick:
             series = rock_series(q, sigma, kappa, theta, omega, load)
         else:
             series = slide_rock_series(I, mu_d, sigma, kappa, theta, omega, load)
-        h = step_within(min(dt - s.tau, max_step), series, tolerance)
         flow = (  # see slip_after
             v_xi + mu_d * omega * sigma,
             xi + mu_d * kappa,
             load[0] + mu_d * load[2],
             load[1] + mu_d * load[3],
         )
-        s.steps += 1
-        event = -1.0
-        for _ in range(2):  # once more, to the first event, where there is one
-            theta1, omega1 = tilt_after(series, h)
-            sin1, cos1 = sin_cos(theta1, theta, sin, cos)
-            sigma1, kappa1 = arm_at(con, sin1, cos1)
-            slip1, place1 = 0.0, foot
-            if not stick:
-                slip1 = slip_after(flow, mu_d, sigma1, kappa1, omega1, h)
-                place1 = place_after(flow, mu_d, kappa1, h) + sigma1
-            A1, G1 = load[0] + load[1] * h, load[2] + load[3] * h
-            f1, g1, alpha1 = margins(law, sigma1, kappa1, omega1, A1, G1, slip1)
-            if outcome != ENDED:
-                break
-            push, push1 = 0.0, 0.0
-            if not stick:  # slip accelerations
-                push = -mu * d * f - load[0] - alpha * kappa - omega * omega * sigma
-                push1 = -mu * d * f1 - A1 - alpha1 * kappa1 - omega1 * omega1 * sigma1
-            event, s.hit = first_contact(
-                contacts,
-                case,
-                s,
-                (sin, cos, omega, alpha, foot, slip, push),
-                (sin1, cos1, omega1, alpha1, place1, slip1, push1),
-                h,
-                cf * foot + sf * con.offset,
-                sf * foot - cf * con.offset,
-                series,
-                flow,
-                mu_d,
-            )
-            if event >= 0.0:
-                outcome = CLOSED
-            if abs(theta1) >= HALF_TURN:
-                t = turned_over_at(series, theta1, h)
-                if event < 0.0 or t < event:
-                    event, outcome = t, TURNED_OVER
-            # a slip rate can fall to zero inside the step only if it falls first and rises afterwards
-            close = min(g, g1) <= near if stick else g1 <= 0.0 or (d * push < 0.0 < d * push1)
-            if close or min(f, f1) <= near:
-                t = first_limit(f, g, f1, g1, h, law, con, sin, cos, series, flow, load)
-                if t >= 0.0 and (event < 0.0 or t < event):
-                    event, outcome = t, LIMIT
-            if outcome == ENDED:
-                break
+        h = step_within(min(dt - s.tau, max_step), series, tolerance)
+        end = state_after(h, law, con, foot, sin, cos, series, flow, load)
+        why, event = first_event(contacts, case, s, law, start, end, h, near, series, flow, load)
+        if why != ENDED:
             h = event
-        s.peak_tilt = max(s.peak_tilt, abs(theta1))
-        if omega * omega1 < 0.0:
-            s.peak_tilt = max(s.peak_tilt, largest_tilt(series, omega1, h))
-        theta, omega, sin, cos, sigma, kappa = theta1, omega1, sin1, cos1, sigma1, kappa1
-        slip, foot, f, g, alpha = slip1, place1, f1, g1, alpha1
-        xi, v_xi = foot - sigma, slip + omega * kappa
+            end = state_after(h, law, con, foot, sin, cos, series, flow, load)
+        s.steps += 1
+        s.peak_tilt = max(s.peak_tilt, abs(end[0]))
+        if omega * end[1] < 0.0:
+            s.peak_tilt = max(s.peak_tilt, largest_tilt(series, end[1], h))
+        start = end
         if pass_time(s, h, dt) and history.shape[0] > 0:
-            write_back(con, sigma, kappa, xi, v_xi, theta, omega, sin, cos, s)
+            write_back(con, start, s)
             note_sample(history, case, s)
-    s.alpha = alpha
-    write_back(con, sigma, kappa, xi, v_xi, theta, omega, sin, cos, s)
-    return outcome
+    s.alpha = start[10]
+    write_back(con, start, s)
+    return why
 
 
-@inner
-def write_back(con, sigma, kappa, xi, v_xi, theta, omega, sin, cos, s):
-    """Put the state of a body on a fulcrum back into the room's axes."""
-    height, lift = kappa - con.offset, omega * sigma
+@inline
+def write_back(con, state, s):
+    """Put a state from `state_after` into the room's axes."""
+    s.theta, s.omega, s.sin, s.cos, sigma, kappa, slip, foot, _, _, _ = state
+    xi, v_xi = foot - sigma, slip + s.omega * kappa
+    height, lift = kappa - con.offset, s.omega * sigma
     s.x, s.z = con.cos * xi - con.sin * height, con.sin * xi + con.cos * height
     s.vx, s.vz = con.cos * v_xi - con.sin * lift, con.sin * v_xi + con.cos * lift
-    s.theta, s.omega, s.sin, s.cos = theta, omega, sin, cos
