@@ -54,10 +54,10 @@ CLOSE = 1e-12
 SETTLED = 4e-3
 """Rates below which a bounce is over, with some slack: the impulse that ends it is not followed [m/s]."""
 
-FEW_STRANGE, MOST_SAME = 0.04, 0.8
+FEW_STRANGE, MOST_SAME = 0.04, 0.85
 """Part of the cases that may come out differently though they are not sensitive, and that must not."""
 
-FAILED = list(Outcome).index(Outcome.FAILED)
+FAILED, OVERTURNED = list(Outcome).index(Outcome.FAILED), list(Outcome).index(Outcome.OVERTURNED)
 
 
 def run(cases: NDArray[np.void], motion: Motion, law: int, **kwargs: float) -> NDArray[np.void]:
@@ -327,7 +327,7 @@ def judge(
     other: NDArray[np.void],
     same: NDArray[np.bool_],
 ) -> None:
-    """Nearly all cases that end must be the same, and no outcome differ where the case is not sensitive.
+    """Nearly all cases that end must be the same, and none overturn in one run only if it is not sensitive.
 
     Rounding, and the height at which a bounce is over, may grow to something that is seen where
     impacts pile up, even in a case that a small change of the motion leaves as it is.
@@ -336,7 +336,7 @@ def judge(
     strange = np.flatnonzero(ended & ~same & (sensitivity(cases, motion, law) <= 1e-7))
     shown = [(int(i), one[i], other[i], cases[i]) for i in strange]
     assert len(strange) <= FEW_STRANGE * len(cases), shown
-    assert (one["outcome"][strange] == other["outcome"][strange]).all(), shown
+    assert ((one["outcome"] == OVERTURNED) == (other["outcome"] == OVERTURNED))[strange].all(), shown
     assert same[ended].mean() >= MOST_SAME
 
 

@@ -1,4 +1,4 @@
-"""The columns of the tables that the compiled functions read and write, and the numbers of modes and contacts."""
+"""The tables that the compiled functions read and write, and the numbers of modes and contacts."""
 
 from __future__ import annotations
 

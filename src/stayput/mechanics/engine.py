@@ -96,7 +96,7 @@ def advance(rows, contacts, case, s, ax, az, dt, extremes, tolerance, max_step, 
         s.moved |= MOVED_SLIDING
         friction = flat_friction(contacts, case, s)
         return advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history)
-    if kind == STICK or kind == SLIP:
+    if kind in (STICK, SLIP):
         s.moved |= MOVED_ROCKING if kind == STICK else MOVED_ROCKING | MOVED_SLIDING
         return advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history)
     s.moved |= MOVED_FLYING

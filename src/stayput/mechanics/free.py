@@ -182,7 +182,9 @@ def _lean_margin(rows, contacts, case, s, load, h):
     _, _, s.alpha, Ni, Nj = _lean_rates(rows, contacts, case, s, s.theta, s.omega, a, G)
     least = min(Ni, Nj) + SLACK_PRESS
     first, second = contacts[s.i], contacts[s.j]
-    slip = min(float(s.d) * slip_rate(first, s) - first.level, float(s.dj) * slip_rate(second, s) - second.level)
+    slip = min(
+        float(s.d) * slip_rate(first, s) - first.level, float(s.dj) * slip_rate(second, s) - second.level
+    )
     least = min(least, slip, HALF_TURN - abs(s.theta))
     s.hit = 0
     others = s.present & ~s.closed

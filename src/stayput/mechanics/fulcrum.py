@@ -37,7 +37,11 @@ def margins(law, sigma, kappa, omega, A, G, slip):
         alpha = q * (kappa * A + sigma * G)
         N = G + alpha * sigma - omega * omega * kappa
         T = A + alpha * kappa + omega * omega * sigma
-        return sign * mu * N - T + (BORNE if d < 0.0 else 0.0), sign * mu * N + T + (BORNE if d > 0.0 else 0.0), alpha
+        return (
+            sign * mu * N - T + (BORNE if d < 0.0 else 0.0),
+            sign * mu * N + T + (BORNE if d > 0.0 else 0.0),
+            alpha,
+        )
     k = sigma - sign * mu * d * kappa
     alpha = -k * (G - omega * omega * kappa) / (I + k * sigma)
     return sign * (G + alpha * sigma - omega * omega * kappa), d * slip, alpha
@@ -221,7 +225,7 @@ def slip_push(law, end, A):
 
 @inline
 def first_event(contacts, case, s, law, start, end, h, near, series, flow, load):
-    """Why and when the motion on the fulcrum ends in a step from ``start`` to ``end``; ENDED where it does not."""
+    """Why and when the motion ends in a step from ``start`` to ``end``; ENDED where it does not."""
     con = contacts[s.i]
     foot = start[7]
     stick, d, mu_d = law[0], law[4], law[3] * law[4] * law[5]

@@ -10,7 +10,19 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import A_FLOOR, B_FLOOR, FAILED, FLAT, FLIGHT, FLOOR_BITS, HELD, PLANE, SLIP, STICK, WEDGE
+from stayput.mechanics.columns import (
+    A_FLOOR,
+    B_FLOOR,
+    FAILED,
+    FLAT,
+    FLIGHT,
+    FLOOR_BITS,
+    HELD,
+    PLANE,
+    SLIP,
+    STICK,
+    WEDGE,
+)
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import (
     STUCK,

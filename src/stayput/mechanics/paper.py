@@ -10,7 +10,21 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import A_FLOOR, A_LEFT, B_FLOOR, B_RIGHT, C_CEILING, CORNER, D_CEILING, FLAT, FLOOR_BITS, HELD, PLANE, SLIP, STICK
+from stayput.mechanics.columns import (
+    A_FLOOR,
+    A_LEFT,
+    B_FLOOR,
+    B_RIGHT,
+    C_CEILING,
+    CORNER,
+    D_CEILING,
+    FLAT,
+    FLOOR_BITS,
+    HELD,
+    PLANE,
+    SLIP,
+    STICK,
+)
 from stayput.mechanics.compiled import inner
 from stayput.mechanics.contact import STUCK
 from stayput.mechanics.fulcrum import margins

@@ -19,6 +19,7 @@ import math
 
 from stayput.mechanics.compiled import inline, inner
 
+
 @inline
 def rock_series(q, sg0, ka0, theta, omega, load):
     """Coefficients θ₀..θ₇ of a rocking body.
@@ -108,7 +109,16 @@ def slide_rock_series(I, mu_d, sg0, ka0, theta, omega, load):
     P5 = -(ka0 * v5 + ka1 * v4 + ka2 * v3 + ka3 * v2 + ka4 * v1 + ka5 * v0)
     kP = k0 * P5 + k1 * P4 + k2 * P3 + k3 * P2 + k4 * P1 + k5 * P0
     a5 = (kP + M1 * a4 + M2 * a3 + M3 * a2 + M4 * a1 + M5 * a0) * over
-    return theta, omega, 0.5 * a0, a1 * (1.0 / 6.0), a2 * (1.0 / 12.0), a3 * (1.0 / 20.0), a4 * (1.0 / 30.0), a5 * (1.0 / 42.0)
+    return (
+        theta,
+        omega,
+        0.5 * a0,
+        a1 * (1.0 / 6.0),
+        a2 * (1.0 / 12.0),
+        a3 * (1.0 / 20.0),
+        a4 * (1.0 / 30.0),
+        a5 * (1.0 / 42.0),
+    )
 
 
 @inline
@@ -118,7 +128,11 @@ def tilt_after(series, h):
     h2 = h * h
     h4 = h2 * h2
     tilt = (theta + h * omega + h2 * (t2 + h * t3)) + h4 * (t4 + h * t5 + h2 * (t6 + h * t7))
-    rate = (omega + h * (2.0 * t2)) + h2 * (3.0 * t3 + h * (4.0 * t4)) + h4 * (5.0 * t5 + h * (6.0 * t6) + h2 * (7.0 * t7))
+    rate = (
+        (omega + h * (2.0 * t2))
+        + h2 * (3.0 * t3 + h * (4.0 * t4))
+        + h4 * (5.0 * t5 + h * (6.0 * t6) + h2 * (7.0 * t7))
+    )
     return tilt, rate
 
 
