@@ -24,29 +24,30 @@ from stayput.mechanics.compiled import inline, inner
 def rock_series(q, sg0, ka0, theta, omega, load):
     """Coefficients θ₀..θ₇ of a rocking body.
 
-    q = −1/(I+r²); σ and κ at the start; load = (A, its rate, Γ, its rate).
+    q = −1/(I+r²); σ and κ at the start; load = (A, its rate, Γ, its rate). From σ' = −κθ̇ and κ' = σθ̇ follow
+    n σₙ = −Σ kθ_k κ_{n−k} and n κₙ = Σ kθ_k σ_{n−k}; the newest θ stands first, added last: a processor
+    works out what goes before while it waits.
     """
     A0, A1, G0, G1 = load
-    t2 = 0.5 * q * (ka0 * A0 + sg0 * G0)
-    w1 = 2.0 * t2
-    sg1 = -ka0 * omega
-    ka1 = sg0 * omega
-    t3 = q * (ka1 * A0 + ka0 * A1 + sg1 * G0 + sg0 * G1) * (1.0 / 6.0)
-    w2 = 3.0 * t3
-    sg2 = -0.5 * (ka0 * w1 + ka1 * omega)
-    ka2 = 0.5 * (sg0 * w1 + sg1 * omega)
-    t4 = q * (ka2 * A0 + ka1 * A1 + sg2 * G0 + sg1 * G1) * (1.0 / 12.0)
-    w3 = 4.0 * t4
-    sg3 = -(ka0 * w2 + ka1 * w1 + ka2 * omega) * (1.0 / 3.0)
-    ka3 = (sg0 * w2 + sg1 * w1 + sg2 * omega) * (1.0 / 3.0)
-    t5 = q * (ka3 * A0 + ka2 * A1 + sg3 * G0 + sg2 * G1) * (1.0 / 20.0)
-    w4 = 5.0 * t5
-    sg4 = -0.25 * (ka0 * w3 + ka1 * w2 + ka2 * w1 + ka3 * omega)
-    ka4 = 0.25 * (sg0 * w3 + sg1 * w2 + sg2 * w1 + sg3 * omega)
-    t6 = q * (ka4 * A0 + ka3 * A1 + sg4 * G0 + sg3 * G1) * (1.0 / 30.0)
-    sg5 = -0.2 * (ka0 * w4 + ka1 * w3 + ka2 * w2 + ka3 * w1 + ka4 * omega)
-    ka5 = 0.2 * (sg0 * w4 + sg1 * w3 + sg2 * w2 + sg3 * w1 + sg4 * omega)
-    t7 = q * (ka5 * A0 + ka4 * A1 + sg5 * G0 + sg4 * G1) * (1.0 / 42.0)
+    t1 = omega
+    t2 = (ka0 * A0 + sg0 * G0) * (0.5 * q)
+    sg1, ka1 = -ka0 * t1, sg0 * t1
+    t3 = ((ka1 * A0 + sg1 * G0) + (ka0 * A1 + sg0 * G1)) * (q * (1.0 / 6.0))
+    u2 = 2.0 * t2
+    sg2 = -(ka0 * t2 + 0.5 * (t1 * ka1))
+    ka2 = sg0 * t2 + 0.5 * (t1 * sg1)
+    t4 = ((ka2 * A0 + sg2 * G0) + (ka1 * A1 + sg1 * G1)) * (q * (1.0 / 12.0))
+    u3 = 3.0 * t3
+    sg3 = -(ka0 * t3 + (u2 * ka1 + t1 * ka2) * (1.0 / 3.0))
+    ka3 = sg0 * t3 + (u2 * sg1 + t1 * sg2) * (1.0 / 3.0)
+    t5 = ((ka3 * A0 + sg3 * G0) + (ka2 * A1 + sg2 * G1)) * (q * (1.0 / 20.0))
+    u4 = 4.0 * t4
+    sg4 = -(ka0 * t4 + 0.25 * (u3 * ka1 + (u2 * ka2 + t1 * ka3)))
+    ka4 = sg0 * t4 + 0.25 * (u3 * sg1 + (u2 * sg2 + t1 * sg3))
+    t6 = ((ka4 * A0 + sg4 * G0) + (ka3 * A1 + sg3 * G1)) * (q * (1.0 / 30.0))
+    sg5 = -(ka0 * t5 + 0.2 * (u4 * ka1 + u3 * ka2 + (u2 * ka3 + t1 * ka4)))
+    ka5 = sg0 * t5 + 0.2 * (u4 * sg1 + u3 * sg2 + (u2 * sg3 + t1 * sg4))
+    t7 = ((ka5 * A0 + sg5 * G0) + (ka4 * A1 + sg4 * G1)) * (q * (1.0 / 42.0))
     return theta, omega, t2, t3, t4, t5, t6, t7
 
 
@@ -123,17 +124,15 @@ def slide_rock_series(I, mu_d, sg0, ka0, theta, omega, load):
 
 @inline
 def tilt_after(series, h):
-    """Tilt and rate of the series after a time h."""
+    """Tilt and rate of the series after a time h; the newest coefficients are added last."""
     theta, omega, t2, t3, t4, t5, t6, t7 = series
     h2 = h * h
-    h4 = h2 * h2
-    tilt = (theta + h * omega + h2 * (t2 + h * t3)) + h4 * (t4 + h * t5 + h2 * (t6 + h * t7))
-    rate = (
-        (omega + h * (2.0 * t2))
-        + h2 * (3.0 * t3 + h * (4.0 * t4))
-        + h4 * (5.0 * t5 + h * (6.0 * t6) + h2 * (7.0 * t7))
-    )
-    return tilt, rate
+    h3 = h2 * h
+    h4, h5, h6 = h2 * h2, h2 * h3, h3 * h3
+    h7 = h3 * h4
+    tilt = (theta + h * omega + h2 * t2) + (h3 * t3 + h4 * t4) + (h5 * t5 + h6 * t6) + h7 * t7
+    rate = (omega + 2.0 * h * t2) + (3.0 * h2 * t3 + 4.0 * h3 * t4) + (5.0 * h4 * t5 + 6.0 * h5 * t6)
+    return tilt, rate + 7.0 * h6 * t7
 
 
 @inline
