@@ -160,6 +160,10 @@ def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
                 level = closed_level(g0)
                 t = first_zero(g0 - level, side * v, -side * drive, g1 - level, side * v1, -side * a1, h)
                 if t >= 0.0:
+                    rate = side * (v - t * (drive + 0.5 * t * drive_rate))
+                    left = g0 - level + side * t * (v - t * (drive / 2.0 + t * drive_rate / 6.0))
+                    if rate < 0.0:  # on the motion itself
+                        t = min(h, max(0.5 * t, t - left / rate))
                     h, outcome, s.hit = t, CLOSED, 1 << c
             c += 1
         shift = d * h * (v - h * (drive / 2.0 + h * drive_rate / 6.0))

@@ -216,6 +216,7 @@ def advance_lean(rows, contacts, case, s, ax, az, dt, tolerance, max_step, histo
         load = loads(case, ax, az, per_second, s.k, s.tau)
         start = s.x, s.z, s.theta, s.vx, s.vz, s.omega
         _set_levels(contacts, s)
+        first = _lean_margin(rows, contacts, case, s, load, 0.0)
         h = min(dt - s.tau, longest)
         _lean(rows, contacts, case, s, start, load, h)
         while h > SHORTEST:  # two halves must agree with the whole
@@ -232,7 +233,7 @@ def advance_lean(rows, contacts, case, s, ax, az, dt, tolerance, max_step, histo
         outcome = ENDED
         margin = _lean_margin(rows, contacts, case, s, load, h)
         if margin < 0.0:
-            bracket = (0.0, min(SLACK_SLIP, SLACK_PRESS), h, margin, 0)
+            bracket = (0.0, max(first, SLACK_SLIP), h, margin, 0)
             for _ in range(200):
                 t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
                 if bracket[2] - bracket[0] <= LOCATED:

@@ -8,7 +8,7 @@ from stayput.mechanics.columns import CLOSED, CORNER, ENDED, LIMIT, SLIP, TURNED
 from stayput.mechanics.compiled import inline, inner
 from stayput.mechanics.geometry import HALF_TURN, along, arm_at, sin_cos
 from stayput.mechanics.motion import loads, note_sample, pass_time
-from stayput.mechanics.roots import closed_level, falls_inside, first_zero, narrowed, secant, stays_positive
+from stayput.mechanics.roots import closed_level, falls_inside, first_zero, narrowed, secant
 from stayput.mechanics.series import rock_series, slide_rock_series, step_within, tilt_after
 
 NEAR_LIMIT = 0.01
@@ -151,6 +151,9 @@ def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, 
     con, corner = contacts[s.i], CORNER[s.i]
     sin0, cos0, omega0, alpha0, place0, slip0, push0 = start
     sin1, cos1, omega1, alpha1, place1, slip1, push1 = end
+    # no more than this the body turns and the fulcrum runs in the step
+    turn = h * (abs(omega0) + abs(omega1) + h * (abs(alpha0) + abs(alpha1)))
+    run = h * (abs(slip0) + abs(slip1) + h * (abs(push0) + abs(push1)))
     first, hit = -1.0, 0
     others = s.present & ~(1 << s.i)
     c = 0
@@ -159,17 +162,18 @@ def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, 
             other = contacts[c]
             u, v = case.u[CORNER[c]] - case.u[corner], case.v[CORNER[c]] - case.v[corner]
             clear = along(other, foot0, foot1)[1] + other.offset
-            aside = along(other, con.cos, con.sin)[1]  # of the fulcrum's plane from the other
             across0, up0 = distance(other, u, v, sin0, cos0)
+            if clear + up0 > (abs(u) + abs(v)) * turn + run:
+                c += 1
+                continue  # too far away to be reached in this step
+            aside = along(other, con.cos, con.sin)[1]  # of the fulcrum's plane from the other
             across1, up1 = distance(other, u, v, sin1, cos1)
             level = closed_level(clear + up0)
             g0, g1 = clear + up0 - level, clear + up1 + aside * (place1 - place0) - level
             v0, v1 = omega0 * across0 + aside * slip0, omega1 * across1 + aside * slip1
             c0 = alpha0 * across0 - omega0 * omega0 * up0 + aside * push0
             c1 = alpha1 * across1 - omega1 * omega1 * up1 + aside * push1
-            t = -1.0
-            if not stays_positive(g0, v0, c0, g1, v1, c1, h):
-                t = first_zero(g0, v0, c0, g1, v1, c1, h)
+            t = first_zero(g0, v0, c0, g1, v1, c1, h)
             if t > 0.0:  # on the series itself
                 theta, omega = tilt_after(series, t)
                 sin, cos = sin_cos(theta, series[0], sin0, cos0)
@@ -318,7 +322,7 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history)
             end = state_after(h, law, con, foot, sin, cos, series, flow, load)
         s.steps += 1
         s.peak_tilt = max(s.peak_tilt, abs(end[0]))
-        if omega * end[1] < 0.0:
+        if omega * end[1] < 0.0 and abs(theta) + h * (abs(omega) + abs(end[1])) > s.peak_tilt:
             s.peak_tilt = max(s.peak_tilt, largest_tilt(series, end[1], h))
         start = end
         if pass_time(s, h, dt) and history.shape[0] > 0:

@@ -73,7 +73,7 @@ def root_between(quintic, high):
         new = u - p / q if q != 0.0 else low
         if not low < new < high:
             new = 0.5 * (low + high)
-        if abs(new - u) <= 1e-10:
+        if abs(new - u) <= 1e-6 * new:  # Newton's next step would be good to 1e-12 of it
             return new
         u = new
     return u
@@ -121,7 +121,7 @@ def stays_positive(g0, v0, c0, g1, v1, c1, h):
     return g0 * (v1 - v0) + v0 * (g0 - g1 + v1 * h) > 0.0  # convex: above where its tangents meet
 
 
-@inner
+@inline
 def first_zero(g0, v0, c0, g1, v1, c1, h):
     """Time of the first zero that a function, positive at the start, falls through on (0, h], or −1.
 
@@ -136,21 +136,20 @@ def first_zero(g0, v0, c0, g1, v1, c1, h):
     """
     if stays_positive(g0, v0, c0, g1, v1, c1, h):
         return -1.0
-    if g1 >= 0.0:
-        quintic = hermite(g0, v0, c0, g1, v1, c1, h)
-        turn = c0 / (c0 - c1) if c0 * c1 < 0.0 else 1.0
-        u = lowest_inside(quintic, 0.0, turn) if c0 >= 0.0 else lowest_inside(quintic, turn, 1.0)
-        if horner(quintic, u)[0] >= 0.0:
-            return -1.0
-        return h * root_between(quintic, u)
+    return _zero_of_quintic(g0, v0, c0, g1, v1, c1, h)
+
+
+@inner
+def _zero_of_quintic(g0, v0, c0, g1, v1, c1, h):
     quintic = hermite(g0, v0, c0, g1, v1, c1, h)
-    last = 1.0
-    if v1 > 0.0:  # it rises at the end: the first zero is before the lowest place
-        turn = c0 / (c0 - c1) if c0 * c1 < 0.0 else 1.0
-        last = lowest_inside(quintic, 0.0, turn) if c0 >= 0.0 else lowest_inside(quintic, turn, 1.0)
-        if horner(quintic, last)[0] >= 0.0:
-            last = 1.0
-    return h * root_between(quintic, last)
+    if g1 < 0.0 and v1 <= 0.0:
+        return h * root_between(quintic, 1.0)
+    # lowest inside, where it is convex: the first zero is before that place, if it is negative there
+    turn = c0 / (c0 - c1) if c0 * c1 < 0.0 else 1.0
+    u = lowest_inside(quintic, 0.0, turn) if c0 >= 0.0 else lowest_inside(quintic, turn, 1.0)
+    if horner(quintic, u)[0] < 0.0:
+        return h * root_between(quintic, u)
+    return h * root_between(quintic, 1.0) if g1 < 0.0 else -1.0
 
 
 @inner
