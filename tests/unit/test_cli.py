@@ -8,10 +8,12 @@ import sys
 import time
 
 import pytest
+from numba import njit
 from typer.testing import CliRunner
 
 import stayput
 from stayput.cli import app
+from stayput.simulation import Case
 
 PROGRAM = [sys.executable, "-c", "from stayput.cli import main; main()"]
 RECORD = "\n".join(f"{k * 0.01:.2f} {300 * ((k // 40) % 2 * 2 - 1)}" for k in range(400))
@@ -169,8 +171,14 @@ def test_version():
     assert cli("--version").stdout == f"stayput {stayput.__version__}\n"
 
 
-def test_a_cold_start_is_announced_on_standard_error(monkeypatch):
-    monkeypatch.setattr("stayput.mechanics.runner.is_compiled", lambda: False)
+def test_compiling_is_announced_on_standard_error(monkeypatch):
+    run = Case.run
+
+    def compiling(case):
+        njit(lambda x: x + 1)(1)
+        return run(case)
+
+    monkeypatch.setattr(Case, "run", compiling)
     result = cli("simulate", "--motion", "sine:1,1,1", "--json")
     assert result.stderr.startswith("Compiling the mechanics once")
     json.loads(result.stdout)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from stayput.scenario import Scenario
     from stayput.simulation import Run
 
-COLD_START_SECONDS = 30
+COLD_START_SECONDS = 25
 """About how long the first run on a machine compiles [s]."""
 
 
@@ -122,12 +122,14 @@ def _check_targets(plot: Path | None, animate: Path | None) -> None:
 
 
 def _run(scenario: Scenario) -> Run:
-    from stayput.mechanics.runner import is_compiled
+    from stayput.mechanics.compiled import told_of_compilation
+
+    def tell() -> None:
+        typer.echo(f"Compiling the mechanics once (about {COLD_START_SECONDS} s) ...", err=True)
 
     case = scenario.case()
-    if not is_compiled():
-        typer.echo(f"Compiling the mechanics once (about {COLD_START_SECONDS} s) ...", err=True)
-    return case.run()
+    with told_of_compilation(tell):
+        return case.run()
 
 
 @contextmanager

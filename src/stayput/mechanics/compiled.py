@@ -8,29 +8,69 @@ more with every thread that shares a motion.
 
 from __future__ import annotations
 
+from contextlib import contextmanager, suppress
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 from numba import njit
+from numba.core.event import Event, Listener, install_listener
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Generator
 
 compile_with: Any = njit  # Numba's type stubs leave out some of the options
 P = ParamSpec("P")
 T = TypeVar("T")
 
+SETTINGS = {"error_model": "numpy", "_nrt": False}
+"""A division by zero gives infinity or NaN, as in IEEE arithmetic, instead of an exception."""
+
+WITHIN = SETTINGS | {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+
 
 def inner(function: Callable[P, T]) -> Callable[P, T]:
     """Compile a function that only compiled functions call."""
-    return compile_with(no_cpython_wrapper=True, no_cfunc_wrapper=True, _nrt=False)(function)
+    return compile_with(**WITHIN)(function)
 
 
 def inline(function: Callable[P, T]) -> Callable[P, T]:
     """Compile a small function into its callers: one of those that every step of every case passes."""
-    options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "_nrt": False, "forceinline": True}
-    return compile_with(**options)(function)
+    return compile_with(**WITHIN, forceinline=True)(function)
 
 
 def entry(function: Callable[P, T]) -> Callable[P, T]:
     """Compile a function that Python calls, without the interpreter's lock, and keep the code on disk."""
-    return compile_with(cache=True, nogil=True, _nrt=False)(function)
+    compiled = compile_with(**SETTINGS, cache=True, nogil=True)(function)
+    _forget_outdated(Path(compiled.stats.cache_path))
+    return compiled
+
+
+def _forget_outdated(folder: Path) -> None:
+    """Drop code on disk that is older than any source here: Numba looks at the entry's own file alone."""
+    edited = max(source.stat().st_mtime for source in Path(__file__).parent.glob("*.py"))
+    with suppress(OSError):
+        for index in folder.glob("*.nbi"):
+            if index.stat().st_mtime < edited:
+                index.unlink(missing_ok=True)
+
+
+class _Once(Listener):
+    """Calls back at the first compilation."""
+
+    def __init__(self, tell: Callable[[], None]) -> None:
+        self.tell: Callable[[], None] | None = tell
+
+    def on_start(self, event: Event) -> None:
+        if self.tell is not None:
+            tell, self.tell = self.tell, None
+            tell()
+
+    def on_end(self, event: Event) -> None:
+        pass
+
+
+@contextmanager
+def told_of_compilation(tell: Callable[[], None]) -> Generator[None]:
+    """Call ``tell`` once, before anything is compiled; never if all code lies on disk already."""
+    with install_listener("numba:compile", _Once(tell)):
+        yield

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -165,11 +164,3 @@ def run_cases(
         cases, along, up, dt, bounds, law, tolerance, max_step, max_events, *room, states, *nothing, results
     )
     return results
-
-
-def is_compiled() -> bool:
-    """Whether the compiled code of the mechanics lies on disk, so that the first run starts at once."""
-    from stayput.mechanics import engine
-
-    cache = run_case._cache._impl.locator  # type: ignore[attr-defined]
-    return any(Path(cache.get_cache_path()).glob(f"{Path(engine.__file__).stem}.run_case-*.nbc"))
