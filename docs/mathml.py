@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 from docutils import nodes
@@ -12,8 +13,20 @@ if TYPE_CHECKING:
     from sphinx.writers.html5 import HTML5Translator
 
 
+DOTTED = re.compile(
+    r"""<munderover>\s*(<mi>[^<]*</mi>)\s*(.*?)\s*(<mo stretchy="false">[˙¨]</mo>)\s*</munderover>""",
+    re.DOTALL,
+)
+
+
+def _mathml(code: str, as_block: bool = False) -> str:
+    """Convert a formula; an index of a letter with dots stands beside the letter, not below it."""
+    text = str(latex2mathml.tex2mathml(code, as_block=as_block))
+    return DOTTED.sub(r"""<msub><mover accent="true">\1\3</mover>\2</msub>""", text)
+
+
 def _inline(self: HTML5Translator, node: nodes.math) -> None:
-    self.body.append(str(latex2mathml.tex2mathml(node.astext())))
+    self.body.append(_mathml(node.astext()))
     raise nodes.SkipNode
 
 
@@ -21,7 +34,7 @@ def _block(self: HTML5Translator, node: nodes.math_block) -> None:
     text = node.astext()
     code = wrap_math_code(text, as_block=True) if pick_math_environment(text) == "align*" else text
     anchor = f' id="{node["ids"][0]}"' if node["ids"] else ""
-    self.body.append(f'<div class="math-block"{anchor}>{latex2mathml.tex2mathml(code, as_block=True)}')
+    self.body.append(f'<div class="math-block"{anchor}>{_mathml(code, as_block=True)}')
     if node["number"]:
         self.body.append(f'<span class="eqno">({node["number"]})</span>')
     self.body.append("</div>")

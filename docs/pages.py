@@ -7,6 +7,7 @@ import importlib
 import inspect
 import subprocess
 import sys
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ from stayput.motion.readers import READERS
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "examples"
+MECHANICS = ROOT / "src" / "stayput" / "mechanics"
 
 
 def formats() -> str:
@@ -143,9 +145,25 @@ def examples() -> str:
     return "\n".join(parts)
 
 
+def tolerances() -> str:
+    """Return the table of the mechanics' numbers; the text is that which stands below each in the code."""
+    rows = []
+    for path in sorted(MECHANICS.glob("*.py")):
+        body = ast.parse(path.read_text(encoding="utf-8")).body
+        for given, about in pairwise(body):
+            match given, about:
+                case (
+                    ast.Assign([ast.Name(name)], ast.Constant(int() | float() as value)),
+                    ast.Expr(ast.Constant(str(text))),
+                ):
+                    words = " ".join(text.split("\n\n")[0].split())
+                    rows.append([f"`{path.stem}.{name}`", f"{value:g}", words])
+    return validation_run.markdown(["name", "value", "meaning"], rows, "lrl")
+
+
 def write(folder: Path) -> None:
     """Write every generated part into a folder."""
     folder.mkdir(parents=True, exist_ok=True)
-    for make in (formats, surfaces, furniture, scenario, examples):
+    for make in (formats, surfaces, furniture, scenario, examples, tolerances):
         (folder / f"{make.__name__}.md").write_text(make(), encoding="utf-8")
     validation_run.write(folder)
