@@ -16,6 +16,7 @@ import validation_run
 import stayput as sp
 from stayput.furniture import FURNITURE
 from stayput.motion.readers import READERS
+from stayput.scenario.messages import kinds
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "examples"
@@ -55,16 +56,6 @@ def furniture() -> str:
     return validation_run.markdown(heads, rows, "lrrrr")
 
 
-def _kinds(node: dict[str, Any], schema: dict[str, Any]) -> list[dict[str, Any]]:
-    """Return the kinds of value that a node of a JSON Schema allows, references followed, null left out."""
-    if "$ref" in node:
-        return _kinds(schema["$defs"][node["$ref"].rsplit("/", 1)[-1]], schema)
-    several = node.get("anyOf") or node.get("oneOf")
-    if several:
-        return [kind for one in several if one.get("type") != "null" for kind in _kinds(one, schema)]
-    return [node]
-
-
 def _number(value: float) -> str:
     """Write a bound: 0.001, 1,000,000, 1e+12."""
     return f"{value:,.10g}" if 1e-4 <= abs(value) < 1e7 else f"{value:g}"
@@ -82,7 +73,7 @@ def _in_words(kind: dict[str, Any], schema: dict[str, Any]) -> str:
         case "boolean":
             return "`true`, `false`"
         case "array":
-            items = " or ".join(_in_words(one, schema) for one in _kinds(kind["items"], schema))
+            items = " or ".join(_in_words(one, schema) for one in kinds(kind["items"], schema))
             least, most = kind.get("minItems", 0), kind.get("maxItems")
             return f"list of {least if least == most else f'{least} to {most}'}: {items}"
         case "object":
@@ -103,7 +94,7 @@ def _default(node: dict[str, Any], required: bool) -> str:
 def _table(name: str, about: dict[str, Any], schema: dict[str, Any]) -> list[str]:
     rows, inner = [], []
     for key, node in about["properties"].items():
-        kinds = _kinds(node, schema)
+        kinds = kinds(node, schema)
         words = " or ".join(_in_words(kind, schema) for kind in kinds)
         needed = key in about.get("required", ())
         rows.append([f"`{key}`", words, _default(node, needed), node.get("description", "")])

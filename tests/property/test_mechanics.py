@@ -35,6 +35,8 @@ from stayput.mechanics.runner import run_cases
 from stayput.simulation import STANDARD_GRAVITY, Outcome
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from numpy.typing import NDArray
 
     from stayput.simulation import Run
@@ -242,15 +244,19 @@ def place_at_rest(case: Standing) -> tuple[float, float]:
     )
 
 
-@given(seed=SEEDS)
-def test_friction_opposes_a_flat_slide(seed: int) -> None:
+def random_runs(seed: int) -> Iterator[tuple[Standing, Motion, Run]]:
+    """Run ten random cases through the public call."""
     source = Seeded(np.random.default_rng(seed))
     for _ in range(10):
         motion = random_motion(source, longest=800)
         case = random_standing(source)
-        if run(case.columns(), motion, COULOMB)["outcome"][0] == FAILED:
-            continue
-        found = simulate(case.body, case.room, motion, initial=case.start)
+        if run(case.columns(), motion, COULOMB)["outcome"][0] != FAILED:
+            yield case, motion, simulate(case.body, case.room, motion, initial=case.start)
+
+
+@given(seed=SEEDS)
+def test_friction_opposes_a_flat_slide(seed: int) -> None:
+    for case, motion, found in random_runs(seed):
         n, dt = len(found.time), motion.dt
         happened = np.zeros(n, bool)
         for event in found.events:
@@ -268,13 +274,7 @@ def test_friction_opposes_a_flat_slide(seed: int) -> None:
 @given(seed=SEEDS)
 def test_tilt_and_slide_are_continuous(seed: int) -> None:
     """From each known state the next one is reached by its rate, and by what the rate can change."""
-    source = Seeded(np.random.default_rng(seed))
-    for _ in range(10):
-        motion = random_motion(source, longest=800)
-        case = random_standing(source)
-        if run(case.columns(), motion, COULOMB)["outcome"][0] == FAILED:
-            continue
-        found = simulate(case.body, case.room, motion, initial=case.start)
+    for case, motion, found in random_runs(seed):
         states = list(
             zip(found.time, found.tilt, found.tilt_rate, found.slide, found.slide_rate, strict=True)
         )

@@ -45,7 +45,7 @@ def _unknown(place: Sequence[str | int], schema: dict[str, Any]) -> str:
     name = _dotted(place)
     if name in LATER:
         return f"{name} is not supported by this version of stayput yet; it must be left out."
-    known = [key for kind in _kinds(_node(place[:-1], schema), schema) for key in kind.get("properties", {})]
+    known = [key for kind in kinds(_node(place[:-1], schema), schema) for key in kind.get("properties", {})]
     near = get_close_matches(str(place[-1]), known, 1)
     hint = f" (did you mean {near[0]!r}?)" if near else ""
     where = f"a key of [{_dotted(place[:-1])}]" if len(place) > 1 else "a top-level key"
@@ -53,7 +53,7 @@ def _unknown(place: Sequence[str | int], schema: dict[str, Any]) -> str:
 
 
 def _hint(value: object, place: Sequence[str | int], schema: dict[str, Any]) -> str:
-    names = [name for kind in _kinds(_node(place, schema), schema) for name in kind.get("enum", [])]
+    names = [name for kind in kinds(_node(place, schema), schema) for name in kind.get("enum", [])]
     near = get_close_matches(value, names, 1) if isinstance(value, str) else []
     return f" (did you mean {near[0]!r}?)" if near else ""
 
@@ -73,20 +73,20 @@ def _shown(value: object) -> str:
     return shown if len(shown) <= _LONGEST else f"{shown[:_LONGEST]}…"
 
 
-def _kinds(node: dict[str, Any], schema: dict[str, Any]) -> list[dict[str, Any]]:
+def kinds(node: dict[str, Any], schema: dict[str, Any]) -> list[dict[str, Any]]:
     """Return the plain kinds of value that a node of the schema allows, references followed."""
     if "$ref" in node:
-        return _kinds(schema["$defs"][node["$ref"].rsplit("/", 1)[-1]], schema)
+        return kinds(schema["$defs"][node["$ref"].rsplit("/", 1)[-1]], schema)
     several = node.get("anyOf") or node.get("oneOf")
     if several:
-        return [kind for one in several if one.get("type") != "null" for kind in _kinds(one, schema)]
+        return [kind for one in several if one.get("type") != "null" for kind in kinds(one, schema)]
     return [node]
 
 
 def _node(place: Sequence[str | int], schema: dict[str, Any]) -> dict[str, Any]:
     node = schema
     for part in place:
-        for kind in _kinds(node, schema):
+        for kind in kinds(node, schema):
             if isinstance(part, int) and "items" in kind:
                 node = kind["items"]
                 break
@@ -97,7 +97,7 @@ def _node(place: Sequence[str | int], schema: dict[str, Any]) -> dict[str, Any]:
 
 
 def _allowed(node: dict[str, Any], schema: dict[str, Any]) -> str:
-    return " or ".join(_kind_in_words(kind, schema) for kind in _kinds(node, schema))
+    return " or ".join(_kind_in_words(kind, schema) for kind in kinds(node, schema))
 
 
 def _kind_in_words(kind: dict[str, Any], schema: dict[str, Any]) -> str:
