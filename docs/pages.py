@@ -94,8 +94,8 @@ def _default(node: dict[str, Any], required: bool) -> str:
 def _table(name: str, about: dict[str, Any], schema: dict[str, Any]) -> list[str]:
     rows, inner = [], []
     for key, node in about["properties"].items():
-        kinds = kinds(node, schema)
-        words = " or ".join(_in_words(kind, schema) for kind in kinds)
+        allowed = kinds(node, schema)
+        words = " or ".join(_in_words(kind, schema) for kind in allowed)
         needed = key in about.get("required", ())
         rows.append([f"`{key}`", words, _default(node, needed), node.get("description", "")])
         dotted = f"{name}.{key}" if name else key
