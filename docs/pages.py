@@ -99,7 +99,7 @@ def _table(name: str, about: dict[str, Any], schema: dict[str, Any]) -> list[str
         needed = key in about.get("required", ())
         rows.append([f"`{key}`", words, _default(node, needed), node.get("description", "")])
         dotted = f"{name}.{key}" if name else key
-        inner += [(dotted, kind) for kind in kinds if kind.get("properties")]
+        inner += [(dotted, kind) for kind in allowed if kind.get("properties")]
     head = f"## `[{name}]`" if name else "## Top level"
     text = about.get("description", "") if name else ""
     parts = [
