@@ -13,7 +13,7 @@ import numpy as np
 
 import stayput as sp
 from stayput.cases import State, case_columns
-from stayput.mechanics.runner import run_cases
+from stayput.mechanics.runner import run_cases, shaking
 from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
@@ -102,10 +102,10 @@ def timed(
     table: NDArray[np.void], motion: sp.Motion, *, threads: int = 1, repeats: int = 3, **settings: float
 ) -> Timed:
     """Run a table through the kernel, in slices where there are several threads; the best of the repeats."""
-    still = np.zeros_like(motion.x)
+    floor = shaking(motion.x, None, motion.dt, 0)
 
     def run(part: NDArray[np.void]) -> NDArray[np.void]:
-        return run_cases(part, motion.x, still, motion.dt, 0, **settings)
+        return run_cases(part, floor, **settings)
 
     run(table[:1])
     parts = np.array_split(table, 16 * threads if threads > 1 else 1)

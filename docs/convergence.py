@@ -12,7 +12,7 @@ import numpy as np
 import stayput as sp
 import workload
 from stayput.cases import State, case_columns
-from stayput.mechanics.runner import Traced, trace
+from stayput.mechanics.runner import Traced, shaking, trace
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -47,7 +47,7 @@ def _curve(
     case = case_columns(body, room, State(tilt=tilt), G)[0]
 
     def run(**settings: float) -> Traced:
-        return trace(case, samples, np.zeros_like(samples), dt, 0, **settings)
+        return trace(case, shaking(samples, None, dt, 0), **settings)
 
     true = run(**FINEST).events[event].time
     found = (run(tolerance=NO_TOLERANCE, max_step=h).events[event].time for h in STEPS)

@@ -1,22 +1,24 @@
-"""A case in numbers: the initial state, and the columns that the mechanics read."""
+"""Cases in numbers: body, room and initial state by their paths, and the rows that the mechanics read."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from stayput.errors import within
+from stayput.body import Body
+from stayput.errors import InputError, within
 from stayput.mechanics.columns import CASE
-from stayput.room import Ceiling
+from stayput.room import Ceiling, Floor, Room, Wall
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from numpy.typing import NDArray
 
-    from stayput.body import Body
-    from stayput.room import Room, Wall
+Numbers: TypeAlias = "float | NDArray[np.float64]"
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,28 +65,168 @@ def standing_corners(body: Body, start: State) -> tuple[tuple[float, float], ...
     return tuple((x + u, z + v) for u, v in turned)
 
 
+def leaves_of_body(body: Body) -> dict[str, float]:
+    """Return a body's numbers by their paths; an inertia that follows from the section is NaN."""
+    return {
+        "body.width": body.width,
+        "body.height": body.height,
+        "body.mass": body.mass,
+        "body.inertia": math.nan if body.inertia is None else body.inertia,
+        "body.cg_offset.x": body.cg_offset[0],
+        "body.cg_offset.z": body.cg_offset[1],
+        "body.base_heights.left": body.base_heights[0],
+        "body.base_heights.right": body.base_heights[1],
+    }
+
+
+def leaves_of_floor(floor: Floor) -> dict[str, float]:
+    """Return a floor's numbers by their paths; an edge's friction that is the base's is NaN."""
+    static, kinetic = floor.edge_static_friction, floor.edge_kinetic_friction
+    return {
+        "room.floor.static_friction": floor.static_friction,
+        "room.floor.kinetic_friction": floor.kinetic_friction,
+        "room.floor.edge_static_friction": math.nan if static is None else static,
+        "room.floor.edge_kinetic_friction": math.nan if kinetic is None else kinetic,
+        "room.floor.restitution": floor.restitution,
+        "room.floor.normal_restitution": floor.normal_restitution,
+    }
+
+
+def leaves_of_surface(name: str, surface: Wall | Ceiling | None) -> dict[str, float]:
+    """Return the numbers of ``left_wall``, ``right_wall`` or ``ceiling``; far away where there is none."""
+    distance = "height" if name == "ceiling" else "gap"
+    if surface is None:
+        surface = Wall(0.0)
+        place = math.inf
+    else:
+        place = surface.height if isinstance(surface, Ceiling) else surface.gap
+    return {
+        f"room.{name}.{distance}": place,
+        f"room.{name}.restitution": surface.restitution,
+        f"room.{name}.friction": surface.friction,
+    }
+
+
+SURFACES = ("left_wall", "right_wall", "ceiling")
+
+
+def leaves_of_room(room: Room) -> dict[str, float]:
+    """Return a room's numbers by their paths."""
+    found = leaves_of_floor(room.floor)
+    for name in SURFACES:
+        found |= leaves_of_surface(name, getattr(room, name))
+    return found
+
+
+def from_leaves(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
+    """Return the body, the room and the initial state of numbers by path; the inverse of `leaves`.
+
+    Raises
+    ------
+    InputError
+        Numbers that make no body, room or state, or a body that stands inside a wall or the ceiling.
+    """
+
+    def given(path: str) -> float | None:
+        return None if math.isnan(numbers[path]) else numbers[path]
+
+    def part(prefix: str, *names: str) -> list[float]:
+        return [numbers[f"{prefix}.{name}"] for name in names]
+
+    def surface(name: str, kind: type[Wall] | type[Ceiling]) -> Wall | Ceiling | None:
+        distance = "height" if kind is Ceiling else "gap"
+        values = part(f"room.{name}", distance, "restitution", "friction")
+        return None if values[0] == math.inf else kind(*values)
+
+    body = Body(
+        *part("body", "width", "height", "mass"),
+        cg_offset=(numbers["body.cg_offset.x"], numbers["body.cg_offset.z"]),
+        inertia=given("body.inertia"),
+        base_heights=(numbers["body.base_heights.left"], numbers["body.base_heights.right"]),
+    )
+    floor = Floor(
+        *part("room.floor", "static_friction", "kinetic_friction"),
+        edge_static_friction=given("room.floor.edge_static_friction"),
+        edge_kinetic_friction=given("room.floor.edge_kinetic_friction"),
+        restitution=numbers["room.floor.restitution"],
+        normal_restitution=numbers["room.floor.normal_restitution"],
+    )
+    left, right = surface("left_wall", Wall), surface("right_wall", Wall)
+    room = Room(floor, left, right, surface("ceiling", Ceiling))  # type: ignore[arg-type]
+    start = State(*part("initial", "tilt", "tilt_rate", "slide", "slide_rate"))
+    within("Gravity", numbers["gravity"], 0.01, 1e3, "m/s²")
+    within("Scale of the motion", numbers["motion.scale"], -1e6, 1e6)
+    refuse_penetration(body, room, start)
+    return body, room, start
+
+
+def refuse_penetration(body: Body, room: Room, start: State) -> None:
+    """Raise `InputError` where the initial state puts the body into a wall or the ceiling."""
+    corners = standing_corners(body, start)
+    rest = standing_corners(body, State())
+    right, left = max(x for x, _ in rest), min(x for x, _ in rest)
+    top = max(z for _, z in corners)
+    if room.right_wall is not None:
+        clear = right + room.right_wall.gap - max(x for x, _ in corners)
+        _refuse_negative("the right wall", clear)
+    if room.left_wall is not None:
+        clear = min(x for x, _ in corners) - (left - room.left_wall.gap)
+        _refuse_negative("the left wall", clear)
+    if room.ceiling is not None:
+        _refuse_negative("the ceiling", room.ceiling.height - top)
+
+
+def _refuse_negative(where: str, clear: float) -> None:
+    if clear < -1e-12:
+        raise InputError(f"The body stands {-clear:g} m inside {where} at the start; it must be clear of it.")
+
+
+def leaves(body: Body, room: Room, start: State, gravity: float) -> dict[str, float]:
+    """Return all numbers of a case by their dotted paths; the factor on the motion is 1."""
+    return {
+        **leaves_of_body(body),
+        **leaves_of_room(room),
+        "initial.tilt": start.tilt,
+        "initial.tilt_rate": start.tilt_rate,
+        "initial.slide": start.slide,
+        "initial.slide_rate": start.slide_rate,
+        "gravity": gravity,
+        "motion.scale": 1.0,
+    }
+
+
+def case_rows(numbers: Mapping[str, Numbers], count: int) -> NDArray[np.void]:
+    """Return ``count`` rows of `CASE` from numbers by path, each one value or ``count`` of them."""
+    rows = np.zeros(count, CASE)
+    b, h, m = numbers["body.width"], numbers["body.height"], numbers["body.mass"]
+    given = numbers["body.inertia"]
+    rows["inertia"] = np.where(np.isnan(given), m * (b**2 + h**2) / 12.0, given) / m
+    x_g, z_g = numbers["body.cg_offset.x"], h / 2 + numbers["body.cg_offset.z"]
+    left, right, top = -b / 2 - x_g, b / 2 - x_g, h - z_g
+    for corner, (u, v) in enumerate(
+        (
+            (left, numbers["body.base_heights.left"] - z_g),
+            (right, numbers["body.base_heights.right"] - z_g),
+            (left, top),
+            (right, top),
+        )
+    ):
+        rows["u"][:, corner], rows["v"][:, corner] = u, v
+    for name in ("static_friction", "kinetic_friction", "restitution", "normal_restitution"):
+        rows[name] = numbers[f"room.floor.{name}"]
+    for name in ("static_friction", "kinetic_friction"):
+        edge = numbers[f"room.floor.edge_{name}"]
+        rows[f"edge_{name}"] = np.where(np.isnan(edge), numbers[f"room.floor.{name}"], edge)
+    for name, column in zip(SURFACES, ("left", "right", "ceiling"), strict=True):
+        rows[f"{column}_distance"] = numbers[f"room.{name}.{'height' if name == 'ceiling' else 'gap'}"]
+        rows[f"{column}_restitution"] = numbers[f"room.{name}.restitution"]
+        rows[f"{column}_friction"] = numbers[f"room.{name}.friction"]
+    for name in ("tilt", "tilt_rate", "slide", "slide_rate"):
+        rows[name] = numbers[f"initial.{name}"]
+    rows["gravity"], rows["scale"] = numbers["gravity"], numbers["motion.scale"]
+    return rows
+
+
 def case_columns(body: Body, room: Room, start: State, gravity: float) -> NDArray[np.void]:
     """Return one row of `CASE`, shape [1]; the factor on the motion is 1."""
-    row = np.zeros(1, CASE)
-    corners = np.array(body.corners)
-    row["inertia"] = body.inertia_about_cg / body.mass
-    row["u"], row["v"] = corners[:, 0], corners[:, 1]
-    row["gravity"], row["scale"] = gravity, 1.0
-    floor = room.floor
-    row["static_friction"], row["kinetic_friction"] = floor.static_friction, floor.kinetic_friction
-    row["edge_static_friction"], row["edge_kinetic_friction"] = floor.edge_friction
-    row["restitution"], row["normal_restitution"] = floor.restitution, floor.normal_restitution
-    _surface(row, "right", room.right_wall)
-    _surface(row, "left", room.left_wall)
-    _surface(row, "ceiling", room.ceiling)
-    row["tilt"], row["tilt_rate"] = start.tilt, start.tilt_rate
-    row["slide"], row["slide_rate"] = start.slide, start.slide_rate
-    return row
-
-
-def _surface(row: NDArray[np.void], name: str, surface: Wall | Ceiling | None) -> None:
-    """Fill in a wall or the ceiling; its distance is infinite where there is none."""
-    row[f"{name}_distance"] = math.inf
-    if surface is not None:
-        row[f"{name}_distance"] = surface.height if isinstance(surface, Ceiling) else surface.gap
-        row[f"{name}_restitution"], row[f"{name}_friction"] = surface.restitution, surface.friction
+    return case_rows(leaves(body, room, start, gravity), 1)

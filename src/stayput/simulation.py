@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from stayput.cases import State, case_columns, standing_corners
+from stayput.cases import State, case_columns, refuse_penetration
 from stayput.errors import InputError, within
 from stayput.mechanics import columns as col
 from stayput.motion.units import STANDARD_GRAVITY
@@ -32,6 +32,9 @@ Contact = Literal["coulomb", "paper"]
 The paper is *A fundamental study on development of a verification system for earthquake-proof measures for
 furniture* (14WCEE, 2008).
 """
+
+LAWS: tuple[Contact, ...] = ("coulomb", "paper")
+"""The contact laws, in the order of their numbers in the mechanics."""
 
 
 class Outcome(StrEnum):
@@ -244,43 +247,21 @@ def simulate(
     InputError
         Input that is refused, in one sentence.
     """
-    from stayput.mechanics.runner import trace
+    from stayput.mechanics.runner import shaking, trace
 
     start = State() if initial is None else initial
     within("Gravity", gravity, 0.01, 1e3, "m/s²")
-    _refuse_penetration(body, room, start)
-    law = ("coulomb", "paper").index(_known_contact(contact))
-    up = motion.z if motion.z is not None else np.zeros_like(motion.x)
+    refuse_penetration(body, room, start)
     columns = case_columns(body, room, start, gravity)
-    traced = trace(columns[0], motion.x, up, motion.dt, law)
+    traced = trace(columns[0], shaking(motion.x, motion.z, motion.dt, law_number(contact)))
     return _as_run(Case(body, room, motion, contact, start, gravity), traced)
 
 
-def _known_contact(contact: str) -> Contact:
-    if contact not in ("coulomb", "paper"):
+def law_number(contact: str) -> int:
+    """Return the number of a contact law in the mechanics."""
+    if contact not in LAWS:
         raise InputError(f"Contact is {contact!r}; it must be 'coulomb' or 'paper'.")
-    return contact
-
-
-def _refuse_penetration(body: Body, room: Room, start: State) -> None:
-    """Raise `InputError` where the initial state puts the body into a wall or the ceiling."""
-    corners = standing_corners(body, start)
-    rest = standing_corners(body, State())
-    right, left = max(x for x, _ in rest), min(x for x, _ in rest)
-    top = max(z for _, z in corners)
-    if room.right_wall is not None:
-        clear = right + room.right_wall.gap - max(x for x, _ in corners)
-        _refuse_negative("the right wall", clear)
-    if room.left_wall is not None:
-        clear = min(x for x, _ in corners) - (left - room.left_wall.gap)
-        _refuse_negative("the left wall", clear)
-    if room.ceiling is not None:
-        _refuse_negative("the ceiling", room.ceiling.height - top)
-
-
-def _refuse_negative(where: str, clear: float) -> None:
-    if clear < -1e-12:
-        raise InputError(f"The body stands {-clear:g} m inside {where} at the start; it must be clear of it.")
+    return LAWS.index(contact)
 
 
 def _as_run(case: Case, traced: Traced) -> Run:

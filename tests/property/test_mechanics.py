@@ -31,7 +31,7 @@ from mechanics_cases import (
 
 from stayput import Floor, Motion, Room, State, Wall, simulate
 from stayput.cases import standing_corners
-from stayput.mechanics.runner import run_cases
+from stayput.mechanics.runner import run_cases, shaking
 from stayput.simulation import STANDARD_GRAVITY, Outcome
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ FAILED, OVERTURNED = list(Outcome).index(Outcome.FAILED), list(Outcome).index(Ou
 
 
 def run(cases: NDArray[np.void], motion: Motion, law: int, **kwargs: float) -> NDArray[np.void]:
-    return run_cases(cases, motion.x, up(motion), motion.dt, law, max_events=FEW_EVENTS, **kwargs)
+    return run_cases(cases, shaking(motion.x, up(motion), motion.dt, law), max_events=FEW_EVENTS, **kwargs)
 
 
 def many(seed: int, *, walls: bool = True) -> tuple[list[Standing], Motion]:

@@ -14,7 +14,7 @@ from setups import G, block, both_laws, impacts, room, simulate, still
 import stayput as sp
 from stayput.cases import case_columns
 from stayput.mechanics.columns import H_SLIDE, H_TILT
-from stayput.mechanics.runner import Traced, trace
+from stayput.mechanics.runner import Traced, shaking, trace
 
 DT = 0.2  # s, of the record
 STEPS = [DT / n for n in (2, 4, 8, 16)]
@@ -37,7 +37,7 @@ def traced(name: str, law: str, step: float) -> Traced:
     floor = sp.Floor(friction, 0.85 * friction)
     case = case_columns(BODY, sp.Room(floor), sp.State(tilt=tilt), G)[0]
     number = ("coulomb", "paper").index(law)
-    return trace(case, along, np.zeros_like(along), DT, number, tolerance=np.inf, max_step=step)
+    return trace(case, shaking(along, None, DT, number), tolerance=np.inf, max_step=step)
 
 
 def errors(run: Traced, reference: Traced) -> list[float]:

@@ -62,11 +62,32 @@ def extremes(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[
     return low, high
 
 
-def _loads(
-    along: NDArray[np.float64], up: NDArray[np.float64], law: int
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Copy the motion (compiled code is for writable arrays); the paper's rules know no vertical one."""
-    return np.array(along, np.float64), np.zeros(len(along)) if law == 1 else np.array(up, np.float64)
+@dataclass(frozen=True, slots=True, eq=False)
+class Shaking:
+    """A motion as the compiled code reads it, for one contact law."""
+
+    along: NDArray[np.float64]
+    up: NDArray[np.float64]
+    dt: float
+    law: int
+    bounds: tuple[NDArray[np.float64], ...]
+
+
+def shaking(along: NDArray[np.float64], up: NDArray[np.float64] | None, dt: float, law: int) -> Shaking:
+    """Prepare a motion: once for all cases under it.
+
+    Parameters
+    ----------
+    along, up : ndarray of float64, shape [n]
+        Acceleration of the floor, + right and + up [m/s²]; without ``up`` there is no vertical one.
+    dt : float
+        Time between samples [s].
+    law : int
+        0 for "coulomb", 1 for "paper", whose rules know no vertical motion.
+    """
+    along = np.array(along, np.float64)  # copied: compiled code is for writable arrays
+    up = np.zeros(len(along)) if up is None or law == 1 else np.array(up, np.float64)
+    return Shaking(along, up, dt, law, (*extremes(along), *extremes(up)))
 
 
 def _room_for_contacts() -> tuple[NDArray[np.void], NDArray[np.void]]:
@@ -75,10 +96,7 @@ def _room_for_contacts() -> tuple[NDArray[np.void], NDArray[np.void]]:
 
 def trace(
     case: np.void,
-    along: NDArray[np.float64],
-    up: NDArray[np.float64],
-    dt: float,
-    law: int,
+    motion: Shaking,
     *,
     tolerance: float = TOLERANCE,
     max_step: float = np.inf,
@@ -89,25 +107,18 @@ def trace(
     ----------
     case : CASE record
         The case.
-    along, up : ndarray of float64, shape [n]
-        Acceleration of the floor, + right and + up [m/s²].
-    dt : float
-        Time between samples [s].
-    law : int
-        0 for "coulomb", 1 for "paper".
+    motion : Shaking
+        How the floor moves, and the contact law.
     tolerance, max_step : float
         Largest last term of the series in a step [rad], longest step [s].
     """
-    along, up = _loads(along, up, law)
-    bounds = (*extremes(along), *extremes(up))
+    loads = motion.along, motion.up, motion.dt, motion.bounds, motion.law
     state = np.zeros(1, col.STATE)[0]
     room = _room_for_contacts()
-    history = np.zeros((len(along), col.HISTORY))
+    history = np.zeros((len(motion.along), col.HISTORY))
     listed = np.zeros((LISTED_EVENTS, col.EVENT))
     while True:
-        result = run_case(
-            case, along, up, dt, bounds, law, tolerance, max_step, MAX_EVENTS, *room, state, history, listed
-        )
+        result = run_case(case, *loads, tolerance, max_step, MAX_EVENTS, *room, state, history, listed)
         count = int(state["events"])
         if count <= len(listed):
             break
@@ -135,10 +146,7 @@ def trace(
 
 def run_cases(
     cases: NDArray[np.void],
-    along: NDArray[np.float64],
-    up: NDArray[np.float64],
-    dt: float,
-    law: int,
+    motion: Shaking,
     *,
     tolerance: float = TOLERANCE,
     max_step: float = np.inf,
@@ -149,18 +157,15 @@ def run_cases(
     Parameters
     ----------
     cases : ndarray of CASE, shape [m]
-    along, up, dt, law, tolerance, max_step
+    motion, tolerance, max_step
         As for `trace`.
     max_events : int
         Events after which a case is given up.
     """
-    along, up = _loads(along, up, law)
-    bounds = (*extremes(along), *extremes(up))
+    loads = motion.along, motion.up, motion.dt, motion.bounds, motion.law
     results = np.zeros(len(cases), col.RESULT)
     nothing = np.zeros((0, col.HISTORY)), np.zeros((0, col.EVENT))
     room = _room_for_contacts()
     states = np.zeros(1, col.STATE)
-    run_batch(
-        cases, along, up, dt, bounds, law, tolerance, max_step, max_events, *room, states, *nothing, results
-    )
+    run_batch(cases, *loads, tolerance, max_step, max_events, *room, states, *nothing, results)
     return results
