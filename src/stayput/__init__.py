@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from stayput.body import Body, Part
+    from stayput.ensemble import simulate_many, sweep
     from stayput.errors import InputError
     from stayput.motion import Motion, near_fault, pulse, read_motion, sine
     from stayput.room import SURFACES, Ceiling, Floor, Room, Wall
@@ -42,7 +43,9 @@ _HOMES = {
     "read_motion": "motion",
     "read_scenario": "scenario",
     "simulate": "simulation",
+    "simulate_many": "ensemble",
     "sine": "motion",
+    "sweep": "ensemble",
 }
 
 __all__ = [
@@ -68,7 +71,9 @@ __all__ = [
     "read_motion",
     "read_scenario",
     "simulate",
+    "simulate_many",
     "sine",
+    "sweep",
 ]
 
 

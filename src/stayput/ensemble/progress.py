@@ -1,0 +1,44 @@
+"""A progress bar for long work, on a terminal only."""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Generator
+
+    from rich.progress import Task
+    from rich.text import Text
+
+
+@contextmanager
+def bar(total: int, what: str, shown: bool | None = None) -> Generator[Callable[[int], None]]:
+    """Give what is told of the cases done, and draws rate and time left on standard error.
+
+    Parameters
+    ----------
+    total : int
+        Number of cases.
+    what : str
+        What the bar is called.
+    shown : bool, optional
+        Whether to draw it; default if standard error is a terminal.
+    """
+    from rich.console import Console
+
+    console = Console(stderr=True)
+    if not (console.is_terminal if shown is None else shown):
+        yield lambda count: None
+        return
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, ProgressColumn, TimeRemainingColumn
+    from rich.text import Text
+
+    class Rate(ProgressColumn):
+        def render(self, task: Task) -> Text:
+            return Text("" if task.speed is None else f"{task.speed:,.0f} cases/s")
+
+    columns = "{task.description}", BarColumn(), MofNCompleteColumn(), Rate(), TimeRemainingColumn()
+    with Progress(*columns, console=console, transient=True) as progress:
+        task = progress.add_task(what, total=total)
+        yield lambda count: progress.advance(task, count)

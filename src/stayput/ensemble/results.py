@@ -1,0 +1,60 @@
+"""What an ensemble keeps of each case: columns, with their units and meanings."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.mechanics.columns import OVERTURNED_OUTCOME
+from stayput.simulation import Outcome
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A column of results."""
+
+    name: str
+    dtype: str
+    unit: str
+    meaning: str
+
+
+QUANTITIES = (
+    Quantity("outcome", "i1", "", "what became of the body: the flag's place in flag_meanings"),
+    Quantity("overturned", "?", "", "whether the tilt reached 90°"),
+    Quantity("overturn_time", "f8", "s", "time at which the tilt reached 90°, or nan"),
+    Quantity("peak_slide", "f8", "m", "largest magnitude of the slide"),
+    Quantity("residual_slide", "f8", "m", "slide at the end"),
+    Quantity("peak_tilt", "f8", "rad", "largest magnitude of the tilt"),
+    Quantity("residual_tilt", "f8", "rad", "tilt at the end"),
+    Quantity("floor_impacts", "i4", "", "landings on the floor"),
+    Quantity("wall_impacts", "i4", "", "hits on the walls and the ceiling"),
+    Quantity("events", "i4", "", "all events"),
+)
+"""The columns of results."""
+
+OUTCOMES = tuple(outcome.value for outcome in Outcome)
+"""Names of the outcomes, in the order of the flags."""
+
+
+def empty(count: int) -> dict[str, NDArray[np.generic]]:
+    """Return room for the results of ``count`` cases, by name."""
+    return {q.name: np.zeros(count, q.dtype) for q in QUANTITIES}
+
+
+def fill(columns: dict[str, NDArray[np.generic]], start: int, results: NDArray[np.void]) -> None:
+    """Put rows of `mechanics.columns.RESULT` into their places from ``start`` on."""
+    place = slice(start, start + len(results))
+    overturned = results["outcome"] == OVERTURNED_OUTCOME
+    for name, column in columns.items():
+        if name == "overturned":
+            column[place] = overturned
+        elif name == "overturn_time":
+            column[place] = np.where(overturned, results["end"], np.nan)
+        else:
+            column[place] = results[name]
