@@ -6,14 +6,12 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from stayput.report.files import PLOT_SUFFIXES, check_target, draft
+from stayput.report.figures import FONT, new_figure, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.history import history
-from stayput.report.palette import ALARM, COMPONENT_COLOURS, EVENT_MARKERS, FAINT, INK, MODE_COLOURS, MUTED
+from stayput.report.palette import ALARM, COMPONENT_COLOURS, EVENT_MARKERS, INK, MODE_COLOURS, MUTED
 from stayput.report.summary import motion_label, sentence
 from stayput.simulation import EventKind, Mode
 
@@ -21,11 +19,11 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
     from stayput.motion import Motion
     from stayput.simulation import Run
 
-_FONT = 10.0
 _AFTER = 1.2  # the time axis goes on after overturning by this factor
 _TILT_SHOWN = 3.0  # the tilt axis ends here, in critical angles; a fall beyond it is marked, not followed
 
@@ -52,18 +50,18 @@ def plot_run(run: Run, path: str | Path | None = None, *, name: str = "body") ->
     InputError
         A path that cannot be written.
     """
-    figure = _figure(9.5, 7.2)
+    figure = new_figure(9.5, 7.2)
     axes = figure.subplots(4, 1, sharex=True, height_ratios=[1.0, 1.6, 1.0, 0.16])
     acceleration, tilt, slide, modes = axes
-    figure.suptitle(drawable(sentence(run, name)), fontsize=_FONT + 2.0, color=INK)
+    figure.suptitle(drawable(sentence(run, name)), fontsize=FONT + 2.0, color=INK)
     _draw_acceleration(acceleration, run.motion)
     _draw_tilt(tilt, run)
     _draw_slide(slide, run)
     _draw_modes(modes, (tilt, slide), run)
     modes.set_xlim(0.0, _last_time(run))
-    modes.set_xlabel("Time [s]", fontsize=_FONT)
+    modes.set_xlabel("Time [s]", fontsize=FONT)
     figure.align_ylabels(axes[:3])
-    return _saved(figure, path)
+    return saved(figure, path)
 
 
 def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
@@ -89,30 +87,30 @@ def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
         A path that cannot be written.
     """
     parts = motion.components
-    figure = _figure(4.0 + 3.6 * len(parts), 6.6)
+    figure = new_figure(4.0 + 3.6 * len(parts), 6.6)
     axes = figure.subplots(3, len(parts), sharex=True, sharey="row", squeeze=False)
-    figure.suptitle(drawable(motion_label(motion)), fontsize=_FONT + 2.0, color=INK)
+    figure.suptitle(drawable(motion_label(motion)), fontsize=FONT + 2.0, color=INK)
     titles = {"x": "x, along the shaking", "y": "y, across", "z": "z, up"}
     for column, component in enumerate(parts):
         one = motion.component(component)
         time = motion.time
         rows = (one.x, 100.0 * one.velocity, 100.0 * one.displacement)
-        axes[0, column].set_title(titles[component], fontsize=_FONT, color=INK)
-        axes[2, column].set_xlabel("Time [s]", fontsize=_FONT)
+        axes[0, column].set_title(titles[component], fontsize=FONT, color=INK)
+        axes[2, column].set_xlabel("Time [s]", fontsize=FONT)
         for axis, values, unit in zip(axes[:, column], rows, ("m/s²", "cm/s", "cm"), strict=True):
-            _style(axis)
+            style(axis)
             peak = int(np.argmax(np.abs(values)))
             axis.plot(time, values, color=COMPONENT_COLOURS[component], linewidth=0.9)
             axis.plot(
                 time[peak], values[peak], "o", color=INK, markersize=4.0, label=f"{values[peak]:.3g} {unit}"
             )
-            axis.legend(loc="upper right", fontsize=_FONT - 1.5, framealpha=0.85, handletextpad=0.2)
+            axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85, handletextpad=0.2)
     for axis, label in zip(
         axes[:, 0], ("Acceleration [m/s²]", "Velocity [cm/s]", "Displacement [cm]"), strict=True
     ):
-        axis.set_ylabel(label, fontsize=_FONT)
+        axis.set_ylabel(label, fontsize=FONT)
     figure.align_ylabels(axes[:, 0])
-    return _saved(figure, path)
+    return saved(figure, path)
 
 
 def critical_angles(run: Run) -> tuple[float, float]:
@@ -132,29 +130,6 @@ def wall_angles(run: Run) -> tuple[float | None, float | None]:
     return angles[0], angles[1]
 
 
-def _figure(width: float, height: float) -> Figure:
-    figure = Figure(figsize=(width, height), dpi=120, layout="constrained", facecolor="white")
-    FigureCanvasAgg(figure)
-    return figure
-
-
-def _saved(figure: Figure, path: str | Path | None) -> Figure:
-    if path is not None:
-        target = check_target(path, PLOT_SUFFIXES)
-        with draft(target) as unfinished:
-            figure.savefig(unfinished)
-    return figure
-
-
-def _style(axis: Axes) -> None:
-    axis.tick_params(labelsize=_FONT - 1.0, colors=INK)
-    axis.grid(True, color=FAINT, linewidth=0.7)
-    axis.set_axisbelow(True)
-    axis.axhline(0.0, color=MUTED, linewidth=0.6)
-    for side in ("top", "right"):
-        axis.spines[side].set_visible(False)
-
-
 def _last_time(run: Run) -> float:
     """Return the end of the time axis [s]: the record's, or some time after the body turned over."""
     duration = run.motion.duration
@@ -162,20 +137,20 @@ def _last_time(run: Run) -> float:
 
 
 def _draw_acceleration(axis: Axes, motion: Motion) -> None:
-    _style(axis)
+    style(axis)
     for component, a, told in (("x", motion.x, "x, horizontal"), ("z", motion.z, "z, vertical")):
         if a is not None:
             axis.plot(motion.time, a, color=COMPONENT_COLOURS[component], linewidth=0.9, label=told)
-    axis.set_ylabel("Floor\nacceleration [m/s²]", fontsize=_FONT)
-    axis.set_title(drawable(motion_label(motion)), fontsize=_FONT - 0.5, color=MUTED, loc="left")
-    axis.legend(loc="upper right", fontsize=_FONT - 1.5, framealpha=0.85)
+    axis.set_ylabel("Floor\nacceleration [m/s²]", fontsize=FONT)
+    axis.set_title(drawable(motion_label(motion)), fontsize=FONT - 0.5, color=MUTED, loc="left")
+    axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85)
 
 
 def _draw_tilt(axis: Axes, run: Run) -> None:
-    _style(axis)
+    style(axis)
     shown = history(run)
     axis.plot(shown.time, np.degrees(shown.tilt), color=INK, linewidth=1.3)
-    axis.set_ylabel("Tilt [°]\n(+ to the right)", fontsize=_FONT)
+    axis.set_ylabel("Tilt [°]\n(+ to the right)", fontsize=FONT)
     low, high = _tilt_limits(run)
     axis.set_ylim(low, high)
     lines = [
@@ -224,7 +199,7 @@ def _draw_tilt(axis: Axes, run: Run) -> None:
                 zorder=5,
             )
     if axis.get_legend_handles_labels()[0]:
-        axis.legend(loc="best", fontsize=_FONT - 1.5, framealpha=0.85)
+        axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
 
 
 def _tilt_limits(run: Run) -> tuple[float, float]:
@@ -242,10 +217,10 @@ def _tilt_limits(run: Run) -> tuple[float, float]:
 
 
 def _draw_slide(axis: Axes, run: Run) -> None:
-    _style(axis)
+    style(axis)
     shown = history(run)
     axis.plot(shown.time, 100.0 * shown.slide, color=INK, linewidth=1.3)
-    axis.set_ylabel("Slide [cm]\n(+ to the right)", fontsize=_FONT)
+    axis.set_ylabel("Slide [cm]\n(+ to the right)", fontsize=FONT)
     if run.peak_slide < 1e-3:
         axis.set_ylim(-0.1, 0.1)
 
@@ -272,14 +247,14 @@ def _draw_modes(strip: Axes, bands: tuple[Axes, ...], run: Run) -> None:
             axis.axvline(run.overturn_time, color=ALARM, linewidth=1.0)
     strip.set_yticks([])
     strip.set_ylim(0.0, 1.0)
-    strip.set_ylabel("Mode", fontsize=_FONT, rotation=0, ha="right", va="center")
-    strip.tick_params(labelsize=_FONT - 1.0, colors=INK)
+    strip.set_ylabel("Mode", fontsize=FONT, rotation=0, ha="right", va="center")
+    strip.tick_params(labelsize=FONT - 1.0, colors=INK)
     handles = [Patch(facecolor=MODE_COLOURS[mode], label=mode.value) for mode in present]
     strip.legend(
         handles=handles,
         loc="upper center",
         bbox_to_anchor=(0.5, -2.6),
         ncols=len(present),
-        fontsize=_FONT - 1.0,
+        fontsize=FONT - 1.0,
         frameon=False,
     )

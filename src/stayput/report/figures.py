@@ -1,0 +1,46 @@
+"""What all plots share: figures made without pyplot (thread-safe, headless), their style, their files."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from stayput.report.files import PLOT_SUFFIXES, check_target, draft
+from stayput.report.palette import FAINT, INK, MUTED
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from matplotlib.axes import Axes
+
+FONT = 10.0
+"""Size of the labels [points]."""
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """Return an empty figure of a size in inches."""
+    figure = Figure(figsize=(width, height), dpi=120, layout="constrained", facecolor="white")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def saved(figure: Figure, path: str | Path | None) -> Figure:
+    """Save a figure where a path is given (PNG, SVG or PDF by its ending), whole or not at all."""
+    if path is not None:
+        target = check_target(path, PLOT_SUFFIXES)
+        with draft(target) as unfinished:
+            figure.savefig(unfinished)
+    return figure
+
+
+def style(axis: Axes, *, zero: bool = True) -> None:
+    """Give an axis the grid and the sizes of all plots, and a line at zero where that means something."""
+    axis.tick_params(labelsize=FONT - 1.0, colors=INK)
+    axis.grid(True, color=FAINT, linewidth=0.7)
+    axis.set_axisbelow(True)
+    if zero:
+        axis.axhline(0.0, color=MUTED, linewidth=0.6)
+    for side in ("top", "right"):
+        axis.spines[side].set_visible(False)
