@@ -33,8 +33,8 @@ MOST = 2**27
 
 def histories_of(
     grid: Grid, names: tuple[str, ...], threads: int | None
-) -> dict[str, tuple[NDArray[np.float64], dict[str, Any]]]:
-    """Return histories over the grid's axes and time, NaN after a case's end, and their attributes.
+) -> tuple[NDArray[np.float64], dict[str, tuple[NDArray[np.float64], dict[str, Any]]]]:
+    """Return times, and histories over the grid's axes and time, NaN after a case's end, with attributes.
 
     Raises
     ------
@@ -63,7 +63,7 @@ def histories_of(
     with ThreadPoolExecutor(cores() if threads is None else threads) as pool:
         list(pool.map(run, range(len(grid))))
     shape = (*grid.shape, samples)
-    return {
+    return np.arange(samples) * steps[0], {
         name: (values.reshape(shape), {"units": HISTORIES[name][1], "long_name": HISTORIES[name][2]})
         for name, values in kept.items()
     }
