@@ -34,7 +34,9 @@ lint: $(STAMP)-lint
 	$(BIN)/pyright --pythonpath $(BIN)/python
 
 bench: $(STAMP)-test
-	$(BIN)/python benchmarks/bench.py $(BENCH_ARGS)
+	@mkdir -p out
+	$(BIN)/python benchmarks/bench.py --plot out/work_precision.png $(BENCH_ARGS)
+	$(BIN)/python benchmarks/ensemble.py
 
 docs: $(STAMP)-docs
 	$(BIN)/python -m sphinx -W --keep-going -q -b html -d docs/_build/doctrees docs docs/_build/html

@@ -20,6 +20,7 @@ from rich.table import Table
 import mujoco_block as mb
 import workload as work
 from stayput.motion.units import STANDARD_GRAVITY
+from stayput.report.figures import FONT, new_figure, saved, style
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -117,11 +118,27 @@ def table_of(lines: list[Line], motion: sp.Motion, peer: Line) -> Table:
     return table
 
 
+def plot(lines: list[Line], path: str) -> None:
+    """Plot speed over error: right and up is better."""
+    figure = new_figure(8.0, 5.0)
+    axis = figure.subplots()
+    style(axis, zero=False)
+    shown = [line for line in lines if "threads" not in line.name and line.errors[1] > 0.0]
+    for line, marker in zip(shown, "os^Dv<>pPX*", strict=False):
+        axis.loglog(line.errors[1], line.rate, marker, markersize=9, label=line.name)
+    axis.invert_xaxis()
+    axis.set_xlabel("99 % error of the peak tilt [rad], smaller to the right", fontsize=FONT)
+    axis.set_ylabel("cases a second, one thread", fontsize=FONT)
+    axis.legend(fontsize=FONT - 2.0, loc="center")
+    saved(figure, path)
+
+
 def main() -> None:
     """Run everything and print one table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--cases", type=int, default=10_000, help="mixed cases for stayput")
     parser.add_argument("--peer-cases", type=int, default=64, help="mixed cases for MuJoCo")
+    parser.add_argument("--plot", help="where to save the plot of work and precision")
     wanted = parser.parse_args()
     motion, threads = work.record(), work.cores()
     drawn, long_rocking = work.mixed(wanted.cases), work.tall(max(1, wanted.cases // 10))
@@ -142,6 +159,9 @@ def main() -> None:
     console = Console(width=max(132, Console().width))
     console.print(table_of(lines, motion, peer))
     console.print(NOTES, highlight=False)
+    if wanted.plot is not None:
+        plot(lines, wanted.plot)
+        console.print(f"Wrote {wanted.plot}")
 
 
 if __name__ == "__main__":

@@ -11,9 +11,11 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import studies
 import validation_run
 
 import stayput as sp
+from stayput.ensemble.results import QUANTITIES
 from stayput.furniture import FURNITURE
 from stayput.motion.readers import READERS
 from stayput.scenario.messages import kinds
@@ -152,9 +154,16 @@ def tolerances() -> str:
     return validation_run.markdown(["name", "value", "meaning"], rows, "lrl")
 
 
+def quantities() -> str:
+    """Return the table of an ensemble's results."""
+    rows = [[f"`{q.name}`", q.unit, q.meaning] for q in QUANTITIES]
+    return validation_run.markdown(["name", "unit", "meaning"], rows, "lll")
+
+
 def write(folder: Path) -> None:
     """Write every generated part into a folder."""
     folder.mkdir(parents=True, exist_ok=True)
-    for make in (formats, surfaces, furniture, scenario, examples, tolerances):
+    for make in (formats, surfaces, furniture, scenario, examples, tolerances, quantities):
         (folder / f"{make.__name__}.md").write_text(make(), encoding="utf-8")
     validation_run.write(folder)
+    studies.write(folder)

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 import stayput
-from stayput.cli import motion, simulate
+from stayput.cli import motion, simulate, study
 from stayput.cli.plainly import Plainly
 
 app = typer.Typer(
@@ -18,6 +18,7 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 app.command("simulate")(simulate.simulate)
+app.command("study")(study.study)
 app.add_typer(motion.app, name="motion")
 
 

@@ -63,7 +63,7 @@ def histories_of(
     with ThreadPoolExecutor(cores() if threads is None else threads) as pool:
         list(pool.map(run, range(len(grid))))
     shape = (*grid.shape, samples)
-    return np.arange(samples) * steps[0], {
+    return np.arange(samples, dtype=np.float64) * steps[0], {
         name: (values.reshape(shape), {"units": HISTORIES[name][1], "long_name": HISTORIES[name][2]})
         for name, values in kept.items()
     }

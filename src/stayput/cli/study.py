@@ -1,0 +1,71 @@
+"""``stayput study``: the paper's studies and their kin."""
+
+from __future__ import annotations
+
+from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from stayput.studies import Study
+
+STUDIES = {
+    "friction": "peak slide over static and kinetic friction (§4.2 of the paper)",
+    "critical-ratio": "critical amplitude of a sine over b/h and frequency (§4.3, Eq. 4.1)",
+    "wall-gap": "overturning over width and distance to a wall, under a sine (§4.4)",
+    "wall-gap-record": "the same under a record (§4.5, Table 4.3)",
+    "spectrum": "overturning and rocking spectra of pulses and of a record",
+}
+"""Names of the studies, and what they are about."""
+
+OF_A_RECORD = ("wall-gap-record", "spectrum")
+"""Studies that take a motion."""
+
+
+def study(
+    name: Annotated[str, typer.Argument(help="; ".join(f"{k}: {v}" for k, v in STUDIES.items()) + ".")],
+    out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for data, figures and text; it is made.")],
+    motion: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FILE", help=f"A record's file, for {' and '.join(OF_A_RECORD)}. Default: near-fault."
+        ),
+    ] = None,
+    component: Annotated[str | None, typer.Option(help="The record's channel along the shaking.")] = None,
+    unit: Annotated[
+        str | None, typer.Option(help="The record's unit, where its file does not state it.")
+    ] = None,
+    dt: Annotated[
+        float | None, typer.Option(help="The record's time step [s], where its file does not state it.")
+    ] = None,
+) -> None:
+    """Run a study and write its data (NetCDF, CSV), figures and text."""
+    from difflib import get_close_matches
+
+    from stayput.errors import InputError
+
+    if name not in STUDIES:
+        near = get_close_matches(name, STUDIES, 1)
+        hint = f" (did you mean {near[0]!r}?)" if near else ""
+        raise InputError(f"Study is {name!r}{hint}; it must be one of {', '.join(STUDIES)}.")
+    if motion is not None and name not in OF_A_RECORD:
+        raise InputError(f"Study {name!r} takes no motion; --motion is for {' and '.join(OF_A_RECORD)}.")
+    if out.exists() and not out.is_dir():
+        raise InputError(f"The folder is {str(out)!r}; it must be a folder, and that is a file.")
+
+    import stayput.studies as studies
+
+    run: Callable[..., Study] = getattr(studies, name.replace("-", "_"))
+    if motion is not None:
+        from stayput.cli.flags import motion_of
+
+        done = run(motion_of(motion, component=component, unit=unit, dt=dt))
+    else:
+        done = run()
+    files = done.write(out)
+    typer.echo(done.markdown())
+    for file in files:
+        typer.echo(f"Wrote {file}")
