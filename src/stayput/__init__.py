@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from stayput.body import Body, Part
-    from stayput.ensemble import simulate_many, sweep
+    from stayput.ensemble import overturning_map, simulate_many, sweep, trace_boundary
     from stayput.errors import InputError
     from stayput.motion import Motion, near_fault, pulse, read_motion, sine
     from stayput.room import SURFACES, Ceiling, Floor, Room, Wall
@@ -39,6 +39,7 @@ _HOMES = {
     "State": "simulation",
     "Wall": "room",
     "near_fault": "motion",
+    "overturning_map": "ensemble",
     "pulse": "motion",
     "read_motion": "motion",
     "read_scenario": "scenario",
@@ -46,6 +47,7 @@ _HOMES = {
     "simulate_many": "ensemble",
     "sine": "motion",
     "sweep": "ensemble",
+    "trace_boundary": "ensemble",
 }
 
 __all__ = [
@@ -67,6 +69,7 @@ __all__ = [
     "State",
     "Wall",
     "near_fault",
+    "overturning_map",
     "pulse",
     "read_motion",
     "read_scenario",
@@ -74,6 +77,7 @@ __all__ = [
     "simulate_many",
     "sine",
     "sweep",
+    "trace_boundary",
 ]
 
 

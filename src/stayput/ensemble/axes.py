@@ -119,9 +119,9 @@ def _columns(
             return {LAW: np.array([law_number(item) for item in items])}, items
         if name == MOTION:
             _refuse_other(name, items, Motion)
-            first = len(motions)
-            motions.extend(items)
-            return {MOTION: np.arange(first, first + len(items))}, [item.name for item in items]
+            place = {key: len(motions) + n for n, key in enumerate(dict.fromkeys(map(id, items)))}
+            motions.extend({id(item): item for item in items}.values())  # each is prepared once
+            return {MOTION: np.array([place[id(item)] for item in items])}, [item.name for item in items]
         kind, numbers_of = WHOLE[name]
         _refuse_other(name, items, kind)
         table = [numbers_of(item) for item in items]

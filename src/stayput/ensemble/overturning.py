@@ -1,0 +1,135 @@
+"""Where a case falls over the amplitude of its motion, sampled."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stayput.ensemble.sweep import sweep
+from stayput.errors import InputError
+from stayput.simulation import Outcome
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import ArrayLike, NDArray
+
+    from stayput.ensemble.axes import Axes
+    from stayput.simulation import Case
+
+SCALE = "motion.scale"
+"""The path of the amplitude: the factor on the motion's acceleration."""
+
+FALLEN = [list(Outcome).index(outcome) for outcome in (Outcome.OVERTURNED, Outcome.FAILED)]
+"""Numbers of the outcomes that do not count as standing."""
+
+
+def overturning_map(
+    case: Case,
+    amplitudes: ArrayLike,
+    axes: Axes | None = None,
+    *,
+    threads: int | None = None,
+    client: Any = None,
+    progress: bool | None = None,
+) -> xr.Dataset:
+    """Sample where a case falls, over the amplitude of its motion and other axes.
+
+    Parameters
+    ----------
+    case : Case
+        What no axis changes.
+    amplitudes : array_like, shape (n,)
+        Factors on the motion's acceleration, none negative, increasing.
+    axes : mapping, optional
+        Other axes, as for `sweep`; a *point* is a combination of their values.
+    threads, client, progress
+        As for `simulate_many`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over the axes and ``motion.scale``: ``overturned``; ``failed``, which does not count as standing;
+        ``floor_impacts``, those before the fall where it falls. Over the axes: ``first``, the lowest
+        amplitude sampled at which it falls; ``last``, the lowest from which on it falls at all;
+        ``fraction`` of the amplitudes at which it falls; ``islands``, the number of ranges in which it
+        stands between two at which it falls. A given-up run counts as a fall in these four. NaN where there
+        is no such amplitude: no ``first`` where it never falls, no ``last`` where it stands at the highest.
+        The attributes say how wide a range must be not to be missed.
+
+    Raises
+    ------
+    InputError
+        Amplitudes that are not as above, ``motion.scale`` among the axes, or as for `sweep`.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> wave = sp.sine(9.81, 2.0, 0.5, quiet=10.0)
+    >>> case = sp.Case(sp.Body(0.4, 1.8), sp.Room(sp.Floor(3.0, 3.0)), wave)
+    >>> found = overturning_map(case, [0.4, 0.5, 1.2, 1.33, 1.4, 1.5])
+    >>> found.overturned.values.tolist()
+    [False, True, True, False, True, True]
+    >>> float(found["first"]), float(found["last"]), int(found["islands"])
+    (0.5, 1.4, 1)
+    """
+    sampled = checked_amplitudes(amplitudes, axes)
+    data = sweep(case, {**(axes or {}), SCALE: sampled}, threads=threads, client=client, progress=progress)
+    falls = data["outcome"].isin(FALLEN)
+    failed = data["outcome"] == list(Outcome).index(Outcome.FAILED)
+    failed.attrs["long_name"] = "whether the run was given up"
+    downward = falls.isel({SCALE: slice(None, None, -1)})
+    falls_above = downward.cumprod(SCALE).astype(bool)
+    back = (falls & ~falls.shift({SCALE: -1}, fill_value=True)).sum(SCALE)
+    open_top = falls.any(SCALE) & ~falls.isel({SCALE: -1}, drop=True)
+    summaries = {
+        "first": (falls[SCALE].where(falls).min(SCALE), "lowest amplitude sampled at which it falls"),
+        "last": (
+            falls[SCALE].where(falls_above).min(SCALE),
+            "lowest amplitude sampled above which none stands",
+        ),
+        "fraction": (falls.mean(SCALE), "part of the amplitudes at which it falls"),
+        "islands": (back - open_top, "number of ranges of standing between two of falling"),
+    }
+    found = data[["overturned", "floor_impacts"]].assign(failed=failed)
+    for name, (values, meaning) in summaries.items():
+        found[name] = values.assign_attrs(long_name=meaning)
+    return found.assign_attrs(_resolution(sampled))
+
+
+def checked_amplitudes(amplitudes: ArrayLike, axes: Axes | None) -> NDArray[np.float64]:
+    """Return the amplitudes as an array.
+
+    Raises
+    ------
+    InputError
+        They are not two or more increasing finite numbers, none negative, or they are on an axis too.
+    """
+    for paths in axes or {}:
+        if SCALE in ((paths,) if isinstance(paths, str) else paths):
+            raise InputError(f"{SCALE!r} is among the axes; it must be given by the amplitudes only.")
+    try:
+        sampled = np.array(amplitudes, np.float64)
+    except (TypeError, ValueError):
+        raise InputError("The amplitudes are not numbers; they must be a list of numbers.") from None
+    if sampled.ndim != 1 or len(sampled) < 2:
+        raise InputError(f"The amplitudes' shape is {sampled.shape}; they must be a list of two or more.")
+    bad = sampled[~np.isfinite(sampled) | (sampled < 0.0)]
+    if len(bad):
+        raise InputError(f"An amplitude is {bad[0]:g}; it must be a finite number, not negative.")
+    for low, high in pairwise(sampled.tolist()):
+        if high <= low:
+            raise InputError(f"The amplitude {high:g} comes after {low:g}; amplitudes must increase.")
+    return sampled
+
+
+def _resolution(sampled: NDArray[np.float64]) -> dict[str, Any]:
+    steps = np.diff(sampled)
+    return {
+        "lowest_amplitude": float(sampled[0]),
+        "highest_amplitude": float(sampled[-1]),
+        "largest_step": float(steps.max()),
+        "largest_relative_step": float((steps / sampled[1:]).max()),
+        "resolution": "a range of standing or falling narrower than a step of the amplitudes can be missed",
+    }
