@@ -11,7 +11,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-import studies
+import study_pages
 import validation_run
 
 import stayput as sp
@@ -166,4 +166,4 @@ def write(folder: Path) -> None:
     for make in (formats, surfaces, furniture, scenario, examples, tolerances, quantities):
         (folder / f"{make.__name__}.md").write_text(make(), encoding="utf-8")
     validation_run.write(folder)
-    studies.write(folder)
+    study_pages.write(folder)

@@ -52,6 +52,8 @@ class Study:
     def write(self, folder: str | Path) -> list[Path]:
         """Write NetCDF, CSV, figures (PNG) and text into a folder, which is made; return the files.
 
+        Quantities that do not lie over the dimensions of the main ones have a CSV file of their own.
+
         Raises
         ------
         InputError
@@ -63,17 +65,37 @@ class Study:
         except OSError as error:
             reason = (error.strerror or str(error)).lower()
             raise InputError(f"The folder is {str(folder)!r}; it cannot be made: {reason}.") from error
-        files = [folder / f"{self.name}.nc", folder / f"{self.name}.csv", folder / f"{self.name}.md"]
+        frames = in_frames(self.data)
+        names = [self.name, *(f"{self.name}_{frame[0]}" for frame in frames[1:])]
+        files = [
+            folder / f"{self.name}.nc",
+            folder / f"{self.name}.md",
+            *(folder / f"{name}.csv" for name in names),
+        ]
         with draft(files[0]) as path:
             self.data.to_netcdf(path, engine="scipy")
         with draft(files[1]) as path:
-            self.data.to_dataframe().reset_index().to_csv(path, index=False)
-        with draft(files[2]) as path:
             path.write_text(self.markdown(), encoding="utf-8")
+        for target, frame in zip(files[2:], frames, strict=True):
+            with draft(target) as path:
+                self.data[frame].to_dataframe().reset_index().to_csv(path, index=False)
         for name, figure in self.figures.items():
             files.append(folder / f"{self.name}_{name}.png")
             saved(figure, files[-1])
         return files
+
+
+def in_frames(data: xr.Dataset) -> list[list[str]]:
+    """Return the quantities that go into one table each, so that none is repeated over others' dimensions."""
+    frames: list[list[str]] = []
+    for name in sorted(map(str, data.data_vars), key=lambda name: -data[name].ndim):
+        dims = set(data[name].dims)
+        frame = next((frame for frame in frames if dims <= set(data[frame[0]].dims)), None)
+        if frame is None:
+            frames.append([name])
+        else:
+            frame.append(name)
+    return frames
 
 
 def table_as_markdown(table: pd.DataFrame) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import workload
-
 from stayput import studies
 from stayput.studies.study import table_as_markdown
 
