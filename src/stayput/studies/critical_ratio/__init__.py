@@ -1,0 +1,1 @@
+"""The critical aspect ratio for overturning (the paper, §4.3)."""

@@ -1,0 +1,1 @@
+"""Sliding and the coefficients of friction (the paper, §4.2)."""

@@ -1,0 +1,1 @@
+"""Overturning and rocking spectra."""

@@ -1,0 +1,150 @@
+"""The paper's §4.2 (14WCEE, 2008): slide over static and kinetic friction, of the study `friction`."""
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import stayput as sp
+from stayput.studies.friction.runs import (
+    FREE,
+    HELD,
+    PAPER_ROWS,
+    PAPER_SLIDES,
+    deviation,
+    effects,
+    models,
+    nearest_sine,
+    slide_map,
+    slides_under,
+    unit_sine,
+)
+from stayput.studies.friction.study import friction
+
+G = sp.Case(sp.Body(0.5, 1.0), sp.Room(), sp.sine(1.0, 1.0, 1.0)).gravity
+COSINE = (90.0,)
+
+
+@pytest.fixture(scope="module")
+def study():
+    return friction(
+        amplitudes=np.arange(5.0, 11.1, 0.4),
+        frequencies=np.arange(2.0, 4.6, 0.25),
+        coefficients=np.linspace(0.1, 0.8, 8),
+        duration=4.0,
+    )
+
+
+@pytest.fixture(scope="module")
+def sliding():
+    """The three rows of the body that only slides."""
+    case = models(unit_sine(1.0, 4.0, 90.0))[HELD]
+    return slides_under(case, COSINE, np.array([1.0, 2.0, 3.0]), np.array([0.5, 0.8, 1.2]) * G)
+
+
+def test_the_paper_s_differences_are_the_other_rows_slides():
+    base, kinetic, static = PAPER_SLIDES
+    assert base - kinetic == pytest.approx(0.0234, abs=1e-9)
+    assert base - static == pytest.approx(0.0310, abs=1e-9)
+
+
+def test_the_nearest_sine_gives_the_paper_s_slides_as_near_as_stated(study):
+    """Each table row is run again on its own."""
+    table = study.tables["The nearest sine for each model, with its three slides [cm]"]
+    heads = [f"({static:g}, {kinetic:g})" for static, kinetic in PAPER_ROWS]
+    for name, row in table.set_index("model").drop("the paper").iterrows():
+        motion = unit_sine(row["f [Hz]"], 4.0, row["phase [°]"]).scaled(row["A [m/s²]"])
+        case = models(motion)[name]
+        for head, (static, kinetic), paper in zip(heads, PAPER_ROWS, PAPER_SLIDES, strict=True):
+            room = sp.Room(sp.Floor(static, kinetic))
+            run = sp.simulate(case.body, room, motion, contact=case.contact)
+            assert 100.0 * run.peak_slide == pytest.approx(row[head], rel=1e-6)
+            assert abs(run.peak_slide / paper - 1.0) <= row["largest deviation [%]"] / 100.0 + 1e-9
+
+
+def test_order_of_the_three_rows(study):
+    """(.4, .1) slides furthest; with the body free to rock, (.6, .1) least: the paper's order."""
+    table = study.tables["The nearest sine for each model, with its three slides [cm]"].set_index("model")
+    for name in (HELD, *FREE.values()):
+        first, second, third = table.loc[name, ["(0.4, 0.1)", "(0.4, 0.3)", "(0.6, 0.1)"]]
+        assert first > max(second, third)
+    for name in FREE.values():
+        _, second, third = table.loc[name, ["(0.4, 0.1)", "(0.4, 0.3)", "(0.6, 0.1)"]]
+        assert second > third
+
+
+def test_the_nearest_sine_is_no_worse_than_the_grid():
+    case = models(unit_sine(2.5, 4.0, 90.0))[HELD]
+    grid = slides_under(case, COSINE, np.array([2.4, 2.6, 2.8]), np.array([6.0, 6.4, 6.8]))
+    assert nearest_sine(case, grid).deviation <= float(deviation(grid).min())
+
+
+def test_pure_sliding_goes_with_the_period_squared(sliding):
+    """x'·f² depends on the amplitude alone, at as many waves."""
+    motions = {f: unit_sine(f, 4.0 / f, 90.0) for f in (1.0, 2.5)}
+    slides = {
+        f: slides_under(models(motion)[HELD], COSINE, np.array([f]), np.array([8.0])).peak_slide * f**2
+        for f, motion in motions.items()
+    }
+    assert slides[1.0].to_numpy().ravel() == pytest.approx(slides[2.5].to_numpy().ravel(), rel=1e-3)
+
+
+def test_both_laws_slide_alike(sliding):
+    motion = unit_sine(2.0, 4.0, 90.0)
+    held = models(motion)[HELD]
+    for static, kinetic in PAPER_ROWS:
+        room = sp.Room(sp.Floor(static, kinetic))
+        slides = [
+            sp.simulate(held.body, room, motion.scaled(0.8 * G), contact=law).peak_slide
+            for law in ("coulomb", "paper")
+        ]
+        assert slides[0] == pytest.approx(slides[1], rel=1e-9)
+
+
+def test_which_coefficient_matters_more_flips_with_the_amplitude(sliding):
+    """Below 0.6 g the third body stays: μ wins. A cosine of 0.8 g slides all at once: μ does nothing."""
+    static, kinetic = effects(sliding.sel(phase=90.0))
+    assert np.all(sliding.peak_slide.isel(row=2, amplitude=0) == 0.0)
+    assert np.all((static > kinetic).isel(amplitude=0))
+    assert np.abs(static.isel(amplitude=1)).max() < 1e-9
+    assert np.all(kinetic.isel(amplitude=1) > 0.01)
+
+
+def test_more_kinetic_friction_can_lengthen_the_slide(sliding):
+    """Under a slow and strong cosine a body that is slowed slides back less."""
+    _, kinetic = effects(sliding.sel(phase=90.0, frequency=1.0, amplitude=1.2 * G))
+    assert float(kinetic) < 0.0
+
+
+@pytest.mark.parametrize("law", ["paper", "coulomb"])
+def test_a_body_that_would_slide_at_more_than_b_over_h_rocks(law):
+    """b/h = .5 < μ = .6: at 0.62 g it rocks on a corner that sticks, and does not slide."""
+    case = models(unit_sine(2.6, 4.0, 90.0))[FREE[law]]
+    found = slides_under(case, COSINE, np.array([2.6]), np.array([0.62 * G]))
+    assert found.rocks.to_numpy().ravel().tolist() == [False, False, True]
+    assert found.peak_slide.isel(row=2).item() == pytest.approx(0.0, abs=1e-9)
+
+
+def test_the_map_is_of_possible_pairs():
+    mu = np.array([0.2, 0.4, 0.7])
+    case = models(unit_sine(2.6, 4.0, 90.0))[HELD]
+    found = slide_map(case, 0.65 * G, mu)
+    slides = found.peak_slide.to_numpy()
+    assert np.isnan(slides[np.triu_indices(3, 1)]).all()
+    assert np.isfinite(slides[np.tril_indices(3)]).all()
+    assert (slides[2] == 0.0).sum() == 3  # μ = .7 holds
+    assert slides[1, 0] > slides[1, 1] > 0.0
+
+
+def test_its_files(study, tmp_path):
+    files = {path.name for path in study.write(tmp_path)}
+    assert {"friction.nc", "friction.csv", "friction.md"} <= files
+    assert {"friction_map.png", "friction_search.png", "friction_effects.png"} <= files
+    with xr.open_dataset(tmp_path / "friction.nc", engine="scipy") as data:
+        assert data.sizes == study.data.sizes
+        assert data.peak_slide.attrs["units"] == "m"
+
+
+@pytest.mark.parametrize("values", [[5.0], [5.0, 5.0], [6.0, 5.0], [5.0, np.nan]])
+def test_bad_values_are_refused(values):
+    with pytest.raises(sp.InputError, match=r"amplitudes"):
+        friction(amplitudes=values)
