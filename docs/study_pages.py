@@ -21,7 +21,7 @@ def run() -> list[Study]:
         studies.friction(),
         studies.critical_ratio(),
         studies.wall_gap(),
-        studies.wall_gap_record(record, paper_record=workload.RECORD.is_file()),
+        studies.wall_gap_record(record),
         studies.spectrum(record),
     ]
 

@@ -29,7 +29,6 @@ POLARITIES = (1.0, -1.0)
 def wall_gap_record(
     motion: Motion | None = None,
     *,
-    paper_record: bool = False,
     widths: ArrayLike | None = None,
     gaps: ArrayLike | None = None,
 ) -> Study:
@@ -41,10 +40,7 @@ def wall_gap_record(
     Parameters
     ----------
     motion : Motion, optional
-        The record; default `near_fault`.
-    paper_record : bool
-        Whether this is the paper's record, the first 30 s of JMA Kobe 1995, NS; only then are the distances
-        compared with the paper's.
+        The record; default `near_fault`. The paper's is the first 30 s of JMA Kobe 1995, NS.
     widths : array_like, shape [width], optional
         Widths b [m]; default Table 4.3's.
     gaps : array_like, shape [gap], optional
@@ -66,12 +62,11 @@ def wall_gap_record(
     l_w = increasing("Wall gap", np.linspace(0.0, 1.0, 101) if gaps is None else gaps, 0.0, 100.0)
     data = _simulated(shaking, b, l_w)
     tables = {f"T or N and the wall distances [m], law {law!r}": outcomes(data, law) for law in LAWS[::-1]}
-    if paper_record:
-        tables["Difference from Table 4.3, the nearest variant"] = differences(data, nearest(data))
+    tables["Difference from Table 4.3, the nearest variant"] = differences(data, nearest(data))
     return Study(
         name="wall-gap-record",
         title="Turnover beside a wall under a record",
-        text=text_of(shaking, data, paper_record),
+        text=text_of(shaking, data),
         data=data,
         figures={"ranges": draw_ranges(data)},
         tables=tables,
