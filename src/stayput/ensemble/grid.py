@@ -23,6 +23,9 @@ Columns: TypeAlias = "dict[str, NDArray[np.float64] | NDArray[np.int64]]"
 MOTION, LAW = "motion", "contact"
 """Columns of whole numbers: the place of a case's motion in the list of motions, and its contact law."""
 
+CHECKED_AT_ONCE = 2**15
+"""Cases whose numbers are looked at together before any is run."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Axis:
@@ -95,8 +98,8 @@ class Grid:
         The limits are those of `Body`, `Room` and `State`. Each limits one number, or one quantity of
         several; so the cases are made where one of these is smallest or largest.
         """
-        for start in range(0, len(self), 1_000_000):
-            part = self.part(start, min(start + 1_000_000, len(self)))
+        for start in range(0, len(self), CHECKED_AT_ONCE):
+            part = self.part(start, min(start + CHECKED_AT_ONCE, len(self)))
             for row in sorted(_witnesses(part)):
                 numbers = {k: float(v[row]) for k, v in part.columns.items() if len(v) == part.count}
                 try:
