@@ -8,6 +8,7 @@ import sys
 import time
 
 import pytest
+import xarray as xr
 from numba import njit
 from typer.testing import CliRunner
 
@@ -169,6 +170,43 @@ def test_motion_info(record, tmp_path):
 
 def test_version():
     assert cli("--version").stdout == f"stayput {stayput.__version__}\n"
+
+
+def test_a_study_writes_data_figure_and_text(tmp_path):
+    out = tmp_path / "new" / "folder"
+    result = cli("study", "wall-gap-record", "--motion", "near-fault", "--out", out)
+    assert result.exit_code == 0
+    assert result.stdout.startswith("# Turnover beside a wall under a record")
+    names = {path.name for path in out.iterdir()}
+    assert {f"wall-gap-record.{suffix}" for suffix in ("nc", "csv", "md")} < names
+    assert (out / "wall-gap-record_ranges.png").read_bytes().startswith(b"\x89PNG")
+    assert "Table 4.2" in (out / "wall-gap-record.md").read_text(encoding="utf-8")
+    with xr.open_dataset(out / "wall-gap-record.nc", engine="scipy") as data:
+        assert data.attrs["motion"] == "synthetic near-fault motion"
+        assert data["gap"].attrs["units"] == "m"
+    assert all(f"Wrote {out / name}" in result.stdout for name in names)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["wall-gab"], "did you mean 'wall-gap'"),
+        (["friction", "--motion", "near-fault"], "takes no motion"),
+        (["spectrum", "--motion", "no-such-file"], "no-such-file"),
+    ],
+)
+def test_a_study_that_is_refused_writes_nothing(tmp_path, arguments, words):
+    result = cli("study", *arguments, "--out", tmp_path / "out")
+    assert result.exit_code == 2
+    assert words in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_study_s_folder_must_not_be_a_file(tmp_path):
+    (tmp_path / "out").write_text("")
+    result = cli("study", "friction", "--out", tmp_path / "out")
+    assert result.exit_code == 2
+    assert "must be a folder" in result.stderr
 
 
 def test_compiling_is_announced_on_standard_error(monkeypatch):

@@ -58,6 +58,7 @@ def sweep(
         As for `simulate_many`, or an unknown history.
     """
     grid = make_grid(case, axes)
+    times, kept = histories_of(grid, tuple(histories), threads) if histories else (None, {})
     columns = run_grid(grid, threads=threads, client=client, chunk=chunk, progress=progress)
     data = _frame(grid, case)
     dims = [axis.name for axis in grid.axes]
@@ -69,8 +70,7 @@ def sweep(
             attributes |= {"flag_values": np.arange(len(OUTCOMES), dtype=np.int8)}
             attributes |= {"flag_meanings": " ".join(OUTCOMES)}
         data[quantity.name] = (dims, columns[quantity.name].reshape(grid.shape), attributes)
-    if histories:
-        times, kept = histories_of(grid, tuple(histories), threads)
+    if times is not None:
         data = data.assign_coords(time=("time", times, {"units": "s"}))
         for name, (values, attributes) in kept.items():
             data[name] = ((*dims, "time"), values, attributes)
