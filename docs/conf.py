@@ -32,6 +32,7 @@ default_role = "py:obj"  # single backquotes in docstrings name Python objects
 autosummary_generate = True
 templates_path = ["_templates"]
 autodoc_typehints = "signature"
+autodoc_preserve_defaults = True
 autodoc_member_order = "bysource"
 autodoc_class_signature = "mixed"
 napoleon_google_docstring = False

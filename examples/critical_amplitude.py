@@ -1,24 +1,19 @@
-"""How strong must one sine wave be to overturn a block? Bisection, beside West's static threshold."""
+"""How strong must one sine wave be to overturn a block? All edges between standing and fallen."""
+
+import numpy as np
 
 import stayput as sp
 
-block = sp.Body(width=0.4, height=1.2, mass=100.0)
-rough = sp.Room(floor=sp.Floor(static_friction=2.0, kinetic_friction=2.0))
+block = sp.Body(width=0.4, height=1.8, mass=100.0)
+rough = sp.Room(floor=sp.Floor(static_friction=3.0, kinetic_friction=3.0))
+wave = sp.sine(9.80665, frequency=2.0, duration=0.5, quiet=10.0)  # amplitudes are multiples of g
 
+edges = sp.trace_boundary(sp.Case(block, rough, wave), np.linspace(0.3, 1.6, 131))
+for amplitude, direction in zip(edges.amplitude.values, edges.direction.values, strict=True):
+    print(f"From {amplitude:.4f} g on it", "falls" if direction > 0 else "stands again")
 
-def overturns(amplitude: float) -> bool:
-    """Simulate one wave of 1 s and a quiet time after it."""
-    wave = sp.sine(amplitude, frequency=1.0, duration=1.0, quiet=6.0)
-    return sp.simulate(block, rough, wave).overturned
-
-
-low, high = 3.0, 30.0
-assert not overturns(low)
-assert overturns(high)
-while high - low > 0.01:
-    middle = 0.5 * (low + high)
-    low, high = (low, middle) if overturns(middle) else (middle, high)
-
-west = block.width / block.height * 9.80665
-print(f"Rocking starts at {west:.2f} m/s², and a wave of {high:.2f} m/s² overturns the block")
-assert west < high < 4.0 * west
+# Bisection between 0.3 and 1.6 g would end at one of these edges, and not say which.
+assert list(edges.direction.values) == [1, -1, 1]
+assert int(edges.islands) == 1
+west = block.width / block.height
+assert west < edges.amplitude.values[0]  # rocking starts at b/h, falling later
