@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from mechanics_cases import (
     COULOMB,
@@ -460,6 +460,7 @@ def halved(motion: Motion) -> Motion:
 
 @pytest.mark.parametrize("law", [0, 1], ids=LAWS)
 @given(seed=SEEDS)
+@example(seed=434467)  # a slip that comes to Painlevé's limit as it goes
 def test_finer_samples_of_the_same_motion_change_nothing(law: int, seed: int) -> None:
     cases, motion = many(seed)
     one, other = (run(stacked(cases), record, law, tolerance=CLOSE) for record in (motion, halved(motion)))

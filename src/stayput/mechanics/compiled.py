@@ -41,7 +41,8 @@ def inline(function: Callable[P, T]) -> Callable[P, T]:
 def entry(function: Callable[P, T]) -> Callable[P, T]:
     """Compile a function that Python calls, without the interpreter's lock, and keep the code on disk."""
     compiled = compile_with(**SETTINGS, cache=True, nogil=True)(function)
-    _forget_outdated(Path(compiled.stats.cache_path))
+    if hasattr(compiled, "stats"):  # not where NUMBA_DISABLE_JIT leaves the function as it is
+        _forget_outdated(Path(compiled.stats.cache_path))
     return compiled
 
 

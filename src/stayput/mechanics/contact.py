@@ -18,6 +18,9 @@ from stayput.mechanics.geometry import arm_at
 STUCK = 1e-10
 """A contact whose slip rate is not larger than this sticks [m/s]."""
 
+JAMMED = 1e-6
+"""A slip for which (I + kσ)/I is not larger than this cannot be carried on: Painlevé's limit is zero."""
+
 OPEN = 100.0
 """A contact may be left out of a pattern if it closes by less than this many tolerances.
 
@@ -167,7 +170,7 @@ def one_slips(rows, count, i, side, I, tolerance):
     row = rows[i]
     fx, fz, fl = _push(row, side, row.mu_slip)
     press = _coupling(row.nx, row.nz, row.nl, fx, fz, fl, I)
-    if press <= 0.0:
+    if press <= JAMMED:
         return False, 0.0, 0.0, 0.0
     N = (row.target - row.bias_n) / press
     fx, fz, fl = N * fx, N * fz, N * fl

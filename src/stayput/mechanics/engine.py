@@ -55,6 +55,7 @@ from stayput.mechanics.impact import closing, land, unjam
 from stayput.mechanics.modes import choose_mode, pivot_on
 from stayput.mechanics.motion import loads, named_mode, note_sample
 from stayput.mechanics.paper import choose_paper_mode, collide_by_paper
+from stayput.mechanics.rocking_on import rocks_on
 
 COULOMB, PAPER = 0, 1
 
@@ -165,6 +166,13 @@ def _next_mode(rows, contacts, touch, settle, case, s, ax, az, dt, law):
 
 
 @inner
+def _rocks_on(contacts, touch, case, s, ax, az, dt):
+    """Carry out the commonest event, if it is one; see `rocking_on`."""
+    a, _, G, _ = loads(case, ax, az, case.scale / dt, s.k, s.tau)
+    return rocks_on(contacts, touch, case, s, a, G)
+
+
+@inner
 def _meet(rows, contacts, touch, case, s, law):
     """Carry out the impact of the contacts that close, if any do."""
     if law == COULOMB:
@@ -246,10 +254,13 @@ def run_case(
         if why != CLOSED:
             s.hit = 0
         touch = touching(contacts, s) | s.closed | s.hit
-        _meet(rows, contacts, touch, case, s, law)
-        if s.hit:
-            why = CLOSED
-        _next_mode(rows, contacts, touch, s.settle if s.hit else STUCK, case, s, ax, az, dt, law)
+        if why == CLOSED and lifts and _rocks_on(contacts, touch, case, s, ax, az, dt):
+            s.floor_impacts += 1
+        else:
+            _meet(rows, contacts, touch, case, s, law)
+            if s.hit:
+                why = CLOSED
+            _next_mode(rows, contacts, touch, s.settle if s.hit else STUCK, case, s, ax, az, dt, law)
         _list_event(events, case, s, dt, why, kind, closed)
     return _outcome(s), s.k * dt + s.tau, slide_of(case, s)[0]
 

@@ -6,6 +6,7 @@ import math
 
 from stayput.mechanics.columns import CLOSED, CORNER, ENDED, LIMIT, SLIP, TURNED_OVER
 from stayput.mechanics.compiled import inline, inner
+from stayput.mechanics.contact import JAMMED
 from stayput.mechanics.geometry import HALF_TURN, along, arm_at, sin_cos
 from stayput.mechanics.motion import loads, note_sample, pass_time
 from stayput.mechanics.roots import closed_level, falls_inside, first_zero, narrowed, secant
@@ -28,7 +29,8 @@ LOCATED = 1e-13
 def margins(law, sigma, kappa, omega, A, G, slip):
     """What must stay positive on a fulcrum, and the tilt acceleration.
 
-    Sticking: μN − T and μN + T. Slipping: N and the slip rate in its direction. law holds whether it
+    Sticking: μN − T and μN + T. Slipping: N, as long as the slip is not jammed, and the slip rate in its
+    direction. law holds whether it
     sticks, I, −1/(I+r²), μ or μ', d, and the sign of N: under the paper's rules the fulcrum can pull, and a
     wall at the base can keep one that sticks from slipping to the side d.
     """
@@ -43,8 +45,10 @@ def margins(law, sigma, kappa, omega, A, G, slip):
             alpha,
         )
     k = sigma - sign * mu * d * kappa
-    alpha = -k * (G - omega * omega * kappa) / (I + k * sigma)
-    return sign * (G + alpha * sigma - omega * omega * kappa), d * slip, alpha
+    M = I + k * sigma
+    alpha = -k * (G - omega * omega * kappa) / M
+    N = sign * (G + alpha * sigma - omega * omega * kappa)
+    return (N if M > 0.5 * JAMMED * I else -1.0), d * slip, alpha
 
 
 @inline

@@ -26,7 +26,7 @@ from stayput.mechanics.columns import (
     STICK,
 )
 from stayput.mechanics.compiled import inner
-from stayput.mechanics.contact import STUCK
+from stayput.mechanics.contact import JAMMED, STUCK
 from stayput.mechanics.fulcrum import margins
 from stayput.mechanics.geometry import along, arm, arm_at, gap_rate, slip_rate, stand_flat, turn_to
 from stayput.mechanics.modes import ALL_BUT_FLAT, MOMENT, pivot_on
@@ -154,7 +154,7 @@ def _choose_fulcrum(contacts, case, s, touch, fulcrum, slip, a):
             _rock_on(contacts, s, STICK, fulcrum, 0.0, d, sign)
             return
     sign = math.copysign(1.0, g - omega * omega * kappa)
-    if I + (sigma - sign * con.mu_kinetic * d * kappa) * sigma > 0.0:
+    if I + (sigma - sign * con.mu_kinetic * d * kappa) * sigma > JAMMED * I:
         _rock_on(contacts, s, SLIP, fulcrum, slip, d, sign)
     else:
         _rock_on(contacts, s, STICK, fulcrum, 0.0, 0.0, 1.0)
