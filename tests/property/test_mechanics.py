@@ -197,6 +197,7 @@ def test_no_corner_gets_behind_the_floor_a_wall_or_the_ceiling(seed: int) -> Non
 
 
 @given(seed=SEEDS)
+@example(seed=11853)  # without friction the body stands only while the floor does not fall faster than it
 def test_floor_pushes_within_its_friction_cone(seed: int) -> None:
     """Over any time, impacts included, the floor's impulse points up and its drag is at most μ of it."""
     source = Seeded(np.random.default_rng(seed))
