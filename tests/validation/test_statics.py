@@ -183,3 +183,19 @@ def test_rest_is_exact_under_shaking_just_below_the_limits(law):
     run = simulate(sp.Body(0.4, 1.6), room(0.25), sp.Motion(0.01, noise), law)
     assert run.outcome is sp.Outcome.RESTED
     assert (run.peak_tilt, run.peak_slide) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.3])
+def test_a_body_leaves_a_floor_that_falls_faster_than_it_does(friction):
+    """Where z̈ = −20 t m/s³, that is from t = g/20 on; friction plays no part."""
+    time = np.arange(101) * 0.01
+    fall = sp.Motion(0.01, np.zeros(101), z=-20.0 * time)
+    floor = sp.Floor(friction, friction)
+    run = simulate(sp.Body(0.4, 1.0), sp.Room(floor), fall)
+    assert run.events[0].kind is sp.EventKind.LIFT_OFF
+    assert run.events[0].time == pytest.approx(G / 20.0, abs=NEAR)
+    under = sp.Room(floor, ceiling=sp.Ceiling(1.0, friction=0.5))
+    run = simulate(sp.Body(0.4, 1.0), under, fall)
+    assert run.outcome is not sp.Outcome.FAILED
+    assert len(run.events) < 5
+    assert np.abs(run.z - 0.5).max() < NEAR

@@ -70,6 +70,12 @@ def turned(px, pz, qx, qz):
 
 
 @inner
+def one_ray(lx, lz, hx, hz):
+    """Whether a cone of loads is one ray, as on a floor without friction: its other half is not in it."""
+    return turned(lx, lz, hx, hz) == 0.0 and lx * hx + lz * hz > 0.0
+
+
+@inner
 def holding_cone(rows, first, count, lifted):
     """Loads (ẍ_G, G) under which contacts that do not slip can hold the body still.
 

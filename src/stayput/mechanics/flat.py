@@ -6,7 +6,7 @@ import math
 
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, ENDED, LIMIT, PLANE
 from stayput.mechanics.compiled import entry, inner
-from stayput.mechanics.contact import STUCK, base_friction, turned
+from stayput.mechanics.contact import STUCK, base_friction, one_ray, turned
 from stayput.mechanics.geometry import along, arm, gap
 from stayput.mechanics.motion import loads, note_sample, pass_time
 from stayput.mechanics.roots import closed_level, first_zero
@@ -44,17 +44,15 @@ def _block_holds(case, s, block, a_low, a_high, z_low, z_high):
     if k < 0.0:
         a0, a1, z0, z1 = a1, a0, z1, z0
     z0, z1 = case.gravity + z0, case.gravity + z1
+    if (
+        one_ray(s.low, s.low_up, s.high, s.high_up)
+        and _lowest(s.low, a0, a1) + _lowest(s.low_up, z0, z1) < 0.0
+    ):
+        return False
     return (
         _lowest(s.low_up, a0, a1) + _lowest(-s.low, z0, z1) >= 0.0
         and _lowest(-s.high_up, a0, a1) + _lowest(s.high, z0, z1) >= 0.0
-        and (not _one_ray(s) or _lowest(s.low, a0, a1) + _lowest(s.low_up, z0, z1) >= 0.0)
     )
-
-
-@inner
-def _one_ray(s):
-    """Whether the loads that hold the body are one ray, as without friction: its other half does not."""
-    return turned(s.low, s.low_up, s.high, s.high_up) == 0.0 and s.low * s.high + s.low_up * s.high_up > 0.0
 
 
 @inner
@@ -74,7 +72,7 @@ def advance_held(case, s, ax, az, dt, extremes, history):
     last = ax.shape[0] - 1
     per_second = case.scale / dt
     keeps = history.shape[0] > 0
-    one_ray = _one_ray(s)
+    thin = one_ray(s.low, s.low_up, s.high, s.high_up)
     while s.k < last:
         if s.tau == 0.0 and s.k % BLOCK == 0 and not keeps:
             block = s.k // BLOCK
@@ -86,8 +84,8 @@ def advance_held(case, s, ax, az, dt, extremes, history):
         a1, G1 = case.scale * ax[s.k + 1], case.gravity + case.scale * az[s.k + 1]
         low1, high1 = turned(a1, G1, s.low, s.low_up), turned(s.high, s.high_up, a1, G1)
         low0, high0 = turned(a0, G0, s.low, s.low_up), turned(s.high, s.high_up, a0, G0)
-        along0 = a0 * s.low + G0 * s.low_up if one_ray else 0.0
-        along1 = a1 * s.low + G1 * s.low_up if one_ray else 0.0
+        along0 = a0 * s.low + G0 * s.low_up if thin else 0.0
+        along1 = a1 * s.low + G1 * s.low_up if thin else 0.0
         beyond = min(low1, high1, along1) < 0.0
         if beyond or (s.tau > 0.0 and min(low0, high0, along0) < 0.0):
             t = min(_leaves_at(-low0, -low1, h), _leaves_at(-high0, -high1, h))

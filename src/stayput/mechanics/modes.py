@@ -29,6 +29,7 @@ from stayput.mechanics.contact import (
     both_slip,
     holding_cone,
     none_presses,
+    one_ray,
     one_slips,
     one_sticks,
     tabulate,
@@ -108,7 +109,8 @@ def choose_mode(rows, contacts, touching, settle, case, s, a, a_rate, G, G_rate)
 def _bears(cone, a, G):
     """Whether the load lies in a cone from `holding_cone`."""
     found, lx, lz, hx, hz = cone
-    return found and turned(a, G, lx, lz) >= 0.0 and turned(hx, hz, a, G) >= 0.0
+    between = turned(a, G, lx, lz) >= 0.0 and turned(hx, hz, a, G) >= 0.0
+    return found and between and (a * lx + G * lz >= 0.0 or not one_ray(lx, lz, hx, hz))
 
 
 @inner
