@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -13,6 +12,7 @@ import numpy as np
 
 import stayput as sp
 from stayput.cases import State, case_columns
+from stayput.ensemble.tasks import cores as cores
 from stayput.mechanics.runner import run_cases, shaking
 from stayput.motion.units import STANDARD_GRAVITY
 
@@ -116,8 +116,3 @@ def timed(
             results = np.concatenate(list(pool.map(run, parts)))
             best = min(best, time.perf_counter() - start)
     return Timed(results, best, threads)
-
-
-def cores() -> int:
-    """Return how many cores this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

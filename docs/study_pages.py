@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import workload
 from stayput import studies
-from stayput.studies.study import table_as_markdown
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -34,8 +33,7 @@ def section(study: Study, folder: Path) -> str:
         figure.savefig(file)
         about = name.replace("_", " ")
         parts.append(f"```{{image}} {folder.name}/{file.name}\n:alt: {study.title}, {about}\n```")
-    parts += [f"**{caption}**\n\n{table_as_markdown(table)}" for caption, table in study.tables.items()]
-    return "\n\n".join(parts)
+    return "\n\n".join((*parts, *study.captioned_tables()))
 
 
 def write(folder: Path) -> None:

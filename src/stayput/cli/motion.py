@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from stayput.cli.options import Component, TimeStep, Unit  # noqa: TC001 - Typer reads the annotations
+
 if TYPE_CHECKING:
     from stayput.motion import Motion
 
@@ -23,13 +25,9 @@ def info(
     motion: Annotated[
         str, typer.Argument(metavar="FILE", help="A record's file; or near-fault, or sine:A,F[,T].")
     ],
-    component: Annotated[str | None, typer.Option(help="The record's channel along the shaking.")] = None,
-    unit: Annotated[
-        str | None, typer.Option(help="The record's unit, where its file does not state it.")
-    ] = None,
-    dt: Annotated[
-        float | None, typer.Option(help="The record's time step [s], where its file does not state it.")
-    ] = None,
+    component: Component = None,
+    unit: Unit = None,
+    dt: TimeStep = None,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     plot: Annotated[
         Path | None,

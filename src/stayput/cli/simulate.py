@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.cli.options import Component, TimeStep, Unit  # noqa: TC001 - Typer reads the annotations
+
 if TYPE_CHECKING:
     from collections.abc import Generator
 
@@ -39,13 +41,9 @@ def simulate(
             help="A record's file, the built-in motion, or a sine of A [m/s²], F [Hz] and T [s].",
         ),
     ] = None,
-    component: Annotated[str | None, typer.Option(help="The record's channel along the shaking.")] = None,
-    unit: Annotated[
-        str | None, typer.Option(help="The record's unit, where its file does not state it.")
-    ] = None,
-    dt: Annotated[
-        float | None, typer.Option(help="The record's time step [s], where its file does not state it.")
-    ] = None,
+    component: Component = None,
+    unit: Unit = None,
+    dt: TimeStep = None,
     scale: Annotated[float | None, typer.Option(help="Factor on the motion.")] = None,
     vertical: Annotated[
         bool | None, typer.Option("--vertical/--no-vertical", help="Whether the vertical component acts.")

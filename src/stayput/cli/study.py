@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.cli.options import Component, TimeStep, Unit  # noqa: TC001 - Typer reads the annotations
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -34,13 +36,9 @@ def study(
             metavar="FILE", help=f"A record's file, for {' and '.join(OF_A_RECORD)}. Default: near-fault."
         ),
     ] = None,
-    component: Annotated[str | None, typer.Option(help="The record's channel along the shaking.")] = None,
-    unit: Annotated[
-        str | None, typer.Option(help="The record's unit, where its file does not state it.")
-    ] = None,
-    dt: Annotated[
-        float | None, typer.Option(help="The record's time step [s], where its file does not state it.")
-    ] = None,
+    component: Component = None,
+    unit: Unit = None,
+    dt: TimeStep = None,
 ) -> None:
     """Run a study and write its data (NetCDF, CSV), figures and text."""
     from difflib import get_close_matches

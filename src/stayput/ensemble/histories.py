@@ -7,25 +7,26 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.ensemble.tasks import cores, groups_of, prepared
+from stayput.ensemble.tasks import groups_of, prepared, thread_count
 from stayput.errors import InputError
 from stayput.mechanics import columns as col
 from stayput.mechanics.runner import trace
+from stayput.quantities import HISTORIES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.ensemble.grid import Grid
 
-HISTORIES: dict[str, tuple[int, str, str]] = {
-    "slide": (col.H_SLIDE, "m", "displacement of the base relative to the floor, + right"),
-    "slide_rate": (col.H_SLIDE_RATE, "m/s", "rate of the slide"),
-    "tilt": (col.H_TILT, "rad", "rotation, + clockwise"),
-    "tilt_rate": (col.H_TILT_RATE, "rad/s", "rate of the tilt"),
-    "x": (col.H_X, "m", "centre of gravity right of where the middle of the base stood"),
-    "z": (col.H_Z, "m", "centre of gravity above the floor"),
+COLUMNS = {
+    "slide": col.H_SLIDE,
+    "slide_rate": col.H_SLIDE_RATE,
+    "tilt": col.H_TILT,
+    "tilt_rate": col.H_TILT_RATE,
+    "x": col.H_X,
+    "z": col.H_Z,
 }
-"""Histories by name: their column in the mechanics, unit and meaning."""
+"""Columns of the histories in the mechanics."""
 
 MOST = 2**27
 """Numbers that histories may have in all: 1 GiB."""
@@ -58,12 +59,12 @@ def histories_of(
         part = grid.part(place, place + 1)
         found = trace(part.rows()[0], shakings[int(part.group()[0])]).history
         for name in names:
-            kept[name][place, : len(found)] = found[:, HISTORIES[name][0]]
+            kept[name][place, : len(found)] = found[:, COLUMNS[name]]
 
-    with ThreadPoolExecutor(cores() if threads is None else threads) as pool:
+    with ThreadPoolExecutor(thread_count(threads)) as pool:
         list(pool.map(run, range(len(grid))))
     shape = (*grid.shape, samples)
     return np.arange(samples, dtype=np.float64) * steps[0], {
-        name: (values.reshape(shape), {"units": HISTORIES[name][1], "long_name": HISTORIES[name][2]})
+        name: (values.reshape(shape), {"units": HISTORIES[name][0], "long_name": HISTORIES[name][1]})
         for name, values in kept.items()
     }

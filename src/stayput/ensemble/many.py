@@ -8,7 +8,7 @@ from stayput.ensemble.axes import make_grid
 from stayput.ensemble.cluster import run_on_cluster
 from stayput.ensemble.progress import bar
 from stayput.ensemble.results import empty, fill
-from stayput.ensemble.tasks import cores, run_on_threads
+from stayput.ensemble.tasks import run_on_threads, thread_count
 from stayput.errors import within
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def run_grid(
 ) -> dict[str, NDArray[np.generic]]:
     """Run a grid's cases; return the columns of results, in the grid's order."""
     count = len(grid)
-    threads = cores() if threads is None else int(within("Threads", threads, 1, 4096))
+    threads = thread_count(threads)
     if chunk is None:
         chunk = min(LARGEST_CHUNK, -(-count // (8 * threads)))
     chunk = int(within("Chunk", chunk, 1, 1e9, "cases"))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.mechanics.columns import OVERTURNED_OUTCOME
+from stayput.quantities import COUNTS, RESULTS
 from stayput.simulation import Outcome
 
 if TYPE_CHECKING:
@@ -27,13 +28,8 @@ class Quantity:
 QUANTITIES = (
     Quantity("outcome", "i1", "", "what became of the body: the flag's place in flag_meanings"),
     Quantity("overturned", "?", "", "whether the tilt reached 90°"),
-    Quantity("overturn_time", "f8", "s", "time at which the tilt reached 90°, or nan"),
-    Quantity("peak_slide", "f8", "m", "largest magnitude of the slide"),
-    Quantity("residual_slide", "f8", "m", "slide at the end"),
-    Quantity("peak_tilt", "f8", "rad", "largest magnitude of the tilt"),
-    Quantity("residual_tilt", "f8", "rad", "tilt at the end"),
-    Quantity("floor_impacts", "i4", "", "landings on the floor"),
-    Quantity("wall_impacts", "i4", "", "hits on the walls and the ceiling"),
+    *(Quantity(name, "f8", unit, meaning) for name, (unit, meaning) in RESULTS.items()),
+    *(Quantity(name, "i4", "", meaning) for name, meaning in COUNTS.items()),
     Quantity("events", "i4", "", "all events"),
 )
 """The columns of results."""

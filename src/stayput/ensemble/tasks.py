@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from stayput.ensemble.grid import LAW, MOTION
+from stayput.errors import within
 from stayput.mechanics.columns import RESULT
 from stayput.mechanics.runner import Shaking, run_cases, shaking
 
@@ -51,16 +53,21 @@ def pieces(count: int, chunk: int) -> Iterator[tuple[int, int]]:
 
 def groups_of(grid: Grid) -> set[int]:
     """Return all groups of a grid's cases, without going through the cases."""
-    laws = [values for axis in grid.axes for path, values in axis.columns.items() if path == "contact"]
-    motions = [values for axis in grid.axes for path, values in axis.columns.items() if path == "motion"]
-    numbers = {int(n) for values in motions for n in values} or {int(grid.base["motion"])}
-    kinds = {int(n) for values in laws for n in values} or {int(grid.base["contact"])}
+    laws = [values for axis in grid.axes for path, values in axis.columns.items() if path == LAW]
+    motions = [values for axis in grid.axes for path, values in axis.columns.items() if path == MOTION]
+    numbers = {int(n) for values in motions for n in values} or {int(grid.base[MOTION])}
+    kinds = {int(n) for values in laws for n in values} or {int(grid.base[LAW])}
     return {2 * number + kind for number in numbers for kind in kinds}
 
 
 def cores() -> int:
     """Return how many cores this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def thread_count(threads: int | None) -> int:
+    """Return the number of threads asked for, or one for each core; raise `InputError` where it is none."""
+    return cores() if threads is None else int(within("Threads", threads, 1, 4096))
 
 
 def run_on_threads(

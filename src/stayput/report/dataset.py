@@ -7,19 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
+from stayput.quantities import COUNTS, HISTORIES, RESULTS
 from stayput.report.summary import sentence
 
 if TYPE_CHECKING:
     from stayput.simulation import Run
-
-_HISTORIES = {
-    "slide": ("m", "displacement of the base relative to the floor, + right"),
-    "slide_rate": ("m/s", "rate of the slide"),
-    "tilt": ("rad", "rotation, + clockwise"),
-    "tilt_rate": ("rad/s", "rate of the tilt"),
-    "x": ("m", "centre of gravity right of where the middle of the base stood"),
-    "z": ("m", "centre of gravity above the floor"),
-}
 
 _EVENT_VALUES = {
     "time": ("s", "time of the event"),
@@ -56,7 +48,7 @@ def run_to_dataset(run: Run) -> xr.Dataset:
             "motion": run.motion.name,
         },
     )
-    for name, (unit, meaning) in _HISTORIES.items():
+    for name, (unit, meaning) in HISTORIES.items():
         data[name] = ("time", getattr(run, name), {"units": unit, "long_name": meaning})
     data["mode"] = ("time", run.mode, {"long_name": "how the body moves"})
     for name, (unit, meaning) in _EVENT_VALUES.items():
@@ -64,15 +56,8 @@ def run_to_dataset(run: Run) -> xr.Dataset:
         data[f"event_{name}"] = ("event", values, {"units": unit, "long_name": meaning})
     data["event_kind"] = ("event", np.array([event.kind.value for event in run.events], dtype=np.str_))
     data["event_mode"] = ("event", np.array([event.mode.value for event in run.events], dtype=np.str_))
-    results = {
-        "overturn_time": ("s", "time at which the tilt reached 90°, or nan"),
-        "peak_slide": ("m", "largest magnitude of the slide"),
-        "residual_slide": ("m", "slide at the end"),
-        "peak_tilt": ("rad", "largest magnitude of the tilt"),
-        "residual_tilt": ("rad", "tilt at the end"),
-    }
-    for name, (unit, meaning) in results.items():
+    for name, (unit, meaning) in RESULTS.items():
         data[name] = ((), getattr(run, name), {"units": unit, "long_name": meaning})
-    data["floor_impacts"] = ((), run.floor_impacts, {"long_name": "landings on the floor"})
-    data["wall_impacts"] = ((), run.wall_impacts, {"long_name": "hits on the walls and the ceiling"})
+    for name, meaning in COUNTS.items():
+        data[name] = ((), getattr(run, name), {"long_name": meaning})
     return data

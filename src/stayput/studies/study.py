@@ -45,9 +45,11 @@ class Study:
 
     def markdown(self) -> str:
         """Return the text and the tables."""
-        parts = [f"# {self.title}", self.text.strip()]
-        parts += [f"**{caption}**\n\n{table_as_markdown(table)}" for caption, table in self.tables.items()]
-        return "\n\n".join(parts) + "\n"
+        return "\n\n".join((f"# {self.title}", self.text.strip(), *self.captioned_tables())) + "\n"
+
+    def captioned_tables(self) -> list[str]:
+        """Return each table in Markdown below its caption."""
+        return [f"**{caption}**\n\n{table_as_markdown(table)}" for caption, table in self.tables.items()]
 
     def write(self, folder: str | Path) -> list[Path]:
         """Write NetCDF, CSV, figures (PNG) and text into a folder, which is made; return the files.

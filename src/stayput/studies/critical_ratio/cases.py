@@ -14,7 +14,7 @@ from stayput.body import Body
 from stayput.motion import sine
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.room import Floor, Room
-from stayput.simulation import Case, Contact
+from stayput.simulation import LAWS, Case, Contact
 from stayput.studies.critical_ratio.first_overturning import first_overturning
 from stayput.studies.critical_ratio.fit import EQUATION_4_1, regression
 
@@ -45,8 +45,6 @@ SWAY = ((1.5, 1.5), (1.15, 1.15), (0.6, 1.2))
 
 The last is like the paper's Table 4.2, with more friction under the corner than under the base.
 """
-
-LAWS: tuple[Contact, ...] = ("paper", "coulomb")
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +102,7 @@ def all_conditions(
             yield replace(at, restitution=e, part="restitution")
         for phase in PHASES:
             yield replace(at, phase=phase, part="phase")
-        for law in LAWS:
+        for law in LAWS[::-1]:
             yield replace(at, contact=law, part="sway")
             for base_mu, corner_mu in SWAY:
                 mu = {"friction": base_mu * middle, "corner_friction": corner_mu * middle}

@@ -9,7 +9,8 @@ from matplotlib import colormaps
 
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import INK, MUTED
-from stayput.studies.critical_ratio.cases import LAWS, STICKING, rows_of
+from stayput.simulation import LAWS
+from stayput.studies.critical_ratio.cases import STICKING, rows_of
 from stayput.studies.critical_ratio.fit import EQUATION_4_1, Fit, regression
 
 if TYPE_CHECKING:
@@ -107,7 +108,7 @@ def draw_influences(table: pd.DataFrame) -> Figure:
         ("Restitution e", parts["restitution"], parts["restitution"]["restitution"].map("e = {:g}".format)),
         ("Phase of the sine", parts["phase"], parts["phase"]["phase"].map("{:g}°".format)),
     ]
-    for law in LAWS:
+    for law in LAWS[::-1]:
         of_law = rows_of(parts["sway"], contact=law)
         title = "Sway, law of the paper" if law == "paper" else "Sway, Coulomb law"
         named.append((title, of_law, _friction_names(of_law)))

@@ -1,0 +1,17 @@
+"""Options that several commands share: how a record's file is to be read."""
+
+from __future__ import annotations
+
+from typing import Annotated, TypeAlias
+
+import typer
+
+Component: TypeAlias = Annotated[
+    str | None, typer.Option("--component", help="The record's channel along the shaking.")
+]
+Unit: TypeAlias = Annotated[
+    str | None, typer.Option("--unit", help="The record's unit, where its file does not state it.")
+]
+TimeStep: TypeAlias = Annotated[
+    float | None, typer.Option("--dt", help="The record's time step [s], where its file does not state it.")
+]
