@@ -247,3 +247,9 @@ sp.sweep(case, {"motion.scale": np.linspace(0.5, 1.5, 1_000_000)}, threads=2)
         assert "KeyboardInterrupt" in errors
     finally:
         running.kill()
+
+
+@pytest.mark.parametrize("kept", [(), ("tilt",)])
+def test_a_number_of_threads_that_is_none_is_refused(kept):
+    with pytest.raises(sp.InputError, match="Threads is 0; it must be between 1 and"):
+        sp.sweep(CASE, {"motion.scale": [1.0]}, histories=kept, threads=0)
