@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-import stayput.mechanics.compiled as compiled
+import stayput.compiled as compiled
 
 CALLER = """
 from small.callee import part
@@ -67,5 +67,5 @@ def test_code_that_cannot_be_dropped_is_no_failure(run, tmp_path, monkeypatch):
         raise PermissionError(13, "Permission denied", str(self))
 
     monkeypatch.setattr(Path, "unlink", refuse)
-    compiled._forget_outdated(index.parent)
+    compiled._forget_outdated(index.parent, [tmp_path / "small"])
     assert index.exists()

@@ -120,7 +120,7 @@ def _check_targets(plot: Path | None, animate: Path | None) -> None:
 
 
 def _run(scenario: Scenario) -> Run:
-    from stayput.mechanics.compiled import told_of_compilation
+    from stayput.compiled import told_of_compilation
 
     def tell() -> None:
         typer.echo(f"Compiling the mechanics once (about {COLD_START_SECONDS} s) ...", err=True)

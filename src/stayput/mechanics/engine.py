@@ -45,7 +45,7 @@ from stayput.mechanics.columns import (
     WALL_IMPACT_EVENT,
     WALL_RELEASE_EVENT,
 )
-from stayput.mechanics.compiled import entry, inner
+from stayput.compiled import entry, inner
 from stayput.mechanics.contact import STUCK
 from stayput.mechanics.flat import advance_flat, advance_held, flat_friction
 from stayput.mechanics.free import advance_flight, advance_lean

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from stayput.mechanics.columns import CONTACTS, CORNER, FLOOR_BITS, PLANE
-from stayput.mechanics.compiled import inline, inner
+from stayput.compiled import inline, inner
 
 GAP_TOLERANCE = 1e-10
 """A contact is closed when its gap is not larger than this [m]."""

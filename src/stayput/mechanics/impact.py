@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 
 from stayput.mechanics.columns import FLOOR_BITS, PLANE
-from stayput.mechanics.compiled import inner
+from stayput.compiled import inner
 from stayput.mechanics.contact import (
     STUCK,
     both_slip,

@@ -23,7 +23,7 @@ from stayput.mechanics.columns import (
     STICK,
     WEDGE,
 )
-from stayput.mechanics.compiled import inner
+from stayput.compiled import inner
 from stayput.mechanics.contact import (
     STUCK,
     both_slip,

@@ -24,7 +24,7 @@ from stayput.mechanics.columns import (
     SLIP,
     STICK,
 )
-from stayput.mechanics.compiled import inline, inner
+from stayput.compiled import inline, inner
 from stayput.mechanics.geometry import slide_of
 
 

@@ -25,7 +25,7 @@ from stayput.mechanics.columns import (
     SLIP,
     STICK,
 )
-from stayput.mechanics.compiled import inner
+from stayput.compiled import inner
 from stayput.mechanics.contact import JAMMED, STUCK
 from stayput.mechanics.fulcrum import margins
 from stayput.mechanics.geometry import along, arm, arm_at, gap_rate, slip_rate, stand_flat, turn_to

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.compiled import inline, inner
+from stayput.compiled import inline, inner
 
 TOUCHING = 1e-13
 """A gap that is not larger than this at the start of a step is a contact that has just been closed [m]."""

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.compiled import inline, inner
+from stayput.compiled import inline, inner
 
 
 @inline

@@ -1,4 +1,4 @@
-"""How the mechanics are compiled: strict IEEE arithmetic, and code on disk for the entry points alone.
+"""How inner loops are compiled: strict IEEE arithmetic, and code on disk for the entry points alone.
 
 No fast-math flags: the same bits come out on every x86-64 processor, whatever its vector width. The inner
 functions get no Python wrappers and no files of their own, which would make up most of a cold compile.
@@ -16,7 +16,7 @@ from numba import njit
 from numba.core.event import Event, Listener, install_listener
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator
+    from collections.abc import Callable, Generator, Iterable
 
 compile_with: Any = njit  # Numba's type stubs leave out some of the options
 P = ParamSpec("P")
@@ -42,13 +42,15 @@ def entry(function: Callable[P, T]) -> Callable[P, T]:
     """Compile a function that Python calls, without the interpreter's lock, and keep the code on disk."""
     compiled = compile_with(**SETTINGS, cache=True, nogil=True)(function)
     if hasattr(compiled, "stats"):  # not where NUMBA_DISABLE_JIT leaves the function as it is
-        _forget_outdated(Path(compiled.stats.cache_path))
+        called = [value.py_func for value in function.__globals__.values() if hasattr(value, "py_func")]
+        sources = {Path(part.__code__.co_filename).parent for part in (function, *called)}
+        _forget_outdated(Path(compiled.stats.cache_path), sources)
     return compiled
 
 
-def _forget_outdated(folder: Path) -> None:
-    """Drop code on disk that is older than any source here: Numba looks at the entry's own file alone."""
-    edited = max(source.stat().st_mtime for source in Path(__file__).parent.glob("*.py"))
+def _forget_outdated(folder: Path, sources: Iterable[Path]) -> None:
+    """Drop code on disk that is older than a file of the source folders: Numba looks at the entry's alone."""
+    edited = max(file.stat().st_mtime for source in sources for file in source.glob("*.py"))
     with suppress(OSError):
         for index in folder.glob("*.nbi"):
             if index.stat().st_mtime < edited:
