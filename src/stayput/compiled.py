@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 from numba import njit
-from numba.core.event import Event, Listener, install_listener
+from numba.core.event import Event, Listener
+from numba.core.event import install_listener as _install_listener  # pyright: ignore[reportUnknownVariableType]
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable
@@ -75,5 +76,5 @@ class _Once(Listener):
 @contextmanager
 def told_of_compilation(tell: Callable[[], None]) -> Generator[None]:
     """Call ``tell`` once, before anything is compiled; never if all code lies on disk already."""
-    with install_listener("numba:compile", _Once(tell)):
+    with _install_listener("numba:compile", _Once(tell)):
         yield

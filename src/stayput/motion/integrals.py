@@ -62,6 +62,15 @@ def square(a: NDArray[np.float64], dt: float) -> NDArray[np.float64]:
     return _running(dt / 3.0 * (a0 * a0 + a0 * a1 + a1 * a1))
 
 
+def magnitude(a: NDArray[np.float64], dt: float) -> float:
+    """Return ∫|a| dt over the record [m/s]."""
+    a0, a1 = np.abs(a[:-1]), np.abs(a[1:])
+    crosses = a[:-1] * a[1:] < 0.0
+    areas = 0.5 * dt * (a0 + a1)
+    areas[crosses] -= dt * a0[crosses] * a1[crosses] / (a0[crosses] + a1[crosses])
+    return float(areas.sum())
+
+
 def time_of_share(a: NDArray[np.float64], dt: float, share: float) -> float:
     """Return the time at which ∫a² dt reaches ``share`` of its final value [s]; 0 for a still floor."""
     sums = square(a, dt)

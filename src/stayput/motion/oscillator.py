@@ -11,15 +11,17 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from stayput.compiled import entry, inline, inner
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import NDArray
 
 STEPS_IN_A_PERIOD = 20.0
 """Fewest steps in a period: what is between them is a peak to 3e-5."""
+
+STEPS_OF_A_VECTOR = 100.0
+"""Fewest steps in a period where two components are added: their largest sum is then met to 5e-4."""
 
 RESPONSES = 4
 """What `peak_responses` finds: peaks of u, of u̇, of ü + a, and of u̇ + the floor's velocity."""
@@ -80,7 +82,7 @@ def peak_responses(
     """
     for i in range(len(periods)):
         omega = 2.0 * math.pi / periods[i]
-        parts = max(1, int(math.ceil(dt * STEPS_IN_A_PERIOD / periods[i])))
+        parts = max(1, math.ceil(dt * STEPS_IN_A_PERIOD / float(periods[i])))
         h = dt / parts
         uu, uv, u0, u1, vu, vv, v0, v1 = step_coefficients(omega, zeta, h)
         u, rate, floor = 0.0, 0.0, 0.0
@@ -102,3 +104,41 @@ def peak_responses(
                 absolute = max(absolute, _between(start_rate + floor, total, start_force, force, h))
                 floor += 0.5 * h * (a0 + a1)
         peaks[i, 0], peaks[i, 1], peaks[i, 2], peaks[i, 3] = disp, vel, acc, absolute
+
+
+@entry
+def horizontal_velocities(
+    ax: NDArray[np.float64],
+    ay: NDArray[np.float64],
+    dt: float,
+    periods: NDArray[np.float64],
+    zeta: float,
+    peaks: NDArray[np.float64],
+) -> None:
+    """Find the largest absolute velocity of oscillators that move freely in the horizontal plane.
+
+    Parameters
+    ----------
+    ax, ay : ndarray, shape (n,)
+        Floor acceleration along x and y [m/s²].
+    dt, periods, zeta
+        As for `peak_responses`.
+    peaks : ndarray, shape (m,)
+        Filled with the largest magnitude of the vector of (u̇ + v) along x and y [m/s].
+    """
+    for i in range(len(periods)):
+        parts = max(1, math.ceil(dt * STEPS_OF_A_VECTOR / float(periods[i])))
+        h = dt / parts
+        uu, uv, u0, u1, vu, vv, v0, v1 = step_coefficients(2.0 * math.pi / periods[i], zeta, h)
+        x, x_rate, x_floor, y, y_rate, y_floor, peak = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+        for k in range(len(ax) - 1):
+            for part in range(parts):
+                start, end = part / parts, (part + 1) / parts
+                a0, a1 = ax[k] + (ax[k + 1] - ax[k]) * start, ax[k] + (ax[k + 1] - ax[k]) * end
+                b0, b1 = ay[k] + (ay[k + 1] - ay[k]) * start, ay[k] + (ay[k + 1] - ay[k]) * end
+                x, x_rate = uu * x + uv * x_rate + u0 * a0 + u1 * a1, vu * x + vv * x_rate + v0 * a0 + v1 * a1
+                y, y_rate = uu * y + uv * y_rate + u0 * b0 + u1 * b1, vu * y + vv * y_rate + v0 * b0 + v1 * b1
+                x_floor += 0.5 * h * (a0 + a1)
+                y_floor += 0.5 * h * (b0 + b1)
+                peak = max(peak, (x_rate + x_floor) ** 2 + (y_rate + y_floor) ** 2)
+        peaks[i] = math.sqrt(peak)

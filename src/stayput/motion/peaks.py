@@ -35,6 +35,8 @@ class Peaks:
         Largest magnitude of acceleration [m/s²], velocity [m/s] and displacement [m].
     arias : float
         Arias intensity [m/s].
+    cav : float
+        Cumulative absolute velocity ∫|a| dt [m/s] (EPRI 1988, without the later thresholds).
     significant_duration : float
         D5–95 [s].
     """
@@ -43,6 +45,7 @@ class Peaks:
     pgv: float
     pgd: float
     arias: float
+    cav: float
     significant_duration: float
 
     @classmethod
@@ -53,5 +56,6 @@ class Peaks:
             pgv=integrals.peak_velocity(a, dt),
             pgd=integrals.peak_displacement(a, dt),
             arias=arias_intensity(a, dt),
+            cav=integrals.magnitude(a, dt),
             significant_duration=significant_duration(a, dt),
         )

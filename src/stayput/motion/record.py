@@ -10,14 +10,16 @@ import numpy as np
 
 from stayput.errors import InputError, finite, within
 from stayput.motion import integrals
+from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
 from stayput.motion.peaks import Peaks, arias_intensity, significant_duration
 from stayput.motion.processing import coarsen, refine, whole_ratio, without_baseline
 from stayput.motion.samples import MOST_SAMPLES, STEP_RANGE, checked_samples
+from stayput.motion.spectrum import DAMPING, PERIODS, ResponseSpectrum, response_spectrum
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
 COMPONENTS = ("x", "y", "z")
 """Names of a motion's components: along the shaking, across it, up."""
@@ -151,6 +153,22 @@ class Motion:
         """D5–95 of x: time in which ∫a² dt grows from 5 % to 95 % [s] (Trifunac and Brady 1975)."""
         return significant_duration(self.x, self.dt)
 
+    @property
+    def cav(self) -> float:
+        """Cumulative absolute velocity of x, ∫|a| dt [m/s]."""
+        return integrals.magnitude(self.x, self.dt)
+
+    @property
+    def intensity(self) -> float:
+        """JMA's instrumental intensity of all components, not rounded; −inf of a still floor."""
+        return jma_intensity(self)
+
+    def spectrum(
+        self, periods: ArrayLike = PERIODS, damping: float = DAMPING, component: str = "x"
+    ) -> ResponseSpectrum:
+        """Return the response spectrum of a component; see `stayput.response_spectrum`."""
+        return response_spectrum(self, periods, damping, component)
+
     def component(self, name: str) -> Motion:
         """Return one component ("x", "y" or "z") as a motion of its own, along its x."""
         if name not in self.components:
@@ -172,6 +190,20 @@ class Motion:
         """Return the motion with every component times ``factor``."""
         k = finite("Motion scale", factor)
         return self._each(lambda a: k * a, source=self._note(f"scaled by {k:g}"))
+
+    def to_intensity(self, intensity: float | str) -> Motion:
+        """Return the motion scaled to a JMA intensity: a number, or a class such as "6-upper" (its middle).
+
+        Raises
+        ------
+        InputError
+            A still floor, or an intensity that is not known or needs an absurd factor.
+        """
+        value = (
+            intensity_of_class(intensity) if isinstance(intensity, str) else finite("Intensity", intensity)
+        )
+        scaled = self.scaled(factor_to_intensity(self, within("Intensity", value, -3.0, 9.0)))
+        return replace(scaled, source=f"{scaled.source} (to JMA intensity {value:g})")
 
     def flipped(self) -> Motion:
         """Return the motion turned by half a turn about the vertical: x and y change sign, z does not."""

@@ -1,0 +1,116 @@
+"""All measures of how strongly a motion shakes, in one record."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.motion.conversions import jma_from_pgv, kawasumi, mercalli
+from stayput.motion.frequency import mean_period
+from stayput.motion.intensity import (
+    intensity_class,
+    jma_intensity,
+    long_period_class,
+    long_period_response,
+    published_intensity,
+)
+from stayput.motion.spectrum import PERIODS, response_spectrum
+
+if TYPE_CHECKING:
+    from stayput.motion.record import Motion
+
+HOUSNER_PERIODS = np.linspace(0.1, 2.5, 121)
+"""Periods over which a spectrum intensity is taken [s]; steps of 0.02 s."""
+
+
+@dataclass(frozen=True, slots=True)
+class SpectralMeasures:
+    """What the response of oscillators says of one component.
+
+    Parameters
+    ----------
+    housner_intensity : float
+        ∫ PSv dT from 0.1 to 2.5 s at 5 % [m] (Housner 1952).
+    spectrum_intensity : float
+        SI: the mean of Sv from 0.1 to 2.5 s at 20 % [m/s], as gas meters in Japan use it.
+    predominant_period : float
+        Period of the largest Sa at 5 % [s]; NaN of a still floor.
+    mean_period : float
+        Tm of the Fourier spectrum, 0.25 to 20 Hz [s] (Rathje and others 1998); NaN of a still floor.
+    """
+
+    housner_intensity: float
+    spectrum_intensity: float
+    predominant_period: float
+    mean_period: float
+
+    @classmethod
+    def of(cls, motion: Motion, component: str = "x") -> SpectralMeasures:
+        """Return the measures of one component of a motion."""
+        a = motion.components[component]
+        spectrum = response_spectrum(motion, PERIODS, 0.05, component)
+        housner = response_spectrum(motion, HOUSNER_PERIODS, 0.05, component).psv
+        damped = response_spectrum(motion, HOUSNER_PERIODS, 0.20, component).sv
+        span = float(HOUSNER_PERIODS[-1] - HOUSNER_PERIODS[0])
+        moves = bool(np.any(a))
+        return cls(
+            housner_intensity=float(np.trapezoid(housner, HOUSNER_PERIODS)),
+            spectrum_intensity=float(np.trapezoid(damped, HOUSNER_PERIODS)) / span,
+            predominant_period=float(spectrum.periods[int(np.argmax(spectrum.sa))]) if moves else math.nan,
+            mean_period=mean_period(a, motion.dt),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Shaking:
+    """What a whole motion is on the scales of intensity.
+
+    Parameters
+    ----------
+    intensity : float
+        JMA's instrumental intensity, not rounded; −inf of a still floor.
+    published : float
+        The same as JMA publishes it, with one decimal.
+    intensity_class : str
+        "0" to "7", with "5-lower" to "6-upper".
+    long_period_response : float
+        Largest Sva at 5 % over 1.6 to 7.8 s [m/s].
+    long_period_class : int
+        JMA's class of long-period motion, 0 to 4.
+    from_pgv : float
+        JMA's intensity as a regression on PGV has it (Midorikawa and others 1999).
+    kawasumi : float
+        Intensity as Kawasumi (1951) has it from PGA.
+    mercalli : float
+        Modified Mercalli intensity from PGA and PGV (Worden and others 2012).
+    """
+
+    intensity: float
+    published: float
+    intensity_class: str
+    long_period_response: float
+    long_period_class: int
+    from_pgv: float
+    kawasumi: float
+    mercalli: float
+
+    @classmethod
+    def of(cls, motion: Motion) -> Shaking:
+        """Return the intensities of a motion, of as many components as it has."""
+        intensity, response = jma_intensity(motion), long_period_response(motion)
+        peaks = [found for name, found in motion.peaks().items() if name != "z"]
+        pga, pgv = max(peak.pga for peak in peaks), max(peak.pgv for peak in peaks)
+        moves = pga > 0.0
+        return cls(
+            intensity=intensity,
+            published=published_intensity(intensity),
+            intensity_class=intensity_class(intensity),
+            long_period_response=response,
+            long_period_class=long_period_class(response),
+            from_pgv=jma_from_pgv(pgv) if moves else -math.inf,
+            kawasumi=kawasumi(pga) if moves else -math.inf,
+            mercalli=mercalli(pga, pgv) if moves else 1.0,
+        )
