@@ -7,6 +7,7 @@ import subprocess
 import sys
 import time
 
+import numpy as np
 import pytest
 import xarray as xr
 from numba import njit
@@ -140,7 +141,19 @@ def test_plot_and_animation_are_written(tmp_path):
         (["simulate", "--animate", "a.gif", "--fps", "0"], "fps is 0"),
         (["motion", "info", "nowhere.txt"], "nowhere.txt"),
         (["motion", "info", "."], "'.'"),
-        (["motion", "info", "near-fault", "--plot", "nowhere/a.png"], "its folder must exist"),
+        (["motion", "plot", "near-fault", "nowhere/a.png"], "its folder must exist"),
+        (["motion", "plot", "near-fault", "a.txt"], "must end in .png, .svg, .pdf"),
+        (["motion", "spectrum", "near-fault", "--damping", "1"], "Damping ratio is 1"),
+        (["motion", "spectrum", "near-fault", "--out", "a.txt"], "must end in .csv"),
+        (["motion", "spectrum", "near-fault", "--plot", "a.txt"], "must end in .png"),
+        (["motion", "convert", "near-fault", "a.txt"], "must end in .csv, .at2"),
+        (["motion", "convert", "near-fault", "a.at2"], "an AT2 file holds one component"),
+        (["motion", "convert", "near-fault", "a.csv", "--intensity", "9-lower"], "'9-lower'; it must be"),
+        (
+            ["motion", "convert", "near-fault", "a.csv", "--intensity", "6", "--scale", "2"],
+            "--scale is 2 beside --intensity '6'",
+        ),
+        (["motion", "convert", "near-fault", "a.csv", "--step", "0.003"], "whole part or a multiple"),
     ],
 )
 def test_what_is_wrong_is_one_sentence_on_standard_error(tmp_path, monkeypatch, arguments, message):
@@ -158,14 +171,56 @@ def test_motion_info(record, tmp_path):
     data = json.loads(cli("motion", "info", record, "--unit", "gal", "--json").stdout)
     assert (data["samples"], data["dt_s"], data["synthetic"]) == (400, 0.01, False)
     assert data["components"]["x"]["pga_m_s2"] == pytest.approx(3.0)
-    picture = tmp_path / "m.png"
-    result = cli("motion", "info", "near-fault", "--plot", picture)
+    result = cli("motion", "info", "near-fault")
     assert "synthetic" in result.stdout
     assert "PGV [cm/s]" in result.stdout
-    assert picture.read_bytes().startswith(b"\x89PNG")
+    assert "JMA intensity 6.3, class 6-upper" in result.stdout
     refused = cli("motion", "info", record)
     assert refused.exit_code == 2
     assert "unit must be given" in refused.stderr
+
+
+def test_motion_info_of_a_still_floor(tmp_path):
+    file = tmp_path / "still.txt"
+    file.write_text("0\n" * 500)
+    data = json.loads(cli("motion", "info", file, "--unit", "gal", "--dt", "0.01", "--json").stdout)
+    assert data["jma_intensity"] is None
+    assert data["jma_class"] == "0"
+    assert data["components"]["x"]["mean_period_s"] is None
+    assert "JMA intensity 0.0" in cli("motion", "info", file, "--unit", "gal", "--dt", "0.01").stdout
+
+
+def test_motion_plot(tmp_path):
+    assert cli("motion", "plot", "near-fault", tmp_path / "m.png").exit_code == 0
+    assert (tmp_path / "m.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_motion_spectrum(tmp_path):
+    files = tmp_path / "s.csv", tmp_path / "s.png"
+    result = cli(
+        "motion", "spectrum", "near-fault", "--damping", "0.02", "--out", files[0], "--plot", files[1]
+    )
+    assert result.exit_code == 0
+    assert "2 % damping" in result.stdout
+    table = np.genfromtxt(files[0], delimiter=",", names=True)
+    spectrum = stayput.near_fault().spectrum(damping=0.02, component="y")
+    assert np.array_equal(table["sa_y_m_s2"], spectrum.sa)
+    assert np.array_equal(table["period_s"], spectrum.periods)
+    assert files[1].read_bytes().startswith(b"\x89PNG")
+
+
+def test_motion_convert(tmp_path):
+    out = tmp_path / "a.at2"
+    result = cli(
+        "motion", "convert", "near-fault", out, "--intensity", "5-upper", "--only", "y", "--step", "0.02"
+    )
+    assert result.exit_code == 0
+    back = stayput.read_motion(out)
+    wanted = stayput.near_fault().to_intensity(5.25).resampled(0.02).component("y")
+    assert back.x == pytest.approx(wanted.x, rel=1e-12, abs=1e-12)
+    assert (back.dt, back.synthetic) == (0.02, True)
+    assert cli("motion", "convert", "near-fault", tmp_path / "b.csv", "--scale", "2").exit_code == 0
+    assert stayput.read_motion(tmp_path / "b.csv").pga == pytest.approx(2.0 * stayput.near_fault().pga)
 
 
 def test_version():

@@ -15,8 +15,8 @@ import pytest
 import stayput as sp
 from stayput.ensemble.grid import Grid
 from stayput.ensemble.many import run_grid
-from stayput.ensemble.progress import bar
 from stayput.ensemble.results import OUTCOMES, QUANTITIES
+from stayput.progress import bar
 
 WALLED = sp.Room(sp.Floor(0.4, 0.3), right_wall=sp.Wall(0.1))
 PULSE = sp.pulse("ricker", 6.0, frequency=1.0, quiet=3.0, dt=0.01)

@@ -9,6 +9,7 @@ from stayput.errors import InputError
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
+    from stayput.motion.suites import TargetSpectrum
 
 EXAMPLE: dict[str, Any] = {
     "furniture": {"preset": "bookcase"},
@@ -118,6 +119,40 @@ def motion_of(text: str, **fields: str | float | None) -> Motion:
     given = {key: value for key, value in fields.items() if value is not None}
     scenario = Scenario.parse({**EXAMPLE, "shaking": {**shaking_table(text), **given}})
     return scenario.shaking.motion(Path())
+
+
+def band_of(text: str) -> tuple[float, float]:
+    """Return the two periods [s] of a ``--band`` text."""
+    first, last = _numbers("--band", text, text.split(","), (2,), "0.1,5")
+    return first, last
+
+
+def target_of(text: str) -> TargetSpectrum:
+    """Return the target spectrum of ``japan[:LEVEL[,SOIL]]``, ``asce7:SDS,SD1[,TL]`` or a table's file.
+
+    Raises
+    ------
+    InputError
+        A text or a file that cannot be read.
+    """
+    from stayput.motion.suites import asce7, japanese_design, read_target
+
+    kind, _, rest = text.partition(":")
+    if kind == "asce7":
+        return asce7(*_numbers("--target", text, rest.split(","), (2, 3), "asce7:1.0,0.6,8"))
+    if kind == "japan":
+        level, _, soil = (rest or "very-rare,2").partition(",")
+        number = _numbers("--target", text, [soil or "2"], (1,), "japan:very-rare,2")[0]
+        return japanese_design(level.replace("-", " "), round(number))
+    return read_target(text)
+
+
+def intensity_value(text: str) -> float | str:
+    """Return an ``--intensity`` text as a number where it is one, else as the name of a class."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
 
 
 def _table(tables: dict[str, Any], name: str) -> dict[str, Any]:

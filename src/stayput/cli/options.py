@@ -1,4 +1,4 @@
-"""Options that several commands share: how a record's file is to be read."""
+"""Options that several commands share: which motion, and how a record's file is to be read."""
 
 from __future__ import annotations
 
@@ -6,6 +6,9 @@ from typing import Annotated, TypeAlias
 
 import typer
 
+MotionText: TypeAlias = Annotated[
+    str, typer.Argument(metavar="MOTION", help="A record's file; or near-fault, or sine:A,F[,T].")
+]
 Component: TypeAlias = Annotated[
     str | None, typer.Option("--component", help="The record's channel along the shaking.")
 ]

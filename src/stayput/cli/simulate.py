@@ -110,11 +110,11 @@ def simulate(
 
 def _check_targets(plot: Path | None, animate: Path | None) -> None:
     if plot is not None:
-        from stayput.report.files import PLOT_SUFFIXES, check_target
+        from stayput.files import PLOT_SUFFIXES, check_target
 
         check_target(plot, PLOT_SUFFIXES)
     if animate is not None:
-        from stayput.report.files import check_animation
+        from stayput.files import check_animation
 
         check_animation(animate)
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from PIL import Image
 
 from stayput.errors import InputError, within
-from stayput.report.files import check_animation, draft
+from stayput.files import check_animation, draft
 from stayput.report.film import film_of
 from stayput.report.frames import Painter
 from stayput.report.player import player_page

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from stayput.report.files import PLOT_SUFFIXES, check_target, draft
+from stayput.files import PLOT_SUFFIXES, check_target, draft
 from stayput.report.palette import FAINT, INK, MUTED
 
 if TYPE_CHECKING:

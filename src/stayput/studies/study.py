@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from stayput.errors import InputError
 from stayput.report.figures import saved
-from stayput.report.files import draft
+from stayput.files import draft
 
 if TYPE_CHECKING:
     import pandas as pd

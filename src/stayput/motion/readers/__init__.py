@@ -6,6 +6,7 @@ returns the file's channels in m/s². To add a format, write such a module and l
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
@@ -39,6 +40,9 @@ class Reader(Protocol):
         """Return the channels; ``unit`` and ``dt`` are the caller's, for files that do not state theirs."""
         ...
 
+
+_HEAD = 1000
+"""A file that calls itself synthetic in so many of its first characters stays labelled so."""
 
 READERS: tuple[Reader, ...] = (peer, jma, knet, knet_csv, esm, csmip, cosmos, columns)
 """The readers, in the order in which they look at a file; columns of bare numbers come last."""
@@ -87,6 +91,7 @@ def read_motion(
     try:
         check_end(text)
         channels = reader.read(text, unit, dt)
-        return motion_of_channels(channels, component, reader.FORMAT, name=Path(path).stem)
+        motion = motion_of_channels(channels, component, reader.FORMAT, name=Path(path).stem)
     except InputError as error:
         raise InputError(f"{Path(path).name} ({reader.FORMAT}): {error}") from None
+    return replace(motion, synthetic="synthetic" in text[:_HEAD].lower())

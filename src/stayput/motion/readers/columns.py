@@ -1,7 +1,8 @@
-"""Columns of numbers, parted by blanks, tabs, commas or semicolons, in a unit that the caller states.
+"""Columns of numbers, parted by blanks, tabs, commas or semicolons.
 
 One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z. Lines that begin
-with "#", "%" or "//" are comments; one line of column names may stand above the numbers.
+with "#", "%" or "//" are comments; one that says "unit: m/s²" states the unit, which the caller
+must do otherwise. One line of column names may stand above the numbers.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ _COMMENT = ("#", "%", "//")
 _STARTS = re.compile(r"[+\-]?\.?[0-9]")
 _NAME = re.compile(r"[A-Za-z][A-Za-z\-]{0,11}")
 _NOT_FINITE = re.compile(r"[+\-]?(?:nan|inf|infinity)", re.IGNORECASE)
+_UNIT = re.compile(r"\bunit:\s*(\S{1,20})", re.IGNORECASE)
 _LABELS = {1: [""], 2: ["", ""], 4: ["t", "x", "y", "z"]}
 
 
@@ -92,6 +94,12 @@ def _names(text: str, content: list[str], count: int) -> list[str]:
     return found if len(found) == count and all(found) else _LABELS[count]
 
 
+def _stated_unit(text: str) -> str | None:
+    comments = (line.strip() for line in text[:20000].split("\n"))
+    found = [m[1] for line in comments if line.startswith(_COMMENT) and (m := _UNIT.search(line))]
+    return found[0] if found else None
+
+
 def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     """Return the channels: one, or three.
 
@@ -100,7 +108,7 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     InputError
         No unit or time step, another number of columns, an incomplete row, irregular sampling.
     """
-    factor = acceleration_unit(None, unit)
+    factor = acceleration_unit(_stated_unit(text), unit)
     content = _content(text)
     rows = [_split(line) for line in content[_is_names(content[0]) :]]
     count = len(rows[0]) if rows else 0

@@ -13,17 +13,21 @@ if TYPE_CHECKING:
 
 
 @contextmanager
-def bar(total: int, what: str, shown: bool | None = None) -> Generator[Callable[[int], None]]:
-    """Give what is told of the cases done, and draws rate and time left on standard error.
+def bar(
+    total: int, what: str, shown: bool | None = None, unit: str = "cases"
+) -> Generator[Callable[[int], None]]:
+    """Give what is told how many are done, and draws rate and time left on standard error.
 
     Parameters
     ----------
     total : int
-        Number of cases.
+        How many there are.
     what : str
         What the bar is called.
     shown : bool, optional
         Whether to draw it; default if standard error is a terminal.
+    unit : str
+        What is counted.
     """
     from rich.console import Console
 
@@ -36,7 +40,7 @@ def bar(total: int, what: str, shown: bool | None = None) -> Generator[Callable[
 
     class Rate(ProgressColumn):
         def render(self, task: Task) -> Text:
-            return Text("" if task.speed is None else f"{task.speed:,.0f} cases/s")
+            return Text("" if task.speed is None else f"{task.speed:,.0f} {unit}/s")
 
     columns = "{task.description}", BarColumn(), MofNCompleteColumn(), Rate(), TimeRemainingColumn()
     with Progress(*columns, console=console, transient=True) as progress:

@@ -1,0 +1,185 @@
+"""`Building`: a shear model from what people know of their building."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.building.isolation import Isolation
+from stayput.building.model import MOST_STOREYS, ShearModel
+from stayput.building.modes import natural_modes, strain_energy_damping
+from stayput.building.shears import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
+from stayput.building.structures import FLOOR_MASS, ISOLATED, STOREY_HEIGHT, STRUCTURES, Structure
+from stayput.errors import InputError, within
+from stayput.motion.units import STANDARD_GRAVITY
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.building.many import FloorPeaks
+    from stayput.building.response import FloorResponse
+    from stayput.motion import Motion
+
+
+@dataclass(frozen=True)
+class Building:
+    """A regular building: storeys of one height and one mass, stiffnesses from the Ai distribution.
+
+    Furniture of storey 1 stands on the ground (of a base-isolated building: on the slab above the
+    isolators), that of storey n on slab n; the roof is storey ``storeys`` + 1. Defaults that depend on the
+    structure are in `STRUCTURES`, and are of low confidence.
+
+    Parameters
+    ----------
+    storeys : int
+        Number of storeys.
+    structure : str
+        "RC", "steel", "wood" or "base-isolated".
+    period : float, optional
+        First natural period [s]; of a base-isolated building, that of the building on fixed ground.
+        Default: by height, 0.02 s/m (RC) or 0.03 s/m (steel, wood).
+    damping : float, optional
+        Damping ratio of every mode; of a base-isolated building, of its storeys.
+    storey_height : float, optional
+        Height of a storey [m]; default 3 m. It acts through the default period alone.
+    nonlinear : bool
+        Whether the storeys yield.
+    yield_coefficient : float, optional
+        Shear of the lowest storey at yielding over the weight above; those of the others follow Ai.
+        Default: the structure's times the spectral factor Rt of the period.
+    post_yield : float, optional
+        Ratio of a storey's stiffness after yielding to that before it.
+    isolation : Isolation
+        The isolators of a base-isolated building.
+    vertical_amplification : float
+        Factor on the vertical motion at the roof; it grows linearly from 1 at storey 1. The default 1
+        passes it through.
+
+    Raises
+    ------
+    InputError
+        An unknown structure, or a value out of range.
+    """
+
+    storeys: int = 10
+    structure: str = "RC"
+    period: float | None = None
+    damping: float | None = None
+    storey_height: float | None = None
+    nonlinear: bool = False
+    yield_coefficient: float | None = None
+    post_yield: float | None = None
+    isolation: Isolation = field(default_factory=Isolation)
+    vertical_amplification: float = 1.0
+
+    def __post_init__(self) -> None:
+        if self.structure not in STRUCTURES:
+            raise InputError(
+                f"The structure is {self.structure!r}; it must be one of {', '.join(STRUCTURES)}."
+            )
+        if self.storeys not in range(1, MOST_STOREYS):
+            raise InputError(
+                f"The number of storeys is {self.storeys!r}; it must be a whole number "
+                f"from 1 to {MOST_STOREYS - 1}."
+            )
+        if not self.nonlinear and (self.yield_coefficient is not None or self.post_yield is not None):
+            raise InputError("yield_coefficient and post_yield are given; they need a nonlinear building.")
+        for name, low, high, unit in (
+            ("period", 0.02, 20.0, "s"),
+            ("damping", 0.0, 0.5, ""),
+            ("storey_height", 1.5, 20.0, "m"),
+            ("yield_coefficient", 1e-3, 10.0, ""),
+            ("post_yield", 0.0, 0.95, ""),
+            ("vertical_amplification", 0.0, 10.0, ""),
+        ):
+            if (value := getattr(self, name)) is not None:
+                within(f"Building {name}", value, low, high, unit)
+        if self.structure == ISOLATED and self.fixed_period >= self.isolation.period:
+            raise InputError(
+                f"The building's period on fixed ground is {self.fixed_period:g} s; it must be shorter than "
+                f"that of the isolators, {self.isolation.period:g} s."
+            )
+
+    @property
+    def name(self) -> str:
+        """What the building is called: "10-storey RC building"."""
+        return f"{self.storeys}-storey {self.structure} building"
+
+    @property
+    def height(self) -> float:
+        """Height H [m]."""
+        return self.storeys * (STOREY_HEIGHT if self.storey_height is None else self.storey_height)
+
+    @property
+    def fixed_period(self) -> float:
+        """First natural period on fixed ground [s]: the given one, or by height."""
+        return self._values.period_per_height * self.height if self.period is None else float(self.period)
+
+    @property
+    def _values(self) -> Structure:
+        return STRUCTURES[self.structure]
+
+    @cached_property
+    def model(self) -> ShearModel:
+        """The building as masses and stiffnesses."""
+        values, isolated = self._values, self.structure == ISOLATED
+        masses = np.full(self.storeys, FLOOR_MASS)
+        stiffnesses = storey_stiffnesses(masses, self.fixed_period)
+        zeta = values.damping if self.damping is None else self.damping
+        ratio = np.full(self.storeys, values.post_yield if self.post_yield is None else self.post_yield)
+        shears = self._yield_shears(masses)
+        damping = np.full(self.storeys, zeta)
+        if isolated:
+            total = float(masses.sum()) + FLOOR_MASS
+            layer, force = self.isolation.stiffness(total), float("inf")
+            layer_damping = self.isolation.damping
+            if self.nonlinear:  # the isolators' hysteresis takes up the energy
+                (layer, force), layer_damping = self.isolation.bilinear(total), 0.0
+            masses = np.append(FLOOR_MASS, masses)
+            stiffnesses = np.append(layer, stiffnesses)
+            shears, ratio = np.append(force, shears), np.append(self.isolation.post_yield, ratio)
+            modes = natural_modes(masses, stiffnesses)
+            damping = strain_energy_damping(modes, stiffnesses, np.append(layer_damping, damping))
+        return ShearModel(
+            masses.tolist(),
+            stiffnesses.tolist(),
+            damping.tolist(),
+            shears.tolist() if self.nonlinear else None,
+            ratio.tolist(),
+            isolated,
+            self.vertical_amplification,
+            self.name,
+        )
+
+    def _yield_shears(self, masses: NDArray[np.float64]) -> NDArray[np.float64]:
+        period = self.fixed_period
+        coefficient = self.yield_coefficient
+        if coefficient is None:
+            coefficient = self._values.yield_coefficient * spectral_factor(period)
+        weight = STANDARD_GRAVITY * weight_above(masses)
+        return coefficient * ai_distribution(masses, period) * weight
+
+    def respond(self, motion: Motion) -> FloorResponse:
+        """Return what all floors do when the ground moves: `ShearModel.respond`."""
+        return self.model.respond(motion)
+
+    def floor_motion(self, motion: Motion, storey: int) -> Motion:
+        """Return the motion under the furniture of a storey: `ShearModel.floor_motion`."""
+        return self.model.floor_motion(motion, storey)
+
+    def floor_motions(
+        self, motions: Iterable[Motion], storeys: Sequence[int], *, threads: int | None = None
+    ) -> Iterator[tuple[Motion, ...]]:
+        """Give, motion by motion, the floor motions of the wanted storeys: `ShearModel.floor_motions`."""
+        return self.model.floor_motions(motions, storeys, threads=threads)
+
+    def floor_peaks(
+        self, motions: Iterable[Motion], *, component: str = "x", threads: int | None = None
+    ) -> FloorPeaks:
+        """Return the peaks of all floors under many motions: `ShearModel.floor_peaks`."""
+        return self.model.floor_peaks(motions, component=component, threads=threads)

@@ -1,0 +1,152 @@
+"""``stayput motion suite``: many motions at once, made or read, scaled, and written."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from stayput.cli.options import Component, TimeStep, Unit  # noqa: TC001 - Typer reads them
+
+if TYPE_CHECKING:
+    from stayput.motion import Motion
+    from stayput.motion.suites import Suite, TargetSpectrum
+
+FITS = ("scale", "match")
+
+COLUMNS = (
+    "file",
+    "name",
+    "synthetic",
+    "dt_s",
+    "duration_s",
+    "jma_intensity",
+    "pga_m_s2",
+    "pgv_m_s",
+    "d5_95_s",
+    "source",
+)
+"""Columns of the suite's table."""
+
+
+def suite(
+    out: Annotated[
+        Path, typer.Option(metavar="DIR", help="Folder for the motions, their table and figure; it is made.")
+    ],
+    family: Annotated[
+        str, typer.Option(help="mixed, near-fault, crustal, subduction or basin; made, so synthetic.")
+    ] = "mixed",
+    count: Annotated[int, typer.Option(help="How many motions to make.")] = 40,
+    seed: Annotated[int, typer.Option(help="Seed: the same one gives the same motions.")] = 1,
+    records: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="A folder of records to read, in place of making any.")
+    ] = None,
+    component: Component = None,
+    unit: Unit = None,
+    dt: TimeStep = None,
+    target: Annotated[
+        str | None,
+        typer.Option(
+            help="Target spectrum: japan[:very-rare|rare[,SOIL]], asce7:SDS,SD1[,TL], or a table's file."
+        ),
+    ] = None,
+    band: Annotated[
+        str, typer.Option(metavar="T1,T2", help="Periods that the target holds for [s].")
+    ] = "0.1,5",
+    fit: Annotated[
+        str,
+        typer.Option(help="How to meet the target: scale (one factor a motion) or match (its spectrum too)."),
+    ] = "scale",
+    select: Annotated[
+        int | None, typer.Option(metavar="N", help="Keep the N whose spectra are most like the target.")
+    ] = None,
+    intensity: Annotated[
+        str | None, typer.Option(help="JMA intensity of every motion: a number, or a class such as 6-upper.")
+    ] = None,
+) -> None:
+    """Make or read a suite of motions, scale it, and write it with a table and a figure."""
+    from stayput.cli.flags import band_of, intensity_value, target_of
+    from stayput.errors import InputError
+
+    if out.exists() and not out.is_dir():
+        raise InputError(f"The folder is {str(out)!r}; it must be a folder, and that is a file.")
+    if fit not in FITS:
+        raise InputError(f"--fit is {fit!r}; it must be one of {', '.join(FITS)}.")
+    if target is not None and intensity is not None:
+        raise InputError(
+            f"--target is {target!r} beside --intensity {intensity!r}; it must be one of the two."
+        )
+    if target is None and (select is not None or fit != "scale"):
+        raise InputError("--select and --fit are given without --target; they belong to a target spectrum.")
+    wanted = None if target is None else target_of(target)
+    periods = band_of(band)
+
+    from stayput.motion.suites import read_suite, synthetic_suite
+
+    if records is not None:
+        made = read_suite(records, component, unit, dt=dt)
+    else:
+        made = synthetic_suite(family, count, seed)
+    if wanted is not None:
+        if select is not None:
+            made = made.selected(wanted, select, periods)
+        made = made.matched(wanted, periods) if fit == "match" else made.to_spectrum(wanted, periods)
+    if intensity is not None:
+        made = made.to_intensity(intensity_value(intensity))
+    _write(made, out, wanted)
+    _print_end(made, wanted, periods, out)
+
+
+def _plain(name: str) -> str:
+    """Return a name as part of a file's name: letters, digits, dots and hyphens."""
+    return re.sub(r"[^\w.]+", "-", name).strip("-.") or "motion"
+
+
+def _numbers(motion: Motion) -> list[float]:
+    return [
+        motion.dt,
+        motion.duration,
+        motion.intensity,
+        motion.pga,
+        motion.pgv,
+        motion.significant_duration,
+    ]
+
+
+def _write(made: Suite, out: Path, wanted: TargetSpectrum | None) -> None:
+    import csv
+    import io
+
+    from stayput.files import draft
+    from stayput.motion.writers import write_motion
+    from stayput.progress import bar
+
+    out.mkdir(parents=True, exist_ok=True)
+    table = io.StringIO()
+    rows = csv.writer(table, lineterminator="\n")
+    rows.writerow(COLUMNS)
+    with bar(len(made), "Writing motions", unit="motions") as done:
+        for i, motion in enumerate(made, start=1):
+            file = f"{i:0{len(str(len(made)))}d}-{_plain(motion.name)}.csv"
+            write_motion(motion, out / file)
+            rows.writerow([file, motion.name, motion.synthetic, *_numbers(motion), motion.source])
+            done(1)
+    with draft(out / "suite.csv") as unfinished:
+        unfinished.write_text(table.getvalue(), encoding="utf-8")
+    made.plot(out / "suite.png", target=wanted)
+
+
+def _print_end(made: Suite, wanted: TargetSpectrum | None, periods: tuple[float, float], out: Path) -> None:
+    intensities = made.intensities
+    kind = "synthetic motions" if made.synthetic else "motions"
+    typer.echo(f"{len(made)} {kind}: JMA intensity {intensities.min():.2f} to {intensities.max():.2f}")
+    if wanted is not None:
+        off = made.deviation(wanted, periods)
+        typer.echo(
+            f"Median spectrum against {wanted.name}, {periods[0]:g} to {periods[1]:g} s: "
+            f"{100.0 * off.mean:.1f} % off on average, {100.0 * off.worst:.1f} % at most "
+            f"(at {off.worst_period:.2g} s)"
+        )
+    typer.echo(f"Wrote {out}: the motions, suite.csv, suite.png")

@@ -1,0 +1,32 @@
+"""Suites of motions: synthetic families, a user's own records, target spectra."""
+
+from __future__ import annotations
+
+from stayput.motion.suites.catalogue import MIXED, synthetic_suite
+from stayput.motion.suites.families import FAMILIES, MIX
+from stayput.motion.suites.reading import read_suite
+from stayput.motion.suites.suite import Deviation, Suite
+from stayput.motion.suites.synthesis import synthetic_motion
+from stayput.motion.suites.target import (
+    DEFAULT_BAND,
+    TargetSpectrum,
+    asce7,
+    japanese_design,
+    read_target,
+)
+
+__all__ = [
+    "DEFAULT_BAND",
+    "FAMILIES",
+    "MIX",
+    "MIXED",
+    "Deviation",
+    "Suite",
+    "TargetSpectrum",
+    "asce7",
+    "japanese_design",
+    "read_suite",
+    "read_target",
+    "synthetic_motion",
+    "synthetic_suite",
+]

@@ -1,0 +1,201 @@
+"""The families of earthquakes that furniture meets, and what is drawn at random for each motion.
+
+The ranges are common knowledge of the field, not re-checked: defaults of low confidence.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from stayput.errors import InputError
+from stayput.motion.suites.point_source import PointSource
+from stayput.motion.suites.site import SoilLayer
+
+if TYPE_CHECKING:
+    from stayput.motion.suites.draws import Draws
+
+
+@dataclass(frozen=True, slots=True)
+class Family:
+    """What motions of one kind have in common.
+
+    Parameters
+    ----------
+    label : str
+        What it is called in a motion's name.
+    about : str
+        What it stands for, in one sentence.
+    magnitudes : (float, float)
+        Moment magnitudes, all equally likely.
+    distances : (float, float)
+        Distances from the fault [km], their logarithms equally likely.
+    stress_drop : float
+        Median of Δσ [MPa]; the standard deviation of its logarithm is 0.5.
+    packets : tuple of float
+        Shares of motions whose source breaks in 1, 2, ... parts.
+    low_cut : float
+        Frequency below which the motion fades out, so that it comes back to where it was [Hz].
+    lengths : (float, float)
+        Shortest and longest motion [s].
+    pulse : bool
+        Whether there is a velocity pulse along x.
+    basin : bool
+        Whether late surface waves of a basin follow.
+    """
+
+    label: str
+    about: str
+    magnitudes: tuple[float, float]
+    distances: tuple[float, float]
+    stress_drop: float
+    packets: tuple[float, ...]
+    low_cut: float
+    lengths: tuple[float, float]
+    pulse: bool = False
+    basin: bool = False
+
+
+KINDS: dict[str, Family] = {
+    "near-fault": Family(
+        label="near-fault",
+        about="a shallow earthquake next to its fault, with a velocity pulse like that of Kobe 1995",
+        magnitudes=(6.5, 7.2),
+        distances=(2.0, 12.0),
+        stress_drop=10.0,
+        packets=(1.0,),
+        low_cut=0.10,
+        lengths=(30.0, 30.0),
+        pulse=True,
+    ),
+    "crustal": Family(
+        label="crustal",
+        about="a shallow earthquake in the crust, some tens of kilometres away",
+        magnitudes=(6.2, 7.3),
+        distances=(10.0, 60.0),
+        stress_drop=10.0,
+        packets=(0.7, 0.3),
+        low_cut=0.08,
+        lengths=(40.0, 60.0),
+    ),
+    "subduction": Family(
+        label="subduction",
+        about="a great earthquake at a plate boundary: long shaking, in one or more bursts",
+        magnitudes=(7.8, 8.8),
+        distances=(40.0, 120.0),
+        stress_drop=10.0,
+        packets=(0.4, 0.4, 0.2),
+        low_cut=0.05,
+        lengths=(100.0, 240.0),
+    ),
+    "basin": Family(
+        label="long-period basin",
+        about="a great earthquake felt in a deep basin, whose late surface waves have periods of 3 to 8 s",
+        magnitudes=(7.6, 8.8),
+        distances=(50.0, 160.0),
+        stress_drop=10.0,
+        packets=(0.5, 0.5),
+        low_cut=0.04,
+        lengths=(240.0, 300.0),
+        basin=True,
+    ),
+}
+"""The families by name."""
+
+FAMILIES: tuple[str, ...] = tuple(KINDS)
+"""Names of the families."""
+
+MIX: dict[str, float] = {"crustal": 0.35, "subduction": 0.30, "near-fault": 0.20, "basin": 0.15}
+"""Shares of the families in a mixed suite: what furniture in Japan meets (a judgement, low confidence)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pulse:
+    """A velocity pulse of Mavroeidis and Papageorgiou (2003): period [s], velocity [m/s], γ, ν [rad]."""
+
+    period: float
+    velocity: float
+    gamma: float
+    nu: float
+
+
+@dataclass(frozen=True, slots=True)
+class BasinWaves:
+    """Late surface waves: period [s], strength over the body waves', delay [s], length [s], dispersion [s].
+
+    The dispersion is by how much a wave of half the period comes later.
+    """
+
+    period: float
+    strength: float
+    delay: float
+    length: float
+    dispersion: float
+
+
+@dataclass(frozen=True, slots=True)
+class Parameters:
+    """What is drawn for one motion: source, soil, the parts' shares of the source, pulse and basin waves."""
+
+    source: PointSource
+    soil: SoilLayer
+    shares: tuple[float, ...]
+    pulse: Pulse | None
+    waves: BasinWaves | None
+
+    def __str__(self) -> str:
+        said = [
+            f"stochastic point source, M {self.source.magnitude:.2f} at {self.source.distance:.1f} km, "
+            f"stress drop {self.source.stress_drop:.1f} MPa, kappa {self.source.kappa:.3f} s",
+            f"soil period {self.soil.period:.2f} s, impedance ratio {self.soil.impedance:.2f}",
+        ]
+        if len(self.shares) > 1:
+            said.append(f"{len(self.shares)} bursts")
+        if self.pulse is not None:
+            said.append(f"pulse of {self.pulse.period:.2f} s, {self.pulse.velocity:.2f} m/s")
+        if self.waves is not None:
+            said.append(f"basin waves of {self.waves.period:.1f} s, {self.waves.strength:.1f} times")
+        return "; ".join(said)
+
+
+def kind_of(family: str) -> Family:
+    """Return a family by its name.
+
+    Raises
+    ------
+    InputError
+        No such family.
+    """
+    if family not in KINDS:
+        raise InputError(f"The family is {family!r}; it must be one of {', '.join(FAMILIES)}.")
+    return KINDS[family]
+
+
+def drawn(kind: Family, draw: Draws) -> Parameters:
+    """Return the parameters of one motion of a family, drawn at random."""
+    source = PointSource(
+        magnitude=draw.uniform(*kind.magnitudes),
+        distance=draw.log_uniform(*kind.distances),
+        stress_drop=draw.lognormal(kind.stress_drop, 0.5),
+        kappa=draw.lognormal(0.035, 0.3),
+    )
+    soil = SoilLayer(period=draw.lognormal(0.4, 0.5), impedance=draw.uniform(0.25, 0.60))
+    weights = [draw.uniform(0.5, 1.5) for _ in range(1 + draw.choice(kind.packets))]
+    pulse = waves = None
+    if kind.pulse:
+        pulse = Pulse(
+            period=draw.lognormal(1.1, 0.3),
+            velocity=draw.lognormal(0.75, 0.35),
+            gamma=draw.uniform(1.5, 2.5),
+            nu=draw.uniform(0.0, 2.0 * math.pi),
+        )
+    if kind.basin:
+        waves = BasinWaves(
+            period=draw.uniform(3.0, 8.0),
+            strength=draw.lognormal(3.0, 0.35),
+            delay=draw.uniform(10.0, 40.0),
+            length=draw.uniform(60.0, 120.0),
+            dispersion=draw.uniform(10.0, 30.0),
+        )
+    return Parameters(source, soil, tuple(w / sum(weights) for w in weights), pulse, waves)

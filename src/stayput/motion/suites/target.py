@@ -1,0 +1,214 @@
+"""Spectra that a suite is made to meet: Japan's design spectrum, ASCE 7's, a user's own table."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.errors import InputError, within
+from stayput.motion.readers.text import file_text
+from stayput.motion.samples import LARGEST_ACCELERATION
+from stayput.motion.spectrum import DAMPING, PERIOD_RANGE, checked_periods
+from stayput.motion.units import STANDARD_GRAVITY, unit_factor
+
+if TYPE_CHECKING:
+    import os
+
+    from numpy.typing import ArrayLike, NDArray
+
+DEFAULT_BAND = (0.1, 5.0)
+"""Shortest and longest period over which a target counts where nothing is said [s]."""
+
+PER_DECADE = 30
+"""Periods in a factor of ten of a band."""
+
+LEVELS = {"very rare": 1.0, "rare": 0.2}
+"""Levels of Japan's design spectrum, and their factors."""
+
+SITE_GV = {2: 2.03, 3: 2.7}
+"""gv of soft soils: the site factor at long periods."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TargetSpectrum:
+    """A spectrum of absolute acceleration as a table, log-log linear between its points.
+
+    Parameters
+    ----------
+    periods : array_like, shape (m,)
+        Periods, increasing [s].
+    sa : array_like, shape (m,)
+        Sa there, above 0 [m/s²].
+    name : str
+        What it is called.
+    damping : float
+        Damping ratio.
+
+    Raises
+    ------
+    InputError
+        Fewer than two periods, different lengths, or a value out of range.
+    """
+
+    periods: NDArray[np.float64]
+    sa: NDArray[np.float64]
+    name: str = "target spectrum"
+    damping: float = DAMPING
+
+    def __post_init__(self) -> None:
+        periods = checked_periods(self.periods)
+        sa = np.atleast_1d(np.array(self.sa, np.float64))
+        if len(periods) < 2 or sa.shape != periods.shape:
+            raise InputError(
+                f"The target has {len(periods)} periods and {sa.size} values of Sa; "
+                f"it must have as many of each, at least 2."
+            )
+        for value in sa:
+            within("Target Sa", value, 1e-6, LARGEST_ACCELERATION, "m/s²")
+        within("Target damping ratio", self.damping, 0.0, 0.95)
+        for array in (periods, sa):
+            array.setflags(write=False)
+        object.__setattr__(self, "periods", periods)
+        object.__setattr__(self, "sa", sa)
+
+    def __call__(self, periods: ArrayLike) -> NDArray[np.float64]:
+        """Return Sa at periods [s] [m/s²], shape of them.
+
+        Raises
+        ------
+        InputError
+            A period outside the table.
+        """
+        asked = np.asarray(periods, np.float64)
+        low, high = float(self.periods[0]), float(self.periods[-1])
+        outside = asked[(asked < low * (1.0 - 1e-9)) | (asked > high * (1.0 + 1e-9))]
+        if outside.size:
+            within(f"Period of {self.name}", float(outside.flat[0]), low, high, "s")
+        return np.exp(np.interp(np.log(asked), np.log(self.periods), np.log(self.sa)))
+
+
+def band_periods(band: tuple[float, float]) -> NDArray[np.float64]:
+    """Return periods over a band, both ends and 30 a decade [s], shape (m,).
+
+    Raises
+    ------
+    InputError
+        A band out of range, or shorter than a tenth of its start.
+    """
+    low = within("Band's shortest period", band[0], *PERIOD_RANGE, "s")
+    high = within("Band's longest period", band[1], 1.1 * low, PERIOD_RANGE[1], "s")
+    return np.geomspace(low, high, max(2, 1 + round(PER_DECADE * np.log10(high / low))))
+
+
+def _bedrock(t: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the design spectrum at the engineering bedrock [m/s²], very rare, 5 %."""
+    return np.where(t < 0.16, 3.2 + 30.0 * t, np.where(t < 0.64, 8.0, 5.12 / t))
+
+
+def site_factor(t: NDArray[np.float64], soil: int) -> NDArray[np.float64]:
+    """Return Gs at periods [s] for soil of class 1 (firm), 2 or 3 (soft), shape of t."""
+    if soil == 1:
+        return np.where(t < 0.576, 1.5, np.where(t < 0.64, 0.864 / t, 1.35))
+    return np.minimum(np.maximum(1.5, 1.5 * t / 0.64), SITE_GV[soil])
+
+
+def japanese_design(level: str = "very rare", soil: int = 2) -> TargetSpectrum:
+    """Return the design spectrum of Japan's building code at the ground's surface, 0.01 to 10 s.
+
+    At the engineering bedrock, very rare: 3.2 + 30T (T < 0.16 s), 8.0 (to 0.64 s), 5.12/T m/s²; rare is a
+    fifth. Times the site factor Gs: 1.5 at short periods; at long ones 1.35 (soil 1), 2.03 (2) or 2.7 (3).
+    Notification 1457 of the Ministry of Construction (2000), as it is commonly known, not re-checked.
+
+    Parameters
+    ----------
+    level : str
+        "very rare" (extremely rare, safety limit) or "rare" (damage limit).
+    soil : int
+        Class of the ground: 1 firm, 2 middle, 3 soft.
+
+    Raises
+    ------
+    InputError
+        No such level or class of ground.
+    """
+    if level not in LEVELS:
+        raise InputError(f"The level is {level!r}; it must be one of {', '.join(LEVELS)}.")
+    if soil not in (1, *SITE_GV):
+        raise InputError(f"The class of soil is {soil!r}; it must be 1, 2 or 3.")
+    corners = [0.16, 0.64] + ([0.576] if soil == 1 else [0.64 * SITE_GV[soil] / 1.5])
+    t = _table_periods(corners)
+    name = f"Japanese design spectrum, {level}, soil {soil}"
+    return TargetSpectrum(t, LEVELS[level] * _bedrock(t) * site_factor(t, soil), name)
+
+
+def asce7(sds: float, sd1: float, tl: float = 8.0) -> TargetSpectrum:
+    """Return the two-period design spectrum of ASCE 7, 0.01 to 10 s.
+
+    SDS (0.4 + 0.6 T/T0) to T0 = 0.2 SD1/SDS, SDS to TS = SD1/SDS, SD1/T to TL, SD1 TL/T² beyond. ASCE/SEI
+    7-16, section 11.4.6, as it is commonly known, not re-checked.
+
+    Parameters
+    ----------
+    sds, sd1 : float
+        Design accelerations at short periods and at 1 s [g].
+    tl : float
+        Long-period transition TL [s].
+
+    Raises
+    ------
+    InputError
+        A value out of range, or TS = SD1/SDS beyond TL.
+    """
+    short = within("SDS", sds, 0.001, 10.0, "g")
+    one = within("SD1", sd1, 0.001, 10.0, "g")
+    late = within("TL", tl, 0.1, 100.0, "s")
+    ts = within("TS = SD1/SDS", one / short, 0.01, late, "s")
+    t0 = 0.2 * ts
+    t = _table_periods([t0, ts, late])
+    rise = short * (0.4 + 0.6 * t / t0)
+    sa = np.where(t < t0, rise, np.where(t <= ts, short, np.where(t <= late, one / t, one * late / t**2)))
+    return TargetSpectrum(t, STANDARD_GRAVITY * sa, f"ASCE 7, SDS {short:g} g, SD1 {one:g} g, TL {late:g} s")
+
+
+def _table_periods(corners: list[float]) -> NDArray[np.float64]:
+    """Return 0.01 to 10 s, 100 a decade, with the corners that lie inside."""
+    inside = [corner for corner in corners if 0.01 < corner < 10.0]
+    return np.unique(np.concatenate((np.geomspace(0.01, 10.0, 301), inside)))
+
+
+def read_target(path: str | os.PathLike[str], unit: str = "g") -> TargetSpectrum:
+    """Read a target spectrum of two columns, period [s] and Sa; lines that begin with # are passed over.
+
+    Parameters
+    ----------
+    path : str or path
+        The file; commas, semicolons, tabs or spaces part the columns.
+    unit : str
+        Unit of Sa: "g", "m/s²", "gal", ...
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, or a line is not two numbers.
+    """
+    factor, name = unit_factor(unit), Path(path).name
+    rows: list[list[float]] = []
+    for number, line in enumerate(file_text(path).splitlines(), start=1):
+        words = line.replace(",", " ").replace(";", " ").split()
+        if not words or words[0].startswith("#"):
+            continue
+        try:
+            row = [float(word) for word in words]
+        except ValueError:
+            row = []
+        if len(row) != 2:
+            raise InputError(f"{name}, line {number} is {line[:40]!r}; it must be a period [s] and Sa [{unit}].")
+        rows.append(row)
+    table = np.array(rows, np.float64).reshape(-1, 2)
+    try:
+        return TargetSpectrum(table[:, 0], factor * table[:, 1], name)
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None

@@ -1,0 +1,124 @@
+"""Plot of a motion's spectra."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.ticker import FuncFormatter, NullFormatter
+
+from stayput.motion.frequency import fourier_amplitude, konno_ohmachi
+from stayput.motion.intensity import LONG_PERIOD_BOUNDS, LONG_PERIODS
+from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
+from stayput.report.figures import FONT, new_figure, saved, style
+from stayput.report.fonts import drawable
+from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
+from stayput.report.summary import motion_label
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from stayput.motion import Motion
+
+LINES = {"x": "-", "y": "--", "z": ":"}
+"""Line of each component, beside its colour."""
+
+DIRECTIONS = {"x": "x, along the shaking", "y": "y, across", "z": "z, up"}
+"""What the components are called."""
+
+
+def _plainly(value: float, _: int | None = None) -> str:
+    return f"{value:g}"
+
+
+def plain_log(axis: Axes, *, x: bool = True, y: bool = True) -> None:
+    """Make axes logarithmic, with numbers instead of powers."""
+    if x:
+        axis.set_xscale("log")
+    if y:
+        axis.set_yscale("log")
+    for wanted, line in ((x, axis.xaxis), (y, axis.yaxis)):
+        if wanted:
+            line.set_major_formatter(FuncFormatter(_plainly))
+            line.set_minor_formatter(NullFormatter())
+
+
+def plot_spectra(motion: Motion, path: str | Path | None = None, damping: float = DAMPING) -> Figure:
+    """Plot Sa, pseudo-velocity, absolute velocity and the Fourier spectrum of every component.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    path : str or Path, optional
+        Where to save it: PNG, SVG or PDF, by its ending.
+    damping : float
+        Damping ratio of the oscillators.
+
+    Raises
+    ------
+    InputError
+        A damping out of range, or a path that cannot be written.
+    """
+    figure = new_figure(10.0, 7.6)
+    axes = figure.subplots(2, 2)
+    title = f"{motion_label(motion)}: spectra, {100.0 * damping:g} % damping"
+    figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
+    acceleration, velocity, absolute, fourier = axes.ravel()
+    shown = np.geomspace(0.1, 0.5 / motion.dt, 200)
+    for name, a in motion.components.items():
+        found = response_spectrum(motion, PERIODS, damping, name)
+        drawn = {"color": COMPONENT_COLOURS[name], "linestyle": LINES[name], "label": DIRECTIONS[name]}
+        acceleration.plot(found.periods, found.sa, linewidth=1.4, **drawn)
+        velocity.plot(found.periods, 100.0 * found.psv, linewidth=1.4, **drawn)
+        f, amplitude = fourier_amplitude(a, motion.dt)
+        fourier.plot(f[1:], 100.0 * amplitude[1:], color=COMPONENT_COLOURS[name], linewidth=0.4, alpha=0.3, zorder=1)
+        fourier.plot(shown, 100.0 * konno_ohmachi(f, amplitude, shown, 40.0), linewidth=1.4, zorder=3, **drawn)
+        if name != "z":
+            absolute.plot(found.periods, 100.0 * found.sva, linewidth=1.4, **drawn)
+    _label_long_period_classes(absolute)
+    for axis, label in (
+        (acceleration, "Acceleration Sa [m/s²]"),
+        (velocity, "Pseudo-velocity ω·Sd [cm/s]"),
+        (absolute, "Absolute velocity Sva [cm/s]"),
+        (fourier, "Fourier amplitude [cm/s],\nsmoothed (Konno and Ohmachi, b = 40)"),
+    ):
+        style(axis, zero=False)
+        plain_log(axis)
+        axis.set_ylabel(label, fontsize=FONT)
+        axis.set_xlabel("Period [s]", fontsize=FONT)
+        axis.set_xlim(PERIODS[0], PERIODS[-1])
+    fourier.set_xlabel("Frequency [Hz]", fontsize=FONT)
+    fourier.set_xlim(shown[0], shown[-1])
+    _end_fourier_axis(fourier)
+    acceleration.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85)
+    return saved(figure, path)
+
+
+def _label_long_period_classes(axis: Axes) -> None:
+    """Mark where JMA's classes of long-period motion begin."""
+    first, last = float(LONG_PERIODS[0]), float(LONG_PERIODS[-1])
+    for number, bound in enumerate(LONG_PERIOD_BOUNDS, start=1):
+        axis.plot([first, last], [100.0 * bound] * 2, color=MUTED, linewidth=1.0)
+        axis.annotate(
+            f"class {number}",
+            (last, 100.0 * bound),
+            xytext=(-2.0, 2.0),
+            textcoords="offset points",
+            ha="right",
+            fontsize=FONT - 2.0,
+            color=MUTED,
+        )
+    axis.set_title(
+        "Lines: JMA's classes of long-period motion, 1.6 to 7.8 s", fontsize=FONT - 1.0, color=MUTED
+    )
+
+
+def _end_fourier_axis(axis: Axes) -> None:
+    """Show four decades: what lies below is round-off or a filter's floor."""
+    top = max((float(np.max(line.get_ydata())) for line in axis.lines), default=1.0)  # pyright: ignore[reportArgumentType, reportCallIssue]
+    if top > 0.0:
+        axis.set_ylim(1e-4 * top, 1.5 * top)

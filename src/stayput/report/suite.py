@@ -1,0 +1,132 @@
+"""The picture of a suite: its response spectra, and how much they vary from motion to motion."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.ticker import LogLocator
+
+from stayput.motion.spectrum import DAMPING, PERIODS
+from stayput.report.figures import FONT, new_figure, saved, style
+from stayput.report.fonts import drawable
+from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
+from stayput.report.spectrum import plain_log
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from stayput.motion.suites.suite import Suite
+    from stayput.motion.suites.target import TargetSpectrum
+
+USUAL_SCATTER = (0.5, 0.7)
+"""Standard deviations of ln Sa in ground-motion models (common knowledge, not re-checked)."""
+
+_DECADES = 3.5
+"""How many factors of ten the axis of Sa shows at most, below its top."""
+
+
+def plot_suite(
+    suite: Suite,
+    path: str | Path | None = None,
+    target: TargetSpectrum | None = None,
+    component: str = "x",
+) -> Figure:
+    """Plot all spectra of a suite, their median and scatter, and the standard deviation of ln Sa below.
+
+    Parameters
+    ----------
+    suite : Suite
+        The suite.
+    path : str or Path, optional
+        Where to save it: PNG, SVG or PDF, by its ending.
+    target : TargetSpectrum, optional
+        Drawn too; its damping is then that of the spectra.
+    component : str
+        "x", "y" or "z".
+
+    Returns
+    -------
+    Figure
+        The Matplotlib figure.
+
+    Raises
+    ------
+    InputError
+        A path that cannot be written; a component that is not there.
+    """
+    damping = DAMPING if target is None else target.damping
+    sa = suite.spectra(PERIODS, damping, component)
+    logs = np.log(np.maximum(sa, 1e-12))
+    median = np.exp(logs.mean(axis=0))
+    scatter = logs.std(axis=0, ddof=1) if len(suite) > 1 else None
+    figure = new_figure(7.6, 7.4)
+    upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[2.4, 1.0])
+    kind = "synthetic" if all(motion.synthetic for motion in suite) else "partly synthetic"
+    told = f"{len(suite)} motions" + (f", {kind}" if suite.synthetic else "")
+    figure.suptitle(drawable(f"{suite.name or 'suite'} ({told})"), fontsize=FONT + 2.0, color=INK)
+    _draw_spectra(upper, sa, median, scatter, COMPONENT_COLOURS[component])
+    if target is not None:
+        _draw_target(upper, target)
+    upper.set_ylabel(f"Sa of {component}, {100.0 * damping:g} % damping [m/s²]", fontsize=FONT)
+    upper.legend(loc="lower left", fontsize=FONT - 1.0, framealpha=0.9)
+    _draw_scatter(lower, scatter, COMPONENT_COLOURS[component])
+    lower.set_xlabel("Period [s]", fontsize=FONT)
+    figure.align_ylabels([upper, lower])
+    return saved(figure, path)
+
+
+def _draw_spectra(
+    axis: Axes,
+    sa: NDArray[np.float64],
+    median: NDArray[np.float64],
+    scatter: NDArray[np.float64] | None,
+    colour: str,
+) -> None:
+    style(axis, zero=False)
+    for place, row in enumerate(sa):
+        label = "each motion" if place == 0 else None
+        axis.plot(PERIODS, row, color=MUTED, linewidth=0.6, alpha=0.45, label=label)
+    axis.plot(PERIODS, median, color=colour, linewidth=2.4, label="median (geometric mean)")
+    if scatter is not None:
+        for sign, label in ((1.0, "median × exp(±σ)"), (-1.0, None)):
+            edge = median * np.exp(sign * scatter)
+            axis.plot(PERIODS, edge, color=colour, linewidth=1.4, linestyle="--", label=label)
+    plain_log(axis)
+    top = 1.4 * float(sa.max())
+    axis.set_ylim(max(0.7 * float(sa.min()), top * 10.0**-_DECADES), top)
+    axis.set_xlim(float(PERIODS[0]), float(PERIODS[-1]))
+    axis.set_xticks((0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0))
+    axis.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+
+
+def _draw_target(axis: Axes, target: TargetSpectrum) -> None:
+    inside = (target.periods >= PERIODS[0]) & (target.periods <= PERIODS[-1])
+    axis.plot(
+        target.periods[inside],
+        target.sa[inside],
+        color=ALARM,
+        linewidth=2.0,
+        linestyle="-.",
+        label=drawable(f"target: {target.name}"),
+        zorder=5,
+    )
+
+
+def _draw_scatter(axis: Axes, scatter: NDArray[np.float64] | None, colour: str) -> None:
+    style(axis)
+    low, high = USUAL_SCATTER
+    axis.axhspan(
+        low, high, color=MUTED, alpha=0.22, linewidth=0.0, label=f"usual in ground-motion models, {low:g}–{high:g}"
+    )
+    top = 1.0
+    if scatter is not None:
+        axis.plot(PERIODS, scatter, color=colour, linewidth=2.0, label="this suite")
+        top = max(top, 1.15 * float(scatter.max()))
+    axis.set_ylim(0.0, top)
+    axis.set_ylabel("Standard deviation\nof ln Sa [–]", fontsize=FONT)
+    axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.9)
