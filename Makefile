@@ -37,6 +37,7 @@ bench: $(STAMP)-test
 	@mkdir -p out
 	$(BIN)/python benchmarks/bench.py --plot out/work_precision.png $(BENCH_ARGS)
 	$(BIN)/python benchmarks/ensemble.py
+	$(BIN)/python benchmarks/building.py
 
 docs: $(STAMP)-docs
 	$(BIN)/python -m sphinx -W --keep-going -q -b html -d docs/_build/doctrees docs docs/_build/html

@@ -11,7 +11,10 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import building_pages
+import motion_pages
 import study_pages
+import suite_pages
 import validation_run
 
 import stayput as sp
@@ -167,3 +170,6 @@ def write(folder: Path) -> None:
         (folder / f"{make.__name__}.md").write_text(make(), encoding="utf-8")
     validation_run.write(folder)
     study_pages.write(folder)
+    motion_pages.write(folder)
+    suite_pages.write(folder)
+    building_pages.write(folder)

@@ -11,9 +11,20 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from stayput.body import Body, Part
+    from stayput.building import Building, Isolation, ShearModel
     from stayput.ensemble import overturning_map, simulate_many, sweep, trace_boundary
     from stayput.errors import InputError
     from stayput.motion import Motion, near_fault, pulse, read_motion, sine
+    from stayput.motion.spectrum import ResponseSpectrum, response_spectrum
+    from stayput.motion.suites import (
+        Suite,
+        TargetSpectrum,
+        asce7,
+        japanese_design,
+        read_suite,
+        read_target,
+        synthetic_suite,
+    )
     from stayput.room import SURFACES, Ceiling, Floor, Room, Wall
     from stayput.scenario import Scenario, read_scenario
     from stayput.simulation import Case, Event, EventKind, Mode, Outcome, Run, State, simulate
@@ -22,61 +33,85 @@ __version__ = "0.1.0"
 
 _HOMES = {
     "Body": "body",
+    "Building": "building",
     "Case": "simulation",
     "Ceiling": "room",
     "Event": "simulation",
     "EventKind": "simulation",
     "Floor": "room",
     "InputError": "errors",
+    "Isolation": "building",
     "Mode": "simulation",
     "Motion": "motion",
     "Outcome": "simulation",
     "Part": "body",
+    "ResponseSpectrum": "motion.spectrum",
     "Room": "room",
     "Run": "simulation",
     "SURFACES": "room",
     "Scenario": "scenario",
+    "ShearModel": "building",
     "State": "simulation",
+    "Suite": "motion.suites",
+    "TargetSpectrum": "motion.suites",
     "Wall": "room",
+    "asce7": "motion.suites",
+    "japanese_design": "motion.suites",
     "near_fault": "motion",
     "overturning_map": "ensemble",
     "pulse": "motion",
     "read_motion": "motion",
     "read_scenario": "scenario",
+    "read_suite": "motion.suites",
+    "read_target": "motion.suites",
+    "response_spectrum": "motion.spectrum",
     "simulate": "simulation",
     "simulate_many": "ensemble",
     "sine": "motion",
     "sweep": "ensemble",
+    "synthetic_suite": "motion.suites",
     "trace_boundary": "ensemble",
 }
 
 __all__ = [
     "SURFACES",
     "Body",
+    "Building",
     "Case",
     "Ceiling",
     "Event",
     "EventKind",
     "Floor",
     "InputError",
+    "Isolation",
     "Mode",
     "Motion",
     "Outcome",
     "Part",
+    "ResponseSpectrum",
     "Room",
     "Run",
     "Scenario",
+    "ShearModel",
     "State",
+    "Suite",
+    "TargetSpectrum",
     "Wall",
+    "asce7",
+    "japanese_design",
     "near_fault",
     "overturning_map",
     "pulse",
     "read_motion",
     "read_scenario",
+    "read_suite",
+    "read_target",
+    "response_spectrum",
     "simulate",
     "simulate_many",
     "sine",
     "sweep",
+    "synthetic_suite",
     "trace_boundary",
 ]
 

@@ -324,3 +324,57 @@ def test_ctrl_c_exits_with_130_and_leaves_nothing(tmp_path):
     assert said.endswith("Interrupted.\n")
     assert "Traceback" not in said
     assert not list(tmp_path.iterdir())
+
+
+def test_motion_suite_made_and_read_again(tmp_path):
+    made = cli(
+        "motion",
+        "suite",
+        "--family",
+        "crustal",
+        "--count",
+        "3",
+        "--intensity",
+        "5-upper",
+        "--out",
+        tmp_path / "a",
+    )
+    assert made.exit_code == 0, made.output
+    assert "3 synthetic motions: JMA intensity 5.25 to 5.25" in made.stdout
+    suite = stayput.read_suite(tmp_path / "a" / "motions")
+    assert suite.intensities == pytest.approx([5.25] * 3, abs=1e-9)
+    assert suite.synthetic
+    table = (tmp_path / "a" / "suite.csv").read_text().splitlines()
+    assert len(table) == 4
+    assert table[0].startswith("file,name,synthetic")
+    assert (tmp_path / "a" / "suite.png").read_bytes().startswith(b"\x89PNG")
+    read = cli(
+        *("motion", "suite", "--records", tmp_path / "a" / "motions", "--target", "asce7:1.0,0.6"),
+        *("--select", "2", "--band", "0.2,2", "--out", tmp_path / "b"),
+    )
+    assert read.exit_code == 0, read.output
+    assert "2 synthetic motions" in read.stdout
+    assert "Median spectrum against ASCE 7" in read.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--family", "tsunami"], "The family is 'tsunami'"),
+        (["--count", "0"], "Number of motions is 0"),
+        (["--target", "japan:often"], "often"),
+        (["--target", "japan", "--intensity", "6"], "--target is 'japan' beside --intensity"),
+        (["--target", "asce7:1"], "--target is 'asce7:1'"),
+        (["--select", "3"], "--select and --fit are given without --target"),
+        (["--fit", "guess"], "--fit is 'guess'"),
+        (["--band", "5"], "--band is '5'"),
+        (["--records", "nowhere"], "no folder"),
+        (["--intensity", "12"], "Intensity is 12"),
+    ],
+)
+def test_motion_suite_refuses_before_it_writes(tmp_path, monkeypatch, arguments, message):
+    monkeypatch.chdir(tmp_path)
+    result = cli("motion", "suite", "--out", "out", *arguments)
+    assert result.exit_code == 2
+    assert message in result.stderr
+    assert not list(tmp_path.iterdir())

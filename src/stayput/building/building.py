@@ -48,7 +48,7 @@ class Building:
     storey_height : float, optional
         Height of a storey [m]; default 3 m. It acts through the default period alone.
     nonlinear : bool
-        Whether the storeys yield.
+        Whether the storeys yield; below that it makes no difference.
     yield_coefficient : float, optional
         Shear of the lowest storey at yielding over the weight above; those of the others follow Ai.
         Default: the structure's times the spectral factor Rt of the period.
@@ -71,7 +71,7 @@ class Building:
     period: float | None = None
     damping: float | None = None
     storey_height: float | None = None
-    nonlinear: bool = False
+    nonlinear: bool = True
     yield_coefficient: float | None = None
     post_yield: float | None = None
     isolation: Isolation = field(default_factory=Isolation)
@@ -87,6 +87,7 @@ class Building:
                 f"The number of storeys is {self.storeys!r}; it must be a whole number "
                 f"from 1 to {MOST_STOREYS - 1}."
             )
+        object.__setattr__(self, "storeys", int(self.storeys))
         if not self.nonlinear and (self.yield_coefficient is not None or self.post_yield is not None):
             raise InputError("yield_coefficient and post_yield are given; they need a nonlinear building.")
         for name, low, high, unit in (

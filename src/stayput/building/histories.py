@@ -92,7 +92,7 @@ def component_response(
     parts = parts_of_step(modes, dt)
     ground = refine(a, parts)
     h = dt / parts
-    above = [storey - 2 + int(model.isolated) for storey in storeys]  # place of the mass; −1 is the ground
+    above = [int(storey) - 2 + int(model.isolated) for storey in storeys]  # −1: the ground
     shapes = np.ascontiguousarray(modes.shapes[[i for i in above if i >= 0]].T)
     drift_shapes = np.ascontiguousarray(modes.drifts.T)
     masses = np.empty((len(ground), shapes.shape[1]))

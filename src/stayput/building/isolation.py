@@ -42,8 +42,8 @@ class Isolation:
         most = 2.0 / math.pi * (1.0 - math.sqrt(self.post_yield)) / (1.0 + math.sqrt(self.post_yield))
         if self.damping >= most:
             raise InputError(
-                f"Isolation damping is {self.damping:g}; it must be below {most:.3f}, the most that a bilinear "
-                f"layer with post_yield {self.post_yield:g} has."
+                f"Isolation damping is {self.damping:g}; it must be below {most:.3f}, the most of a bilinear "
+                f"layer with post_yield {self.post_yield:g}."
             )
 
     def stiffness(self, mass: float) -> float:

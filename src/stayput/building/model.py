@@ -73,7 +73,7 @@ class ShearModel:
         if not int(self.isolated) < len(masses) <= MOST_STOREYS:
             least = 1 + int(self.isolated)
             raise InputError(f"ShearModel has {len(masses)} masses; it must have {least} to {MOST_STOREYS}.")
-        self._row("stiffnesses", self.stiffnesses, 1e-3, 1e18, "N/m")
+        self._row("stiffnesses", self.stiffnesses, 1e-9, 1e18, "N/m")
         self._row("damping", self.damping, 0.0, 0.9)
         self._row("post_yield", self.post_yield, 0.0, 0.95)
         if self.yield_shears is not None:
@@ -87,7 +87,7 @@ class ShearModel:
     ) -> tuple[float, ...]:
         """Check a field and keep it as a tuple of floats, one for each mass."""
         count = len(tuple(self.masses))
-        values = (float(given),) * count if isinstance(given, int | float) else tuple(given)
+        values = (given,) * count if isinstance(given, int | float) else tuple(given)
         if len(values) != count:
             raise InputError(
                 f"ShearModel {field} has {len(values)} values; it must have {count}, one a mass."
@@ -129,7 +129,7 @@ class ShearModel:
                 f"The storey is {storey!r}; it must be a whole number from 1 to {self.storeys}, "
                 f"or {self.storeys + 1} for the roof."
             )
-        return "roof" if storey == self.storeys + 1 else f"storey {storey}"
+        return "roof" if storey == self.storeys + 1 else f"storey {int(storey)}"
 
     def respond(self, motion: Motion) -> FloorResponse:
         """Return what all floors do when the ground moves.

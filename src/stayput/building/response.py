@@ -77,7 +77,7 @@ class FloorResponse:
     def floor(self, storey: int) -> Motion:
         """Return the motion under the furniture of a storey (the roof's is that of the storeys + 1)."""
         self.model.place(storey)
-        rows = {name: a[:, storey - 1] for name, a in self.acceleration.items()}
+        rows = {name: a[:, int(storey) - 1] for name, a in self.acceleration.items()}
         return _motion_of(self.model, self.motion, storey, self.dt, rows)
 
     def to_dataset(self) -> xr.Dataset:

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 import stayput
-from stayput.cli import motion, simulate, study
+from stayput.cli import building, motion, simulate, study
 from stayput.cli.plainly import Plainly
 
 app = typer.Typer(
@@ -19,6 +19,7 @@ app = typer.Typer(
 )
 app.command("simulate")(simulate.simulate)
 app.command("study")(study.study)
+app.command("building")(building.building)
 app.add_typer(motion.app, name="motion")
 
 

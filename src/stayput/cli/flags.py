@@ -35,6 +35,14 @@ def shaking_table(text: str) -> dict[str, Any]:
     return {"record": text}
 
 
+def building_table(text: str) -> dict[str, Any]:
+    """Return the building table of ``STOREYS[,STRUCTURE]``."""
+    storeys, _, structure = text.partition(",")
+    number = _numbers("--building", text, [storeys], (1,), "10,RC")[0]
+    table = {"storeys": int(number) if number.is_integer() else number}
+    return {**table, "structure": structure.strip()} if structure else table
+
+
 def friction_table(text: str) -> dict[str, Any]:
     """Return the floor table of ``STATIC[,KINETIC]``."""
     values = _numbers("--friction", text, text.split(","), (1, 2), "0.4,0.3")

@@ -45,6 +45,17 @@ def simulate(
     unit: Unit = None,
     dt: TimeStep = None,
     scale: Annotated[float | None, typer.Option(help="Factor on the motion.")] = None,
+    intensity: Annotated[
+        str | None,
+        typer.Option(help="JMA intensity of the ground to scale to: a number, or a class such as 6-upper."),
+    ] = None,
+    building: Annotated[
+        str | None,
+        typer.Option(metavar="STOREYS[,STRUCTURE]", help="The building around it, such as 10,RC."),
+    ] = None,
+    storey: Annotated[
+        int | None, typer.Option(help="The storey it stands on; 1 is the ground floor.")
+    ] = None,
     vertical: Annotated[
         bool | None, typer.Option("--vertical/--no-vertical", help="Whether the vertical component acts.")
     ] = None,
@@ -71,7 +82,7 @@ def simulate(
 
     Flags override what the scenario file says; --body without a file stands free of walls.
     """
-    from stayput.cli.flags import overlaid, scenario_data
+    from stayput.cli.flags import building_table, intensity_value, overlaid, scenario_data
     from stayput.scenario import Scenario
 
     _check_targets(plot, animate)
@@ -79,7 +90,16 @@ def simulate(
         scenario_data(scenario, body),
         body=body,
         motion=motion,
-        shaking={"component": component, "unit": unit, "dt": dt, "scale": scale, "vertical": vertical},
+        shaking={
+            "component": component,
+            "unit": unit,
+            "dt": dt,
+            "scale": scale,
+            "intensity": None if intensity is None else intensity_value(intensity),
+            "building": None if building is None else building_table(building),
+            "storey": storey,
+            "vertical": vertical,
+        },
         floor=floor,
         friction=friction,
         walls={"left_wall": wall, "right_wall": right_wall},

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 from stayput.ensemble.axes import make_grid
 from stayput.ensemble.cluster import run_on_cluster
-from stayput.progress import bar
 from stayput.ensemble.results import empty, fill
 from stayput.ensemble.tasks import run_on_threads, thread_count
 from stayput.errors import within
+from stayput.progress import bar
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import A_FLOOR, B_FLOOR, PLANE
 from stayput.compiled import inner
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, PLANE
 from stayput.mechanics.geometry import arm_at
 
 STUCK = 1e-10

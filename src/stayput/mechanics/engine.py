@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from stayput.compiled import entry, inner
 from stayput.mechanics.columns import (
     C_CEILING,
     CEILING_IMPACT_EVENT,
@@ -45,7 +46,6 @@ from stayput.mechanics.columns import (
     WALL_IMPACT_EVENT,
     WALL_RELEASE_EVENT,
 )
-from stayput.compiled import entry, inner
 from stayput.mechanics.contact import STUCK
 from stayput.mechanics.flat import advance_flat, advance_held, flat_friction
 from stayput.mechanics.free import advance_flight, advance_lean

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, ENDED, LIMIT, PLANE
 from stayput.compiled import entry, inner
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, ENDED, LIMIT, PLANE
 from stayput.mechanics.contact import STUCK, base_friction, one_ray, turned
 from stayput.mechanics.geometry import along, arm, gap
 from stayput.mechanics.motion import loads, note_sample, pass_time

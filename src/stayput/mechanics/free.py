@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import CLOSED, ENDED, LIMIT, TURNED_OVER
 from stayput.compiled import inner
+from stayput.mechanics.columns import CLOSED, ENDED, LIMIT, TURNED_OVER
 from stayput.mechanics.contact import press_of_two, tabulate
 from stayput.mechanics.geometry import (
     HALF_TURN,

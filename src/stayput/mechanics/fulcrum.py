@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import CLOSED, CORNER, ENDED, LIMIT, SLIP, TURNED_OVER
 from stayput.compiled import inline, inner
+from stayput.mechanics.columns import CLOSED, CORNER, ENDED, LIMIT, SLIP, TURNED_OVER
 from stayput.mechanics.contact import JAMMED
 from stayput.mechanics.geometry import HALF_TURN, along, arm_at, sin_cos
 from stayput.mechanics.motion import loads, note_sample, pass_time

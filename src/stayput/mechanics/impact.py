@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import FLOOR_BITS, PLANE
 from stayput.compiled import inner
+from stayput.mechanics.columns import FLOOR_BITS, PLANE
 from stayput.mechanics.contact import (
     STUCK,
     both_slip,

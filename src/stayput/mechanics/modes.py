@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 
+from stayput.compiled import inner
 from stayput.mechanics.columns import (
     A_FLOOR,
     B_FLOOR,
@@ -23,7 +24,6 @@ from stayput.mechanics.columns import (
     STICK,
     WEDGE,
 )
-from stayput.compiled import inner
 from stayput.mechanics.contact import (
     STUCK,
     both_slip,

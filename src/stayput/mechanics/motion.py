@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from stayput.compiled import inline, inner
 from stayput.mechanics.columns import (
     FLAT,
     FLIGHT,
@@ -24,7 +25,6 @@ from stayput.mechanics.columns import (
     SLIP,
     STICK,
 )
-from stayput.compiled import inline, inner
 from stayput.mechanics.geometry import slide_of
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 
+from stayput.compiled import inner
 from stayput.mechanics.columns import (
     A_FLOOR,
     A_LEFT,
@@ -25,7 +26,6 @@ from stayput.mechanics.columns import (
     SLIP,
     STICK,
 )
-from stayput.compiled import inner
 from stayput.mechanics.contact import JAMMED, STUCK
 from stayput.mechanics.fulcrum import margins
 from stayput.mechanics.geometry import along, arm, arm_at, gap_rate, slip_rate, stand_flat, turn_to

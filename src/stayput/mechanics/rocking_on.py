@@ -7,8 +7,8 @@ presses and sticks, the other lifts. Where that is not clearly so, those decide.
 
 from __future__ import annotations
 
-from stayput.mechanics.columns import FLOOR_BITS, STICK
 from stayput.compiled import inner
+from stayput.mechanics.columns import FLOOR_BITS, STICK
 from stayput.mechanics.contact import STUCK
 from stayput.mechanics.fulcrum import NEAR_LIMIT, margins
 from stayput.mechanics.geometry import arm, gap_rate, slip_rate

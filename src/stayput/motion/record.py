@@ -18,6 +18,7 @@ from stayput.motion.spectrum import DAMPING, PERIODS, ResponseSpectrum, response
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
+    from pathlib import Path
 
     from numpy.typing import ArrayLike, NDArray
 
@@ -168,6 +169,12 @@ class Motion:
     ) -> ResponseSpectrum:
         """Return the response spectrum of a component; see `stayput.response_spectrum`."""
         return response_spectrum(self, periods, damping, component)
+
+    def write(self, path: str | Path) -> Path:
+        """Write the motion to a file, .csv (columns) or .at2 (PEER); see `stayput.motion.writers`."""
+        from stayput.motion.writers import write_motion
+
+        return write_motion(self, path)
 
     def component(self, name: str) -> Motion:
         """Return one component ("x", "y" or "z") as a motion of its own, along its x."""

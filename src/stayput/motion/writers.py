@@ -26,9 +26,9 @@ def csv_text(motion: Motion) -> str:
     names = ("x",) if motion.components.keys() == {"x"} else ("x", "y", "z")
     zeros = [0.0] * len(motion)
     columns = [motion.components[name].tolist() if name in motion.components else zeros for name in names]
-    kind = "synthetic" if motion.synthetic else "recorded"
+    synthetic = " (synthetic)" if motion.synthetic else ""
     head = [
-        f"# {_one_line(motion.name)} ({kind}); {_one_line(motion.source)}",
+        f"# {_one_line(motion.name)}{synthetic}; {_one_line(motion.source)}",
         "# acceleration, unit: m/s²",
         ",".join(("t", *names)),
     ]
@@ -52,9 +52,9 @@ def at2_text(motion: Motion) -> str:
         )
     values = [f"{a / STANDARD_GRAVITY:.16E}" for a in motion.x.tolist()]
     lines = [" ".join(values[i : i + _VALUES_A_LINE]) for i in range(0, len(values), _VALUES_A_LINE)]
-    kind = "SYNTHETIC" if motion.synthetic else "RECORDED"
+    synthetic = "SYNTHETIC " if motion.synthetic else ""
     head = [
-        f"{kind} ACCELERATION, WRITTEN BY STAYPUT",
+        f"{synthetic}ACCELERATION, WRITTEN BY STAYPUT",
         _one_line(motion.name) or "MOTION",
         "ACCELERATION TIME SERIES IN UNITS OF G",
         f"NPTS= {len(motion)}, DT= {motion.dt!r} SEC",

@@ -75,8 +75,10 @@ def plot_spectra(motion: Motion, path: str | Path | None = None, damping: float 
         acceleration.plot(found.periods, found.sa, linewidth=1.4, **drawn)
         velocity.plot(found.periods, 100.0 * found.psv, linewidth=1.4, **drawn)
         f, amplitude = fourier_amplitude(a, motion.dt)
-        fourier.plot(f[1:], 100.0 * amplitude[1:], color=COMPONENT_COLOURS[name], linewidth=0.4, alpha=0.3, zorder=1)
-        fourier.plot(shown, 100.0 * konno_ohmachi(f, amplitude, shown, 40.0), linewidth=1.4, zorder=3, **drawn)
+        smooth = konno_ohmachi(f, amplitude, shown, 40.0)
+        faint = {"color": COMPONENT_COLOURS[name], "linewidth": 0.4, "alpha": 0.3, "zorder": 1}
+        fourier.plot(f[1:], 100.0 * amplitude[1:], **faint)
+        fourier.plot(shown, 100.0 * smooth, linewidth=1.4, zorder=3, **drawn)
         if name != "z":
             absolute.plot(found.periods, 100.0 * found.sva, linewidth=1.4, **drawn)
     _label_long_period_classes(absolute)

@@ -8,6 +8,8 @@ import numpy as np
 from matplotlib.ticker import LogLocator
 
 from stayput.motion.spectrum import DAMPING, PERIODS
+from stayput.motion.suites.families import FAMILIES
+from stayput.motion.suites.synthesis import synthetic_motion
 from stayput.report.figures import FONT, new_figure, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
@@ -121,7 +123,12 @@ def _draw_scatter(axis: Axes, scatter: NDArray[np.float64] | None, colour: str) 
     style(axis)
     low, high = USUAL_SCATTER
     axis.axhspan(
-        low, high, color=MUTED, alpha=0.22, linewidth=0.0, label=f"usual in ground-motion models, {low:g}–{high:g}"
+        low,
+        high,
+        color=MUTED,
+        alpha=0.22,
+        linewidth=0.0,
+        label=f"usual in ground-motion models, {low:g}–{high:g}",
     )
     top = 1.0
     if scatter is not None:
@@ -130,3 +137,39 @@ def _draw_scatter(axis: Axes, scatter: NDArray[np.float64] | None, colour: str) 
     axis.set_ylim(0.0, top)
     axis.set_ylabel("Standard deviation\nof ln Sa [–]", fontsize=FONT)
     axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.9)
+
+
+def plot_families(path: str | Path | None = None, number: int = 2, seed: int = 1) -> Figure:
+    """Plot acceleration and velocity of x of one synthetic motion of every family.
+
+    Parameters
+    ----------
+    path : str or Path, optional
+        Where to save it: PNG, SVG or PDF, by its ending.
+    number, seed : int
+        Which motion; see `synthetic_motion`.
+
+    Raises
+    ------
+    InputError
+        A path that cannot be written; a number or a seed out of range.
+    """
+    figure = new_figure(9.6, 8.4)
+    axes = figure.subplots(len(FAMILIES), 2, squeeze=False)
+    for (left, right), family in zip(axes, FAMILIES, strict=True):
+        motion = synthetic_motion(family, number, seed)
+        for axis, values, unit, what in (
+            (left, motion.x, "m/s²", "Acceleration"),
+            (right, 100.0 * motion.velocity, "cm/s", "Velocity"),
+        ):
+            style(axis)
+            colour = COMPONENT_COLOURS["x"]
+            axis.plot(motion.time, values, color=colour, linewidth=0.7)
+            axis.set_ylabel(f"{what} [{unit}]", fontsize=FONT)
+            axis.set_xlim(0.0, motion.duration)
+            axis.set_title(f"peak {np.abs(values).max():.2g} {unit}", fontsize=FONT - 1.0, loc="right")
+        left.set_title(drawable(motion.name), fontsize=FONT, loc="left", color=INK)
+    for axis in axes[-1]:
+        axis.set_xlabel("Time [s]", fontsize=FONT)
+    figure.align_ylabels(axes[:, 0])
+    return saved(figure, path)

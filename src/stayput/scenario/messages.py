@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
     from pydantic_core import ErrorDetails
 
-LATER = ("shaking.intensity", "shaking.building", "shaking.storey", "uncertainty", "measures")
+LATER = ("uncertainty", "measures")
 """Keys that the design knows and this version does not: refused, never ignored."""
 
 _LONGEST = 60  # characters of a value that are shown
@@ -107,6 +107,8 @@ def _kind_in_words(kind: dict[str, Any], schema: dict[str, Any]) -> str:
     if "enum" in kind:
         return f"one of {', '.join(map(json.dumps, kind['enum']))}"
     match kind.get("type"):
+        case "integer":
+            return f"a whole number between {kind['minimum']:g} and {kind['maximum']:g}{unit}"
         case "number":
             return f"a number between {kind['minimum']:g} and {kind['maximum']:g}{unit}"
         case "boolean":

@@ -7,8 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Literal, Self
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
+from stayput.errors import InputError
 from stayput.motion import Motion, near_fault, read_motion, sine
-from stayput.scenario.fields import NAME, Table, Text, between, checked
+from stayput.motion.intensity import CLASSES
+from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
+from stayput.scenario.building import BuildingTable  # noqa: TC001 - pydantic reads the annotations
+from stayput.scenario.fields import NAME, TABLE, Table, Text, between, checked, kind_of, named, one_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -47,8 +51,46 @@ Vertical = Annotated[
 ]
 
 
+NUMBER = "<number>"
+CLASS_NAMES = tuple(name for name, _ in CLASSES)
+FAMILY_NAMES = (MIXED, *FAMILIES)
+
+ClassName = Annotated[str, one_of(CLASS_NAMES), named(CLASS_NAMES)]
+FamilyName = Annotated[str, one_of(FAMILY_NAMES), named(FAMILY_NAMES)]
+
+
+def _name_or_number(value: object) -> str:
+    return NAME if isinstance(value, str) else NUMBER
+
+
+Intensity = Annotated[
+    Annotated[float, between(-3.0, 9.0), Tag(NUMBER)] | Annotated[ClassName, Tag(NAME)],
+    Discriminator(_name_or_number),
+]
+
+
+class SuiteTable(Table):
+    """A suite of synthetic motions."""
+
+    family: FamilyName = Field(default=MIXED, description="Kind of earthquake.")
+    count: Annotated[int, between(1, 1000)] = Field(default=40, description="Number of motions.")
+    seed: Annotated[int, between(0, 2**31 - 1)] = Field(
+        default=1, description="The same seed gives the same motions."
+    )
+
+    def suite(self) -> Suite:
+        """Make the suite."""
+        return synthetic_suite(self.family, self.count, self.seed)
+
+
+SuiteOrFolder = Annotated[
+    Annotated[SuiteTable, Tag(TABLE)] | Annotated[Text, Tag(NAME)], Discriminator(kind_of)
+]
+SOURCES = ("record", "sine", "builtin", "suite")
+
+
 class ShakingTable(Table):
-    """How the floor is shaken: by a record, a sine, or a built-in motion."""
+    """How the floor is shaken: a record, a sine, a built-in motion or a suite, and the building between."""
 
     record: Text | None = Field(default=None, description="A record's file, relative to the scenario's file.")
     component: Text | None = Field(
@@ -62,32 +104,70 @@ class ShakingTable(Table):
     )
     sine: SineTable | None = Field(default=None, description="A harmonic motion.")
     builtin: Literal["near-fault"] | None = Field(default=None, description="A built-in, synthetic motion.")
-    scale: Annotated[float, between(-1e3, 1e3)] = Field(
-        default=1.0, description="Factor on the whole motion."
+    suite: SuiteOrFolder | None = Field(
+        default=None, description="A suite of synthetic motions, or a folder of records."
+    )
+    member: Annotated[int, between(1, 1000)] | None = Field(
+        default=None, description="Which motion of a suite `simulate` takes; 1 where it is not said."
+    )
+    scale: Annotated[float, between(-1e3, 1e3)] | None = Field(
+        default=None, description="Factor on the whole motion."
+    )
+    intensity: Intensity | None = Field(
+        default=None,
+        description="JMA intensity of the ground that every motion is scaled to; a class is its middle. "
+        "Where no motion is given, those of the built-in suite.",
     )
     vertical: Vertical = Field(
         default=True,
         description="Whether the vertical component acts; or the file that holds it, for a record.",
     )
+    building: BuildingTable | None = Field(
+        default=None, description="The building between the ground and the furniture."
+    )
+    storey: Annotated[int, between(1, 200)] | None = Field(
+        default=None, description="The storey where the furniture stands: 1 is the ground floor."
+    )
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        given = [key for key in ("record", "sine", "builtin") if getattr(self, key) is not None]
+        given = [key for key in SOURCES if getattr(self, key) is not None]
         if len(given) > 1:
             raise ValueError(f"shaking.{given[1]} is given beside shaking.{given[0]}; it must be only one.")
         if self.record is None:
             for key in ("component", "unit", "dt"):
-                if getattr(self, key) is not None:
+                if getattr(self, key) is not None and not isinstance(self.suite, str):
                     raise ValueError(
                         f"shaking.{key} is given without shaking.record; it belongs to a record only."
                     )
             if isinstance(self.vertical, str):
                 told = f"shaking.vertical is {self.vertical!r} without shaking.record"
                 raise ValueError(f"{told}; it must be true or false there.")
+        if self.scale is not None and self.intensity is not None:
+            raise ValueError(
+                f"shaking.scale is {self.scale:g} beside shaking.intensity; it must be one of the two."
+            )
+        if self.member is not None and not self.of_a_suite:
+            raise ValueError("shaking.member is given for one motion; it belongs to a suite.")
+        self._check_building()
         return self
 
+    def _check_building(self) -> None:
+        if (self.building is None) != (self.storey is None):
+            given, missing = ("storey", "building") if self.building is None else ("building", "storey")
+            raise ValueError(f"shaking.{given} is given without shaking.{missing}; it needs both.")
+        if self.building is not None and self.storey is not None and self.storey > self.building.highest():
+            roof = self.building.highest()
+            raise ValueError(f"shaking.storey is {self.storey}; it must be between 1 and {roof}, the roof.")
+
+    @property
+    def of_a_suite(self) -> bool:
+        """Whether the shaking is a suite: one that is named, or the built-in one to an intensity."""
+        single = (self.record, self.sine, self.builtin)
+        return self.suite is not None or (self.intensity is not None and all(one is None for one in single))
+
     def motion(self, folder: Path) -> Motion:
-        """Make the motion.
+        """Make the motion under the furniture; of a suite, that of its ``member``.
 
         Parameters
         ----------
@@ -97,17 +177,59 @@ class ShakingTable(Table):
         Raises
         ------
         InputError
-            The record cannot be read.
+            A record cannot be read, or the suite has no such member.
         """
-        if self.record is not None:
-            motion = self._recorded(self.record, folder)
-        elif self.sine is not None:
-            motion = self.sine.motion()
+        return self._under_furniture(self._ground(folder))
+
+    def motions(self, folder: Path) -> Suite:
+        """Make all motions under the furniture: the suite's, or the one motion.
+
+        Raises
+        ------
+        InputError
+            A record cannot be read.
+        """
+        if self.of_a_suite:
+            given = self._suite(folder)
+            ground = Suite(tuple(self._scaled(motion) for motion in given), given.name)
         else:
-            motion = near_fault()
-        if not self.vertical:
-            motion = replace(motion, z=None)
-        return motion if self.scale == 1.0 else motion.scaled(self.scale)
+            ground = Suite((self._ground(folder),))
+        if self.building is not None and self.storey is not None:
+            floors = self.building.building().floor_motions(ground, [self.storey])
+            ground = Suite(tuple(floor for (floor,) in floors), ground.name)
+        return Suite(tuple(self._with_vertical(motion) for motion in ground), ground.name)
+
+    def _ground(self, folder: Path) -> Motion:
+        if self.of_a_suite:
+            return self._scaled(self._member(folder))
+        if self.record is not None:
+            return self._scaled(self._recorded(self.record, folder))
+        return self._scaled(self.sine.motion() if self.sine is not None else near_fault())
+
+    def _scaled(self, motion: Motion) -> Motion:
+        if self.intensity is not None:
+            return motion.to_intensity(self.intensity)
+        return motion if self.scale is None or self.scale == 1.0 else motion.scaled(self.scale)
+
+    def _under_furniture(self, ground: Motion) -> Motion:
+        if self.building is not None and self.storey is not None:
+            ground = self.building.floor_motion(ground, self.storey)
+        return self._with_vertical(ground)
+
+    def _with_vertical(self, motion: Motion) -> Motion:
+        return motion if self.vertical else replace(motion, z=None)
+
+    def _suite(self, folder: Path) -> Suite:
+        if isinstance(self.suite, str):
+            return read_suite(folder / self.suite, self.component, self.unit, dt=self.dt)
+        return (self.suite or SuiteTable()).suite()
+
+    def _member(self, folder: Path) -> Motion:
+        number = 1 if self.member is None else self.member
+        suite = self._suite(folder)
+        if number > len(suite):
+            raise InputError(f"shaking.member is {number}; it must be between 1 and {len(suite)}.")
+        return suite[number - 1]
 
     def _recorded(self, record: str, folder: Path) -> Motion:
         motion = read_motion(folder / record, self.component, self.unit, dt=self.dt)

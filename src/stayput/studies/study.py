@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError
-from stayput.report.figures import saved
 from stayput.files import draft
+from stayput.report.figures import saved
 
 if TYPE_CHECKING:
     import pandas as pd

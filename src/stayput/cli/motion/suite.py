@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.motion.suites import Suite, TargetSpectrum
 
-FITS = ("scale", "match")
+FITS = ("scale", "match", "together")
 
 COLUMNS = (
     "file",
@@ -57,7 +57,10 @@ def suite(
     ] = "0.1,5",
     fit: Annotated[
         str,
-        typer.Option(help="How to meet the target: scale (one factor a motion) or match (its spectrum too)."),
+        typer.Option(
+            help="How to meet the target: scale (one factor a motion), match (every spectrum) or together "
+            "(the median alone, the scatter stays)."
+        ),
     ] = "scale",
     select: Annotated[
         int | None, typer.Option(metavar="N", help="Keep the N whose spectra are most like the target.")
@@ -92,7 +95,8 @@ def suite(
     if wanted is not None:
         if select is not None:
             made = made.selected(wanted, select, periods)
-        made = made.matched(wanted, periods) if fit == "match" else made.to_spectrum(wanted, periods)
+        scaled = made.to_spectrum(wanted, periods)
+        made = scaled if fit == "scale" else scaled.matched(wanted, periods, together=fit == "together")
     if intensity is not None:
         made = made.to_intensity(intensity_value(intensity))
     _write(made, out, wanted)
@@ -123,14 +127,15 @@ def _write(made: Suite, out: Path, wanted: TargetSpectrum | None) -> None:
     from stayput.motion.writers import write_motion
     from stayput.progress import bar
 
-    out.mkdir(parents=True, exist_ok=True)
+    folder = out / "motions"
+    folder.mkdir(parents=True, exist_ok=True)
     table = io.StringIO()
     rows = csv.writer(table, lineterminator="\n")
     rows.writerow(COLUMNS)
     with bar(len(made), "Writing motions", unit="motions") as done:
         for i, motion in enumerate(made, start=1):
             file = f"{i:0{len(str(len(made)))}d}-{_plain(motion.name)}.csv"
-            write_motion(motion, out / file)
+            write_motion(motion, folder / file)
             rows.writerow([file, motion.name, motion.synthetic, *_numbers(motion), motion.source])
             done(1)
     with draft(out / "suite.csv") as unfinished:

@@ -19,7 +19,7 @@ MIXED = "mixed"
 """Name of the suite of all families."""
 
 _KEPT = 1024
-"""Motions that are kept in memory; three components of 60 s are 144 kB."""
+"""Motions that are kept in memory; three components of 60 s take 144 kB."""
 
 _kept_motion = lru_cache(maxsize=_KEPT)(synthetic_motion)
 
@@ -28,7 +28,7 @@ def mixed_order(count: int) -> list[str]:
     """Return the families of the first ``count`` motions of a mixed suite: always the one most behind."""
     order: list[str] = []
     for place in range(1, count + 1):
-        order.append(max(MIX, key=lambda family: MIX[family] * place - order.count(family)))  # noqa: B023
+        order.append(max(MIX, key=lambda family: MIX[family] * place - order.count(family)))
     return order
 
 

@@ -25,11 +25,11 @@ class Draws:
     Parameters
     ----------
     *key : int
-        Whole numbers ≥ 0 that name the stream; another key gives an independent stream.
+        Whole numbers from 0 to 2³² − 1 that name the stream; another key gives an independent stream.
     """
 
     def __init__(self, *key: int) -> None:
-        self._bits = np.random.PCG64(np.random.SeedSequence(key))
+        self._bits = np.random.PCG64(np.random.SeedSequence((len(key), *key)))
 
     def _uniforms(self, n: int) -> NDArray[np.float64]:
         """Return numbers inside (0, 1), of 53 bits, shape (n,)."""
@@ -49,7 +49,7 @@ class Draws:
         return standard.inv_cdf(self.uniform(standard.cdf(-_TRUNCATED), standard.cdf(_TRUNCATED)))
 
     def lognormal(self, median: float, sigma: float) -> float:
-        """Return a number of a median and a standard deviation of its natural logarithm, cut at ±2 of them."""
+        """Return a number of a median and a standard deviation of its logarithm, cut at ±2 of them."""
         return median * math.exp(sigma * self.normal())
 
     def choice(self, shares: tuple[float, ...]) -> int:

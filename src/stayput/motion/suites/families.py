@@ -146,7 +146,7 @@ class Parameters:
 
     def __str__(self) -> str:
         said = [
-            f"stochastic point source, M {self.source.magnitude:.2f} at {self.source.distance:.1f} km, "
+            f"stochastic point source, M {self.source.magnitude:.2f} at {self.source.distance:.1f} km",
             f"stress drop {self.source.stress_drop:.1f} MPa, kappa {self.source.kappa:.3f} s",
             f"soil period {self.soil.period:.2f} s, impedance ratio {self.soil.impedance:.2f}",
         ]
@@ -180,7 +180,7 @@ def drawn(kind: Family, draw: Draws) -> Parameters:
         stress_drop=draw.lognormal(kind.stress_drop, 0.5),
         kappa=draw.lognormal(0.035, 0.3),
     )
-    soil = SoilLayer(period=draw.lognormal(0.4, 0.5), impedance=draw.uniform(0.25, 0.60))
+    soil = SoilLayer(period=draw.lognormal(0.5, 0.5), impedance=draw.uniform(0.25, 0.60))
     weights = [draw.uniform(0.5, 1.5) for _ in range(1 + draw.choice(kind.packets))]
     pulse = waves = None
     if kind.pulse:
@@ -193,9 +193,9 @@ def drawn(kind: Family, draw: Draws) -> Parameters:
     if kind.basin:
         waves = BasinWaves(
             period=draw.uniform(3.0, 8.0),
-            strength=draw.lognormal(3.0, 0.35),
-            delay=draw.uniform(10.0, 40.0),
-            length=draw.uniform(60.0, 120.0),
-            dispersion=draw.uniform(10.0, 30.0),
+            strength=draw.lognormal(2.6, 0.3),
+            delay=draw.uniform(20.0, 50.0),
+            length=draw.uniform(90.0, 150.0),
+            dispersion=draw.uniform(15.0, 40.0),
         )
     return Parameters(source, soil, tuple(w / sum(weights) for w in weights), pulse, waves)

@@ -1,40 +1,44 @@
 """Motions whose response spectrum meets a target: their Fourier amplitudes are changed, their phases kept.
 
 Where a spectrum is too low at period T, the Fourier amplitudes about the frequency 1/T are raised by the
-ratio, and so again till nothing more is to be won (as SIMQKE does; Gasparini and Vanmarcke 1976). The filter is
-smooth, so a motion keeps its envelope.
+ratio, and so again till nothing more is to be won (as SIMQKE does; Gasparini and Vanmarcke 1976). The filter
+is smooth, so a motion keeps its envelope.
 """
 
 from __future__ import annotations
 
+import math
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.fft import next_fast_len
 
 from stayput.errors import InputError
+from stayput.motion.record import COMPONENTS, Motion
 from stayput.motion.suites.envelopes import ends_tapered
-from stayput.motion.suites.settling import settled
+from stayput.motion.suites.settling import fft_length, settled
 from stayput.motion.suites.target import band_periods
+from stayput.progress import bar
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.motion.record import Motion
     from stayput.motion.suites.target import TargetSpectrum
 
-ROUNDS = 12
+VERTICAL = ((0.1, 0.8), (0.3, 0.5))
+"""Periods [s] and the vertical over the horizontal spectrum, log-log linear (default, low confidence)."""
+
+ROUNDS = 8
 """How often the filter is corrected; the best round counts."""
 
 CAUTION = 0.8
 """Share of the misfit's logarithm that a round takes off."""
 
-TAPER = 1.0
-"""Over which a changed motion fades in and out [s], or a tenth of it where that is shorter."""
+PADDING = 2.0
+"""Still floor that is put before and after a motion for its filtered waves to fade in, in longest periods."""
 
 WIDER = 1.25
 """The filter goes on beyond the band by this factor, so that the band's ends are met too."""
@@ -47,50 +51,64 @@ class _Filtered:
     transform: NDArray[np.complex128]
     log_f: NDArray[np.float64]
     dt: float
+    pad: int
     n: int
     n_fft: int
 
     @classmethod
-    def of(cls, a: NDArray[np.float64], dt: float) -> _Filtered:
-        n_fft = next_fast_len(len(a) + round(20.0 / dt), real=True)
+    def of(cls, a: NDArray[np.float64], dt: float, longest: float) -> _Filtered:
+        pad = math.ceil(PADDING * longest / dt)
+        n = len(a) + 2 * pad
+        n_fft = fft_length(n + pad)
         f = np.fft.rfftfreq(n_fft, dt)
-        return cls(np.fft.rfft(a, n_fft), np.log(np.maximum(f, 0.1 * f[1])), dt, len(a), n_fft)
+        transform = np.fft.rfft(np.pad(a, pad), n_fft)
+        return cls(transform, np.log(np.maximum(f, 0.1 * f[1])), dt, pad, n, n_fft)
 
     def changed(self, periods: NDArray[np.float64], log_gain: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the acceleration with the gains exp(log_gain) at 1/periods, brought back to rest."""
-        gain = np.exp(np.interp(self.log_f, -np.log(periods[::-1]), log_gain[::-1]))
+        """Return the acceleration with the gains exp(log_gain) at 1/periods, brought back to rest.
+
+        At longer periods they fall as 1/T², so that no displacement grows that the target does not ask
+        for; at shorter ones they stay.
+        """
+        log_edges = -np.log(periods[::-1])
+        fall = np.minimum(self.log_f - log_edges[0], 0.0)
+        gain = np.exp(np.interp(self.log_f, log_edges, log_gain[::-1]) + 2.0 * fall)
         a = np.fft.irfft(self.transform * gain, self.n_fft)[: self.n]
-        t = self.dt * np.arange(self.n)
-        return settled(a * ends_tapered(t, min(TAPER, 0.1 * float(t[-1]))))
+        t = self.dt * np.arange(self.n, dtype=np.float64)
+        return settled(a * ends_tapered(t, self.dt * self.pad))
+
+    def log_sa(
+        self, periods: NDArray[np.float64], log_gain: NDArray[np.float64], damping: float
+    ) -> NDArray[np.float64]:
+        """Return ln Sa at periods, with the gains exp(log_gain) there, shape (m,)."""
+        from stayput.motion.oscillator import RESPONSES, peak_responses  # Numba takes its time to load
+
+        peaks = np.empty((len(periods), RESPONSES))
+        peak_responses(self.changed(periods, log_gain), self.dt, periods, damping, peaks)
+        return np.log(np.maximum(peaks[:, 2], 1e-12))
 
 
-def _log_sa(
-    a: NDArray[np.float64], dt: float, periods: NDArray[np.float64], damping: float
-) -> NDArray[np.float64]:
-    from stayput.motion.oscillator import RESPONSES, peak_responses  # Numba takes its time to load
-
-    peaks = np.empty((len(periods), RESPONSES))
-    peak_responses(a, dt, periods, damping, peaks)
-    return np.log(np.maximum(peaks[:, 2], 1e-12))
+def vertical_ratio(periods: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the ratio of the vertical target to the horizontal one at periods [s], shape of them."""
+    at, ratio = zip(*VERTICAL, strict=True)
+    return np.exp(np.interp(np.log(periods), np.log(at), np.log(ratio)))
 
 
 def _gains(
-    parts: Sequence[_Filtered], target: TargetSpectrum, periods: NDArray[np.float64], threads: int | None
+    parts: Sequence[_Filtered],
+    wanted: NDArray[np.float64],
+    damping: float,
+    periods: NDArray[np.float64],
+    threads: int | None,
 ) -> NDArray[np.float64]:
-    """Return the log gains with which the geometric mean of some components meets a target, shape (m,)."""
-    wanted = np.log(target(periods))
+    """Return the log gains with which the geometric mean of components has ln Sa as wanted, shape (m,)."""
     gain = np.zeros(len(periods))
     best, least = gain, np.inf
     with ThreadPoolExecutor(threads) as pool:
         for _ in range(ROUNDS):
-            now = gain
-            rows = list(
-                pool.map(
-                    lambda part: _log_sa(part.changed(periods, now), part.dt, periods, target.damping),  # noqa: B023
-                    parts,
-                )
-            )
-            misfit = wanted - np.mean(rows, axis=0)
+            asked = [pool.submit(part.log_sa, periods, gain, damping) for part in parts]
+            rows = [future.result() for future in asked]
+            misfit = wanted - sum(rows) / len(rows)
             error = float(np.mean(np.abs(misfit)))
             if error < least:
                 best, least = gain, error
@@ -120,8 +138,9 @@ def matched(
 ) -> list[Motion]:
     """Return motions whose Fourier amplitudes are changed till their Sa meet a target over a band.
 
-    x and y each meet the target; the vertical component gets the mean of their filters, and so keeps its
-    ratio to them. Velocity and displacement end at zero. The motions are synthetic from then on.
+    x and y each meet the target, the vertical component 0.8 of it at short periods and 0.5 at long ones
+    (`VERTICAL`). Motions get longer by twice the band's longest period at either end; velocity and
+    displacement end at zero. The motions are synthetic from then on.
 
     Parameters
     ----------
@@ -150,24 +169,30 @@ def matched(
     for motion in motions:
         for name, a in motion.components.items():
             if not np.any(a):
-                raise InputError(f"The {name} component of {motion.name!r} is still; it cannot meet a target.")
+                raise InputError(
+                    f"The {name} component of {motion.name!r} is still; it cannot meet a target."
+                )
     said = "one filter for the whole suite" if together else "a filter of its own"
     note = f"Fourier amplitudes changed to {target.name}, {band[0]:g}-{band[1]:g} s, {said}; baseline at rest"
     filtered = [
-        {name: _Filtered.of(a, motion.dt) for name, a in motion.components.items()} for motion in motions
+        {name: _Filtered.of(a, motion.dt, band[1]) for name, a in motion.components.items()}
+        for motion in motions
     ]
     if together:
         shared = _suite_gains(filtered, target, periods, threads)
         return [
-            _with_gains(m, parts, shared, periods, note)
-            for m, parts in zip(motions, filtered, strict=True)
+            _with_gains(m, parts, shared, periods, note) for m, parts in zip(motions, filtered, strict=True)
         ]
 
     def one(motion: Motion, parts: dict[str, _Filtered]) -> Motion:
         return _with_gains(motion, parts, _suite_gains([parts], target, periods, 1), periods, note)
 
-    with ThreadPoolExecutor(threads) as pool:
-        return list(pool.map(one, motions, filtered))
+    made: list[Motion] = []
+    with ThreadPoolExecutor(threads) as pool, bar(len(motions), "Matching", unit="motions") as done:
+        for motion in pool.map(one, motions, filtered):
+            made.append(motion)
+            done(1)
+    return made
 
 
 def _suite_gains(
@@ -176,10 +201,12 @@ def _suite_gains(
     periods: NDArray[np.float64],
     threads: int | None,
 ) -> dict[str, NDArray[np.float64]]:
-    """Return the log gains of each component: x's and y's own, and their mean for z."""
-    gains = {
-        name: _gains(parts, target, periods, threads)
-        for name in ("x", "y")
-        if (parts := [components[name] for components in filtered if name in components])
-    }
-    return gains | {"z": np.mean(list(gains.values()), axis=0)}
+    """Return the log gains of each component that is there."""
+    wanted = np.log(target(periods))
+    gains: dict[str, NDArray[np.float64]] = {}
+    for name in COMPONENTS:
+        parts = [components[name] for components in filtered if name in components]
+        if parts:
+            its = wanted + np.log(vertical_ratio(periods)) if name == "z" else wanted
+            gains[name] = _gains(parts, its, target.damping, periods, threads)
+    return gains

@@ -50,7 +50,9 @@ def read_suite(
     if isinstance(source, str | os.PathLike):
         folder = Path(source)
         if not folder.is_dir():
-            raise InputError(f"The suite {str(folder)!r} is no folder; it must be a folder or a list of files.")
+            raise InputError(
+                f"The suite {str(folder)!r} is no folder; it must be a folder or a list of files."
+            )
         files = [
             file
             for file in sorted(folder.iterdir())

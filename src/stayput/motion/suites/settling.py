@@ -14,6 +14,11 @@ QUANTUM = 1e-6
 """Samples are whole multiples of this [m/s²], so that no library's last bit shows."""
 
 
+def fft_length(n: int) -> int:
+    """Return the power of two that holds n samples."""
+    return 1 << (n - 1).bit_length()
+
+
 def settled(a: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return an acceleration whose velocity and displacement end at zero, in whole quanta.
 
@@ -36,7 +41,7 @@ def settled(a: NDArray[np.float64]) -> NDArray[np.float64]:
     _spread(whole, -int(whole.sum()))
     place = np.arange(len(a), dtype=np.int64) - len(a) // 2
     _tilt(whole, -int(np.sum(whole * place)))
-    return whole * QUANTUM
+    return whole.astype(np.float64) * QUANTUM
 
 
 def _spread(whole: NDArray[np.int64], excess: int) -> None:

@@ -16,7 +16,7 @@ _AMPLIFICATIONS = (1.00, 1.10, 1.18, 1.42, 1.58, 1.74, 2.06, 2.25, 2.58, 3.13, 4
 
 
 def crust(f: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the amplification of generic rock, whose velocity falls towards the surface (Boore and Joyner 1997)."""
+    """Return the amplification of generic rock, which gets softer upwards (Boore and Joyner 1997)."""
     return np.interp(np.log(np.maximum(f, 1e-3)), np.log(_FREQUENCIES), _AMPLIFICATIONS)
 
 

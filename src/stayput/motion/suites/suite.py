@@ -30,7 +30,7 @@ class Deviation:
     Parameters
     ----------
     mean : float
-        Mean of \\|ratio − 1\\|.
+        Mean of the size of ratio − 1.
     worst : float
         Largest of it.
     worst_period : float
@@ -60,6 +60,7 @@ class Suite(Sequence[Motion]):
 
     Examples
     --------
+    >>> from stayput.motion.suites import synthetic_suite
     >>> suite = synthetic_suite("crustal", 3).to_intensity(6.0)
     >>> len(suite), suite[0].name
     (3, 'synthetic crustal 1')
@@ -173,8 +174,9 @@ class Suite(Sequence[Motion]):
     ) -> Suite:
         """Return the suite with its Fourier amplitudes changed till its spectra meet a target.
 
-        x and y each meet it, z gets the mean of their filters; phases stay, and so does the envelope.
-        Velocity and displacement end at zero. What was recorded is synthetic from then on.
+        x and y each meet it, z 0.8 of it at short periods and 0.5 at long ones (default, low confidence);
+        phases stay, and so does the envelope. Motions get longer by twice the band's longest period at
+        either end; velocity and displacement end at zero. What was recorded is synthetic from then on.
 
         Parameters
         ----------
@@ -195,9 +197,7 @@ class Suite(Sequence[Motion]):
 
         return self._with(matched(self.motions, target, band, together=together))
 
-    def selected(
-        self, target: TargetSpectrum, n: int, band: tuple[float, float] = DEFAULT_BAND
-    ) -> Suite:
+    def selected(self, target: TargetSpectrum, n: int, band: tuple[float, float] = DEFAULT_BAND) -> Suite:
         """Return the n motions nearest in spectral shape to a target, the nearest first, unscaled.
 
         The distance is the standard deviation of ln(target/Sa) of x over the band: what is left after

@@ -11,14 +11,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.fft import next_fast_len
 
 from stayput.errors import InputError
 from stayput.motion.record import Motion
 from stayput.motion.suites.draws import Draws
 from stayput.motion.suites.envelopes import ends_tapered, saragoni_hart
 from stayput.motion.suites.families import FAMILIES, drawn, kind_of
-from stayput.motion.suites.settling import settled
+from stayput.motion.suites.settling import fft_length, settled
 from stayput.motion.suites.site import crust
 from stayput.motion.suites.timing import DT, envelope, s_arrival, steps
 from stayput.motion.synthetic import mavroeidis_papageorgiou
@@ -77,9 +76,7 @@ def _low_cut(f: NDArray[np.float64], corner: float) -> NDArray[np.float64]:
     return u / (1.0 + u)
 
 
-def _shaped(
-    noise: NDArray[np.float64], amplitude: NDArray[np.float64], n_fft: int
-) -> NDArray[np.complex128]:
+def _shaped(noise: NDArray[np.float64], amplitude: NDArray[np.float64], n_fft: int) -> NDArray[np.complex128]:
     """Return the transform of noise whose mean square is made 1, times an amplitude."""
     transform = np.fft.rfft(noise, n_fft)
     return transform * (amplitude / math.sqrt(float(np.mean(np.abs(transform) ** 2))))
@@ -110,8 +107,8 @@ def _of_component(
 ) -> NDArray[np.float64]:
     """Return the acceleration of one component [m/s²], shape (n,)."""
     t = DT * np.arange(n, dtype=np.float64)
-    n_fft = next_fast_len(n + round(4.0 / (kind.low_cut * DT)), real=True)
-    f = np.fft.rfftfreq(n_fft, DT)
+    n_fft = fft_length(n + round(4.0 / (kind.low_cut * DT)))
+    f = np.fft.rfftfreq(n_fft, DT).astype(np.float64)
     amplitude = like.strength * parts.source.amplitude(f, like.kappa) * crust(f) ** like.crust_power
     amplitude *= parts.soil.amplification(f, like.faster) * _rough(f, common, draw)
     velocity_pulse = np.zeros(n)

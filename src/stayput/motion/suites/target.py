@@ -205,7 +205,9 @@ def read_target(path: str | os.PathLike[str], unit: str = "g") -> TargetSpectrum
         except ValueError:
             row = []
         if len(row) != 2:
-            raise InputError(f"{name}, line {number} is {line[:40]!r}; it must be a period [s] and Sa [{unit}].")
+            raise InputError(
+                f"{name}, line {number} is {line[:40]!r}; it must be a period [s] and Sa [{unit}]."
+            )
         rows.append(row)
     table = np.array(rows, np.float64).reshape(-1, 2)
     try:

@@ -46,7 +46,7 @@ def steps(kind: Family, parts: Parameters) -> int:
     """Return the number of time steps: whole tens of seconds, till the last envelope has come down."""
     end = max(start + length for start, length, _ in _bursts(parts))
     if parts.waves is not None:
-        late = parts.waves.delay + parts.waves.dispersion + ENVELOPE_LENGTH * parts.waves.length
+        late = parts.waves.delay + parts.waves.dispersion + 1.3 * parts.waves.length
         end = max(end, s_arrival(parts) + late)
     shortest, longest = kind.lengths
     return round(min(max(10.0 * math.ceil(end / 10.0), shortest), longest) / DT)

@@ -1,0 +1,149 @@
+"""``stayput building``: from the ground's motion to the floors'."""
+
+from __future__ import annotations
+
+from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from stayput.cli.options import Component, TimeStep, Unit  # noqa: TC001 - Typer reads them
+
+if TYPE_CHECKING:
+    from stayput.building.response import FloorResponse
+
+
+def building(
+    storeys: Annotated[int, typer.Option(help="Number of storeys.")] = 10,
+    structure: Annotated[str, typer.Option(help="RC, steel, wood or base-isolated.")] = "RC",
+    period: Annotated[
+        float | None,
+        typer.Option(
+            help="First natural period [s] (of base-isolated: on fixed ground). Default: by height."
+        ),
+    ] = None,
+    damping: Annotated[float | None, typer.Option(help="Damping ratio. Default: by structure.")] = None,
+    motion: Annotated[
+        str, typer.Option(metavar="MOTION", help="A record's file; or near-fault, or sine:A,F[,T].")
+    ] = "near-fault",
+    component: Component = None,
+    unit: Unit = None,
+    dt: TimeStep = None,
+    storey: Annotated[
+        list[int] | None,
+        typer.Option(help="Storey to write with --out, and to draw the spectrum of; may be repeated."),
+    ] = None,
+    linear: Annotated[bool, typer.Option("--linear", help="Do not let the storeys yield.")] = False,
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write the floor motion of --storey: .csv.")
+    ] = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Plot peaks over the storeys, and spectra: .png, .svg or .pdf."),
+    ] = None,
+    json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+) -> None:
+    """Say how the floors of a building move: the peaks of every storey, and the motion of one."""
+    from stayput.building import Building
+    from stayput.cli.flags import motion_of
+    from stayput.errors import InputError
+    from stayput.files import PLOT_SUFFIXES, check_target
+
+    if out is not None:
+        check_target(out, (".csv",))
+        if storey is None or len(storey) != 1:
+            raise InputError(
+                f"--out is {str(out)!r}; it must come with one --storey, whose motion is written."
+            )
+    if plot is not None:
+        check_target(plot, PLOT_SUFFIXES)
+    asked = Building(storeys, structure, period, damping, nonlinear=not linear)
+    for number in storey or ():
+        asked.model.place(number)
+    response = asked.respond(motion_of(motion, component=component, unit=unit, dt=dt))
+    if out is not None and storey:
+        from stayput.motion.writers import write_motion
+
+        write_motion(response.floor(storey[0]), out)
+    if plot is not None:
+        from stayput.report.building import plot_building
+
+        plot_building(response, plot, storey)
+    if json:
+        import json as writer
+
+        typer.echo(writer.dumps(_record(response), allow_nan=False))
+    else:
+        _print_table(response, [file for file in (out, plot) if file is not None])
+
+
+def _record(response: FloorResponse) -> dict[str, Any]:
+    import numpy as np
+
+    model = response.model
+    return {
+        "building": model.name,
+        "periods_s": model.periods.tolist(),
+        "damping": np.atleast_1d(model.damping).tolist(),
+        "nonlinear": model.yields,
+        "motion": {"name": response.motion.name, "synthetic": response.motion.synthetic},
+        "dt_s": response.dt,
+        "storeys": response.storeys.tolist(),
+        "components": {
+            name: {
+                "peak_floor_acceleration_m_s2": response.peak_acceleration(name).tolist(),
+                "peak_floor_velocity_m_s": response.peak_velocity(name).tolist(),
+                "peak_drift_m": response.peak_drift(name).tolist(),
+            }
+            for name in response.acceleration
+        },
+        "energy": {name: _energies(response, name) for name in response.energy},
+    }
+
+
+def _energies(response: FloorResponse, name: str) -> dict[str, float]:
+    energy = response.energy[name]
+    return {
+        "input_j": float(energy.input[-1]),
+        "damping_j": float(energy.damping[-1]),
+        "plastic_j": float(energy.plastic[-1]),
+        "imbalance": energy.imbalance,
+    }
+
+
+def _print_table(response: FloorResponse, written: list[Path]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    from stayput.report.summary import motion_label
+
+    console = Console(highlight=False, markup=False)
+    model = response.model
+    kind = "before yielding" if model.yields else "linear"
+    console.print(f"{model.name}, T1 = {model.periods[0]:.3g} s, {kind}", style="bold")
+    console.print(f"Ground: {motion_label(response.motion)}")
+    table = Table(box=None, padding=(0, 2, 0, 0))
+    table.add_column("Floor")
+    for name in response.acceleration:
+        for heading in (f"PFA {name} [m/s²]", f"PFV {name} [cm/s]"):
+            table.add_column(heading, justify="right")
+    ground = response.motion.peaks()
+    rows = [("ground", [v for n in response.acceleration for v in (ground[n].pga, 100.0 * ground[n].pgv)])]
+    columns = [
+        values
+        for name in response.acceleration
+        for values in (response.peak_acceleration(name), 100.0 * response.peak_velocity(name))
+    ]
+    rows += [(model.place(s), [values[s - 1] for values in columns]) for s in response.storeys.tolist()]
+    for label, values in reversed(rows):
+        table.add_row(label, *(f"{value:.3g}" for value in values))
+    console.print(table)
+    for name, energy in response.energy.items():
+        console.print(
+            f"Energy, {name}: {energy.plastic[-1] / energy.input[-1]:.0%} of the input went into yielding; "
+            f"the balance closes to {energy.imbalance:.1e}."
+            if energy.input[-1] > 0.0
+            else f"Energy, {name}: none."
+        )
+    for file in written:
+        console.print(f"Wrote {file}", soft_wrap=True)

@@ -1,0 +1,102 @@
+"""The table of a scenario that says which building stands between the ground and the furniture."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Self
+
+from pydantic import Field, model_validator
+
+from stayput.building import STRUCTURES, Building, ShearModel
+from stayput.building.model import MOST_STOREYS
+from stayput.scenario.fields import Table, between, checked, named, one_of
+
+if TYPE_CHECKING:
+    from stayput.motion import Motion
+
+StructureName = Annotated[str, one_of(STRUCTURES), named(STRUCTURES)]
+Masses = Annotated[
+    list[Annotated[float, between(1e-3, 1e12, "kg")]], Field(min_length=1, max_length=MOST_STOREYS)
+]
+Stiffnesses = Annotated[
+    list[Annotated[float, between(1e-3, 1e18, "N/m")]], Field(min_length=1, max_length=MOST_STOREYS)
+]
+OF_A_REGULAR_ONE = ("storeys", "structure", "period", "storey_height", "yield_coefficient", "post_yield")
+
+
+class BuildingTable(Table):
+    """The building: what people know of it, or masses and stiffnesses of one's own."""
+
+    storeys: Annotated[int, between(1, MOST_STOREYS - 1)] | None = Field(
+        default=None, description="Number of storeys."
+    )
+    structure: StructureName | None = Field(default=None, description='Structure; "RC" where it is not said.')
+    period: Annotated[float, between(0.02, 20.0, "s")] | None = Field(
+        default=None, description="First natural period; default by height."
+    )
+    damping: Annotated[float, between(0.0, 0.5)] | None = Field(
+        default=None, description="Damping ratio of every mode; default the structure's."
+    )
+    storey_height: Annotated[float, between(1.5, 20.0, "m")] | None = Field(
+        default=None, description="Height of a storey; default 3 m."
+    )
+    nonlinear: bool = Field(
+        default=True,
+        description="Whether the storeys yield under strong shaking; below that nothing changes.",
+    )
+    yield_coefficient: Annotated[float, between(1e-3, 10.0)] | None = Field(
+        default=None, description="Shear coefficient of the lowest storey at yielding."
+    )
+    post_yield: Annotated[float, between(0.0, 0.95)] | None = Field(
+        default=None, description="Stiffness after yielding over that before it."
+    )
+    vertical_amplification: Annotated[float, between(0.0, 10.0)] = Field(
+        default=1.0, description="Factor on the vertical motion at the roof, growing linearly from 1."
+    )
+    masses: Masses | None = Field(
+        default=None, description="Masses of the floors, bottom to top: a model of one's own."
+    )
+    stiffnesses: Stiffnesses | None = Field(
+        default=None, description="Shear stiffness of the storey below each."
+    )
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        own = self.masses is not None or self.stiffnesses is not None
+        if own and (self.masses is None or self.stiffnesses is None):
+            given, missing = ("masses", "stiffnesses") if self.masses else ("stiffnesses", "masses")
+            raise ValueError(
+                f"shaking.building.{given} is given without shaking.building.{missing}; it needs both."
+            )
+        if own:
+            for key in OF_A_REGULAR_ONE:
+                if getattr(self, key) is not None:
+                    told = f"shaking.building.{key} is given beside shaking.building.masses"
+                    raise ValueError(f"{told}; it must be left out.")
+            if self.nonlinear and "nonlinear" in self.model_fields_set:
+                told = "shaking.building.nonlinear is true beside shaking.building.masses"
+                raise ValueError(f"{told}; it must be false or left out.")
+        elif self.storeys is None:
+            raise ValueError("shaking.building.storeys is missing; it must be a whole number of storeys.")
+        checked("shaking.building", self.building)
+        return self
+
+    def building(self) -> Building | ShearModel:
+        """Make the building."""
+        if self.masses is not None and self.stiffnesses is not None:
+            return ShearModel(
+                self.masses,
+                self.stiffnesses,
+                0.05 if self.damping is None else self.damping,
+                vertical_amplification=self.vertical_amplification,
+                name=f"{len(self.masses)}-mass building",
+            )
+        given = self.model_dump(exclude={"masses", "stiffnesses"}, exclude_none=True)
+        return Building(**given)
+
+    def highest(self) -> int:
+        """Return the number of the highest floor: the roof's."""
+        return 1 + (self.storeys if self.storeys is not None else len(self.masses or ()))
+
+    def floor_motion(self, ground: Motion, storey: int) -> Motion:
+        """Return the motion under the furniture of a storey."""
+        return self.building().floor_motion(ground, storey)
