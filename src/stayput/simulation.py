@@ -74,6 +74,7 @@ class EventKind(StrEnum):
     REST = "rest"
     OVERTURNED = "overturned"
     FAILED = "failed"
+    DEVICE_FAILURE = "device failure"
 
 
 @dataclass(frozen=True, slots=True)

@@ -149,7 +149,8 @@ EVENT = 7
     REST_EVENT,
     OVERTURNED_EVENT,
     FAILED_EVENT,
-) = range(11)
+    DEVICE_FAILURE_EVENT,
+) = range(12)
 
 # outcomes, in the order of `stayput.simulation.Outcome`
 RESTED, SLID, ROCKED, LEANING, OVERTURNED_OUTCOME, FAILED_OUTCOME = range(6)

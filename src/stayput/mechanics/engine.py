@@ -129,7 +129,7 @@ def _kind_of_event(s, why, kind, closed):
 
 
 @inner
-def _list_event(events, case, s, dt, why, kind, closed):
+def list_event(events, case, s, dt, why, kind, closed):
     if s.events > events.shape[0]:
         return
     row = events[s.events - 1]
@@ -140,7 +140,7 @@ def _list_event(events, case, s, dt, why, kind, closed):
 
 
 @inner
-def _outcome(s):
+def outcome_of(s):
     if s.kind == FAILED:
         return FAILED_OUTCOME
     if s.kind == OVERTURNED:
@@ -235,7 +235,7 @@ def run_case(
     _next_mode(rows, contacts, touch, s.settle if s.hit else STUCK, case, s, ax, az, dt, law)
     if s.hit:
         s.events += 1
-        _list_event(events, case, s, dt, CLOSED, kind, closed)
+        list_event(events, case, s, dt, CLOSED, kind, closed)
     note_sample(history, case, s)
     while s.kind != FAILED:
         kind, closed = s.kind, s.closed
@@ -249,7 +249,7 @@ def run_case(
         elif why == TURNED_OVER:
             s.kind = OVERTURNED
         if s.kind == FAILED or s.kind == OVERTURNED or s.k >= last:
-            _list_event(events, case, s, dt, why, kind, closed)
+            list_event(events, case, s, dt, why, kind, closed)
             break
         if why != CLOSED:
             s.hit = 0
@@ -261,8 +261,8 @@ def run_case(
             if s.hit:
                 why = CLOSED
             _next_mode(rows, contacts, touch, s.settle if s.hit else STUCK, case, s, ax, az, dt, law)
-        _list_event(events, case, s, dt, why, kind, closed)
-    return _outcome(s), s.k * dt + s.tau, slide_of(case, s)[0]
+        list_event(events, case, s, dt, why, kind, closed)
+    return outcome_of(s), s.k * dt + s.tau, slide_of(case, s)[0]
 
 
 @entry

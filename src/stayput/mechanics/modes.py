@@ -48,7 +48,7 @@ ALL_BUT_FLAT = 1e-8
 
 
 @inner
-def _set_mode(s, kind, i, d, j, dj):
+def set_mode(s, kind, i, d, j, dj):
     s.kind, s.i, s.d, s.j, s.dj = kind, i, d, j, dj
     s.closed = 0
     if i >= 0:
@@ -92,17 +92,17 @@ def choose_mode(rows, contacts, touching, settle, case, s, a, a_rate, G, G_rate)
         still = still and abs(slip) <= settle
 
     if none_presses(rows, count, TOLERANCE):
-        _set_mode(s, FLIGHT, -1, 0, -1, 0)
+        set_mode(s, FLIGHT, -1, 0, -1, 0)
         s.alpha = 0.0
     elif not (
         (still and _hold_on_plane(rows, count, closed, case, s, a, G))
-        or _stick(rows, count, contacts, case, s)
-        or _slide(rows, count, contacts, case, s, True)
-        or _slip(rows, count, contacts, case, s)
+        or try_to_stick(rows, count, contacts, case, s)
+        or try_to_slide(rows, count, contacts, case, s, True)
+        or try_to_slip(rows, count, contacts, case, s)
         or (still and _hold(rows, count, closed, case, s, a, G))
-        or _slide(rows, count, contacts, case, s, False)
+        or try_to_slide(rows, count, contacts, case, s, False)
     ):
-        _set_mode(s, FAILED, -1, 0, -1, 0)
+        set_mode(s, FAILED, -1, 0, -1, 0)
 
 
 @inner
@@ -115,7 +115,7 @@ def _bears(cone, a, G):
 
 @inner
 def _stay_held(cone, closed, case, s):
-    _set_mode(s, HELD, -1, 0, -1, 0)
+    set_mode(s, HELD, -1, 0, -1, 0)
     s.closed = closed
     _, s.low, s.low_up, s.high, s.high_up = cone
     s.vx = s.vz = s.omega = s.alpha = 0.0
@@ -168,13 +168,13 @@ def _hold(rows, count, closed, case, s, a, G):
 
 
 @inner
-def _stick(rows, count, contacts, case, s):
+def try_to_stick(rows, count, contacts, case, s):
     """Try one contact that sticks, the others opening."""
     for i in range(count):
         if rows[i].slipping == 0.0:
             ok, _, _, fl = one_sticks(rows, count, i, case.inertia, TOLERANCE)
             if ok:
-                _set_mode(s, STICK, rows[i].index, 0, -1, 0)
+                set_mode(s, STICK, rows[i].index, 0, -1, 0)
                 s.alpha = fl / case.inertia
                 pivot_on(contacts[s.i], s)
                 return True
@@ -182,7 +182,7 @@ def _stick(rows, count, contacts, case, s):
 
 
 @inner
-def _slip(rows, count, contacts, case, s):
+def try_to_slip(rows, count, contacts, case, s):
     """Try one contact that slips, the others opening."""
     for i in range(count):
         for side in (1.0, -1.0):
@@ -190,7 +190,7 @@ def _slip(rows, count, contacts, case, s):
                 continue
             ok, _, _, fl = one_slips(rows, count, i, side, case.inertia, TOLERANCE)
             if ok:
-                _set_mode(s, SLIP, rows[i].index, int(side), -1, 0)
+                set_mode(s, SLIP, rows[i].index, int(side), -1, 0)
                 s.alpha = fl / case.inertia
                 stay_on_plane(contacts[s.i], s)
                 return True
@@ -198,7 +198,7 @@ def _slip(rows, count, contacts, case, s):
 
 
 @inner
-def _slide(rows, count, contacts, case, s, flat):
+def try_to_slide(rows, count, contacts, case, s, flat):
     """Try two contacts that both press and slip: on one plane (``flat``), or on two.
 
     On two planes more than one way may be consistent where a corner at a wall stands still; the one with
@@ -221,7 +221,7 @@ def _slide(rows, count, contacts, case, s, flat):
                     size = fx * fx + fz * fz + fl * fl / I
                     if ok and size < least:
                         found, least = True, size
-                        _set_mode(s, FLAT if flat else WEDGE, first, int(side_i), second, int(side_j))
+                        set_mode(s, FLAT if flat else WEDGE, first, int(side_i), second, int(side_j))
                         s.alpha = fl / I
     if found:
         _settle_pair(contacts, case, s)

@@ -90,6 +90,14 @@ def shaking(along: NDArray[np.float64], up: NDArray[np.float64] | None, dt: floa
     return Shaking(along, up, dt, law, (*extremes(along), *extremes(up)))
 
 
+def traced_events(listed: NDArray[np.float64]) -> tuple[TracedEvent, ...]:
+    """Return listed events, one row each, as values."""
+    return tuple(
+        TracedEvent(float(row[0]), int(row[1]), int(row[2]), *(float(value) for value in row[3:]))
+        for row in listed
+    )
+
+
 def _room_for_contacts() -> tuple[NDArray[np.void], NDArray[np.void]]:
     return np.zeros(col.CONTACTS, col.CONTACT), np.zeros(col.CONTACTS, col.ROW)
 
@@ -137,10 +145,7 @@ def trace(
         wall_impacts=int(state["wall_impacts"]),
         steps=int(state["steps"]),
         history=history[:reached],
-        events=tuple(
-            TracedEvent(float(row[0]), int(row[1]), int(row[2]), *(float(value) for value in row[3:]))
-            for row in listed[:count]
-        ),
+        events=traced_events(listed[:count]),
     )
 
 

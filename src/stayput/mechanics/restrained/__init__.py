@@ -1,0 +1,1 @@
+"""A body held by devices: the second kernel, for cases that have force elements."""

@@ -1,0 +1,111 @@
+"""The tables of force elements: what a device is, where it stands now, and what became of it.
+
+All forces are per unit mass of the body, as everywhere in the mechanics: newtons divided by the body's
+mass, so N/kg. An element joins a point of the body to a place in the room. It has up to two *lines*,
+NORMAL and TANGENT, each a spring with a damper, slack, strength and plastic elongation; see `lines`.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+# kinds of element
+NONE, AXIAL, PLANAR = range(3)
+
+# lines of an element
+NORMAL, TANGENT = range(2)
+
+ELEMENT = np.dtype(
+    [
+        ("kind", "i8"),  # NONE (no element), AXIAL or PLANAR
+        ("u", "f8"),  # the point of the body relative to G, in the body's axes: + right [m]
+        ("v", "f8"),  # the same, + up [m]
+        ("x", "f8"),  # its anchor, right of where the middle of the base stood [m]
+        ("z", "f8"),  # anchor above the floor [m]; NaN for both: where the point is at rest and slide 0
+        ("cos", "f8"),  # PLANAR: direction of the plane; its normal (−sin, cos) points into the room
+        ("sin", "f8"),
+        ("length", "f8"),  # AXIAL: distance between point and anchor at no elongation [m]
+        # the lines, NORMAL first; elongation is + away from the anchor or plane, or along the tangent
+        ("stiffness", "f8", (2,)),  # [N/(kg m)]; 0: no such line
+        ("damping", "f8", (2,)),  # [N s/(kg m)]
+        ("slack_plus", "f8", (2,)),  # elongation at which it pulls [m]; inf: never, negative: preload
+        ("slack_minus", "f8", (2,)),  # shortening at which it pushes [m]; inf: never, negative: preload
+        ("limit_plus", "f8", (2,)),  # strength in pull, or to the tangent's side [N/kg]; inf: none
+        ("limit_minus", "f8", (2,)),  # strength in push, or to the other side [N/kg]
+        ("ultimate", "f8", (2,)),  # plastic elongation, summed, at which it parts [m]; 0: brittle
+        ("friction", "f8"),  # the tangent slips at this times the normal line's push; NaN: it does not
+        ("interaction", "i8"),  # 1: fails where (pull/strength)² + (shear/strength)² reaches 1
+        ("drops_out", "i8"),  # 1: gone for good once it pushes no more
+    ],
+    align=True,
+)
+"""One device: rows of these, shape [n] for a case, are what the kernel takes beside a CASE.
+
+An element both of whose slacks add up to zero is bonded: it pulls and pushes as one spring. Any other
+touches on one side at a time, and its force there, with that of the damper, never has the other sign.
+"""
+
+DEVICE = np.dtype(
+    [
+        ("peak_pull", "f8"),  # largest normal force away from the anchor at any time [N/kg]
+        ("peak_push", "f8"),  # largest one towards it [N/kg]
+        ("peak_shear", "f8"),  # largest magnitude of the tangential force [N/kg]
+        ("plastic", "f8", (2,)),  # plastic elongation or slip at the end [m]
+        ("failure", "i8"),  # HOLDS, or why it failed
+        ("failure_time", "f8"),  # [s], NaN where it holds
+    ],
+    align=True,
+)
+"""What became of one device."""
+
+# why a device failed
+HOLDS, PULLED, PUSHED, SHEARED, PULLED_AND_SHEARED, DRAWN_OUT, DROPPED_OUT = range(7)
+
+# columns of the history of forces, one row a sample and element
+F_NORMAL, F_TANGENT = range(2)
+FORCES = 2
+
+# branches of a line: what its law is until the next event
+OPEN, PLUS, MINUS, BOND, SLIP_PLUS, SLIP_MINUS = range(6)
+
+LINK = np.dtype(
+    [
+        ("lines", "i8"),  # how many lines there are; 0: none, or gone
+        ("branch", "i8", (2,)),
+        ("x", "f8"),  # the anchor [m]
+        ("z", "f8"),
+        ("plastic", "f8", (2,)),  # [m]
+        ("spent", "f8", (2,)),  # plastic elongation, summed [m]
+        ("e", "f8", (2,)),  # elongation at the place last measured, with its rate, force and push
+        ("rate", "f8", (2,)),
+        ("force", "f8", (2,)),
+        ("push", "f8"),
+        ("push_rate", "f8"),
+        ("e0", "f8", (2,)),  # the same at the start of the step
+        ("rate0", "f8", (2,)),
+        ("low", "f8", (2,)),  # levels at which the margins end the present step; see `lines.margins`
+        ("high", "f8", (2,)),
+        ("joint", "f8"),
+    ],
+    align=True,
+)
+"""Where an element stands; room for the compiled functions."""
+
+MOST_FACETS = 40
+
+WORK = np.dtype(
+    [
+        ("ax", "f8"),  # acceleration of G just before the last event, for looking a moment ahead [m/s²]
+        ("az", "f8"),
+        ("longest", "f8"),  # step that the last error allowed [s]
+        ("foot", "f8"),  # place of a fulcrum that sticks, along its plane [m]
+        ("patience", "f8"),  # factor on the slacks of limits; grows where events crowd
+        ("crowded", "i8"),  # events in a row with next to no time between them
+        ("failed", "i8"),  # devices that failed in the present event
+        ("facets", "i8"),  # number of rows of ``facet`` that hold the body
+        # the body is held where c₀ + c₁ẍ_G + c₂G ≥ 0 for all; c₃ is for the elements' moment
+        ("facet", "f8", (MOST_FACETS, 4)),
+    ],
+    align=True,
+)
+"""What the kernel remembers beside the state."""

@@ -1,0 +1,308 @@
+"""One case with elements from its first sample to its last: modes, and the events between them."""
+
+from __future__ import annotations
+
+from stayput.compiled import entry, inner
+from stayput.mechanics.columns import (
+    CLOSED,
+    DEVICE_FAILURE_EVENT,
+    E_KIND,
+    ENDED,
+    FAILED,
+    FLAT,
+    FLOOR_BITS,
+    HELD,
+    LIMIT,
+    MOVED_FLYING,
+    MOVED_ROCKING,
+    MOVED_SLIDING,
+    OVERTURNED,
+    SLIP,
+    STICK,
+    TURNED_OVER,
+)
+from stayput.mechanics.contact import STUCK
+from stayput.mechanics.engine import list_event, outcome_of, start
+from stayput.mechanics.geometry import note_peaks, slide_of, touching
+from stayput.mechanics.impact import closing, land, unjam
+from stayput.mechanics.motion import loads, note_sample
+from stayput.mechanics.restrained.choose import choose_restrained_mode
+from stayput.mechanics.restrained.elements import (
+    measure,
+    note_forces,
+    note_sample_forces,
+    set_up_elements,
+    settle_elements,
+)
+from stayput.mechanics.restrained.holding import advance_held
+from stayput.mechanics.restrained.moving import advance_moving
+
+CROWDED = 1e-8
+"""Events closer to one another than this crowd [s]."""
+
+UNNAMED = -1
+"""Kind of an event that users are not told of: an element goes slack, say, and the mode stays."""
+
+PATIENCE = 8
+"""So many crowded events in a row are borne before the slacks of limits grow tenfold with each further one."""
+
+MOST_PATIENCE = 1e6
+"""The slacks of limits do not grow by more than this."""
+
+
+@inner
+def _note_how_it_moves(s):
+    kind = s.kind
+    if kind == FLAT:
+        s.moved |= MOVED_SLIDING
+    elif kind == STICK or kind == SLIP:
+        s.moved |= MOVED_ROCKING if kind == STICK else MOVED_ROCKING | MOVED_SLIDING
+    else:
+        s.moved |= MOVED_FLYING
+
+
+@inner
+def _meet(rows, contacts, touch, case, s):
+    """Carry out the impact of the contacts that close, if any do; elements give no impulse."""
+    s.hit |= closing(contacts, touch & ~s.closed, s)
+    if not s.hit:
+        return
+    if s.hit & FLOOR_BITS:
+        s.floor_impacts += 1
+    else:
+        s.wall_impacts += 1
+    land(rows, contacts, s.closed, touch & ~s.closed, case, s)
+
+
+@inner
+def _next_mode(elements, links, devices, rows, contacts, touch, settle, case, s, work, spare, ax, az, dt):
+    """Bring the elements up to date, and choose the mode at the present time."""
+    time = s.k * dt + s.tau
+    for _ in range(3):  # a failure shifts force to others
+        measure(elements, links, s.sin, s.cos, s.x, s.z, s.vx, s.vz, s.omega)
+        note_forces(links, devices)
+        failed = settle_elements(elements, links, devices, time)
+        work.failed += failed
+        if failed == 0:
+            break
+    a, a_rate, G, G_rate = loads(case, ax, az, case.scale / dt, s.k, s.tau)
+    for attempt in range(2):
+        if attempt == 1:
+            unjam(contacts, touch, case, s)
+        choose_restrained_mode(
+            elements,
+            links,
+            devices,
+            rows,
+            contacts,
+            touch,
+            settle,
+            case,
+            s,
+            work,
+            spare,
+            a,
+            a_rate,
+            G,
+            G_rate,
+            time,
+        )
+        if s.kind != FAILED:
+            break
+    note_forces(links, devices)
+
+
+@inner
+def _mind_crowds(s, work, dt, before):
+    """Widen the slacks of limits where events follow one another with next to no time between them."""
+    now = s.k * dt + s.tau
+    if now - before > CROWDED:
+        work.crowded, work.patience = 0, 1.0
+        return
+    work.crowded += 1
+    if work.crowded > PATIENCE:
+        work.patience = min(10.0 * work.patience, MOST_PATIENCE)
+
+
+@inner
+def _list(events, case, s, work, dt, why, kind, closed, d):
+    """List an event: a failure of a device goes before, and one of elements alone has no name."""
+    list_event(events, case, s, dt, why, kind, closed)
+    if s.events > events.shape[0] or s.kind == FAILED or s.kind == OVERTURNED:
+        return
+    row = events[s.events - 1]
+    if work.failed:
+        row[E_KIND] = DEVICE_FAILURE_EVENT
+    elif why == LIMIT and s.kind == kind and s.closed == closed and s.d == d:
+        row[E_KIND] = UNNAMED
+
+
+@inner
+def _forget(work, dt):
+    work.ax = work.az = work.foot = 0.0
+    work.longest = dt
+    work.patience = 1.0
+    work.crowded = work.failed = work.facets = 0
+
+
+@entry
+def run_restrained_case(
+    case,
+    elements,
+    ax,
+    az,
+    dt,
+    extremes,
+    tolerance,
+    max_step,
+    max_events,
+    contacts,
+    rows,
+    s,
+    works,
+    links,
+    devices,
+    history,
+    forces,
+    events,
+):
+    """Run one case with elements; as `stayput.mechanics.engine.run_case`, under its coulomb law.
+
+    Parameters
+    ----------
+    elements : ELEMENT[n]
+        The devices.
+    tolerance : float
+        Largest error of a step [m, rad].
+    works : WORK[2]
+        Room for what the kernel remembers.
+    links : LINK[n]
+        Room for where the elements stand.
+    devices : DEVICE[n]
+        Set to what became of the elements.
+    forces : float64[samples or 0, n, FORCES]
+        Filled with the forces at the samples reached [N/kg]; may be empty.
+
+    Returns
+    -------
+    tuple
+        Outcome, time of the end [s], slide at the end [m].
+    """
+    work, spare = works[0], works[1]
+    start(case, contacts, s)
+    _forget(work, dt)
+    set_up_elements(elements, links, devices, case, s)
+    last = ax.shape[0] - 1
+    touch = touching(contacts, s) | s.closed
+    s.hit = closing(contacts, touch & ~s.closed, s)
+    _meet(rows, contacts, touch, case, s)
+    kind, closed = s.kind, s.closed
+    settle = s.settle if s.hit else STUCK
+    _next_mode(elements, links, devices, rows, contacts, touch, settle, case, s, work, spare, ax, az, dt)
+    if s.hit or work.failed:
+        s.events += 1
+        _list(events, case, s, work, dt, CLOSED, kind, closed, s.d)
+    note_sample(history, case, s)
+    note_sample_forces(forces, links, s)
+    while s.kind != FAILED:
+        kind, closed, d = s.kind, s.closed, s.d
+        before = s.k * dt + s.tau
+        if kind == HELD:
+            why = advance_held(case, links, s, work, ax, az, dt, extremes, history, forces)
+        else:
+            _note_how_it_moves(s)
+            why = advance_moving(
+                elements,
+                links,
+                devices,
+                contacts,
+                rows,
+                case,
+                s,
+                work,
+                ax,
+                az,
+                dt,
+                tolerance,
+                max_step,
+                history,
+                forces,
+            )
+        note_peaks(case, s)
+        if why == ENDED:
+            break
+        s.events += 1
+        if s.events >= max_events:
+            s.kind = FAILED
+        elif why == TURNED_OVER:
+            s.kind = OVERTURNED
+        if s.kind == FAILED or s.kind == OVERTURNED or s.k >= last:
+            list_event(events, case, s, dt, why, kind, closed)
+            break
+        _mind_crowds(s, work, dt, before)
+        if why != CLOSED:
+            s.hit = 0
+        touch = touching(contacts, s) | s.closed | s.hit
+        _meet(rows, contacts, touch, case, s)
+        if s.hit:
+            why = CLOSED
+        settle = s.settle if s.hit else STUCK
+        work.failed = 0
+        _next_mode(elements, links, devices, rows, contacts, touch, settle, case, s, work, spare, ax, az, dt)
+        _list(events, case, s, work, dt, why, kind, closed, d)
+    for n in range(devices.shape[0]):
+        for i in range(2):
+            devices[n].plastic[i] = links[n].plastic[i]
+    return outcome_of(s), s.k * dt + s.tau, slide_of(case, s)[0]
+
+
+@entry
+def run_restrained_batch(
+    cases,
+    elements,
+    ax,
+    az,
+    dt,
+    extremes,
+    tolerance,
+    max_step,
+    max_events,
+    contacts,
+    rows,
+    states,
+    works,
+    links,
+    history,
+    forces,
+    events,
+    results,
+    devices,
+):
+    """Run a column of cases, each with its row of elements, as `run_restrained_case`; nothing is listed."""
+    for n in range(cases.shape[0]):
+        s = states[0]
+        outcome, end, slide = run_restrained_case(
+            cases[n],
+            elements[n],
+            ax,
+            az,
+            dt,
+            extremes,
+            tolerance,
+            max_step,
+            max_events,
+            contacts,
+            rows,
+            s,
+            works,
+            links,
+            devices[n],
+            history,
+            forces,
+            events,
+        )
+        result = results[n]
+        result.outcome, result.end, result.residual_slide, result.residual_tilt = outcome, end, slide, s.theta
+        result.peak_slide, result.peak_tilt = s.peak_slide, s.peak_tilt
+        result.floor_impacts, result.wall_impacts = s.floor_impacts, s.wall_impacts
+        result.events, result.steps = s.events, s.steps

@@ -1,0 +1,214 @@
+"""Rest with devices: the range of loads that contacts hold, beside the constant forces of elements.
+
+The forces that friction allows at contacts which do not slip form a cone, spanned by the two edges of each,
+in the space of (f_x, f_z, f_θ). A body with elements is held while the load (ẍ_G − F_x, G − F_z, −F_θ) is in
+it: their forces do not change while it rests. The cone's facets are its limits, each linear in the load, so
+rest is left at the exact time, and blocks of the record are skipped.
+"""
+
+from __future__ import annotations
+
+import math
+
+from stayput.compiled import inline, inner
+from stayput.mechanics.columns import ENDED, LIMIT, PLANE
+from stayput.mechanics.flat import BLOCK
+from stayput.mechanics.motion import loads, note_sample
+from stayput.mechanics.restrained.columns import MOST_FACETS
+from stayput.mechanics.restrained.elements import note_sample_forces
+
+PARALLEL = 1e-9
+"""Edges of cones whose sine is smaller than this are taken as one."""
+
+BALANCED = 1e-10
+"""A load may be out of a cone that is flat, as on a floor without friction, by this [m/s²]."""
+
+
+@inline
+def _edge(rows, p, root):
+    """Edge p of the cone of contacts' forces; the moment is divided by √I, so that all are of one kind."""
+    row = rows[p >> 1]
+    mu = (1.0 - 2.0 * (p & 1)) * row.flat_stick
+    return row.nx + mu * row.tx, row.nz + mu * row.tz, (row.nl + mu * row.tl) / root
+
+
+@inline
+def _across(p, q):
+    """Unit vector normal to two vectors, and the sine between them."""
+    x, z, l = p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
+    size = math.sqrt(x * x + z * z + l * l)
+    whole = math.sqrt((p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]))
+    if size <= PARALLEL * whole:
+        return (0.0, 0.0, 0.0), 0.0
+    return (x / size, z / size, l / size), size / whole
+
+
+@inline
+def _sides(rows, first, count, n, root):
+    """Smallest and largest part of the edges along a unit vector."""
+    low = high = 0.0
+    for p in range(2 * first, 2 * (first + count)):
+        x, z, l = _edge(rows, p, root)
+        part = n[0] * x + n[1] * z + n[2] * l
+        low, high = min(low, part), max(high, part)
+    return low, high
+
+
+@inner
+def _keep(work, n, root, slack):
+    """Add a facet for loads without elements, unless it is there or there is no room; the force later."""
+    c0, c1, c2 = slack, n[0], n[1]
+    c3 = n[2] / root
+    for k in range(work.facets):
+        f = work.facet[k]
+        if abs(f[1] - c1) + abs(f[2] - c2) + abs(f[3] - c3) < 1e-9:
+            return
+    if work.facets < MOST_FACETS:
+        f = work.facet[work.facets]
+        f[0], f[1], f[2], f[3] = c0, c1, c2, c3
+        work.facets += 1
+
+
+@inner
+def cone_facets(rows, first, count, I, work):
+    """List the facets of the cone of contacts' forces: rows ``first`` on; whether there is such a cone."""
+    work.facets = 0
+    root = math.sqrt(I)
+    found = False
+    for p in range(2 * first, 2 * (first + count)):
+        for q in range(2 * first, p):
+            n, sine = _across(_edge(rows, p, root), _edge(rows, q, root))
+            if sine == 0.0:
+                continue
+            found = True
+            low, high = _sides(rows, first, count, n, root)
+            flat = low >= -PARALLEL and high <= PARALLEL
+            slack = BALANCED if flat else 0.0
+            if low >= -PARALLEL:
+                _keep(work, n, root, slack)
+            if high <= PARALLEL:
+                _keep(work, (-n[0], -n[1], -n[2]), root, slack)
+            if flat:
+                _keep_ends(rows, first, count, n, root, work)
+    return found
+
+
+@inner
+def _keep_ends(rows, first, count, normal, root, work):
+    """Of a cone that is flat, add its ends within its plane."""
+    for p in range(2 * first, 2 * (first + count)):
+        n, sine = _across(normal, _edge(rows, p, root))
+        low, high = _sides(rows, first, count, n, root)
+        if sine > 0.0 and low >= -PARALLEL:
+            _keep(work, n, root, 0.0)
+        if sine > 0.0 and high <= PARALLEL:
+            _keep(work, (-n[0], -n[1], -n[2]), root, 0.0)
+
+
+@inner
+def bears(work, a, G, wrench):
+    """Whether the load, with the elements' force, is within all facets."""
+    fx, fz, fl = wrench
+    for k in range(work.facets):
+        f = work.facet[k]
+        if f[0] + f[1] * (a - fx) + f[2] * (G - fz) - f[3] * fl < 0.0:
+            return False
+    return True
+
+
+@inner
+def keep_floors_side(rows, count, a, G, wrench, I, work, spare):
+    """Add the limits of the floor alone that the load keeps, so that walls hold only what presses to them.
+
+    Where the floor holds one corner, that is the moment about it: the load must go on to press the body to
+    the wall that keeps it from turning.
+    """
+    fx, fz, fl = wrench
+    on_floor = 0
+    while on_floor < count and PLANE[rows[on_floor].index] == 0:
+        on_floor += 1
+    if on_floor == 1 and count > 1:
+        nl, tl = rows[0].nl, rows[0].tl
+        moment = tl * (a - fx) + nl * (G - fz) + fl
+        side = 1.0 if moment >= 0.0 else -1.0
+        size = side / math.sqrt(tl * tl + nl * nl + 1.0)
+        _keep(work, (size * tl, size * nl, -size), 1.0, 0.0)
+    elif on_floor == 2 and count > 2:
+        cone_facets(rows, 0, 2, I, spare)
+        for k in range(spare.facets):
+            f = spare.facet[k]
+            if f[0] + f[1] * (a - fx) + f[2] * (G - fz) - f[3] * fl >= 0.0:
+                _keep(work, (f[1], f[2], f[3]), 1.0, f[0])
+
+
+@inner
+def with_wrench(work, wrench):
+    """Put the constant force of the elements into the facets: c₀ + c₁ẍ_G + c₂G is what remains."""
+    fx, fz, fl = wrench
+    for k in range(work.facets):
+        f = work.facet[k]
+        f[0] -= f[1] * fx + f[2] * fz + f[3] * fl
+
+
+@inline
+def _lowest(p, low, high):
+    """Smallest product of p with a value between low and high."""
+    return p * low if p >= 0.0 else p * high
+
+
+@inner
+def _block_holds(case, work, block, extremes):
+    """Whether the loads of a whole block of the record leave the body at rest."""
+    a_low, a_high, z_low, z_high = extremes
+    k = case.scale
+    a0, a1, z0, z1 = k * a_low[block], k * a_high[block], k * z_low[block], k * z_high[block]
+    if k < 0.0:
+        a0, a1, z0, z1 = a1, a0, z1, z0
+    z0, z1 = case.gravity + z0, case.gravity + z1
+    for j in range(work.facets):
+        f = work.facet[j]
+        if f[0] + _lowest(f[1], a0, a1) + _lowest(f[2], z0, z1) < 0.0:
+            return False
+    return True
+
+
+@inner
+def _leaves_after(work, a0, G0, a1, G1, h, fresh):
+    """Time in a step, with these loads at its ends, at which the body is held no longer; or h.
+
+    ``fresh`` is a step that starts at a sample: its start has been looked at as the end of the last.
+    """
+    first = h
+    for j in range(work.facets):
+        f = work.facet[j]
+        m0, m1 = f[0] + f[1] * a0 + f[2] * G0, f[0] + f[1] * a1 + f[2] * G1
+        if m1 >= 0.0 and (fresh or m0 >= 0.0):
+            continue
+        first = min(first, 0.0 if m0 <= 0.0 else h * m0 / (m0 - m1))
+    return first
+
+
+@inner
+def advance_held(case, links, s, work, ax, az, dt, extremes, history, forces):
+    """Keep the body exactly where it is, to the time when the contacts can hold it no longer."""
+    last = ax.shape[0] - 1
+    per_second = case.scale / dt
+    keeps = history.shape[0] > 0
+    while s.k < last:
+        if s.tau == 0.0 and s.k % BLOCK == 0 and not keeps:
+            if _block_holds(case, work, s.k // BLOCK, extremes):
+                s.k = min(last, s.k + BLOCK)
+                continue
+        h = dt - s.tau
+        a0, _, G0, _ = loads(case, ax, az, per_second, s.k, s.tau)
+        a1, G1 = case.scale * ax[s.k + 1], case.gravity + case.scale * az[s.k + 1]
+        t = _leaves_after(work, a0, G0, a1, G1, h, s.tau == 0.0)
+        if t < h:
+            s.tau += t
+            return LIMIT
+        s.k += 1
+        s.tau = 0.0
+        note_sample(history, case, s)
+        note_sample_forces(forces, links, s)
+    return ENDED
+

@@ -1,0 +1,119 @@
+"""Accelerations of a body in its mode under the loads, the contact forces and those of the elements.
+
+The equations are those of the first kernel with the elements' force (F_x, F_z, F_θ) beside the loads: on a
+plane A − F·t takes the place of A, Γ − F·n that of Γ, and F_θ adds to the moment.
+"""
+
+from __future__ import annotations
+
+import math
+
+from stayput.compiled import inline, inner
+from stayput.mechanics.columns import FLAT, FLIGHT, PLANE, SLIP, STICK
+from stayput.mechanics.contact import JAMMED, base_friction, press_of_two, tabulate
+from stayput.mechanics.geometry import along, arm_at, sin_cos
+from stayput.mechanics.restrained.elements import measure
+
+
+@inline
+def _on_fulcrum(con, case, stick, d, sin, cos, vx, vz, omega, A, Γ, fl):
+    """Tangential and normal acceleration of G, θ̈, and the margins, of a body on one corner."""
+    I = case.inertia
+    sigma, kappa = arm_at(con, sin, cos)
+    spin = omega * omega
+    if stick:
+        alpha = (fl - kappa * A - sigma * Γ) / (I + sigma * sigma + kappa * kappa)
+        along_plane, off_plane = kappa * alpha + sigma * spin, sigma * alpha - kappa * spin
+        N, T = Γ + off_plane, A + along_plane
+        return along_plane, off_plane, alpha, con.mu_static * N - T, con.mu_static * N + T
+    mu_d = con.mu_kinetic * d
+    k = sigma - mu_d * kappa
+    M = I + k * sigma
+    alpha = (fl - k * (Γ - kappa * spin)) / M
+    off_plane = sigma * alpha - kappa * spin
+    N = Γ + off_plane
+    slip = along(con, vx, vz)[0] - omega * kappa
+    return -mu_d * N - A, off_plane, alpha, (N if M > 0.5 * JAMMED * I else -1.0), d * slip
+
+
+@inline
+def kinetic_pair(contacts, case, s, d, sigma_i, sigma_j, kappa, Γ, fl):
+    """Kinetic coefficients of both corners of a body that slides flat."""
+    first, second = contacts[s.i], contacts[s.j]
+    if PLANE[s.i] > 0:
+        return first.mu_kinetic, second.mu_kinetic
+    lead, reach = (second, sigma_j) if d > 0.0 else (first, -sigma_i)
+    mu = base_friction(case, lead.mu_kinetic, reach - d * fl / Γ, kappa)
+    return mu, mu
+
+
+@inline
+def _flat(contacts, case, s, d, sin, cos, vx, vz, A, Γ, fl):
+    """Tangential acceleration of a body that slides on both corners of a plane, and the margins."""
+    first, second = contacts[s.i], contacts[s.j]
+    sigma_i, kappa = arm_at(first, sin, cos)
+    sigma_j, _ = arm_at(second, sin, cos)
+    mu_i, mu_j = kinetic_pair(contacts, case, s, d, sigma_i, sigma_j, kappa, Γ, fl)
+    # N_i + N_j = Γ and p_i N_i + p_j N_j = F_θ
+    p_i, p_j = sigma_i - d * mu_i * kappa, sigma_j - d * mu_j * kappa
+    N_j = (fl - p_i * Γ) / (p_j - p_i)
+    N_i = Γ - N_j
+    return -A - d * (mu_i * N_i + mu_j * N_j), min(N_i, N_j), d * along(first, vx, vz)[0]
+
+
+@inner
+def _on_two_planes(rows, contacts, case, s, sin, cos, vx, vz, omega, a, G, fl):
+    """Accelerations of a body that slides on two planes at once, and the margins."""
+    I = case.inertia
+    tabulate(rows, contacts, s.closed, sin, cos, case)
+    for k in range(2):
+        row = rows[k]
+        row.bias_n = along(contacts[row.index], -a, -G)[1] - omega * omega * row.tl + row.nl * fl / I
+        row.target = 0.0
+    i, j = (0, 1) if s.i < s.j else (1, 0)
+    ri, rj = rows[i], rows[j]
+    Ni, Nj, fx, fz, moment = press_of_two(ri, float(s.d), rj, float(s.dj), I)
+    least = -1.0 if math.isnan(Ni) else min(Ni, Nj)
+    slip_i = ri.tx * vx + ri.tz * vz + ri.tl * omega
+    slip_j = rj.tx * vx + rj.tz * vz + rj.tl * omega
+    return fx - a, fz - G, (moment + fl) / I, least, min(float(s.d) * slip_i, float(s.dj) * slip_j)
+
+
+@inner
+def rates(elements, links, contacts, rows, case, s, base, load, t, y):
+    """Rates of y = (x, z, θ, ẋ, ż, θ̇) a time t after the loads, in the mode of s, and its two margins.
+
+    ``base`` is a tilt nearby with its sine and cosine. The margins are forces [m/s²], but the second is a
+    rate of slip [m/s] where there is one. The links keep what was measured.
+    """
+    x, z, theta, vx, vz, omega = y
+    sin, cos = sin_cos(theta, base[0], base[1], base[2])
+    fx, fz, fl = measure(elements, links, sin, cos, x, z, vx, vz, omega)
+    a, G = load[0] + load[1] * t - fx, load[2] + load[3] * t - fz
+    kind = s.kind
+    if kind == FLIGHT:
+        return (vx, vz, omega, -a, -G, fl / case.inertia), math.inf, math.inf
+    con = contacts[s.i]
+    A, Γ = along(con, a, G)
+    if kind == STICK or kind == SLIP:
+        tangential, normal, alpha, f, g = _on_fulcrum(
+            con, case, kind == STICK, float(s.d), sin, cos, vx, vz, omega, A, Γ, fl
+        )
+        return _in_room(con, vx, vz, omega, tangential, normal, alpha), f, g
+    if kind == FLAT:
+        tangential, f, g = _flat(contacts, case, s, float(s.d), sin, cos, vx, vz, A, Γ, fl)
+        return _in_room(con, vx, vz, omega, tangential, 0.0, 0.0), f, g
+    ax, az, alpha, f, g = _on_two_planes(rows, contacts, case, s, sin, cos, vx, vz, omega, a, G, fl)
+    return (vx, vz, omega, ax, az, alpha), f, g
+
+
+@inline
+def _in_room(con, vx, vz, omega, tangential, normal, alpha):
+    return (
+        vx,
+        vz,
+        omega,
+        con.cos * tangential - con.sin * normal,
+        con.sin * tangential + con.cos * normal,
+        alpha,
+    )
