@@ -7,7 +7,7 @@ PIP    := $(BIN)/python -m pip --disable-pip-version-check
 # A stamp names what was installed and from which versions, so a second run installs nothing.
 KEY    := $(shell cat pyproject.toml requirements.lock 2>/dev/null | cksum | cut -d ' ' -f 1)
 STAMP  := $(VENV)/.installed-$(KEY)
-ALL    := formats,app,cluster,test,docs,lint
+ALL    := formats,app,cluster,inventory,test,docs,lint
 
 .PHONY: help install demo test lint bench docs lock clean
 
@@ -54,9 +54,9 @@ $(VENV)/bin/python:
 
 # Byte-compiling in parallel afterwards takes half as long as pip's own.
 $(STAMP)-core: EXTRAS :=
-$(STAMP)-test: EXTRAS := [formats,test]
-$(STAMP)-lint: EXTRAS := [formats,test,lint]
-$(STAMP)-docs: EXTRAS := [formats,docs]
+$(STAMP)-test: EXTRAS := [formats,app,inventory,test]
+$(STAMP)-lint: EXTRAS := [formats,app,inventory,test,lint]
+$(STAMP)-docs: EXTRAS := [formats,app,inventory,docs]
 $(STAMP)-core $(STAMP)-test $(STAMP)-lint $(STAMP)-docs: | $(VENV)/bin/python
 	$(PIP) install --quiet --no-compile -c requirements.lock -e '.$(EXTRAS)'
 	-@$(BIN)/python -m compileall -q -j 0 -x '/tests?/' $(VENV)/lib >/dev/null 2>&1

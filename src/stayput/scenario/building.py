@@ -93,6 +93,11 @@ class BuildingTable(Table):
         given = self.model_dump(exclude={"masses", "stiffnesses"}, exclude_none=True)
         return Building(**given)
 
+    @property
+    def yields(self) -> bool:
+        """Whether the floors' motion does not scale with the ground's."""
+        return self.nonlinear and self.masses is None
+
     def highest(self) -> int:
         """Return the number of the highest floor: the roof's."""
         return 1 + (self.storeys if self.storeys is not None else len(self.masses or ()))

@@ -9,7 +9,7 @@ from pydantic import Discriminator, Field, Tag, model_validator
 
 from stayput.errors import InputError
 from stayput.motion import Motion, near_fault, read_motion, sine
-from stayput.motion.intensity import CLASSES
+from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
 from stayput.scenario.building import BuildingTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.fields import NAME, TABLE, Table, Text, between, checked, kind_of, named, one_of
@@ -198,6 +198,27 @@ class ShakingTable(Table):
             floors = self.building.building().floor_motions(ground, [self.storey])
             ground = Suite(tuple(floor for (floor,) in floors), ground.name)
         return Suite(tuple(self._with_vertical(motion) for motion in ground), ground.name)
+
+    def ground(self, folder: Path) -> Suite:
+        """Make the motions of the ground, not scaled and with all their components.
+
+        Raises
+        ------
+        InputError
+            A record cannot be read.
+        """
+        if self.of_a_suite:
+            return self._suite(folder)
+        if self.record is not None:
+            return Suite((self._recorded(self.record, folder),))
+        return Suite((self.sine.motion() if self.sine is not None else near_fault(),))
+
+    @property
+    def wanted_intensity(self) -> float | None:
+        """JMA intensity that the ground is scaled to; None where the motions keep their own strength."""
+        if isinstance(self.intensity, str):
+            return intensity_of_class(self.intensity)
+        return self.intensity
 
     def _ground(self, folder: Path) -> Motion:
         if self.of_a_suite:

@@ -1,0 +1,42 @@
+"""What became of the devices of an option, over all its runs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.fragility import probability
+from stayput.mechanics.restrained.columns import HOLDS
+from stayput.verify.verdict import DeviceSummary, Quantiles
+
+if TYPE_CHECKING:
+    from stayput.measures import Held
+    from stayput.verify.runs import Runs
+
+
+def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:
+    """Return a summary of each force element of a measure.
+
+    Parameters
+    ----------
+    held : Held
+        The body with the measures, as stated.
+    runs : Runs
+        Its runs.
+    """
+    nowhere = np.zeros_like(runs.overturned)
+    found: list[DeviceSummary] = []
+    for number, element in enumerate(held.elements):
+        device = runs.devices[:, :, number]
+        along = np.maximum(device["peak_pull"], device["peak_push"])
+        force = runs.masses * np.hypot(along, device["peak_shear"])
+        found.append(
+            DeviceSummary(
+                kind=element.kind,
+                name=element.name,
+                failed=probability(device["failure"] != HOLDS, runs.missing),
+                peak=Quantiles.of(force, nowhere),
+            )
+        )
+    return tuple(found)

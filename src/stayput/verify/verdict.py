@@ -1,0 +1,162 @@
+"""What a verification says: of every option the probabilities, the capacity, and its place."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from numpy.typing import NDArray
+
+    from stayput.fragility import Capacity, Difference, FragilityCurve, IntensityMeasure, Probability
+    from stayput.scenario import Scenario
+    from stayput.verify.estimates import Estimates
+    from stayput.verify.options import Option
+
+OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED = "overturned", "slid", "hit_wall", "device_failed"
+EVENTS = (OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED)
+"""What may happen: it turns over; it slides farther than the limit; it hits a wall; a device fails."""
+
+
+@dataclass(frozen=True, slots=True)
+class Quantiles:
+    """Median and 90 % quantile of a peak over all runs; infinite where so many overturn."""
+
+    median: float
+    p90: float
+
+    @classmethod
+    def of(cls, peaks: NDArray[np.float64], overturned: NDArray[np.bool_]) -> Quantiles:
+        """Return the quantiles of peaks, those of bodies that overturn counted as infinite."""
+        values = np.sort(np.where(overturned, np.inf, peaks).ravel())
+        if values.size == 0:
+            return cls(np.nan, np.nan)
+        last = len(values) - 1
+        return cls(float(values[round(0.5 * last)]), float(values[round(0.9 * last)]))
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceSummary:
+    """What became of one device over all runs.
+
+    Parameters
+    ----------
+    kind : str
+        The measure that it belongs to, as in a scenario's ``type``.
+    name : str
+        Which of the measure's devices it is.
+    failed : Probability
+        Share of the runs in which it failed.
+    peak : Quantiles
+        Largest force, of pull or push and shear together [N].
+    """
+
+    kind: str
+    name: str
+    failed: Probability
+    peak: Quantiles
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """One run that stands for many: its place among motions and samples."""
+
+    motion: int
+    sample: int
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class OptionVerdict:
+    """What happens with one option: no measure, or one or several of them.
+
+    Parameters
+    ----------
+    option : Option
+        The measures.
+    rank : int
+        1 for the best.
+    probabilities : mapping of str to Probability
+        Of each of `EVENTS`, at the scenario's shaking.
+    change : Difference, optional
+        Probability of overturning less that without a measure; none for the latter itself.
+    slide, tilt : Quantiles
+        Peak slide [m] and tilt [rad].
+    devices : tuple of DeviceSummary
+        Of each device that bears a force.
+    curves : mapping of IntensityMeasure to FragilityCurve
+        Probability of overturning against every intensity measure.
+    capacities : mapping of float to Capacity
+        JMA intensity of the ground at which this share overturns: 0.1 and 0.5.
+    typical, worst : Member
+        A run of median severity, and the worst.
+    """
+
+    option: Option
+    rank: int
+    probabilities: Mapping[str, Probability]
+    change: Difference | None
+    slide: Quantiles
+    tilt: Quantiles
+    devices: tuple[DeviceSummary, ...]
+    curves: Mapping[IntensityMeasure, FragilityCurve]
+    capacities: Mapping[float, Capacity]
+    typical: Member
+    worst: Member
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Verdict:
+    """The outcome of a verification.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        What was asked.
+    intensity : float
+        JMA intensity of the ground.
+    slide_limit : float
+        Slide that counts as too far [m].
+    options : tuple of OptionVerdict
+        The best first; exactly one of them has no measure.
+    estimates : Estimates
+        Quick estimates by formulas, to stand beside.
+    levels : ndarray, shape (levels,)
+        JMA intensities of the fragility curves.
+    motions, samples : int
+        Motions, and draws of what is not known for each.
+    runs : int
+        Simulations in all.
+    precise : bool
+        Whether the asked precision was reached.
+    seed : int
+        Seed of the draws.
+    seconds : float
+        How long it took.
+    """
+
+    scenario: Scenario
+    intensity: float
+    slide_limit: float
+    options: tuple[OptionVerdict, ...]
+    estimates: Estimates
+    levels: NDArray[np.float64]
+    motions: int
+    samples: int
+    runs: int
+    precise: bool
+    seed: int
+    seconds: float
+
+    @property
+    def without(self) -> OptionVerdict:
+        """The option without a measure."""
+        return next(one for one in self.options if not one.option.measures)
+
+    @property
+    def best(self) -> OptionVerdict:
+        """The option that ranks first."""
+        return self.options[0]

@@ -1,0 +1,119 @@
+"""A verdict in plain sentences, English and Japanese."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from stayput.fragility.probabilities import percent
+from stayput.motion.intensity import intensity_class
+from stayput.verify.verdict import DEVICE_FAILED, HIT_WALL, OVERTURNED, SLID
+
+if TYPE_CHECKING:
+    from stayput.verify.verdict import OptionVerdict, Verdict
+
+LANGUAGES = ("en", "ja")
+
+_CLASSES_JA = {"5-lower": "5弱", "5-upper": "5強", "6-lower": "6弱", "6-upper": "6強"}
+
+EVENT_LABELS = {
+    OVERTURNED: ("overturns", "転倒"),
+    SLID: ("slides too far", "大きく移動"),
+    HIT_WALL: ("hits a wall", "壁に衝突"),
+    DEVICE_FAILED: ("a device fails", "器具が破損"),
+}
+"""The events, in English and Japanese."""
+
+
+def class_label(intensity: float, language: str) -> str:
+    """Return the class of a JMA intensity: "6-upper", or "震度6強"."""
+    name = intensity_class(intensity)
+    return name if language == "en" else f"震度{_CLASSES_JA.get(name, name)}"
+
+
+def _percent(share: float) -> str:
+    return f"{percent(share)} %"
+
+
+def _centimetres(length: float) -> str:
+    return f"{100.0 * length:.0f} cm" if length >= 0.095 else f"{100.0 * length:.1f} cm"
+
+
+def headline(verdict: Verdict, language: str) -> str:
+    """Return the verdict in one sentence."""
+    without, best = verdict.without, verdict.best
+    name = verdict.scenario.furniture.title
+    falls = without.probabilities[OVERTURNED].estimate
+    strength = class_label(verdict.intensity, language)
+    if best.option.measures and best.probabilities[OVERTURNED].estimate < falls - 0.005:
+        held = best.probabilities[OVERTURNED].estimate
+        if language == "en":
+            return (
+                f"In shaking of JMA intensity {strength} the {name} overturns in {_percent(falls)} of the cases; "
+                f"with {_lowered(best, language)}, in {_percent(held)}."
+            )
+        label = best.option.label(language)
+        return f"{strength}の揺れで、この家具は{_percent(falls)}の場合に転倒します。{label}があれば{_percent(held)}です。"
+    if language == "en":
+        if falls < 0.005:
+            return f"In shaking of JMA intensity {strength} the {name} stays upright without any measure."
+        return (
+            f"In shaking of JMA intensity {strength} the {name} overturns in {_percent(falls)} of the cases, "
+            "and no measure that was compared makes it clearly less."
+        )
+    if falls < 0.005:
+        return f"{strength}の揺れでも、この家具は対策なしで転倒しません。"
+    return f"{strength}の揺れで、この家具は{_percent(falls)}の場合に転倒します。比較した対策では明らかには減りません。"
+
+
+def _lowered(option: OptionVerdict, language: str) -> str:
+    label = option.option.label(language)
+    return label[:1].lower() + label[1:] if not label[:2].isupper() and label[1:2] != "-" else label
+
+
+def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
+    """Return why an option stands where it does, in one plain sentence."""
+    english = language == "en"
+    shares = {event: found.estimate for event, found in option.probabilities.items()}
+    falls = verdict.without.probabilities[OVERTURNED].estimate
+    parts: list[str] = []
+    if option.change is None:
+        parts.append(
+            f"it overturns in {_percent(falls)} of the cases"
+            if english
+            else f"{_percent(falls)}の場合に転倒します"
+        )
+    elif not option.change.clear:
+        parts.append(
+            "it overturns about as often as without a measure"
+            if english
+            else "転倒する割合は対策なしと明らかな差がありません"
+        )
+    elif option.change.estimate < 0.0:
+        parts.append(
+            f"it overturns in {_percent(shares[OVERTURNED])} of the cases instead of {_percent(falls)}"
+            if english
+            else f"転倒は{_percent(falls)}から{_percent(shares[OVERTURNED])}に減ります"
+        )
+    else:
+        parts.append(
+            f"it overturns more often than without a measure, in {_percent(shares[OVERTURNED])} of the cases"
+            if english
+            else f"転倒は対策なしより増えて{_percent(shares[OVERTURNED])}です"
+        )
+    if shares[DEVICE_FAILED] >= 0.05:
+        parts.append(
+            f"a device fails in {_percent(shares[DEVICE_FAILED])}"
+            if english
+            else f"器具は{_percent(shares[DEVICE_FAILED])}の場合に破損または脱落します"
+        )
+    if math.isfinite(option.slide.p90) and option.slide.p90 >= 0.01:
+        parts.append(
+            f"it moves up to {_centimetres(option.slide.p90)} in nine of ten"
+            if english
+            else f"10回中9回は移動が{_centimetres(option.slide.p90)}以内です"
+        )
+    elif shares[SLID] < 0.005 and shares[OVERTURNED] < 0.005:
+        parts.append("it stays where it is" if english else "その場に留まります")
+    text = "; ".join(parts) if english else "。".join(parts)
+    return f"{text[:1].upper()}{text[1:]}." if english else f"{text}。"
