@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.body import Body
 from stayput.cases import State, case_columns
 from stayput.measures import element_rows, hold
 from stayput.uncertainty import USUAL, Uncertainty
@@ -19,6 +18,7 @@ from stayput.uncertainty import USUAL, Uncertainty
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from stayput.body import Body
     from stayput.measures import Held
     from stayput.room import Floor, Room
     from stayput.verify.options import Option

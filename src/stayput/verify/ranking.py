@@ -22,9 +22,9 @@ EQUAL = 0.005
 
 
 def severity(probabilities: Mapping[str, Probability], cost: int) -> tuple[float, ...]:
-    """Return the key that options are sorted by: the probabilities in `ORDER`, then the number of measures."""
+    """Return what options are sorted by: the probabilities in `ORDER`, then the number of measures."""
     shares = (probabilities[event].estimate for event in ORDER)
-    return (*(round(share / EQUAL) * EQUAL if share == share else 1.0 for share in shares), float(cost))  # noqa: PLR0124
+    return (*(round(share / EQUAL) * EQUAL if np.isfinite(share) else 1.0 for share in shares), float(cost))
 
 
 def members(runs: Runs) -> tuple[Member, Member]:

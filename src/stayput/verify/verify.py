@@ -120,8 +120,8 @@ def verify(
     Raises
     ------
     InputError
-        The paper's contact law, which knows no devices; a measure that cannot be applied; a record that cannot
-        be read.
+        The paper's contact law, which knows no devices; a measure that cannot be applied; a record that
+        cannot be read.
     """
     began = time.perf_counter()
     if scenario.contact != "coulomb":

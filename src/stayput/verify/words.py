@@ -49,11 +49,12 @@ def headline(verdict: Verdict, language: str) -> str:
         held = best.probabilities[OVERTURNED].estimate
         if language == "en":
             return (
-                f"In shaking of JMA intensity {strength} the {name} overturns in {_percent(falls)} of the cases; "
-                f"with {_lowered(best, language)}, in {_percent(held)}."
+                f"In shaking of JMA intensity {strength} the {name} overturns in {_percent(falls)} of the "
+                f"cases; with {_lowered(best, language)}, in {_percent(held)}."
             )
         label = best.option.label(language)
-        return f"{strength}の揺れで、この家具は{_percent(falls)}の場合に転倒します。{label}があれば{_percent(held)}です。"
+        told = f"{strength}の揺れで、この家具は{_percent(falls)}の場合に転倒します。"
+        return f"{told}{label}があれば{_percent(held)}です。"
     if language == "en":
         if falls < 0.005:
             return f"In shaking of JMA intensity {strength} the {name} stays upright without any measure."
@@ -63,7 +64,8 @@ def headline(verdict: Verdict, language: str) -> str:
         )
     if falls < 0.005:
         return f"{strength}の揺れでも、この家具は対策なしで転倒しません。"
-    return f"{strength}の揺れで、この家具は{_percent(falls)}の場合に転倒します。比較した対策では明らかには減りません。"
+    told = f"{strength}の揺れで、この家具は{_percent(falls)}の場合に転倒します。"
+    return f"{told}比較した対策では明らかには減りません。"
 
 
 def _lowered(option: OptionVerdict, language: str) -> str:

@@ -1,0 +1,248 @@
+"""Quick estimates of overturning by formulas, to stand beside a simulation.
+
+All are for a uniform rectangle of width B (along the shaking) and height H that does not slide, without
+walls or devices. Units are SI; the sources' centimetres are converted.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from stayput.errors import InputError, finite, within
+
+GRAVITY = 9.80665
+"""Standard gravity [m/s²]."""
+
+SCATTER = 0.5
+"""ζ of Kaneko and Hayashi: standard deviation of ln A at overturning, for the scatter of records, furniture
+and contact together (common knowledge, not re-checked)."""
+
+
+def _ratio(width: float, height: float) -> float:
+    within("Width", width, 0.01, 100.0, "m")
+    within("Height", height, 0.01, 100.0, "m")
+    return width / height
+
+
+def rocking_acceleration(width: float, height: float, gravity: float = GRAVITY) -> float:
+    """Return the floor's acceleration a₀ = (B/H) g at which rocking starts [m/s²].
+
+    Statics, attributed to West (Milne 1885). A body whose friction is below B/H slides instead.
+
+    Parameters
+    ----------
+    width, height : float
+        B and H [m].
+    gravity : float
+        g [m/s²].
+
+    Raises
+    ------
+    InputError
+        A size out of range.
+
+    Examples
+    --------
+    >>> round(rocking_acceleration(0.4, 1.8), 3)
+    2.179
+    """
+    return _ratio(width, height) * gravity
+
+
+def ishiyama_velocity(width: float, height: float, gravity: float = GRAVITY) -> float:
+    """Return the floor's velocity v₀ = 0.4 √(8gR(1 − cos α) / (3 cos²α)) needed to overturn [m/s].
+
+    With R half the diagonal and tan α = B/H (Ishiyama 1982). Overturning needs both this velocity and
+    `rocking_acceleration`; each is a lower limit, from many simulations of sines and records. For a slender
+    body it is nearly 10 B/√H in centimetres, which is B/√H in metres.
+
+    Parameters
+    ----------
+    width, height : float
+        B and H [m].
+    gravity : float
+        g [m/s²].
+
+    Raises
+    ------
+    InputError
+        A size out of range.
+
+    Examples
+    --------
+    >>> round(ishiyama_velocity(0.4, 1.8), 3)
+    0.31
+    """
+    alpha = math.atan(_ratio(width, height))
+    r = 0.5 * math.hypot(width, height)
+    # 1 − cos α, without the loss of digits
+    raised = 2.0 * math.sin(0.5 * alpha) ** 2
+    return 0.4 * math.sqrt(8.0 * gravity * r * raised / (3.0 * math.cos(alpha) ** 2))
+
+
+def ishiyama_overturns(width: float, height: float, pga: float, pgv: float, gravity: float = GRAVITY) -> bool:
+    """Return whether overturning is possible: both peaks reach Ishiyama's limits.
+
+    Parameters
+    ----------
+    width, height : float
+        B and H [m].
+    pga, pgv : float
+        Peak acceleration [m/s²] and velocity [m/s] of the floor.
+    gravity : float
+        g [m/s²].
+
+    Raises
+    ------
+    InputError
+        A size or a peak out of range.
+    """
+    within("Peak acceleration", pga, 0.0, math.inf, "m/s²")
+    within("Peak velocity", pgv, 0.0, math.inf, "m/s")
+    return pga >= rocking_acceleration(width, height, gravity) and pgv >= ishiyama_velocity(
+        width, height, gravity
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class OverturningRatio:
+    """What the formula of Kaneko and Hayashi says.
+
+    Parameters
+    ----------
+    ratio : float
+        Share R of pieces that overturn.
+    median : float
+        Peak floor acceleration A₅₀ at which half overturn, for this motion's ratio of peaks [m/s²].
+    equivalent_frequency : float
+        Fe = A/(2πV) of the motion [Hz].
+    branch_frequency : float
+        Fb from which on the velocity counts, not the acceleration [Hz].
+    """
+
+    ratio: float
+    median: float
+    equivalent_frequency: float
+    branch_frequency: float
+
+
+def kaneko_hayashi_branch(width: float, height: float) -> float:
+    """Return the frequency Fb = (1.56/√H)(1 + B/H)^−1.5 at which the two branches meet [Hz].
+
+    Raises
+    ------
+    InputError
+        A size out of range.
+    """
+    ratio = _ratio(width, height)
+    return 1.56 / math.sqrt(height) * (1.0 + ratio) ** -1.5
+
+
+def kaneko_hayashi_median(width: float, height: float, frequency: float, gravity: float = GRAVITY) -> float:
+    """Return the peak acceleration A₅₀ at which half of such pieces overturn [m/s²].
+
+    A₅₀ = g (B/H)(1 + B/H) up to Fb, and 2π Fe (B/√H)(1 + B/H)^2.5 above it (Kaneko and Hayashi 2004;
+    coefficients common knowledge, not re-checked). Above Fb it is a limit on the velocity alone.
+
+    Parameters
+    ----------
+    width, height : float
+        B and H [m].
+    frequency : float
+        Equivalent frequency Fe of the floor's motion [Hz].
+    gravity : float
+        g [m/s²].
+
+    Raises
+    ------
+    InputError
+        A size or a frequency out of range.
+
+    Examples
+    --------
+    >>> round(kaneko_hayashi_median(0.4, 1.8, 0.5), 2), round(kaneko_hayashi_median(0.4, 1.8, 2.0), 2)
+    (2.66, 6.19)
+    """
+    ratio = _ratio(width, height)
+    fe = within("Equivalent frequency", frequency, 0.0, 1000.0, "Hz")
+    if fe <= kaneko_hayashi_branch(width, height):
+        return gravity * ratio * (1.0 + ratio)
+    return 2.0 * math.pi * fe * width / math.sqrt(height) * (1.0 + ratio) ** 2.5
+
+
+def kaneko_hayashi(
+    width: float,
+    height: float,
+    pga: float,
+    pgv: float,
+    gravity: float = GRAVITY,
+    *,
+    scatter: float = SCATTER,
+) -> OverturningRatio:
+    """Return the overturning ratio R = Φ[(ln A − ln A₅₀)/ζ] of Kaneko and Hayashi.
+
+    A suite of like motions and one piece of furniture scatter less than ζ: compare medians, not ζ.
+
+    Parameters
+    ----------
+    width, height : float
+        B and H [m].
+    pga, pgv : float
+        Peak acceleration A [m/s²] and velocity V [m/s] of the floor, larger than 0.
+    gravity : float
+        g [m/s²].
+    scatter : float
+        ζ.
+
+    Raises
+    ------
+    InputError
+        A size, a peak or ζ out of range.
+    """
+    a, v = (finite(name, value) for name, value in (("PGA", pga), ("PGV", pgv)))
+    for name, value, unit in (("PGA", a, "m/s²"), ("PGV", v, "m/s"), ("ζ", scatter, "")):
+        if not value > 0.0:
+            raise InputError(f"{name} is {value:g} {unit}".rstrip() + "; it must be larger than 0.")
+    fe = a / (2.0 * math.pi * v)
+    median = kaneko_hayashi_median(width, height, fe, gravity)
+    ratio = 0.5 * math.erfc(-math.log(a / median) / (scatter * math.sqrt(2.0)))
+    return OverturningRatio(ratio, median, fe, kaneko_hayashi_branch(width, height))
+
+
+def tie_force(
+    width: float, height: float, mass: float, acceleration: float, tie_height: float, gravity: float = GRAVITY
+) -> float:
+    """Return the force F = m (a H − g B) / (2 z) of a level tie at height z that holds a body upright [N].
+
+    Moments about the edge it would rock on, at rest; 0 where it does not rock. A rigid tie without slack:
+    a slack or elastic one is loaded by impacts, and takes more.
+
+    Parameters
+    ----------
+    width, height : float
+        B and H [m].
+    mass : float
+        m [kg].
+    acceleration : float
+        The floor's acceleration a [m/s²]; its magnitude counts.
+    tie_height : float
+        z, above the floor [m].
+    gravity : float
+        g [m/s²].
+
+    Raises
+    ------
+    InputError
+        A size, mass or height out of range.
+
+    Examples
+    --------
+    >>> round(tie_force(0.4, 1.8, 100.0, 8.0, 1.8), 1)
+    291.0
+    """
+    _ratio(width, height)
+    within("Mass", mass, 0.0, 1e6, "kg")
+    a = abs(finite("Acceleration", acceleration))
+    z = within("Height of the tie", tie_height, 1e-3, height, "m")
+    return max(mass * (a * height - gravity * width) / (2.0 * z), 0.0)

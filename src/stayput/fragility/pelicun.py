@@ -1,0 +1,87 @@
+"""Fragility curves as a component library of pelicun, the tool for FEMA P-58 assessments.
+
+Format: pelicun's damage model parameters (its ``fragility.csv``), one component a row, whose single limit
+state LS1 is the fall. Names of demands and units are those of pelicun 3.10 and its model library.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from typing import TYPE_CHECKING
+
+from stayput.files import check_target, draft
+from stayput.fragility.intensity_measures import JMA_INTENSITY, PFA, PFV, PGA, PGV
+from stayput.fragility.labels import identifiers
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from stayput.fragility.curve import FragilityCurve
+
+HEADER = (
+    "ID",
+    "Incomplete",
+    "Demand-Type",
+    "Demand-Unit",
+    "Demand-Offset",
+    "Demand-Directional",
+    "LS1-Family",
+    "LS1-Theta_0",
+    "LS1-Theta_1",
+)
+"""Columns of the file."""
+
+JMA_DEMAND = "JMA Instrumental Intensity"
+"""Name of the demand that pelicun does not know of itself: its option ``CustomDemandTypes`` must name it."""
+
+JMA_OPTION = {JMA_DEMAND: {"Acronym": "JMA", "UnitType": "unitless"}}
+"""What that option must hold for curves over JMA's intensity."""
+
+_STANDARD_GRAVITY = 9.80665
+
+DEMANDS = {
+    PGA.key: ("Peak Ground Acceleration", "g", 1.0 / _STANDARD_GRAVITY),
+    PFA.key: ("Peak Floor Acceleration", "g", 1.0 / _STANDARD_GRAVITY),
+    PGV.key: ("Peak Ground Velocity", "cmps", 100.0),
+    PFV.key: ("Peak Floor Velocity", "cmps", 100.0),
+    JMA_INTENSITY.key: (JMA_DEMAND, "unitless", 1.0),
+}
+"""Name, unit, and number in that unit over the SI number, of each measure."""
+
+
+def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:
+    """Return the text of the file: see `write_pelicun`."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(HEADER)
+    for name, curve in zip(identifiers(curves), curves, strict=True):
+        demand, unit, factor = DEMANDS[curve.measure.key]
+        # Theta_1 of "lognormal" is the standard deviation of the logarithm, of "normal_std" that of the value
+        family = "normal_std" if curve.measure.is_logarithm else "lognormal"
+        parameters = (family, repr(curve.median * factor), repr(curve.dispersion))
+        writer.writerow((name, 0, demand, unit, 0, 1, *parameters))
+    return text.getvalue()
+
+
+def write_pelicun(curves: Sequence[FragilityCurve], path: str | Path) -> None:
+    """Write fragility curves as damage model parameters for pelicun.
+
+    The demand is that of the body's own floor (offset 0) in the direction of the shaking (directional).
+
+    Parameters
+    ----------
+    curves : sequence of FragilityCurve
+        Fitted curves with different names, over any measures.
+    path : str or Path
+        The file, whose name ends in .csv.
+
+    Raises
+    ------
+    InputError
+        A curve that is not fitted, names that are alike, or a path that cannot be written.
+    """
+    text = pelicun_csv(curves)
+    with draft(check_target(path, (".csv",))) as unfinished:
+        unfinished.write_text(text, encoding="utf-8")

@@ -1,0 +1,206 @@
+"""The picture of fragility curves: what was observed, the curves and how sure they are."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.errors import InputError
+from stayput.fragility.curve import State
+from stayput.motion.intensity import CLASSES
+from stayput.report.figures import FONT, new_figure, saved, style
+from stayput.report.fonts import drawable
+from stayput.report.palette import FAINT, INK, MUTED
+from stayput.report.spectrum import plain_log
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from stayput.fragility.curve import FragilityCurve
+    from stayput.fragility.intensity_measures import IntensityMeasure
+
+_LOOKS = (
+    ("#1f2933", "-", "o"),
+    ("#0072b2", "--", "s"),
+    ("#d55e00", "-.", "^"),
+    ("#009e73", (0, (1.0, 1.0)), "D"),
+    ("#cc79a7", (0, (6.0, 1.5)), "v"),
+    ("#e69f00", (0, (4.0, 1.5, 1.0, 1.5, 1.0, 1.5)), "P"),
+    ("#56b4e9", (0, (8.0, 2.0, 2.0, 2.0)), "X"),
+    ("#7f5539", (0, (2.0, 2.0)), "*"),
+)
+"""Colour, line and marker of each curve; the colours are those of Okabe and Ito, and a brown."""
+
+_POINTS = 200
+_TOP = 1.1
+
+
+def plot_fragility(
+    curves: Sequence[FragilityCurve],
+    path: str | Path | None = None,
+    *,
+    here: float | None = None,
+    title: str = "",
+    subtitle: str = "",
+) -> Figure:
+    """Plot fragility curves with their 95 % bands and the observed shares with their 95 % intervals.
+
+    Parameters
+    ----------
+    curves : sequence of FragilityCurve
+        One to eight curves over the same measure. Of one that is not fitted only what was observed is drawn.
+    path : str or Path, optional
+        Where to save it: PNG, SVG or PDF, by its ending.
+    here : float, optional
+        Intensity of the shaking in question [SI], drawn as a vertical line.
+    title, subtitle : str
+        Title, and what was run (whether motions are synthetic among it).
+
+    Returns
+    -------
+    Figure
+        The Matplotlib figure.
+
+    Raises
+    ------
+    InputError
+        No curve or more than eight, curves over different measures, or a path that cannot be written.
+    """
+    if not 1 <= len(curves) <= len(_LOOKS):
+        raise InputError(f"There are {len(curves)} curves; a plot must have 1 to {len(_LOOKS)}.")
+    measures = {curve.measure.key: curve.measure for curve in curves}
+    if len(measures) > 1:
+        raise InputError(
+            f"The curves are over {', '.join(measures)}; those of a plot must be over one measure."
+        )
+    (measure,) = measures.values()
+    figure = new_figure(8.4, 5.4)
+    axis: Axes = figure.subplots()
+    style(axis, zero=False)
+    grid = _grid(curves, measure)
+    shift = _shift(curves, measure)
+    for place, curve in enumerate(curves):
+        _draw(axis, curve, grid, place, shift * (place - 0.5 * (len(curves) - 1)))
+    _finish(axis, measure, grid)
+    if here is not None:
+        told = f"this shaking: {measure.text(here)}"
+        x = here * measure.shown
+        axis.plot([x, x], [-0.02, 1.02], color=INK, linewidth=1.6, linestyle=":", zorder=2, label=told)
+    if title:
+        figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
+    if subtitle:
+        axis.set_title(drawable(subtitle), fontsize=FONT - 1.0, color=MUTED, loc="left")
+    figure.legend(
+        loc="outside lower center",
+        ncols=1 if max(len(_told(curve)) for curve in curves) > 52 or len(curves) < 3 else 2,
+        fontsize=FONT - 1.0,
+        frameon=False,
+        handlelength=3.6,
+    )
+    return saved(figure, path)
+
+
+def _grid(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> NDArray[np.float64]:
+    u = np.concatenate([measure.coordinate(curve.trials.im) for curve in curves])
+    margin = 0.03 * (float(np.ptp(u)) or 1.0)
+    return measure.value(np.linspace(float(u.min()) - margin, float(u.max()) + margin, _POINTS))
+
+
+def _shift(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> float:
+    """Return how far the markers of the curves are moved apart, in the measure's coordinate."""
+    steps = [
+        float(np.diff(measure.coordinate([level.im for level in curve.levels])).min())
+        for curve in curves
+        if len(curve.levels) > 1
+    ]
+    return 0.6 * min(steps, default=0.0) / len(_LOOKS)
+
+
+def _told(curve: FragilityCurve) -> str:
+    name = curve.name or "curve"
+    if curve.state is State.FITTED:
+        return f"{name}: half fall at {curve.capacity(0.5).text}"
+    return f"{name}: {curve.state.value}; half fall at {curve.capacity(0.5).text}"
+
+
+def _draw(axis: Axes, curve: FragilityCurve, grid: NDArray[np.float64], place: int, shift: float) -> None:
+    colour, line, marker = _LOOKS[place]
+    measure = curve.measure
+    x = grid * measure.shown
+    middles = measure.value(measure.coordinate([level.im for level in curve.levels]) + shift) * measure.shown
+    found = [level.probability for level in curve.levels]
+    shares = np.array([p.estimate for p in found])
+    ends = np.array([[p.estimate - p.low, p.high - p.estimate] for p in found]).T
+    fitted = curve.state is State.FITTED
+    if fitted:
+        low, high = curve.band(grid)
+        axis.fill_between(x, low, high, color=colour, alpha=0.13, linewidth=0.0)
+        axis.plot(x, curve.probability(grid), color=colour, linestyle=line, linewidth=2.0)
+    axis.errorbar(middles, shares, yerr=ends, fmt="none", ecolor=colour, elinewidth=0.8, alpha=0.45, zorder=3)
+    axis.plot(
+        middles,
+        shares,
+        linestyle="none",
+        marker=marker,
+        markersize=5.0,
+        color=colour,
+        markerfacecolor="white",
+        zorder=4,
+    )
+    axis.plot(
+        [],
+        [],
+        color=colour,
+        linestyle=line if fitted else "none",
+        linewidth=2.0,
+        marker=marker,
+        markersize=5.0,
+        markerfacecolor="white",
+        label=drawable(_told(curve)),
+    )
+
+
+def _finish(axis: Axes, measure: IntensityMeasure, grid: NDArray[np.float64]) -> None:
+    first, last = (float(end) * measure.shown for end in (grid[0], grid[-1]))
+    if not measure.is_logarithm:
+        plain_log(axis, y=False)
+        axis.set_xticks(_round_numbers(first, last))
+    axis.set_xlim(first, last)
+    axis.set_ylim(-0.02, _TOP)
+    axis.set_yticks(np.linspace(0.0, 1.0, 6), [f"{percent:.0f} %" for percent in np.linspace(0.0, 100.0, 6)])
+    axis.set_xlabel(measure.label[0].upper() + measure.label[1:], fontsize=FONT)
+    axis.set_ylabel("Probability of overturning", fontsize=FONT)
+    if measure.is_logarithm:
+        _mark_classes(axis, first, last)
+
+
+def _round_numbers(first: float, last: float) -> list[float]:
+    tens = range(math.floor(math.log10(first)), math.ceil(math.log10(last)) + 1)
+    return [
+        digit * 10.0**ten
+        for ten in tens
+        for digit in (1.0, 2.0, 3.0, 5.0)
+        if first <= digit * 10.0**ten <= last
+    ]
+
+
+def _mark_classes(axis: Axes, first: float, last: float) -> None:
+    """Shade every second class of JMA's intensity and write their names along the top."""
+    ends = [start for _, start in CLASSES[1:]] + [math.inf]
+    for place, ((name, start), end) in enumerate(zip(CLASSES, ends, strict=True)):
+        low, high = max(start, first), min(end, last)
+        if high <= low:
+            continue
+        if place % 2:
+            axis.axvspan(low, high, color=FAINT, alpha=0.35, linewidth=0.0, zorder=0)
+        if high - low > 0.05 * (last - first):
+            axis.text(
+                0.5 * (low + high), 1.06, name, ha="center", va="center", fontsize=FONT - 1.5, color=MUTED
+            )

@@ -1,0 +1,269 @@
+"""What is not known of furniture, floors and devices, and draws from it.
+
+It stands apart from the statistics of the results: scenarios state it, and simulations draw from it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from enum import StrEnum
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from stayput.errors import InputError, finite, within
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from numpy.typing import NDArray
+
+
+class Confidence(StrEnum):
+    """How well founded a value is."""
+
+    LOW = "low"
+    MEDIUM = "medium"
+    HIGH = "high"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Marginal:
+    """A quantity that is not known exactly; independent of the others.
+
+    Parameters
+    ----------
+    unit : str
+        Its unit; "" for a number.
+    confidence : Confidence
+        How well founded its distribution is.
+    """
+
+    unit: str = ""
+    confidence: Confidence = Confidence.LOW
+
+    def quantile(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the values below which shares u inside (0, 1) lie."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True, slots=True)
+class Normal(Marginal):
+    """A normal distribution, cut at low and high.
+
+    Parameters
+    ----------
+    mean, deviation : float
+        Mean and standard deviation, before it is cut.
+    low, high : float
+        Where it is cut.
+    """
+
+    mean: float
+    deviation: float
+    low: float = -math.inf
+    high: float = math.inf
+
+    def __post_init__(self) -> None:
+        finite("Mean", self.mean)
+        _check_spread("Deviation", self.deviation, math.inf)
+        _check_order(self.low, self.high)
+
+    def quantile(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the values below which shares u inside (0, 1) lie."""
+        low, high = ((end - self.mean) / self.deviation for end in (self.low, self.high))
+        return np.clip(self.mean + self.deviation * _cut_normal(u, low, high), self.low, self.high)
+
+
+@dataclass(frozen=True, slots=True)
+class Lognormal(Marginal):
+    """A lognormal distribution, cut at low and high.
+
+    Parameters
+    ----------
+    median : float
+        Median, before it is cut; larger than 0.
+    cov : float
+        Coefficient of variation: standard deviation over mean, before it is cut.
+    low, high : float
+        Where it is cut.
+    """
+
+    median: float
+    cov: float
+    low: float = 0.0
+    high: float = math.inf
+
+    def __post_init__(self) -> None:
+        _check_spread("Median", self.median, math.inf)
+        _check_spread("Coefficient of variation", self.cov, 5.0)
+        _check_order(self.low, self.high)
+
+    def quantile(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the values below which shares u inside (0, 1) lie: σ² = ln(1 + cov²)."""
+        sigma = math.sqrt(math.log1p(self.cov**2))
+        low, high = (
+            math.log(end / self.median) / sigma if end > 0.0 else -math.inf for end in (self.low, self.high)
+        )
+        return np.clip(self.median * np.exp(sigma * _cut_normal(u, low, high)), self.low, self.high)
+
+
+@dataclass(frozen=True, slots=True)
+class Uniform(Marginal):
+    """A uniform distribution from low to high."""
+
+    low: float
+    high: float
+
+    def __post_init__(self) -> None:
+        finite("Low", self.low)
+        finite("High", self.high)
+        _check_order(self.low, self.high)
+
+    def quantile(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the values below which shares u inside (0, 1) lie."""
+        return self.low + (self.high - self.low) * u
+
+
+def _check_spread(name: str, value: float, most: float) -> None:
+    if not 0.0 < finite(name, value) <= most:
+        allowed = "larger than 0" if math.isinf(most) else f"larger than 0 and at most {most:g}"
+        raise InputError(f"{name} is {value:g}; it must be {allowed}.")
+
+
+def _check_order(low: float, high: float) -> None:
+    if not low < high:
+        raise InputError(f"Low is {low:g} and high is {high:g}; low must be below high.")
+
+
+def _cut_normal(u: NDArray[np.float64], low: float, high: float) -> NDArray[np.float64]:
+    """Return standard normal values at shares u of the part between low and high."""
+    from scipy.special import ndtr, ndtri
+
+    first, last = ndtr((low, high))
+    return ndtri(first + (last - first) * u)
+
+
+@dataclass(frozen=True, slots=True)
+class Uncertainty:
+    """Independent quantities that are drawn together.
+
+    Parameters
+    ----------
+    marginals : mapping of str to Marginal
+        Each quantity by its name. Their order matters: one that is added at the end leaves the draws of the
+        others as they are.
+    """
+
+    marginals: Mapping[str, Marginal] = field(default_factory=dict[str, Marginal])
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "marginals", MappingProxyType(dict(self.marginals)))
+
+    def sample(
+        self,
+        n: int,
+        seed: int,
+        *,
+        motions: int | None = None,
+        start: int = 0,
+        method: Literal["sobol", "latin hypercube"] = "sobol",
+    ) -> dict[str, NDArray[np.float64]]:
+        """Draw values, evenly spread.
+
+        Parameters
+        ----------
+        n : int
+            Draws, or draws for each motion.
+        seed : int
+            Seed, ≥ 0. The same seed gives the same bits, whatever else is drawn.
+        motions : int, optional
+            Draw for each of so many motions, independently of the others.
+        start : int
+            Draws to leave out: more draws can be added to those there are. Of a Latin hypercube it must
+            be 0.
+        method : str
+            "sobol": points of Sobol's sequence with a random digital shift, one for each motion. "latin
+            hypercube": one draw in each n-th of every quantity.
+
+        Returns
+        -------
+        dict
+            Arrays by name, shape (n,) or (motions, n).
+
+        Raises
+        ------
+        InputError
+            A number out of range, or another method.
+
+        Examples
+        --------
+        >>> drawn = Uncertainty({"friction": Lognormal(0.4, 0.2)}).sample(256, seed=1)
+        >>> round(float(np.median(drawn["friction"])), 3)
+        0.4
+        """
+        count, first = int(within("Draws", n, 1, 2**20)), int(within("Start", start, 0, 2**20))
+        streams = 1 if motions is None else int(within("Motions", motions, 1, 100_000))
+        within("Seed", seed, 0, 2**63)
+        if method not in ("sobol", "latin hypercube"):
+            raise InputError(f"The method is {method!r}; it must be 'sobol' or 'latin hypercube'.")
+        if method != "sobol" and first:
+            raise InputError(f"Start is {first}; a Latin hypercube must be drawn at once, with start 0.")
+        names = list(self.marginals)
+        draw = _sobol if method == "sobol" else _latin_hypercube
+        shares = draw(count, len(names), seed, streams, first) if names else np.empty((streams, count, 0))
+        if motions is None:
+            shares = shares[0]
+        return {name: self.marginals[name].quantile(shares[..., i]) for i, name in enumerate(names)}
+
+
+_BITS = 32
+
+
+def _raw(seed: int, stream: int, quantity: int, n: int) -> NDArray[np.uint64]:
+    """Return 64 random bits a number; NumPy promises those of PCG64 for good, unlike its distributions'."""
+    return np.random.PCG64(np.random.SeedSequence((seed, stream, quantity))).random_raw(n)
+
+
+def _sobol(n: int, d: int, seed: int, streams: int, start: int) -> NDArray[np.float64]:
+    """Return Sobol's points, each stream's coordinates with a random digital shift, shape (streams, n, d).
+
+    The shift (an exclusive or of the bits) keeps how evenly they are spread and makes each uniform
+    (Owen 1998, Matoušek 1998).
+    """
+    from scipy.stats import qmc  # takes its time to load
+
+    engine = qmc.Sobol(d, scramble=False, bits=_BITS)
+    places = np.ldexp(engine.random_base2(max(start + n - 1, 1).bit_length())[start : start + n], _BITS)
+    shift = np.array(
+        [[_raw(seed, m, j, 1)[0] >> np.uint64(64 - _BITS) for j in range(d)] for m in range(streams)]
+    )
+    moved = places.astype(np.uint64)[np.newaxis] ^ shift[:, np.newaxis]
+    return np.ldexp(moved.astype(np.float64) + 0.5, -_BITS)
+
+
+def _latin_hypercube(n: int, d: int, seed: int, streams: int, start: int) -> NDArray[np.float64]:
+    """Return Latin hypercubes (McKay, Beckman and Conover 1979), shape (streams, n, d)."""
+    shares = np.empty((streams, n, d))
+    for m in range(streams):
+        for j in range(d):
+            bits = _raw(seed, m, j, 2 * n)
+            inside = ((bits[n:] >> np.uint64(11)).astype(np.float64) + 0.5) * 2.0**-53
+            shares[m, :, j] = (np.argsort(bits[:n], kind="stable") + inside) / n
+    return shares
+
+
+USUAL: Mapping[str, Marginal] = MappingProxyType(
+    {
+        "friction factor": Lognormal(1.0, 0.2, low=0.3, high=3.0),
+        "restitution factor": Uniform(0.9, 1.0),
+        "wall restitution": Uniform(0.2, 0.4),
+        "mass factor": Lognormal(1.0, 0.1, low=0.5, high=2.0),
+        "height of gravity factor": Normal(1.0, 0.05, low=0.8, high=1.2),
+        "device strength factor": Lognormal(1.0, 0.3, low=0.2, high=5.0),
+    }
+)
+"""Common uncertainties (defaults, low confidence): factors on the stated values, the restitution's on
+Housner's; the wall's restitution is that of gypsum board."""

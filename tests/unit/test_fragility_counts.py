@@ -1,0 +1,181 @@
+"""Probabilities, differences and stopping, on counts with a known answer or drawn from a known truth."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.special import ndtr
+from scipy.stats import binomtest
+
+from stayput import InputError
+from stayput.fragility import difference, probability, samples_needed, wilson
+
+
+@pytest.mark.parametrize(("k", "n"), [(0, 10), (1, 10), (5, 10), (10, 10), (81, 263), (15, 148), (1, 29)])
+def test_wilson_is_scipys(k: int, n: int) -> None:
+    other = binomtest(k, n).proportion_ci(method="wilson")
+    assert wilson(k, n) == pytest.approx((other.low, other.high), abs=1e-9)
+
+
+def test_wilson_of_published_counts() -> None:
+    # Newcombe (1998), Statistics in Medicine 17, 857, table I, method 3
+    assert wilson(81, 263) == pytest.approx((0.2553, 0.3662), abs=5e-5)
+    assert wilson(15, 148) == pytest.approx((0.0624, 0.1605), abs=5e-5)
+    assert wilson(0, 20) == pytest.approx((0.0, 0.1611), abs=5e-5)
+    assert wilson(1, 29) == pytest.approx((0.0061, 0.1718), abs=5e-5)
+
+
+def test_runs_that_are_all_alike_count_as_one_a_motion() -> None:
+    one = probability(np.arange(40).reshape(40, 1) < 8)
+    copies = probability(np.repeat(np.arange(40).reshape(40, 1) < 8, 16, axis=1))
+    assert (copies.estimate, copies.design_effect) == (one.estimate, 16.0)
+    assert (copies.low, copies.high) == pytest.approx((one.low, one.high))
+
+
+def test_nothing_seen_is_not_certain() -> None:
+    found = probability(np.zeros((40, 16), bool))
+    assert found.estimate == 0.0 == found.low
+    assert found.high == pytest.approx(wilson(0, 40, 2.0227)[1], rel=0.02)
+    assert probability(np.ones((40, 16), bool)).low == pytest.approx(1.0 - found.high)
+
+
+def test_one_fall_among_many_is_no_jump() -> None:
+    fallen = np.zeros((40, 16), bool)
+    before = probability(fallen).high
+    fallen[0, 0] = True
+    assert probability(fallen).high == pytest.approx(before, rel=0.05)
+
+
+def test_one_motion_speaks_of_its_own_runs() -> None:
+    found = probability(np.arange(50).reshape(1, 50) < 10)
+    assert found.design_effect == 1.0
+    assert (found.low, found.high) == pytest.approx(wilson(10, 50), abs=0.005)
+
+
+def test_given_up_runs_are_neither_standing_nor_fallen() -> None:
+    fallen = np.arange(40).reshape(40, 1) < 8
+    missing = np.arange(40).reshape(40, 1) >= 36
+    found = probability(fallen, missing)
+    assert (found.fell, found.runs, found.missing, found.motions) == (8, 36, 4, 36)
+    as_standing, as_fallen = probability(fallen), probability(fallen | missing)
+    assert (found.low, found.high) == (as_standing.low, as_fallen.high)
+    nothing = probability(fallen, np.ones_like(fallen))
+    assert (nothing.low, nothing.high, nothing.text) == (0.0, 1.0, "unknown (no run)")
+
+
+def _falls(rng: np.random.Generator, motions: int, samples: int, margin: float, between: float) -> np.ndarray:
+    """Draw falls whose margins have a share ``between`` of their variance in common within a motion."""
+    common = np.sqrt(between) * rng.standard_normal((motions, 1))
+    return common + np.sqrt(1.0 - between) * rng.standard_normal((motions, samples)) < margin
+
+
+@pytest.mark.parametrize(("motions", "between"), [(40, 0.8), (40, 0.3), (40, 0.0), (12, 0.8)])
+@pytest.mark.parametrize("margin", [-1.6, -0.5, 0.0])
+def test_intervals_of_alike_runs_hold_the_truth(motions: int, between: float, margin: float) -> None:
+    rng = np.random.default_rng(5)
+    truth, trials = float(ndtr(margin)), 200
+    held = 0
+    for _ in range(trials):
+        found = probability(_falls(rng, motions, 16, margin, between))
+        held += found.low <= truth <= found.high
+    # 95 % of 200, less three standard errors of that count
+    assert held >= 0.95 * trials - 3.0 * np.sqrt(trials * 0.95 * 0.05)
+
+
+def test_ignoring_the_motions_would_not_hold() -> None:
+    rng = np.random.default_rng(6)
+    held = 0
+    for _ in range(200):
+        low, high = wilson(float(_falls(rng, 40, 16, 0.0, 0.8).sum()), 640)
+        held += low <= 0.5 <= high
+    assert held < 140
+
+
+def test_difference_is_bonett_and_prices_with_one_run_a_motion() -> None:
+    # p̃ = (f + 1)/(n + 2) of both kinds of discordant pairs; here with Student's t of n − 1 for the normal
+    n, more, fewer = 60, 4, 16
+    first = np.zeros((n, 1), bool)
+    second = first.copy()
+    first[:more] = True
+    second[more : more + fewer] = True
+    found = difference(first, second)
+    p, q = (more + 1) / (n + 2), (fewer + 1) / (n + 2)
+    half = 2.00100 * np.sqrt((p + q - (p - q) ** 2) / (n + 2))
+    assert found.estimate == pytest.approx((more - fewer) / n)
+    assert (found.low, found.high) == pytest.approx((p - q - half, p - q + half), abs=1e-6)
+    assert found.clear
+    back = difference(second, first)
+    assert (back.low, back.high) == pytest.approx((-found.high, -found.low))
+
+
+def test_pairing_sharpens_a_difference() -> None:
+    rng = np.random.default_rng(7)
+    load = rng.standard_normal((40, 1)) + 0.3 * rng.standard_normal((40, 16))
+    bare, held = load > 0.0, load > 0.4
+    paired = difference(held, bare)
+    strangers = difference(held, bare[::-1])
+    assert paired.clear
+    assert paired.high - paired.low < 0.6 * (strangers.high - strangers.low)
+    same = difference(bare, bare)
+    assert same.estimate == 0.0
+    assert not same.clear
+
+
+@pytest.mark.parametrize("between", [0.8, 0.1])
+def test_intervals_of_differences_hold_the_truth(between: float) -> None:
+    rng = np.random.default_rng(8)
+    truth, held, trials = float(ndtr(-0.6) - ndtr(0.0)), 0, 200
+    for _ in range(trials):
+        common = np.sqrt(between) * rng.standard_normal((40, 1))
+        load = common + np.sqrt(1.0 - between) * rng.standard_normal((40, 16))
+        found = difference(load < -0.6, load < 0.0)
+        held += found.low <= truth <= found.high
+    assert held >= 0.95 * trials - 3.0 * np.sqrt(trials * 0.95 * 0.05)
+
+
+def test_pairs_with_a_given_up_run_do_not_count() -> None:
+    first, second = np.ones((10, 2), bool), np.zeros((10, 2), bool)
+    found = difference(first, second, np.arange(20).reshape(10, 2) >= 10)
+    assert (found.pairs, found.missing, found.more, found.estimate) == (10, 10, 10, 1.0)
+    assert difference(first, second, np.ones((10, 2), bool)).text == "unknown (no pair of runs)"
+
+
+def test_planned_samples_reach_the_half_width() -> None:
+    rng = np.random.default_rng(9)
+    first = probability(_falls(rng, 200, 4, -0.5, 0.2))
+    asked = 0.9 * first.half_width
+    plan = samples_needed(first, asked)
+    assert plan.reachable
+    assert plan.samples > 4
+    later = probability(_falls(rng, 200, plan.samples, -0.5, 0.2))
+    assert later.half_width == pytest.approx(asked, rel=0.15)
+
+
+def test_samples_of_motions_that_decide_alone_do_not_help() -> None:
+    found = probability(np.repeat(np.arange(40).reshape(40, 1) < 20, 16, axis=1))
+    plan = samples_needed(found, 0.05)
+    assert not plan.reachable
+    assert plan.motions > 300
+    assert samples_needed(found, 0.2).samples <= 16
+
+
+def test_plan_of_one_motion_counts_its_runs() -> None:
+    found = probability(np.arange(100).reshape(1, 100) < 50)
+    plan = samples_needed(found, 0.05)
+    assert plan.samples == pytest.approx(0.25 * (1.984 / 0.05) ** 2, rel=0.02)
+
+
+@pytest.mark.parametrize(
+    ("call", "part"),
+    [
+        (lambda: probability(np.zeros((3, 4))), "float64"),
+        (lambda: probability(np.zeros(3, bool)), r"\(3,\)"),
+        (lambda: probability(np.zeros((0, 3), bool)), r"\(0, 3\)"),
+        (lambda: probability(np.zeros((3, 4), bool), np.zeros((3, 3), bool)), r"\(3, 3\)"),
+        (lambda: difference(np.zeros((3, 4), bool), np.zeros((3, 5), bool)), r"\(3, 5\)"),
+        (lambda: samples_needed(probability(np.zeros((3, 4), bool)), 0.9), "0.9"),
+    ],
+)
+def test_refused(call: object, part: str) -> None:
+    with pytest.raises(InputError, match=part):
+        call()  # type: ignore[operator]

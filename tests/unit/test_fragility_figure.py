@@ -1,0 +1,58 @@
+"""The picture of fragility curves: what it must show, and what it refuses."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from stayput import InputError
+from stayput.fragility import JMA_INTENSITY, PGV, FragilityCurve, IntensityMeasure, Trials, fragility_curve
+from stayput.report.fragility import plot_fragility
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+def _curve(
+    name: str, fell: list[int], measure: IntensityMeasure = JMA_INTENSITY, first: float = 5.0
+) -> FragilityCurve:
+    im = [first + 0.5 * place for place in range(len(fell))]
+    return fragility_curve(Trials.from_counts(measure, im, fell, [40] * len(fell)), name)
+
+
+def test_curves_and_what_has_none_are_drawn(tmp_path: Path) -> None:
+    curves = [_curve("bare", [2, 15, 33, 39]), _curve("bracket", [0, 0, 0, 0])]
+    path = tmp_path / "curves.png"
+    figure = plot_fragility(curves, path, here=6.25, title="Bookcase", subtitle="40 runs a level")
+    assert path.stat().st_size > 10_000
+    (axis,) = figure.axes
+    told = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert told[0].startswith("bare: half fall at 5.6")
+    assert told[1] == "bracket: none fell; half fall at > 6.50"
+    assert told[2] == "this shaking: 6.25"
+    assert len(axis.collections) >= 3  # a band, and bars of both
+    assert {"5-upper", "6-lower", "6-upper"} <= {text.get_text() for text in axis.texts}
+
+
+def test_a_peak_has_its_unit_and_a_logarithmic_axis() -> None:
+    figure = plot_fragility([_curve("bare", [2, 15, 33, 39], PGV, 0.2)])
+    (axis,) = figure.axes
+    assert axis.get_xlabel() == "Peak ground velocity [cm/s]"
+    assert axis.get_xscale() == "log"
+    assert axis.get_xlim()[0] < 20.0 < axis.get_xlim()[1]
+
+
+@pytest.mark.parametrize("fell", [[3], [0, 0, 40, 40], [30, 20, 10, 5], [40, 40]])
+def test_every_state_can_be_drawn(fell: list[int]) -> None:
+    plot_fragility([_curve("x", fell)])
+
+
+def test_refused() -> None:
+    bare = _curve("bare", [2, 15, 33, 39])
+    with pytest.raises(InputError, match="0 curves"):
+        plot_fragility([])
+    with pytest.raises(InputError, match="9 curves"):
+        plot_fragility([bare] * 9)
+    with pytest.raises(InputError, match="JMA, PGV"):
+        plot_fragility([bare, _curve("other", [2, 15, 33], PGV, 0.2)])

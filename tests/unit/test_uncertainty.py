@@ -1,0 +1,109 @@
+"""Draws of uncertain quantities: their distributions, their even spread, and the same bits for a seed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.stats import lognorm, truncnorm
+
+from stayput import InputError
+from stayput.uncertainty import USUAL, Confidence, Lognormal, Normal, Uncertainty, Uniform
+
+SHARES = np.array([0.001, 0.025, 0.3, 0.5, 0.9, 0.999])
+
+
+PINNED = {
+    "a": ["0x1.060d7be700000p-1", "0x1.835ef9c000000p-7", "0x1.0c1af7ce00000p-2"],
+    "b": ["0x1.6271e9b300000p-1", "0x1.89c7a6cc00000p-3", "0x1.e271e9b300000p-1"],
+}
+
+
+def test_quantiles_are_scipys() -> None:
+    sigma = np.sqrt(np.log(1.0 + 0.2**2))
+    assert Lognormal(0.4, 0.2).quantile(SHARES) == pytest.approx(lognorm.ppf(SHARES, sigma, scale=0.4))
+    cut = truncnorm.ppf(SHARES, -1.0, 2.0, loc=5.0, scale=0.5)
+    assert Normal(5.0, 0.5, low=4.5, high=6.0).quantile(SHARES) == pytest.approx(cut)
+    assert Uniform(0.9, 1.0).quantile(SHARES) == pytest.approx(0.9 + 0.1 * SHARES)
+    logs = truncnorm.ppf(SHARES, np.log(0.8) / sigma, np.inf, scale=sigma)
+    assert Lognormal(1.0, 0.2, low=0.8).quantile(SHARES) == pytest.approx(np.exp(logs))
+
+
+def test_coefficient_of_variation_is_met() -> None:
+    drawn = Uncertainty({"x": Lognormal(2.0, 0.3)}).sample(2**14, 1)["x"]
+    assert drawn.std() / drawn.mean() == pytest.approx(0.3, rel=0.01)
+    assert np.median(drawn) == pytest.approx(2.0, rel=1e-3)
+
+
+@pytest.mark.parametrize("method", ["sobol", "latin hypercube"])
+def test_draws_are_evenly_spread(method: str) -> None:
+    unit = Uncertainty({name: Uniform(0.0, 1.0) for name in "abc"})
+    drawn = unit.sample(64, 3, motions=5, method=method)  # type: ignore[arg-type]
+    for values in drawn.values():
+        assert values.shape == (5, 64)
+        # one in each sixty-fourth
+        assert (np.sort((64 * values).astype(int), axis=1) == np.arange(64)).all()
+
+
+def test_a_mean_converges_faster_than_by_chance() -> None:
+    several = Uncertainty({name: Lognormal(1.0, 0.2) for name in "abcd"})
+
+    def error(n: int) -> float:
+        drawn = several.sample(n, 7, motions=200)
+        product = np.prod(list(drawn.values()), axis=0).mean(axis=1)
+        return float(product.std())
+
+    # by chance it would halve
+    assert error(64) < error(16) / 2.5
+
+
+def test_same_seed_same_bits_whatever_else_is_drawn() -> None:
+    known = Uncertainty(USUAL)
+    few = known.sample(8, 11, motions=3)
+    more = known.sample(50, 11, motions=40)
+    longer = Uncertainty({**USUAL, "another": Uniform(0.0, 1.0)}).sample(8, 11, motions=3)
+    for name, values in few.items():
+        assert (more[name][:3, :8] == values).all()
+        assert (longer[name] == values).all()
+        assert (known.sample(5, 11, motions=3, start=3)[name] == values[:, 3:]).all()
+        assert (known.sample(8, 11)[name] == values[0]).all()
+        assert not (known.sample(8, 12)[name] == values[0]).any()
+
+
+def test_bits_are_pinned() -> None:
+    drawn = Uncertainty({"a": Uniform(0.0, 1.0), "b": Uniform(0.0, 1.0)}).sample(3, 1)
+    assert {name: [value.hex() for value in values.tolist()] for name, values in drawn.items()} == PINNED
+
+
+def test_motions_are_independent_of_each_other() -> None:
+    drawn = Uncertainty({"a": Uniform(0.0, 1.0)}).sample(1, 5, motions=2000)["a"][:, 0]
+    assert drawn.mean() == pytest.approx(0.5, abs=0.02)
+    assert abs(np.corrcoef(drawn[:-1], drawn[1:])[0, 1]) < 0.06
+
+
+def test_usual_ranges_are_tagged() -> None:
+    assert {marginal.confidence for marginal in USUAL.values()} == {Confidence.LOW}
+    drawn = Uncertainty(USUAL).sample(1024, 1)
+    assert drawn["friction factor"].std() == pytest.approx(0.2, rel=0.05)
+    assert drawn["restitution factor"].min() >= 0.9
+    assert Uncertainty().sample(4, 1) == {}
+
+
+@pytest.mark.parametrize(
+    ("call", "part"),
+    [
+        (lambda: Lognormal(0.0, 0.2), "Median is 0"),
+        (lambda: Lognormal(1.0, -0.2), "-0.2"),
+        (lambda: Lognormal(1.0, 0.2, low=3.0, high=2.0), "low must be below high"),
+        (lambda: Normal(np.nan, 1.0), "nan"),
+        (lambda: Normal(0.0, np.inf), "inf"),
+        (lambda: Uniform(1.0, 1.0), "low must be below high"),
+        (lambda: Uncertainty(USUAL).sample(0, 1), "Draws"),
+        (lambda: Uncertainty(USUAL).sample(4, -1), "Seed"),
+        (lambda: Uncertainty(USUAL).sample(4, 1, motions=0), "Motions"),
+        (lambda: Uncertainty(USUAL).sample(4, 1, start=2, method="latin hypercube"), "start 0"),
+        (lambda: Uncertainty(USUAL).sample(4, 1, method="random"), "random"),  # type: ignore[arg-type]
+    ],
+)
+def test_refused(call: object, part: str) -> None:
+    with pytest.raises(InputError, match=part):
+        call()  # type: ignore[operator]

@@ -1,0 +1,213 @@
+"""Files for loss tools against the formats' own rules, and against the tools themselves where installed.
+
+pelicun: rules of its damage model parameters, read from pelicun 3.10 (model/damage_model.py, uq.py,
+settings/default_units.json) and its model library (dlml/vocabulary.py). NRML 0.5: rules of the OpenQuake
+manual, "Fragility Models", and of openquake.engine 3.26 (risklib/read_nrml.py, risklib/scientific.py).
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+import xml.etree.ElementTree as ET
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+from scipy.special import ndtr
+from scipy.stats import lognorm
+
+from stayput import InputError
+from stayput.fragility import (
+    JMA_INTENSITY,
+    PFA,
+    PFV,
+    PGA,
+    PGV,
+    FragilityCurve,
+    IntensityMeasure,
+    Trials,
+    fragility_curve,
+    write_nrml,
+    write_pelicun,
+)
+from stayput.fragility.nrml import NAMESPACE, lognormal_moments
+from stayput.fragility.pelicun import JMA_OPTION
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+G = 9.80665
+
+
+def _curve(measure: IntensityMeasure, median: float, beta: float, name: str) -> FragilityCurve:
+    u = measure.coordinate(median) + beta * np.linspace(-2.0, 2.0, 9)
+    runs = np.full(9, 10**8)
+    fell = np.rint(runs * ndtr(np.linspace(-2.0, 2.0, 9)))
+    return fragility_curve(Trials.from_counts(measure, measure.value(u), fell, runs), name)
+
+
+CURVES = [
+    _curve(PGA, 3.5, 0.4, "no measure"),
+    _curve(PGV, 0.6, 0.45, "tension poles + stopper"),
+    _curve(JMA_INTENSITY, 6.1, 0.3, "L-bracket"),
+]
+FLOORS = [_curve(PFA, 4.0, 0.5, "rack (floor A)"), _curve(PFV, 0.8, 0.35, "rack (floor V)")]
+
+
+@pytest.fixture
+def table(tmp_path: Path) -> Path:
+    path = tmp_path / "fragility.csv"
+    write_pelicun(CURVES + FLOORS, path)
+    return path
+
+
+@pytest.fixture
+def model(tmp_path: Path) -> Path:
+    path = tmp_path / "fragility.xml"
+    write_nrml(CURVES, path, "Bookcase, 5階")
+    return path
+
+
+def test_pelicun_rules(table: Path) -> None:
+    with table.open() as file:
+        rows = list(csv.DictReader(file))
+    assert [row["ID"] for row in rows] == [
+        "no_measure",
+        "tension_poles_and_stopper",
+        "L_bracket",
+        "rack_floor_A",
+        "rack_floor_V",
+    ]
+    units = {"g": G, "cmps": 0.01, "unitless": 1.0}  # SI value of pelicun's units
+    demands = {
+        "PGA": "Peak Ground Acceleration",
+        "PGV": "Peak Ground Velocity",
+        "PFA": "Peak Floor Acceleration",
+        "PFV": "Peak Floor Velocity",
+        "JMA": "JMA Instrumental Intensity",
+    }
+    for row, curve in zip(rows, CURVES + FLOORS, strict=True):
+        assert row["Demand-Type"] == demands[curve.measure.key]
+        assert (row["Incomplete"], row["Demand-Offset"], row["Demand-Directional"]) == ("0", "0", "1")
+        # of "normal" the second parameter would be a coefficient of variation
+        assert row["LS1-Family"] == ("normal_std" if curve.measure is JMA_INTENSITY else "lognormal")
+        assert float(row["LS1-Theta_0"]) * units[row["Demand-Unit"]] == pytest.approx(curve.median)
+        assert float(row["LS1-Theta_1"]) == pytest.approx(curve.dispersion)
+
+
+def test_nrml_rules(model: Path) -> None:
+    root = ET.parse(model).getroot()
+    tag = f"{{{NAMESPACE}}}"
+    assert root.tag == f"{tag}nrml"
+    (fragility,) = root
+    assert fragility.tag == f"{tag}fragilityModel"
+    assert re.fullmatch(r"[A-Za-z0-9_-]{1,100}", fragility.attrib["id"])
+    assert fragility.attrib["lossCategory"] == "contents"
+    assert [child.tag for child in fragility][:2] == [f"{tag}description", f"{tag}limitStates"]
+    description, states, *functions = fragility
+    assert (description.text or "").isascii()
+    (state,) = (states.text or "").split()
+    assert [f.attrib["id"] for f in functions] == ["no_measure", "tension_poles_and_stopper", "L_bracket"]
+    for function in functions[:2]:
+        assert (function.attrib["format"], function.attrib["shape"]) == ("continuous", "logncdf")
+        imls, params = function
+        assert (imls.tag, params.tag, params.attrib["ls"]) == (f"{tag}imls", f"{tag}params", state)
+        assert 0.0 < float(imls.attrib["minIML"]) < float(imls.attrib["maxIML"])
+    imls, poes = functions[2]
+    assert (functions[2].attrib["format"], imls.attrib["imt"], poes.attrib["ls"]) == (
+        "discrete",
+        "JMA",
+        state,
+    )
+    levels, shares = ([float(x) for x in (node.text or "").split()] for node in (imls, poes))
+    assert len(levels) == len(shares)
+    assert (np.diff(levels) > 0.0).all()
+    assert (np.diff(shares) >= 0.0).all()
+    assert shares[0] >= 0.0
+    assert shares[-1] <= 1.0
+
+
+def test_nrml_moments_are_those_of_the_variable(model: Path) -> None:
+    # the manual: mean and standard deviation of the intensity measure, not of its logarithm
+    mean, deviation = lognorm.stats(0.4, scale=3.5 / G, moments="mv")
+    (params, *_) = ET.parse(model).getroot().iter(f"{{{NAMESPACE}}}params")
+    assert float(params.attrib["mean"]) == pytest.approx(float(mean), rel=1e-6)
+    assert float(params.attrib["stddev"]) == pytest.approx(float(np.sqrt(deviation)), rel=1e-6)
+
+
+def test_openquakes_formula_gives_the_curve_back() -> None:
+    # scientific.FragilityFunctionContinuous: σ = √ln(1 + s²/m²), scale = m²/√(s² + m²)
+    mean, deviation = lognormal_moments(0.6, 0.45)
+    sigma = np.sqrt(np.log1p((deviation / mean) ** 2))
+    scale = mean**2 / np.sqrt(deviation**2 + mean**2)
+    assert (scale, sigma) == pytest.approx((0.6, 0.45))
+
+
+def test_refused(tmp_path: Path) -> None:
+    standing = fragility_curve(Trials.from_counts(PGA, [1.0, 2.0], [0, 0], [9, 9]), "bracket")
+    for write, path in ((write_pelicun, tmp_path / "a.csv"), (write_nrml, tmp_path / "a.xml")):
+        with pytest.raises(InputError, match="none fell"):
+            write([standing], path)
+        with pytest.raises(InputError, match="differ"):
+            write([CURVES[0], CURVES[0]], path)
+        with pytest.raises(InputError, match="0 curves"):
+            write([], path)
+        with pytest.raises(InputError, match="must end in"):
+            write([CURVES[0]], tmp_path / "a.txt")
+    with pytest.raises(InputError, match="PFA"):
+        write_nrml(FLOORS, tmp_path / "a.xml")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_pelicun_reads_and_computes(table: Path) -> None:
+    assessment = pytest.importorskip("pelicun.assessment", reason="pelicun is not installed")
+    pd = pytest.importorskip("pandas")
+    from pelicun import file_io  # pyright: ignore[reportMissingImports]
+
+    ours = assessment.Assessment({"PrintLog": False, "Seed": 1, "CustomDemandTypes": JMA_OPTION})
+    keys = ("PGA", "PGV", "JMA", "PFA", "PFV")
+    demands = pd.DataFrame(
+        {
+            "Theta_0": [0.3, 70.0, 6.2, 0.5, 60.0],
+            "Theta_1": [0.3, 0.3, 0.2, 0.3, 0.3],
+            "Family": ["lognormal", "lognormal", "normal_std", "lognormal", "lognormal"],
+            "Units": ["g", "cmps", "unitless", "g", "cmps"],
+        },
+        # pelicun counts floors from 0: storey 1 stands on floor 0
+        index=pd.MultiIndex.from_tuples([(key, "0" if "F" in key else "1", "1") for key in keys]),
+    )
+    ours.demand.load_model({"marginals": demands})
+    ours.demand.generate_sample({"SampleSize": 100_000})
+    ours.stories = 1
+    names = [row["ID"] for row in csv.DictReader(table.open())]
+    columns = {"Units": "ea", "Location": "1", "Direction": "1", "Theta_0": 1.0, "Blocks": 1}
+    ours.asset.load_cmp_model({"marginals": pd.DataFrame(columns, index=names)})
+    ours.asset.generate_cmp_sample(100_000)
+    factors = ours.unit_conversion_factors
+    parameters = file_io.load_data(str(table), reindex=False, unit_conversion_factors=factors)
+    ours.damage.load_model_parameters([parameters], set(names))
+    ours.damage.calculate()
+    fallen = ours.damage.ds_model.probabilities()[1]
+    means = np.log(np.array([0.3 * G, 0.7, 1.0, 0.5 * G, 0.6]))
+    means[2] = 6.2
+    for name, curve, mean, spread in zip(names, CURVES + FLOORS, means, demands["Theta_1"], strict=True):
+        margin = (mean - curve.measure.coordinate(curve.median)) / np.hypot(spread, curve.dispersion)
+        assert fallen.xs(name, level=0).item() == pytest.approx(ndtr(margin), abs=0.007)
+
+
+def test_openquake_reads_and_computes(model: Path) -> None:
+    pytest.importorskip("openquake.risklib", reason="OpenQuake is not installed")
+    from openquake.hazardlib import nrml  # pyright: ignore[reportMissingImports]
+    from openquake.hazardlib.imt import from_string  # pyright: ignore[reportMissingImports]
+
+    found = nrml.to_python(str(model))
+    assert found.limitStates == ["overturned"]
+    names = ("no_measure", "tension_poles_and_stopper", "L_bracket")
+    for name, curve, imt, unit in zip(names, CURVES, ("PGA", "PGV", "JMA"), (1 / G, 100.0, 1.0), strict=True):
+        assert from_string(imt).string == imt
+        (function,) = found[imt, name].build(found.limitStates)
+        im = curve.measure.value(
+            curve.measure.coordinate(curve.median) + curve.dispersion * np.linspace(-2, 2, 9)
+        )
+        assert np.asarray(function(im * unit)) == pytest.approx(curve.probability(im), abs=1e-3)
