@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from stayput.compiled import entry, inner
+from stayput.compiled import entry, inline, inner
 from stayput.mechanics.columns import (
     C_CEILING,
     CEILING_IMPACT_EVENT,
@@ -87,7 +87,7 @@ def start(case, contacts, s):
     note_peaks(case, s)
 
 
-@inner
+@inline
 def advance(rows, contacts, case, s, ax, az, dt, extremes, tolerance, max_step, lifts, history):
     """Move the body in its mode to the next event."""
     kind = s.kind

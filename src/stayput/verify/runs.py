@@ -10,6 +10,7 @@ import numpy as np
 from stayput.ensemble.columns import run_columns
 from stayput.measures.results import failures_of
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
+from stayput.mechanics.restrained.runner import no_elements
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -54,18 +55,18 @@ class Runs:
 
 
 def run_level(
-    rows: Rows,
+    options: list[Rows],
     floors: Floors,
     *,
     threads: int | None = None,
     progress: Callable[[int], None] | None = None,
-) -> Runs:
-    """Run one option at one level.
+) -> list[Runs]:
+    """Run all options at one level, in one go: their pieces of work fill the threads together.
 
     Parameters
     ----------
-    rows : Rows
-        The option's cases.
+    options : list of Rows
+        The cases of each option.
     floors : Floors
         The motions.
     threads : int, optional
@@ -73,18 +74,44 @@ def run_level(
     progress : callable, optional
         Told how many runs are done.
     """
-    cases, elements = rows.cases, rows.elements
     motions = len(floors.motions)
-    samples = len(cases) // motions
-    place = np.repeat(np.arange(motions), samples)
-    scaled = cases.copy()
-    scaled["scale"] = floors.scales[place]
-    given = elements if elements.shape[1] else None
-    results, devices = run_columns(scaled, given, floors.motions, place, threads=threads, progress=False)
+    cases = np.concatenate([rows.cases for rows in options])
+    elements = _side_by_side([rows.elements for rows in options])
+    place = np.concatenate([np.repeat(np.arange(motions), len(rows.cases) // motions) for rows in options])
+    cases["scale"] = floors.scales[place]
+    results, devices = run_columns(cases, elements, floors.motions, place, threads=threads, progress=False)
+    failed = failures_of(elements, devices).count > 0
+    found: list[Runs] = []
+    start = 0
+    for rows in options:
+        mine = slice(start, start + len(rows.cases))
+        found.append(_runs(rows, results[mine], devices[mine], failed[mine], motions))
+        start = mine.stop
     if progress is not None:
         progress(len(cases))
-    shape = (motions, samples)
-    failed = failures_of(devices, elements)[0] > 0 if given is not None else np.zeros(len(cases), bool)
+    return found
+
+
+def _side_by_side(rows: list[NDArray[np.void]]) -> NDArray[np.void]:
+    """Return the elements of all options as one column, filled up with none."""
+    most = max(row.shape[1] for row in rows)
+    joined = no_elements(most, sum(len(row) for row in rows))
+    start = 0
+    for row in rows:
+        joined[start : start + len(row), : row.shape[1]] = row
+        start += len(row)
+    return joined
+
+
+def _runs(
+    rows: Rows,
+    results: NDArray[np.void],
+    devices: NDArray[np.void],
+    failed: NDArray[np.bool_],
+    motions: int,
+) -> Runs:
+    shape = (motions, len(results) // motions)
+    count = rows.elements.shape[1]
     return Runs(
         overturned=(results["outcome"] == OVERTURNED_OUTCOME).reshape(shape),
         missing=(results["outcome"] == FAILED_OUTCOME).reshape(shape),
@@ -92,6 +119,6 @@ def run_level(
         device_failed=failed.reshape(shape),
         slide=results["peak_slide"].reshape(shape),
         tilt=results["peak_tilt"].reshape(shape),
-        devices=devices.reshape((*shape, elements.shape[1])),
+        devices=devices[:, :count].reshape((*shape, count)),
         masses=rows.masses.reshape(shape),
     )

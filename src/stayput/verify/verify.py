@@ -75,11 +75,8 @@ class _Work:
 
     def run(self, rows: list[Rows], floors: Floors) -> list[Runs]:
         """Run every option at a level."""
-        found: list[Runs] = []
-        for one in rows:
-            found.append(run_level(one, floors, threads=self.threads, progress=self.tell))
-            self.done += len(one.cases)
-        return found
+        self.done += sum(len(one.cases) for one in rows)
+        return run_level(rows, floors, threads=self.threads, progress=self.tell)
 
 
 def verify(
@@ -183,10 +180,15 @@ def _at_the_scenario(
         joined = [Runs.joined(kept) for kept in parts]
         if precision is None:
             return joined, done, True
-        plans = [samples_needed(probability(runs.overturned, runs.missing), precision) for runs in joined]
+        found = [probability(runs.overturned, runs.missing) for runs in joined]
+        plans = [samples_needed(one, precision) for one in found if one.runs]
         enough = all(plan.samples <= done for plan in plans if plan.reachable)
         if enough or done >= most:
-            return joined, done, enough and all(plan.reachable for plan in plans)
+            return (
+                joined,
+                done,
+                enough and len(plans) == len(joined) and all(plan.reachable for plan in plans),
+            )
 
 
 def _at_all_levels(
