@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import building_pages
+import measure_pages
 import motion_pages
 import study_pages
 import suite_pages
@@ -78,7 +79,7 @@ def _in_words(kind: dict[str, Any], schema: dict[str, Any]) -> str:
         case "boolean":
             return "`true`, `false`"
         case "array":
-            items = " or ".join(_in_words(one, schema) for one in kinds(kind["items"], schema))
+            items = " or ".join(dict.fromkeys(_in_words(one, schema) for one in kinds(kind["items"], schema)))
             least, most = kind.get("minItems", 0), kind.get("maxItems")
             return f"list of {least if least == most else f'{least} to {most}'}: {items}"
         case "object":
@@ -173,3 +174,4 @@ def write(folder: Path) -> None:
     motion_pages.write(folder)
     suite_pages.write(folder)
     building_pages.write(folder)
+    measure_pages.write(folder)

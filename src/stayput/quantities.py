@@ -18,11 +18,14 @@ RESULTS: dict[str, tuple[str, str]] = {
     "residual_slide": ("m", "slide at the end"),
     "peak_tilt": ("rad", "largest magnitude of the tilt"),
     "residual_tilt": ("rad", "tilt at the end"),
+    "device_failure_time": ("s", "time at which the first device failed, or nan"),
+    "device_utilisation": ("", "largest force in a device over its strength; at least 1 where one failed"),
 }
 """Unit and meaning of each result that is a quantity."""
 
 COUNTS: dict[str, str] = {
     "floor_impacts": "landings on the floor",
     "wall_impacts": "hits on the walls and the ceiling",
+    "device_failures": "devices that failed",
 }
 """Meaning of each result that is a number of events."""

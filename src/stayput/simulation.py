@@ -11,10 +11,13 @@ import numpy as np
 
 from stayput.cases import State, case_columns, refuse_penetration
 from stayput.errors import InputError, within
+from stayput.measures.measure import Held, element_rows, hold
+from stayput.measures.results import DeviceResult, device_results
 from stayput.mechanics import columns as col
 from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from pathlib import Path
 
     import xarray as xr
@@ -22,7 +25,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.body import Body
-    from stayput.mechanics.runner import Traced
+    from stayput.measures import Measure
+    from stayput.mechanics.runner import Shaking, Traced
     from stayput.motion import Motion
     from stayput.room import Room
 
@@ -136,7 +140,11 @@ class Run:
     mode : ndarray of str
         Values of `Mode`.
     events : tuple of Event
-        Every impact, slip, stick, uplift, lift-off and rest, in order.
+        Every impact, slip, stick, uplift, lift-off, rest and failure of a device, in order.
+    held : Held or None
+        The measures in place; `body` and `room` are what they made of those that were given.
+    devices : tuple of DeviceResult
+        What became of each device.
     """
 
     body: Body
@@ -162,6 +170,28 @@ class Run:
     z: NDArray[np.float64]
     mode: NDArray[np.str_]
     events: tuple[Event, ...]
+    held: Held | None = None
+    devices: tuple[DeviceResult, ...] = ()
+
+    @property
+    def measures(self) -> tuple[Measure, ...]:
+        """The measures that were in place."""
+        return () if self.held is None else self.held.measures
+
+    @property
+    def device_failures(self) -> int:
+        """Number of devices that failed."""
+        return sum(device.failed for device in self.devices)
+
+    @property
+    def device_failure_time(self) -> float:
+        """When the first device failed [s], or nan."""
+        return min((device.failure_time for device in self.devices if device.failed), default=math.nan)
+
+    @property
+    def device_utilisation(self) -> float:
+        """Largest force in a device over its strength; at least 1 where one failed, 0 without devices."""
+        return max((device.utilisation for device in self.devices), default=0.0)
 
     @property
     def overturned(self) -> bool:
@@ -197,6 +227,7 @@ class Case:
     contact: Contact = "coulomb"
     initial: State = field(default_factory=State)
     gravity: float = STANDARD_GRAVITY
+    measures: tuple[Measure, ...] = ()
 
     def run(self) -> Run:
         """Simulate the case."""
@@ -204,6 +235,7 @@ class Case:
             self.body,
             self.room,
             self.motion,
+            self.measures,
             contact=self.contact,
             initial=self.initial,
             gravity=self.gravity,
@@ -214,6 +246,7 @@ def simulate(
     body: Body,
     room: Room,
     motion: Motion,
+    measures: Sequence[Measure] = (),
     *,
     contact: Contact = "coulomb",
     initial: State | None = None,
@@ -229,6 +262,8 @@ def simulate(
         Where it stands.
     motion : Motion
         Acceleration of the floor: ``x`` along the shaking and ``z`` up; ``y`` plays no part.
+    measures : sequence of Measure
+        What holds the body; see `stayput.measures`.
     contact : {"coulomb", "paper"}
         Contact law: unilateral contact with Coulomb friction, or the rules of *A fundamental study on
         development of a verification system for earthquake-proof measures for furniture* (14WCEE, 2008)
@@ -248,14 +283,41 @@ def simulate(
     InputError
         Input that is refused, in one sentence.
     """
-    from stayput.mechanics.runner import shaking, trace
+    from stayput.mechanics.runner import shaking
 
     start = State() if initial is None else initial
     within("Gravity", gravity, 0.01, 1e3, "m/s²")
     refuse_penetration(body, room, start)
-    columns = case_columns(body, room, start, gravity)
-    traced = trace(columns[0], shaking(motion.x, motion.z, motion.dt, law_number(contact)))
-    return _as_run(Case(body, room, motion, contact, start, gravity), traced)
+    held = hold(body, room, measures)
+    refuse_penetration(held.body, held.room, start)
+    columns, elements = case_columns(held.body, held.room, start, gravity), element_rows(held)
+    shaken = shaking(motion.x, motion.z, motion.dt, law_number(contact))
+    traced, devices, forces = trace_held(columns[0], elements, shaken)
+    results = device_results(held, elements, devices, forces)
+    return run_of(Case(held.body, held.room, motion, contact, start, gravity), traced, held, results)
+
+
+def trace_held(
+    case: np.void, elements: NDArray[np.void], motion: Shaking
+) -> tuple[Traced, NDArray[np.void], NDArray[np.float64]]:
+    """Run a case with its elements, shape [n], of which there may be none.
+
+    Returns
+    -------
+    tuple
+        The run, DEVICE of shape [n], and forces at the samples [N/kg], shape [samples, n, 2].
+    """
+    from stayput.mechanics.restrained.columns import DEVICE, FORCES
+
+    if len(elements) == 0:
+        from stayput.mechanics.runner import trace
+
+        traced = trace(case, motion)
+        return traced, np.zeros(0, DEVICE), np.zeros((len(traced.history), 0, FORCES))
+    from stayput.mechanics.restrained.runner import trace_restrained
+
+    found = trace_restrained(case, elements, motion)
+    return found.run, found.devices, found.forces
 
 
 def law_number(contact: str) -> int:
@@ -265,7 +327,7 @@ def law_number(contact: str) -> int:
     return LAWS.index(contact)
 
 
-def _as_run(case: Case, traced: Traced) -> Run:
+def run_of(case: Case, traced: Traced, held: Held, devices: tuple[DeviceResult, ...]) -> Run:
     """Name what the mechanics returned in numbers."""
     modes = np.array([mode.value for mode in Mode])
     history = traced.history.T.copy()
@@ -305,4 +367,6 @@ def _as_run(case: Case, traced: Traced) -> Run:
             )
             for e in traced.events
         ),
+        held=held,
+        devices=devices,
     )

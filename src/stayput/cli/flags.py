@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from stayput.measures import Measure
     from stayput.motion import Motion
     from stayput.motion.suites import TargetSpectrum
+    from stayput.scenario import Scenario
 
 EXAMPLE: dict[str, Any] = {
     "furniture": {"preset": "bookcase"},
@@ -153,6 +158,28 @@ def target_of(text: str) -> TargetSpectrum:
         number = _numbers("--target", text, [soil or "2"], (1,), "japan:very-rare,2")[0]
         return japanese_design(level.replace("-", " "), round(number))
     return read_target(text)
+
+
+def chosen_measures(scenario: Scenario, names: Sequence[str]) -> tuple[Measure, ...]:
+    """Return the measures of ``--measure`` texts: those the scenario has under a name, or types by default.
+
+    Raises
+    ------
+    InputError
+        A text that is neither.
+    """
+    from stayput.measures import MEASURES
+
+    named = {one.name: one.measures for one in scenario.measures}
+    known = [*named, *(kind for kind in MEASURES if kind not in named)]
+    found: list[Measure] = []
+    for name in names:
+        if name not in known:
+            near = get_close_matches(name, known, 1)
+            hint = f" (did you mean {near[0]!r}?)" if near else ""
+            raise InputError(f"--measure is {name!r}{hint}; it must be one of {', '.join(known)}.")
+        found += named[name] if name in named else (MEASURES[name](),)
+    return tuple(found)
 
 
 def intensity_value(text: str) -> float | str:

@@ -13,6 +13,7 @@ from stayput.cli.options import Component, TimeStep, Unit  # noqa: TC001 - Typer
 if TYPE_CHECKING:
     from collections.abc import Generator
 
+    from stayput.measures import Measure
     from stayput.report.animation import Progress
     from stayput.scenario import Scenario
     from stayput.simulation import Run
@@ -68,6 +69,13 @@ def simulate(
     ] = None,
     right_wall: Annotated[float | None, typer.Option(help="Gap to a wall in front (right) [m].")] = None,
     contact: Annotated[str | None, typer.Option(metavar="coulomb|paper", help="The contact law.")] = None,
+    measure: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="TYPE|NAME",
+            help="A measure in place: a type such as tension_pole, or a name in the file; repeatable.",
+        ),
+    ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Plot the histories: .png, .svg or .pdf.")
@@ -82,7 +90,7 @@ def simulate(
 
     Flags override what the scenario file says; --body without a file stands free of walls.
     """
-    from stayput.cli.flags import building_table, intensity_value, overlaid, scenario_data
+    from stayput.cli.flags import building_table, chosen_measures, intensity_value, overlaid, scenario_data
     from stayput.scenario import Scenario
 
     _check_targets(plot, animate)
@@ -107,7 +115,7 @@ def simulate(
     )
     here = Path() if scenario is None or motion is not None else scenario.parent
     checked = Scenario.parse(data, here)
-    run = _run(checked)
+    run = _run(checked, chosen_measures(checked, measure or []))
     name = checked.furniture.title
     if plot is not None:
         from stayput.report.plot import plot_run
@@ -139,13 +147,13 @@ def _check_targets(plot: Path | None, animate: Path | None) -> None:
         check_animation(animate)
 
 
-def _run(scenario: Scenario) -> Run:
+def _run(scenario: Scenario, measures: tuple[Measure, ...]) -> Run:
     from stayput.compiled import told_of_compilation
 
     def tell() -> None:
         typer.echo(f"Compiling the mechanics once (about {COLD_START_SECONDS} s) ...", err=True)
 
-    case = scenario.case()
+    case = scenario.case(measures)
     with told_of_compilation(tell):
         return case.run()
 

@@ -85,7 +85,7 @@ def make_grid(case: Case, axes: Axes) -> Grid:
         made.append(_axis(names, given, base, motions))
     _refuse_repeats(made)
     _refuse_missing_surfaces(base, made)
-    grid = Grid(base, tuple(made), tuple(motions))
+    grid = Grid(base, tuple(made), tuple(motions), tuple(case.measures))
     grid.refuse_bad_cases()
     return grid
 

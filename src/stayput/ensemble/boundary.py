@@ -157,4 +157,4 @@ def _cases(grid: Grid, points: NDArray[np.intp], scales: NDArray[np.float64]) ->
     columns: Columns = {SCALE: scales}
     for axis, place in zip(grid.axes, places, strict=True):
         columns |= {path: values[place] for path, values in axis.columns.items()}
-    return Grid(grid.base, (Axis("case", columns, {}),), grid.motions)
+    return Grid(grid.base, (Axis("case", columns, {}),), grid.motions, grid.measures)

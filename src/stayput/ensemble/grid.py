@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from stayput.cases import case_rows, from_leaves
+from stayput.ensemble.holding import held_rows
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.measures import Measure
     from stayput.motion import Motion
 
 Columns: TypeAlias = "dict[str, NDArray[np.float64] | NDArray[np.int64]]"
@@ -46,10 +48,15 @@ class Part:
     count: int
     base: dict[str, float]
     columns: Columns
+    measures: tuple[Measure, ...] = ()
 
     def rows(self) -> NDArray[np.void]:
-        """Return the rows that the mechanics read, shape [count]."""
+        """Return the rows that the mechanics read of the cases without measures, shape [count]."""
         return case_rows(self.base | self.columns, self.count)  # type: ignore[operator]
+
+    def held(self) -> tuple[NDArray[np.void], NDArray[np.void]]:
+        """Return the rows with the measures in place, shape [count], and the elements, shape [count, n]."""
+        return held_rows(self.base | self.columns, self.count, self.measures)  # type: ignore[operator]
 
     def group(self) -> NDArray[np.int64]:
         """Return a number for each case, the same for cases of one motion and one law, shape [count]."""
@@ -69,11 +76,14 @@ class Grid:
         What changes.
     motions : tuple of Motion
         The motions that the column ``motion`` points at.
+    measures : tuple of Measure
+        The measures of all cases.
     """
 
     base: dict[str, float]
     axes: tuple[Axis, ...]
     motions: tuple[Motion, ...]
+    measures: tuple[Measure, ...] = ()
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -90,7 +100,7 @@ class Grid:
         for axis, place in zip(self.axes, places, strict=True):
             columns |= {path: values[place] for path, values in axis.columns.items()}
         base = {path: value for path, value in self.base.items() if path not in columns}
-        return Part(stop - start, base, columns)
+        return Part(stop - start, base, columns, self.measures)
 
     def refuse_bad_cases(self) -> None:
         """Raise `InputError` for the first case found that is not possible.
@@ -103,11 +113,17 @@ class Grid:
             for row in sorted(_witnesses(part)):
                 numbers = {k: float(v[row]) for k, v in part.columns.items() if len(v) == part.count}
                 try:
-                    from_leaves(self.base | numbers)
+                    self._refuse_bad_case(self.base | numbers)
                 except InputError as error:
                     if len(self) == 1:
                         raise
                     raise InputError(f"Case {start + row} of {len(self)}: {error}") from None
+
+    def _refuse_bad_case(self, numbers: dict[str, float]) -> None:
+        from_leaves(numbers)
+        _, elements = held_rows(numbers, 1, self.measures)
+        if elements.size and numbers[LAW] != 0.0:
+            raise InputError("Contact is 'paper'; measures with force elements need 'coulomb'.")
 
 
 def _witnesses(part: Part) -> set[int]:

@@ -10,8 +10,8 @@ import numpy as np
 from stayput.ensemble.tasks import groups_of, prepared, thread_count
 from stayput.errors import InputError
 from stayput.mechanics import columns as col
-from stayput.mechanics.runner import trace
 from stayput.quantities import HISTORIES
+from stayput.simulation import trace_held
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -57,7 +57,8 @@ def histories_of(
 
     def run(place: int) -> None:
         part = grid.part(place, place + 1)
-        found = trace(part.rows()[0], shakings[int(part.group()[0])]).history
+        (cases, elements), motion = part.held(), shakings[int(part.group()[0])]
+        found = trace_held(cases[0], elements[0], motion)[0].history
         for name in names:
             kept[name][place, : len(found)] = found[:, COLUMNS[name]]
 

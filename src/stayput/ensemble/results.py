@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.mechanics.columns import OVERTURNED_OUTCOME
+from stayput.measures.results import failures_of
+from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
 from stayput.quantities import COUNTS, RESULTS
 from stayput.simulation import Outcome
 
@@ -34,6 +35,31 @@ QUANTITIES = (
 )
 """The columns of results."""
 
+KEPT = np.dtype(
+    [
+        *((name, RESULT[name]) for name in RESULT.names or ()),
+        ("device_failures", "i4"),
+        ("device_failure_time", "f8"),  # of the first [s], NaN where none fails
+        ("device_utilisation", "f8"),
+    ],
+    align=True,
+)
+"""What a task hands back of a case: `mechanics.columns.RESULT`, and its devices summed up."""
+
+
+def kept(
+    elements: NDArray[np.void], results: NDArray[np.void], devices: NDArray[np.void]
+) -> NDArray[np.void]:
+    """Return rows of `KEPT`, shape [m], of ELEMENT [m, n], RESULT [m] and DEVICE [m, n]."""
+    rows, failures = np.zeros(len(results), KEPT), failures_of(elements, devices)
+    for name in RESULT.names or ():
+        rows[name] = results[name]
+    rows["device_failures"] = failures.count
+    rows["device_failure_time"] = failures.first
+    rows["device_utilisation"] = failures.utilisation
+    return rows
+
+
 OUTCOMES = tuple(outcome.value for outcome in Outcome)
 """Names of the outcomes, in the order of the flags."""
 
@@ -44,7 +70,7 @@ def empty(count: int) -> dict[str, NDArray[np.generic]]:
 
 
 def fill(columns: dict[str, NDArray[np.generic]], start: int, results: NDArray[np.void]) -> None:
-    """Put rows of `mechanics.columns.RESULT` into their places from ``start`` on."""
+    """Put rows of `KEPT` into their places from ``start`` on."""
     place = slice(start, start + len(results))
     overturned = results["outcome"] == OVERTURNED_OUTCOME
     for name, column in columns.items():

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from stayput.ensemble.columns import run_rows
 from stayput.ensemble.grid import LAW, MOTION
+from stayput.ensemble.results import KEPT, kept
 from stayput.errors import within
-from stayput.mechanics.columns import RESULT
-from stayput.mechanics.runner import Shaking, run_cases, shaking
+from stayput.mechanics.runner import Shaking, shaking
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -33,15 +34,13 @@ def prepared(motions: tuple[Motion, ...], groups: set[int]) -> Shakings:
 
 
 def run_part(part: Part, shakings: Shakings) -> NDArray[np.void]:
-    """Run some cases on this thread; return rows of `RESULT`, in their order."""
-    rows, group = part.rows(), part.group()
-    met = np.unique(group)
-    if len(met) == 1:
-        return run_cases(rows, shakings[int(met[0])])
-    results = np.zeros(part.count, RESULT)
-    for number in met:
+    """Run some cases on this thread; return rows of `KEPT`, in their order."""
+    (rows, elements), group = part.held(), part.group()
+    results = np.zeros(part.count, KEPT)
+    for number in np.unique(group):
         mine = np.flatnonzero(group == number)
-        results[mine] = run_cases(rows[mine], shakings[int(number)])
+        found = run_rows(rows[mine], elements[mine], shakings[int(number)])
+        results[mine] = kept(elements[mine], *found)
     return results
 
 

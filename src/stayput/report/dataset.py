@@ -11,6 +11,7 @@ from stayput.quantities import COUNTS, HISTORIES, RESULTS
 from stayput.report.summary import sentence
 
 if TYPE_CHECKING:
+    from stayput.measures import DeviceResult
     from stayput.simulation import Run
 
 _EVENT_VALUES = {
@@ -20,6 +21,17 @@ _EVENT_VALUES = {
     "slide": ("m", "slide just after the event"),
     "slide_rate": ("m/s", "slide rate just after the event"),
 }
+
+_DEVICE_VALUES = {
+    "peak_pull": ("N", "largest pull"),
+    "peak_push": ("N", "largest push"),
+    "peak_shear": ("N", "largest shear"),
+    "used": ("", "largest force over its strength; at least 1 where it failed"),
+    "failed_at": ("s", "time at which it failed, or nan"),
+}
+
+_DEVICE_ATTRIBUTES = {"used": "utilisation", "failed_at": "failure_time"}
+"""Attributes of a device whose names are those of results of the run."""
 
 
 def run_to_dataset(run: Run) -> xr.Dataset:
@@ -57,7 +69,26 @@ def run_to_dataset(run: Run) -> xr.Dataset:
     data["event_kind"] = ("event", np.array([event.kind.value for event in run.events], dtype=np.str_))
     data["event_mode"] = ("event", np.array([event.mode.value for event in run.events], dtype=np.str_))
     for name, (unit, meaning) in RESULTS.items():
-        data[name] = ((), getattr(run, name), {"units": unit, "long_name": meaning})
+        attributes = {"units": unit, "long_name": meaning} if unit else {"long_name": meaning}
+        data[name] = ((), getattr(run, name), attributes)
     for name, meaning in COUNTS.items():
         data[name] = ((), getattr(run, name), {"long_name": meaning})
+    if run.devices:
+        _add_devices(data, run.devices)
     return data
+
+
+def _add_devices(data: xr.Dataset, devices: tuple[DeviceResult, ...]) -> None:
+    """Put what became of the devices over ``device``, and their forces over ``time`` too."""
+    names = [" ".join(filter(None, (device.kind, device.place))) for device in devices]
+    data["device"] = ("device", np.array(names, dtype=np.str_), {"long_name": "measure and place"})
+    for name, (unit, meaning) in _DEVICE_VALUES.items():
+        attribute = _DEVICE_ATTRIBUTES.get(name, name)
+        values = np.array([getattr(device, attribute) for device in devices], dtype=np.float64)
+        attributes = {"units": unit, "long_name": meaning} if unit else {"long_name": meaning}
+        data[f"device_{name}"] = ("device", values, attributes)
+    causes = np.array([device.cause or "" for device in devices], dtype=np.str_)
+    data["device_cause"] = ("device", causes, {"long_name": "why it failed; empty where it holds"})
+    for name, meaning in (("pull", "force along its normal, + pull"), ("shear", "force along its tangent")):
+        forces = np.stack([getattr(device, name) for device in devices], axis=-1)
+        data[f"device_{name}"] = (("time", "device"), forces, {"units": "N", "long_name": meaning})

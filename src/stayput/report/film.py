@@ -10,6 +10,7 @@ import numpy as np
 
 from stayput.errors import InputError
 from stayput.report.history import History, history, turned
+from stayput.report.props import Prop, props_of
 from stayput.report.summary import motion_label, sentence
 
 if TYPE_CHECKING:
@@ -76,6 +77,8 @@ class Film:
         Left, right, lower and upper end of what is shown [m].
     left_wall, right_wall, ceiling : float or None
         Where the faces of the room stand, when they are in view [m].
+    props : tuple of Prop
+        The devices.
     """
 
     body: Body
@@ -89,6 +92,7 @@ class Film:
     left_wall: float | None
     right_wall: float | None
     ceiling: float | None
+    props: tuple[Prop, ...] = ()
 
     @property
     def caption(self) -> str:
@@ -167,9 +171,9 @@ def film_of(run: Run, name: str = "body") -> Film:
     left, right, ceiling = _faces(run, _WALL_SHOWN * size)
     title = f"{motion_label(run.motion)}, peak {run.motion.pga:.1f} m/s²"
     view = _view(run.body, shown, shift, (left, right, ceiling))
-    return Film(
-        run.body, run.motion, shown, sentence(run, name), title, shift, scale, view, left, right, ceiling
-    )
+    told = sentence(run, name)
+    props = props_of(run)
+    return Film(run.body, run.motion, shown, told, title, shift, scale, view, left, right, ceiling, props)
 
 
 def ground_displacement(motion: Motion) -> NDArray[np.float64]:

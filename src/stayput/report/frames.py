@@ -18,6 +18,7 @@ from stayput.report.palette import (
     MODE_COLOURS,
     MUTED,
     PAPER,
+    ROLE_COLOURS,
     ROOM,
     ROOM_SHADE,
 )
@@ -139,12 +140,25 @@ class Painter:
         outline = [self._point(x + pose.shift, z) for x, z in section(body, pose)]
         draw.polygon(outline, fill=MODE_COLOURS[pose.mode])
         draw.line([*outline, outline[0], outline[1]], fill=INK, width=2 * self._line, joint="curve")
+        self._draw_props(draw, pose)
         x, z = self._point(pose.x + pose.shift, pose.z)
         r = 5.0 * self._line
         draw.ellipse((x - r, z - r, x + r, z + r), fill=PAPER, outline=INK, width=self._line)
         for start in (0, 180):
             draw.pieslice((x - r, z - r, x + r, z + r), start, start + 90, fill=INK)
         return image
+
+    def _draw_props(self, draw: ImageDraw.ImageDraw, pose: Pose) -> None:
+        """Draw the devices over the body."""
+        for prop in self._film.props:
+            if not prop.shows(pose.time):
+                continue
+            points = [self._point(x + pose.shift, z) for x, z in prop.placed(pose)]
+            colour = ROLE_COLOURS[prop.role]
+            if prop.filled:
+                draw.polygon(points, fill=colour)
+            else:
+                draw.line(points, fill=colour, width=4 * self._line)
 
     def _draw_grid(self, draw: ImageDraw.ImageDraw) -> None:
         """Draw the dotted lines that do not move with the room."""

@@ -27,6 +27,17 @@ EVENT_MARKERS: dict[EventKind, tuple[str, str]] = {
 }
 """Marker shape (Matplotlib's letters) and colour of the events that are marked."""
 
+ROLE_COLOURS: dict[str, str] = {
+    "tie": "#0072b2",
+    "pad": "#cc79a7",
+    "rubber": "#8c5a2b",
+    "metal": "#3b4cc0",
+    "wheel": "#4a5560",
+    "mass": "#6b4f8a",
+    "broken": "#9b1c1c",
+}
+"""Colour of what devices are made of, and of what is left of one that failed."""
+
 INK = "#1f2933"
 """Lines of histories and outlines, and text."""
 

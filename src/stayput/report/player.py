@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import html
 import json
+import math
 from importlib import resources
 from typing import TYPE_CHECKING, Any
 
-from stayput.report.palette import MODE_COLOURS
+from stayput.report.palette import MODE_COLOURS, ROLE_COLOURS
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
     from stayput.report.film import Film
+    from stayput.report.props import Prop
 
 _LENGTH_DIGITS = 5  # 0.01 mm
 _ANGLE_DIGITS = 6
@@ -63,8 +65,19 @@ def _data(film: Film, speed: float, hold: float) -> dict[str, Any]:
         "acceleration_time_s": _rounded(motion.time[shown], _ANGLE_DIGITS),
         "acceleration_m_s2": _rounded(motion.x[shown], 3),
         "modes": [[round(start, 4), mode.value] for start, _, mode in run.spans()],
+        "devices": [_prop(prop) for prop in film.props],
         "colours": {mode.value: colour for mode, colour in MODE_COLOURS.items()},
     }
+
+
+def _prop(prop: Prop) -> dict[str, Any]:
+    """Return a device's shape: points are 1 for those that go with the body, right and up."""
+    shown = [
+        [int(on_body), round(x, _LENGTH_DIGITS), round(z, _LENGTH_DIGITS)] for on_body, x, z in prop.points
+    ]
+    times = {"start_s": prop.start, "end_s": prop.end}
+    ends = {name: round(time, 4) if math.isfinite(time) else None for name, time in times.items()}
+    return {"filled": prop.filled, "points_m": shown, "colour": ROLE_COLOURS[prop.role], **ends}
 
 
 def _rounded(values: NDArray[np.float64], digits: int) -> list[float]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from stayput.simulation import Event, EventKind, Outcome
 
 if TYPE_CHECKING:
+    from stayput.measures import DeviceResult
     from stayput.motion import Motion
     from stayput.simulation import Run
 
@@ -84,6 +85,8 @@ def summary(run: Run) -> dict[str, Any]:
             "duration_s": _number(run.motion.duration),
             "pga_m_s2": _number(run.motion.pga),
         },
+        "measures": [measure.kind for measure in run.measures],
+        "devices": [_device(device) for device in run.devices],
         "events": [_event(event) for event in run.events],
     }
 
@@ -101,7 +104,34 @@ def rows(run: Run) -> list[tuple[str, str]]:
         ("Residual slide", f"{100.0 * run.residual_slide:+.2f} cm"),
         ("Floor impacts", str(run.floor_impacts)),
         (walls, str(run.wall_impacts)),
+        *_device_rows(run),
     ]
+
+
+def _device(device: DeviceResult) -> dict[str, Any]:
+    return {
+        "measure": device.kind,
+        "place": device.place,
+        "peak_pull_N": device.peak_pull,
+        "peak_push_N": device.peak_push,
+        "peak_shear_N": device.peak_shear,
+        "utilisation": device.utilisation,
+        "failed": device.failed,
+        "failure_time_s": _number(device.failure_time),
+        "cause": device.cause,
+    }
+
+
+def _device_rows(run: Run) -> list[tuple[str, str]]:
+    """Return a row for each device: its largest force, how much of its strength that is, and its failure."""
+    found: list[tuple[str, str]] = []
+    for device in run.devices:
+        name = " ".join(filter(None, (device.label[0], device.place)))
+        peak = max(device.peak_pull, device.peak_push, device.peak_shear)
+        used = f", {100.0 * device.utilisation:.0f} % of its strength" if device.utilisation > 0.0 else ""
+        fate = f"; {device.cause} at {device.failure_time:.2f} s" if device.failed else "; holds"
+        found.append((name, f"{peak:.0f} N{used}{fate}"))
+    return found
 
 
 def _event(event: Event) -> dict[str, Any]:

@@ -11,9 +11,6 @@ if TYPE_CHECKING:
 
     from pydantic_core import ErrorDetails
 
-LATER = ("uncertainty", "measures")
-"""Keys that the design knows and this version does not: refused, never ignored."""
-
 _LONGEST = 60  # characters of a value that are shown
 
 
@@ -28,7 +25,7 @@ def sentence_of(errors: Sequence[ErrorDetails], schema: dict[str, Any]) -> str:
         The scenario's JSON Schema.
     """
     error = min(errors, key=lambda one: one["type"] != "extra_forbidden")
-    place = [part for part in error["loc"] if not str(part).startswith("<")]
+    place = error["loc"]
     name = _dotted(place)
     if error["type"] == "extra_forbidden":
         return _unknown(place, schema)
@@ -43,12 +40,11 @@ def sentence_of(errors: Sequence[ErrorDetails], schema: dict[str, Any]) -> str:
 
 def _unknown(place: Sequence[str | int], schema: dict[str, Any]) -> str:
     name = _dotted(place)
-    if name in LATER:
-        return f"{name} is not supported by this version of stayput yet; it must be left out."
     known = [key for kind in kinds(_node(place[:-1], schema), schema) for key in kind.get("properties", {})]
     near = get_close_matches(str(place[-1]), known, 1)
     hint = f" (did you mean {near[0]!r}?)" if near else ""
-    where = f"a key of [{_dotted(place[:-1])}]" if len(place) > 1 else "a top-level key"
+    table = _dotted(place[:-1])
+    where = f"a key of [{table}]" if table else "a top-level key"
     return f"{name} is unknown{hint}; {where} must be one of {', '.join(known)}."
 
 
@@ -59,8 +55,13 @@ def _hint(value: object, place: Sequence[str | int], schema: dict[str, Any]) -> 
 
 
 def _dotted(place: Sequence[str | int]) -> str:
-    parts = [f"[{part}]" if isinstance(part, int) else f".{part}" for part in place]
+    parts = [f"[{part}]" if isinstance(part, int) else f".{part}" for part in place if not _is_tag(part)]
     return "".join(parts).removeprefix(".")
+
+
+def _is_tag(part: str | int) -> bool:
+    """Tell the tag of one of several tables from a key."""
+    return str(part).startswith("<")
 
 
 def _shown(value: object) -> str:
@@ -83,9 +84,21 @@ def kinds(node: dict[str, Any], schema: dict[str, Any]) -> list[dict[str, Any]]:
     return [node]
 
 
+def _tagged(node: dict[str, Any], tag: str, schema: dict[str, Any]) -> dict[str, Any]:
+    """Return the one of several tables that a tag names: by its type, or by a key that only it has."""
+    for kind in kinds(node, schema):
+        properties = kind.get("properties", {})
+        if properties.get("type", {}).get("const") == tag or tag in properties:
+            return kind
+    return node
+
+
 def _node(place: Sequence[str | int], schema: dict[str, Any]) -> dict[str, Any]:
     node = schema
     for part in place:
+        if _is_tag(part):
+            node = _tagged(node, str(part).strip("<>"), schema)
+            continue
         for kind in kinds(node, schema):
             if isinstance(part, int) and "items" in kind:
                 node = kind["items"]
@@ -97,7 +110,10 @@ def _node(place: Sequence[str | int], schema: dict[str, Any]) -> dict[str, Any]:
 
 
 def _allowed(node: dict[str, Any], schema: dict[str, Any]) -> str:
-    return " or ".join(_kind_in_words(kind, schema) for kind in kinds(node, schema))
+    allowed = kinds(node, schema)
+    if sum("properties" in kind for kind in allowed) > 1:
+        return "a table with type or combine"
+    return " or ".join(_kind_in_words(kind, schema) for kind in allowed)
 
 
 def _kind_in_words(kind: dict[str, Any], schema: dict[str, Any]) -> str:

@@ -2,22 +2,32 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
-from pydantic import Field, PrivateAttr, ValidationError
+from pydantic import Field, PrivateAttr, ValidationError, field_validator, model_validator
 from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
 from stayput.errors import InputError
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.scenario.fields import Table, Text, between
+from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, refuse_wrong_type
 from stayput.scenario.messages import sentence_of
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import FurnitureTable, InitialTable, RoomTable
 from stayput.simulation import Case
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
+
+    from stayput.measures import Measure
+
+
+@cache
+def _schema() -> dict[str, Any]:
+    """Return the JSON Schema that sentences about errors are made from; it takes its time."""
+    return Scenario.schema()
 
 
 class Scenario(Table):
@@ -37,8 +47,30 @@ class Scenario(Table):
         default=STANDARD_GRAVITY, description="Acceleration of gravity."
     )
     initial: InitialTable = Field(default_factory=InitialTable, description="The initial state.")
+    measure_tables: Annotated[list[MeasureChoice], Field(min_length=1, max_length=100)] | None = Field(
+        default=None, alias="measures", description="What may hold the furniture; each is verified by itself."
+    )
+    uncertainty: UncertaintyTable = Field(
+        default_factory=UncertaintyTable, description="How much of what is not known is tried out."
+    )
 
     _folder: Path = PrivateAttr(default=Path())
+
+    @field_validator("measure_tables", mode="before")
+    @classmethod
+    def _typed(cls, given: object) -> object:
+        refuse_wrong_type(given)
+        return given
+
+    @model_validator(mode="after")
+    def _named_apart(self) -> Self:
+        seen: dict[str, int] = {}
+        for number, one in enumerate(self.measures):
+            if one.name in seen:
+                other = f"measures[{seen[one.name]}]"
+                raise ValueError(f"measures[{number}].name is {one.name!r}; it must not be that of {other}.")
+            seen[one.name] = number
+        return self
 
     @classmethod
     def parse(cls, data: Mapping[str, Any], folder: Path = Path()) -> Scenario:
@@ -59,7 +91,7 @@ class Scenario(Table):
         try:
             scenario = cls.model_validate(dict(data))
         except ValidationError as error:
-            raise InputError(sentence_of(error.errors(), cls.schema())) from None
+            raise InputError(sentence_of(error.errors(), _schema())) from None
         scenario._folder = folder
         return scenario
 
@@ -68,8 +100,23 @@ class Scenario(Table):
         """Return the JSON Schema of a scenario file, for editors and other programs."""
         return cls.model_json_schema(by_alias=by_alias, ref_template=ref_template)
 
-    def case(self) -> Case:
+    @property
+    def folder(self) -> Path:
+        """Where the relative path of a record begins."""
+        return self._folder
+
+    @property
+    def measures(self) -> tuple[NamedMeasures, ...]:
+        """What may hold the furniture, each under its name; empty where the file says nothing."""
+        return tuple(NamedMeasures(one.title, one.measures()) for one in self.measure_tables or ())
+
+    def case(self, measures: Sequence[Measure] = ()) -> Case:
         """Make the case: body, room, motion, contact law, initial state and gravity.
+
+        Parameters
+        ----------
+        measures : sequence of Measure
+            What is in place; those of the file are not, unless they are given here.
 
         Raises
         ------
@@ -83,4 +130,5 @@ class Scenario(Table):
             contact=self.contact,
             initial=self.initial.state(),
             gravity=self.gravity,
+            measures=tuple(measures),
         )

@@ -31,8 +31,14 @@ def class_label(intensity: float, language: str) -> str:
     return name if language == "en" else f"震度{_CLASSES_JA.get(name, name)}"
 
 
-def _percent(share: float) -> str:
-    return f"{percent(share)} %"
+def _percent(share: float, language: str) -> str:
+    return f"{percent(share)} %" if language == "en" else f"{percent(share)}%"
+
+
+def _of_the_cases(share: float) -> str:
+    """Return a share in English: "in 12 % of the cases", "in none of the cases"."""
+    amount = {0.0: "none", 1.0: "all"}.get(share, _percent(share, "en"))
+    return f"in {amount} of the cases"
 
 
 def _centimetres(length: float) -> str:
@@ -49,22 +55,24 @@ def headline(verdict: Verdict, language: str) -> str:
         held = best.probabilities[OVERTURNED].estimate
         if language == "en":
             return (
-                f"In shaking of JMA intensity {strength} the {name} overturns in {_percent(falls)} of the "
-                f"cases; with {_lowered(best, language)}, in {_percent(held)}."
+                f"In shaking of JMA intensity {strength} the {name} overturns {_of_the_cases(falls)}; "
+                f"with {_lowered(best, language)}, {_of_the_cases(held).removesuffix(' of the cases')}."
             )
         label = best.option.label(language)
-        told = f"{strength}の揺れで、この家具は{_percent(falls)}の場合に転倒します。"
-        return f"{told}{label}があれば{_percent(held)}です。"
+        told = f"{strength}の揺れで、この家具は{_percent(falls, language)}の場合に転倒します。"
+        if held == 0.0:
+            return f"{told}{label}があれば、計算した場合のいずれでも転倒しません。"
+        return f"{told}{label}があれば{_percent(held, language)}です。"
     if language == "en":
         if falls < 0.005:
             return f"In shaking of JMA intensity {strength} the {name} stays upright without any measure."
         return (
-            f"In shaking of JMA intensity {strength} the {name} overturns in {_percent(falls)} of the cases, "
+            f"In shaking of JMA intensity {strength} the {name} overturns {_of_the_cases(falls)}, "
             "and no measure that was compared makes it clearly less."
         )
     if falls < 0.005:
         return f"{strength}の揺れでも、この家具は対策なしで転倒しません。"
-    told = f"{strength}の揺れで、この家具は{_percent(falls)}の場合に転倒します。"
+    told = f"{strength}の揺れで、この家具は{_percent(falls, language)}の場合に転倒します。"
     return f"{told}比較した対策では明らかには減りません。"
 
 
@@ -81,9 +89,9 @@ def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
     parts: list[str] = []
     if option.change is None:
         parts.append(
-            f"it overturns in {_percent(falls)} of the cases"
+            f"it overturns {_of_the_cases(falls)}"
             if english
-            else f"{_percent(falls)}の場合に転倒します"
+            else f"{_percent(falls, language)}の場合に転倒します"
         )
     elif not option.change.clear:
         parts.append(
@@ -93,25 +101,25 @@ def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
         )
     elif option.change.estimate < 0.0:
         parts.append(
-            f"it overturns in {_percent(shares[OVERTURNED])} of the cases instead of {_percent(falls)}"
+            f"it overturns {_of_the_cases(shares[OVERTURNED])} instead of {_percent(falls, language)}"
             if english
-            else f"転倒は{_percent(falls)}から{_percent(shares[OVERTURNED])}に減ります"
+            else f"転倒は{_percent(falls, language)}から{_percent(shares[OVERTURNED], language)}に減ります"
         )
     else:
         parts.append(
-            f"it overturns more often than without a measure, in {_percent(shares[OVERTURNED])} of the cases"
+            f"it overturns more often than without a measure, {_of_the_cases(shares[OVERTURNED])}"
             if english
-            else f"転倒は対策なしより増えて{_percent(shares[OVERTURNED])}です"
+            else f"転倒は対策なしより増えて{_percent(shares[OVERTURNED], language)}です"
         )
     if shares[DEVICE_FAILED] >= 0.05:
         parts.append(
-            f"a device fails in {_percent(shares[DEVICE_FAILED])}"
+            f"a device fails in {_percent(shares[DEVICE_FAILED], language)}"
             if english
-            else f"器具は{_percent(shares[DEVICE_FAILED])}の場合に破損または脱落します"
+            else f"器具は{_percent(shares[DEVICE_FAILED], language)}の場合に破損または脱落します"
         )
     if math.isfinite(option.slide.p90) and option.slide.p90 >= 0.01:
         parts.append(
-            f"it moves up to {_centimetres(option.slide.p90)} in nine of ten"
+            f"in nine of ten it slides by {_centimetres(option.slide.p90)} at most"
             if english
             else f"10回中9回は移動が{_centimetres(option.slide.p90)}以内です"
         )

@@ -1,0 +1,161 @@
+"""Force elements of measures in newtons, and the rows per unit mass that the mechanics read."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.cases import State, standing_corners
+from stayput.mechanics.restrained.columns import AXIAL, ELEMENT, PLANAR
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.body import Body
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A spring with a damper, slack and strength, along the normal or the tangent of an element.
+
+    Parameters
+    ----------
+    stiffness : float
+        k [N/m]; 0 where there is no such line.
+    damping : float
+        c [N s/m].
+    slack_plus, slack_minus : float
+        Elongation at which it pulls and shortening at which it pushes [m]; inf: never, negative: preload.
+    limit_plus, limit_minus : float
+        Strength in pull and in push, or to either side of the tangent [N].
+    ultimate : float
+        Plastic elongation at which it parts [m]; 0 is brittle.
+    """
+
+    stiffness: float = 0.0
+    damping: float = 0.0
+    slack_plus: float = math.inf
+    slack_minus: float = math.inf
+    limit_plus: float = math.inf
+    limit_minus: float = math.inf
+    ultimate: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """A force between a point of the body and a place in the room.
+
+    Parameters
+    ----------
+    kind : str
+        The measure that it belongs to.
+    point : tuple of float
+        Where it holds the body, right of the middle of its base and up, in the body's axes [m].
+    normal : Line
+        Along the line to the anchor, or at right angles to the plane.
+    tangent : Line
+        Along the plane.
+    to_anchor : tuple of float, optional
+        From the point at rest to the anchor, right and up [m]; then the force is along the line between them.
+    facing : tuple of float, optional
+        The normal of the plane, into the room; then the plane goes through the point at rest.
+    place : str
+        Tells it from others of the same measure: "front".
+    friction : float
+        The tangent slips at this times the push; nan: it does not.
+    interaction : bool
+        Whether it fails where (pull/strength)² + (shear/strength)² reaches 1.
+    drops_out : bool
+        Whether it is gone for good once it pushes no more.
+    """
+
+    kind: str
+    point: tuple[float, float]
+    normal: Line
+    tangent: Line = Line()
+    to_anchor: tuple[float, float] | None = None
+    facing: tuple[float, float] | None = None
+    place: str = ""
+    friction: float = math.nan
+    interaction: bool = False
+    drops_out: bool = False
+
+
+def damper(ratio: float, stiffness: float, mass: float) -> float:
+    """Return the damping that is a ratio of the critical one of the body's mass on a spring [N s/m]."""
+    return 2.0 * ratio * math.sqrt(stiffness * mass)
+
+
+def at_rest(body: Body, point: tuple[float, float]) -> tuple[float, float]:
+    """Return where a point of the body is in the room at rest: right of the middle of the base, and up [m].
+
+    Parameters
+    ----------
+    body : Body
+        The body.
+    point : tuple of float
+        Right of the middle of its base and up, in the body's axes [m].
+    """
+    x, z = standing_corners(body, State())[0]
+    right, up = point[0] + body.width / 2, point[1] - body.base_heights[0]
+    sin, cos = math.sin(body.resting_tilt), math.cos(body.resting_tilt)
+    return x + right * cos + up * sin, z + up * cos - right * sin
+
+
+def rows_of(
+    body: Body, elements: Sequence[Element], strength: float | Sequence[float] = 1.0
+) -> NDArray[np.void]:
+    """Return rows of ELEMENT, shape [n]: forces per unit mass of the body, places relative to G.
+
+    Parameters
+    ----------
+    body : Body
+        The body that they hold.
+    elements : sequence of Element
+        The elements.
+    strength : float or sequence of float
+        Factor on all strengths, or one for each element. Friction is not a strength.
+    """
+    rows = np.zeros(len(elements), ELEMENT)
+    factors = [strength] * len(elements) if isinstance(strength, int | float) else strength
+    for n, (element, factor) in enumerate(zip(elements, factors, strict=True)):
+        rows[n] = _row(body, element, factor)
+    return rows
+
+
+def _row(body: Body, element: Element, factor: float) -> tuple[object, ...]:
+    (x_g, z_g), (right, up), m = body.centre_of_gravity, element.point, body.mass
+    lines = element.normal, element.tangent
+    x = z = math.nan
+    cos, sin, length = 1.0, 0.0, 0.0
+    if element.to_anchor is not None:
+        x, z = at_rest(body, element.point)
+        x, z = x + element.to_anchor[0], z + element.to_anchor[1]
+        length = math.hypot(*element.to_anchor)
+    elif element.facing is not None:
+        cos, sin = element.facing[1], -element.facing[0]
+    return (
+        AXIAL if element.to_anchor is not None else PLANAR,
+        right - x_g,
+        up - z_g,
+        x,
+        z,
+        cos,
+        sin,
+        length,
+        [line.stiffness / m for line in lines],
+        [line.damping / m for line in lines],
+        [line.slack_plus for line in lines],
+        [line.slack_minus for line in lines],
+        [factor * line.limit_plus / m for line in lines],
+        [factor * line.limit_minus / m for line in lines],
+        [line.ultimate for line in lines],
+        element.friction,
+        int(element.interaction),
+        int(element.drops_out),
+    )

@@ -1,0 +1,162 @@
+"""What lies between furniture and floor and changes its friction: sheets, glides and casters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, ClassVar
+
+from stayput.errors import InputError
+from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
+from stayput.measures.parameters import parameter
+from stayput.room import FRICTION_RANGE, SURFACES
+from stayput.uncertainty import Confidence
+
+if TYPE_CHECKING:
+    from typing import Any
+
+    from stayput.body import Body
+    from stayput.room import Floor, Room
+
+STATIC = ("static friction", "静止摩擦係数")
+KINETIC = ("kinetic friction", "動摩擦係数")
+
+
+def static_of(surface: str) -> Any:
+    """Return the parameter for the static friction of a surface."""
+    return parameter(SURFACES[surface][0], "", *FRICTION_RANGE, STATIC, Confidence.MEDIUM)
+
+
+def kinetic_of(surface: str) -> Any:
+    """Return the parameter for the kinetic friction of a surface."""
+    return parameter(SURFACES[surface][1], "", *FRICTION_RANGE, KINETIC, Confidence.MEDIUM)
+
+
+def with_friction(floor: Floor, static: float, kinetic: float) -> Floor:
+    """Return the floor with other coefficients of friction, on the base and on its edges alike."""
+    return replace(
+        floor,
+        static_friction=static,
+        kinetic_friction=kinetic,
+        edge_static_friction=None,
+        edge_kinetic_friction=None,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class OtherFriction(Measure):
+    """Something under the whole base: its friction takes the place of the floor's."""
+
+    acts_on: ClassVar[str] = "the base"
+
+    static_friction: float
+    kinetic_friction: float
+
+    def __post_init__(self) -> None:
+        Measure.__post_init__(self)
+        if self.kinetic_friction > self.static_friction:
+            raise InputError(
+                f"{self.label[0]} kinetic_friction is {self.kinetic_friction:g}; "
+                f"it must not be above static_friction, {self.static_friction:g}."
+            )
+
+    def where(self) -> str | None:
+        """Return the place under the base."""
+        return UNDER_THE_BASE
+
+    def apply(self, body: Body, room: Room) -> Held:
+        """Return the body on a floor with this friction."""
+        floor = with_friction(room.floor, self.static_friction, self.kinetic_friction)
+        return Held(body, replace(room, floor=floor), (), (self,))
+
+
+@dataclass(frozen=True, slots=True)
+class AntiSlipSheet(OtherFriction):
+    """Anti-slip sheet or rubber stoppers under the whole base."""
+
+    kind: ClassVar[str] = "anti_slip_sheet"
+    label: ClassVar[tuple[str, str]] = ("Anti-slip sheet", "滑り止めシート")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "Rubber under the base keeps the piece from sliding; it does not keep it from tipping, and a "
+            "tall piece that can no longer slide may tip sooner."
+        ),
+        "底面のゴムで滑りを防ぐが、転倒は防げず、背の高い家具では滑れないぶん早く倒れることがある。",
+    )
+
+    static_friction: float = static_of("rubber pad")
+    kinetic_friction: float = kinetic_of("rubber pad")
+
+
+@dataclass(frozen=True, slots=True)
+class FeltGlides(OtherFriction):
+    """Felt glides under the base."""
+
+    kind: ClassVar[str] = "felt_glides"
+    label: ClassVar[tuple[str, str]] = ("Felt glides", "フェルトパッド")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "Felt under the base lets the piece slide before it tips; it then wanders and may hit what "
+            "stands near."
+        ),
+        "底面のフェルトで滑りやすくして転倒を避けるが、家具が移動し、周囲の物にぶつかることがある。",
+    )
+
+    static_friction: float = static_of("felt on wood")
+    kinetic_friction: float = kinetic_of("felt on wood")
+
+
+@dataclass(frozen=True, slots=True)
+class SlidingGlides(OtherFriction):
+    """Glides of PTFE under the base."""
+
+    kind: ClassVar[str] = "sliding_glides"
+    label: ClassVar[tuple[str, str]] = ("Sliding glides (PTFE)", "すべりパッド（フッ素樹脂）")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "PTFE under the base lets the piece slide at a small force, so that it does not tip; it travels "
+            "far and may hit what stands near."
+        ),
+        (
+            "底面のフッ素樹脂で小さな力でも滑らせて転倒を避けるが、大きく移動し、周囲の物にぶつかることがある"
+            "。"
+        ),
+    )
+
+    static_friction: float = static_of("PTFE glide")
+    kinetic_friction: float = kinetic_of("PTFE glide")
+
+
+@dataclass(frozen=True, slots=True)
+class FreeCasters(OtherFriction):
+    """Casters that roll."""
+
+    kind: ClassVar[str] = "free_casters"
+    label: ClassVar[tuple[str, str]] = ("Casters, free", "キャスター（ロックなし）")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "Rolling casters hardly pass the shaking on, so the piece does not tip; it rolls far and hits "
+            "what stands near."
+        ),
+        "キャスターが転がって揺れが伝わりにくく倒れにくいが、大きく動き回り、周囲の物に衝突する。",
+    )
+
+    static_friction: float = static_of("free caster, hard floor")
+    kinetic_friction: float = kinetic_of("free caster, hard floor")
+
+
+@dataclass(frozen=True, slots=True)
+class LockedCasters(OtherFriction):
+    """Casters whose brakes are on."""
+
+    kind: ClassVar[str] = "locked_casters"
+    label: ClassVar[tuple[str, str]] = ("Casters, locked", "キャスター（ロックあり）")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "Locked casters slide like feet and no longer roll away; a piece that tips under shaking tips on "
+            "them too."
+        ),
+        "ロックしたキャスターは転がらず脚のように滑るだけになるが、強い揺れでの転倒は防げない。",
+    )
+
+    static_friction: float = static_of("locked caster")
+    kinetic_friction: float = kinetic_of("locked caster")

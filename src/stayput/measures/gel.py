@@ -1,0 +1,72 @@
+"""Adhesive gel mats under the corners."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, ClassVar
+
+from stayput.measures.element import Element, Line, damper
+from stayput.measures.floor import kinetic_of, static_of, with_friction
+from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
+from stayput.measures.parameters import parameter
+
+if TYPE_CHECKING:
+    from stayput.body import Body
+    from stayput.room import Room
+
+
+@dataclass(frozen=True, slots=True)
+class GelMats(Measure):
+    """Pads of soft adhesive gel, half of them along each edge of the base.
+
+    Each edge is held by a spring that only pulls, and one that shears either way; both tear off for good
+    where (pull/strength)² + (shear/strength)² = 1.
+    """
+
+    kind: ClassVar[str] = "gel_mats"
+    label: ClassVar[tuple[str, str]] = ("Adhesive gel mats", "耐震ゲルマット（粘着マット式）")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "Sticky gel under the corners holds the base down and sideways; it tears off for good where pull "
+            "and shear together exceed its bond, which dust, rough floors and age weaken."
+        ),
+        (
+            "四隅の粘着ゲルで底面を床に留めるが、引きはがす力とずれの力が粘着力を超えるとはがれて元に戻らず、"
+            "ほこりや凹凸、劣化で弱くなる。"
+        ),
+    )
+    acts_on: ClassVar[str] = "the base"
+
+    area: float = parameter(0.04 * 0.04, "m²", 1e-5, 1.0, ("area of one pad", "1枚の面積"))
+    count: int = parameter(4, "", 2, 100, ("number of pads", "枚数"))
+    tension: float = parameter(100e3, "Pa", 1e2, 1e7, ("label stress in tension", "引張強さ（表示値）"))
+    shear: float = parameter(50e3, "Pa", 1e2, 1e7, ("label stress in shear", "せん断強さ（表示値）"))
+    realism: float = parameter(
+        0.7, "", 0.0, 1.0, ("part of the label's strength that is reached", "表示値に対する実際の割合")
+    )
+    thickness: float = parameter(0.005, "m", 5e-4, 0.05, ("thickness", "厚さ"))
+    modulus: float = parameter(300e3, "Pa", 1e3, 1e8, ("Young's modulus", "ヤング率"))
+    damping: float = parameter(0.1, "", 0.0, 2.0, ("damping ratio", "減衰定数"))
+    static_friction: float = static_of("rubber pad")
+    kinetic_friction: float = kinetic_of("rubber pad")
+
+    def where(self) -> str | None:
+        """Return the place under the base."""
+        return UNDER_THE_BASE
+
+    def apply(self, body: Body, room: Room) -> Held:
+        """Return the body with an element at each edge of its base, on the gel's friction."""
+        area = 0.5 * self.count * self.area
+        stiffness = self.modulus * area / self.thickness
+        pull, shear = (self.realism * area * stress for stress in (self.tension, self.shear))
+        normal = Line(stiffness, damper(self.damping, stiffness, body.mass), 0.0, math.inf, pull)
+        stiffness /= 3.0  # the gel does not change its volume: G = E/3
+        tangent = Line(stiffness, damper(self.damping, stiffness, body.mass), 0.0, 0.0, shear, shear)
+        half, (left, right) = body.width / 2, body.base_heights
+        elements = tuple(
+            Element(self.kind, point, normal, tangent, facing=(0.0, 1.0), place=place, interaction=True)
+            for place, point in (("back", (-half, left)), ("front", (half, right)))
+        )
+        floor = with_friction(room.floor, self.static_friction, self.kinetic_friction)
+        return Held(body, replace(room, floor=floor), elements, (self,))

@@ -1,0 +1,154 @@
+"""A measure as a value, what it makes of a body and its room, and several of them together."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from stayput.errors import InputError
+from stayput.measures.element import Element, rows_of
+from stayput.measures.parameters import check, parameters
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from stayput.body import Body
+    from stayput.room import Room, Wall
+
+
+@dataclass(frozen=True, slots=True)
+class Held:
+    """A body and its room with measures in place.
+
+    Parameters
+    ----------
+    body : Body
+        The body, with what the measures change of it.
+    room : Room
+        The room, with what they change of it.
+    elements : tuple of Element
+        The force elements between the two.
+    measures : tuple of Measure
+        The measures.
+    """
+
+    body: Body
+    room: Room
+    elements: tuple[Element, ...] = ()
+    measures: tuple[Measure, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """An earthquake-proof measure: something that holds furniture, or makes it stand better.
+
+    Its fields are its parameters, in SI units; `stayput.measures.parameters` tells what is known of each.
+
+    Raises
+    ------
+    InputError
+        A parameter out of its range.
+    """
+
+    kind: ClassVar[str]
+    """Its name in a scenario."""
+
+    label: ClassVar[tuple[str, str]]
+    """What it is called, in English and Japanese."""
+
+    about: ClassVar[tuple[str, str]]
+    """How it works and what makes it fail, in one sentence in English and Japanese."""
+
+    acts_on: ClassVar[str] = "the tie"
+    """What it changes: "the body", "the room" and "the base" come before "the tie", whatever their order."""
+
+    def __post_init__(self) -> None:
+        for about in parameters(self):
+            check(about, getattr(self, about.name), self.label[0])
+
+    def where(self) -> str | None:
+        """Return the place where only one measure can be, or None if it takes up none."""
+        return None
+
+    def apply(self, body: Body, room: Room) -> Held:
+        """Return the body and the room with the measure in place.
+
+        Raises
+        ------
+        InputError
+            It cannot be put there: no wall, no ceiling, no room for it.
+        """
+        raise NotImplementedError
+
+
+UNDER_THE_BASE = "under the base"
+
+_ORDER = ("the body", "the room", "the base", "the tie")
+
+
+def hold(body: Body, room: Room, measures: Iterable[Measure]) -> Held:
+    """Put measures in place together.
+
+    The result does not depend on their order, but that the elements are listed in it.
+
+    Parameters
+    ----------
+    body : Body
+        What stands.
+    room : Room
+        Where it stands.
+    measures : iterable of Measure
+        The measures.
+
+    Raises
+    ------
+    InputError
+        Two measures for one place, or one that cannot be put there.
+    """
+    asked = tuple(measures)
+    refuse_conflicts(asked)
+    found: dict[int, tuple[Element, ...]] = {}
+    for place in sorted(range(len(asked)), key=lambda n: _ORDER.index(asked[n].acts_on)):
+        held = asked[place].apply(body, room)
+        body, room, found[place] = held.body, held.room, held.elements
+    elements = tuple(element for place in range(len(asked)) for element in found[place])
+    return Held(body, room, elements, asked)
+
+
+def element_rows(held: Held, strength: float | Sequence[float] = 1.0) -> NDArray[np.void]:
+    """Return the elements as the mechanics read them, shape [n]; see `stayput.measures.element.rows_of`."""
+    return rows_of(held.body, held.elements, strength)
+
+
+def refuse_conflicts(measures: Iterable[Measure]) -> None:
+    """Raise `InputError` where two measures take up one place."""
+    taken: dict[str, Measure] = {}
+    for measure in measures:
+        if not isinstance(measure, Measure):  # pyright: ignore[reportUnnecessaryIsInstance]
+            raise InputError(f"A measure is {measure!r}; it must be one of stayput.measures.")
+        place = measure.where()
+        if place is None:
+            continue
+        if place in taken:
+            first, second = taken[place].label[0], measure.label[0]
+            pair = (
+                f"{first} is given twice" if first == second else f"{first} and {second} are given together"
+            )
+            raise InputError(f"{pair}, both {place}; only one of them can be there.")
+        taken[place] = measure
+
+
+def wall_behind(measure: Measure, room: Room) -> Wall:
+    """Return the wall at the back (left), which some measures need.
+
+    Raises
+    ------
+    InputError
+        There is none.
+    """
+    if room.left_wall is None:
+        raise InputError(f"{measure.label[0]} needs a wall at the back; the room must have a left_wall.")
+    return room.left_wall

@@ -1,0 +1,169 @@
+"""What became of devices: peak forces, failures and how much of their strength was used."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.mechanics.restrained.columns import (
+    DRAWN_OUT,
+    DROPPED_OUT,
+    F_NORMAL,
+    F_TANGENT,
+    HOLDS,
+    NONE,
+    NORMAL,
+    PULLED,
+    PULLED_AND_SHEARED,
+    PUSHED,
+    SHEARED,
+    TANGENT,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from stayput.measures.measure import Held
+
+CAUSES: dict[int, str | None] = {
+    HOLDS: None,
+    PULLED: "pulled off",
+    PUSHED: "pushed in",
+    SHEARED: "sheared off",
+    PULLED_AND_SHEARED: "torn off by pull and shear",
+    DRAWN_OUT: "drawn out",
+    DROPPED_OUT: "dropped out",
+}
+"""Why a device failed, by the mechanics' numbers; None: it holds."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DeviceResult:
+    """What became of one device, which is one element of a measure.
+
+    Attributes
+    ----------
+    kind : str
+        The measure that it belongs to.
+    label : tuple of str
+        What it is called, in English and Japanese.
+    place : str
+        Tells it from others of the same measure: "front".
+    peak_pull, peak_push, peak_shear : float
+        Largest forces at any time [N].
+    utilisation : float
+        Largest peak force over its strength; at least 1 where it failed, 0 where it has no strength to reach.
+    failed : bool
+        Whether it is gone for good.
+    failure_time : float
+        When it failed [s], or nan.
+    cause : str or None
+        Why it failed.
+    pull, shear : ndarray of float64, shape [samples]
+        Forces along its normal, + where it pulls, and along its tangent, at the samples of the run [N].
+    """
+
+    kind: str
+    label: tuple[str, str]
+    place: str
+    peak_pull: float
+    peak_push: float
+    peak_shear: float
+    utilisation: float
+    failed: bool
+    failure_time: float
+    cause: str | None
+    pull: NDArray[np.float64]
+    shear: NDArray[np.float64]
+
+
+def utilisation(elements: NDArray[np.void], devices: NDArray[np.void]) -> NDArray[np.float64]:
+    """Return the largest peak force over its strength, of any shape; at least 1 where a device failed.
+
+    Parameters
+    ----------
+    elements : ndarray of ELEMENT
+        The devices.
+    devices : ndarray of DEVICE
+        What became of them.
+    """
+    shear = np.minimum(elements["limit_plus"][..., TANGENT], elements["limit_minus"][..., TANGENT])
+    pairs = (
+        (devices["peak_pull"], elements["limit_plus"][..., NORMAL]),
+        (devices["peak_push"], elements["limit_minus"][..., NORMAL]),
+        (devices["peak_shear"], shear),
+    )
+    used = np.zeros(devices.shape)
+    for peak, strength in pairs:
+        used = np.maximum(used, np.divide(peak, strength, out=np.zeros_like(used), where=strength > 0.0))
+    return np.where(devices["failure"] != HOLDS, np.maximum(used, 1.0), used)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Failures:
+    """The devices of cases together, shape [m] each.
+
+    Attributes
+    ----------
+    count : ndarray of int32
+        Devices that failed.
+    first : ndarray of float64
+        When the first one failed [s], or nan.
+    utilisation : ndarray of float64
+        Largest utilisation; 0 without devices.
+    """
+
+    count: NDArray[np.int32]
+    first: NDArray[np.float64]
+    utilisation: NDArray[np.float64]
+
+
+def failures_of(elements: NDArray[np.void], devices: NDArray[np.void]) -> Failures:
+    """Sum up the devices of cases, shape [m, n]."""
+    failed = (devices["failure"] != HOLDS) & (elements["kind"] != NONE)
+    times = np.where(failed, devices["failure_time"], math.inf)
+    first = times.min(axis=-1, initial=math.inf)
+    used = np.where(elements["kind"] != NONE, utilisation(elements, devices), 0.0)
+    return Failures(
+        failed.sum(axis=-1).astype(np.int32),
+        np.where(np.isfinite(first), first, math.nan),
+        used.max(axis=-1, initial=0.0),
+    )
+
+
+def device_results(
+    held: Held, elements: NDArray[np.void], devices: NDArray[np.void], forces: NDArray[np.float64]
+) -> tuple[DeviceResult, ...]:
+    """Name what the mechanics returned in numbers per unit mass.
+
+    Parameters
+    ----------
+    held : Held
+        The body and its devices.
+    elements, devices : ndarray, shape [n]
+        The mechanics' rows.
+    forces : ndarray of float64, shape [samples, n, 2]
+        Forces at the samples [N/kg].
+    """
+    labels = {measure.kind: measure.label for measure in held.measures}
+    used, m = utilisation(elements, devices), held.body.mass
+    return tuple(
+        DeviceResult(
+            element.kind,
+            labels[element.kind],
+            element.place,
+            m * float(device["peak_pull"]),
+            m * float(device["peak_push"]),
+            m * float(device["peak_shear"]),
+            float(used[n]),
+            int(device["failure"]) != HOLDS,
+            float(device["failure_time"]),
+            CAUSES[int(device["failure"])],
+            m * forces[:, n, F_NORMAL],
+            m * forces[:, n, F_TANGENT],
+        )
+        for n, (element, device) in enumerate(zip(held.elements, devices, strict=True))
+    )

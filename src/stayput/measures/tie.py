@@ -1,0 +1,122 @@
+"""Belts and chains between the top of the furniture and the wall."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from stayput.errors import InputError
+from stayput.measures.element import Element, Line, at_rest, damper
+from stayput.measures.measure import Held, Measure, wall_behind
+from stayput.measures.parameters import parameter
+
+if TYPE_CHECKING:
+    from stayput.body import Body
+    from stayput.room import Room
+
+
+@dataclass(frozen=True, slots=True)
+class Tie(Measure):
+    """Something that only pulls, along the line between a point of the piece and one on the wall."""
+
+    count: int
+    strength: float
+    stiffness: float
+    slack: float
+    setback: float
+    angle: float
+    height: float
+    damping: float
+
+    def where(self) -> str | None:
+        """Return the height on the wall."""
+        return f"tied to the wall at {self.height:g} times the height"
+
+    def apply(self, body: Body, room: Room) -> Held:
+        """Return the body with an element from its top to the wall."""
+        wall = wall_behind(self, room)
+        if self.setback > body.width:
+            raise InputError(
+                f"{self.label[0]} setback is {self.setback:g} m; "
+                f"it must be at most the width, {body.width:g} m."
+            )
+        point = (-body.width / 2 + self.setback, self.height * body.height)
+        x, z = at_rest(body, point)
+        away = x - _left(body) + wall.gap
+        rise = away * math.tan(self.angle)
+        top = math.inf if room.ceiling is None else room.ceiling.height
+        if not 0.0 <= z + rise <= top:
+            raise InputError(
+                f"{self.label[0]} angle is {self.angle:g} rad, which puts its anchor at {z + rise:g} m; "
+                "it must be between floor and ceiling."
+            )
+        k = self.count * self.stiffness
+        most = self.count * self.strength
+        pulls = Line(k, damper(self.damping, k, body.mass), self.slack, limit_plus=most)
+        return Held(body, room, (Element(self.kind, point, pulls, to_anchor=(-away, rise)),), (self,))
+
+
+def _left(body: Body) -> float:
+    """Return the leftmost place of the body at rest [m]."""
+    back = -body.width / 2
+    return min(at_rest(body, (back, body.base_heights[0]))[0], at_rest(body, (back, body.height))[0])
+
+
+HEIGHT = ("height on the piece, as a part of its height", "取付け高さ（家具の高さに対する比）")
+SETBACK = ("distance from the back of the piece", "背面からの距離")
+ANGLE = ("rise of the line towards the wall", "壁側への上がり角度")
+
+
+@dataclass(frozen=True, slots=True)
+class Belt(Tie):
+    """Belts from the top of the piece to the wall."""
+
+    kind: ClassVar[str] = "belt"
+    label: ClassVar[tuple[str, str]] = ("Belts", "ベルト式")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "Belts to the wall stop the piece once they are taut; they act only in tension, and a jerk after "
+            "slack may tear them or their anchors."
+        ),
+        (
+            "壁とつないだベルトが張ると転倒を止めるが、引張りにしか効かず、たるみがあると急な力で外れることが"
+            "ある。"
+        ),
+    )
+
+    count: int = parameter(2, "", 1, 20, ("number of belts", "本数"))
+    strength: float = parameter(1500.0, "N", 1.0, 1e6, ("strength of one", "1本の強さ"))
+    stiffness: float = parameter(50e3, "N/m", 1e3, 1e8, ("stiffness of one", "1本の剛性"))
+    slack: float = parameter(0.01, "m", 0.0, 0.5, ("slack", "たるみ"))
+    setback: float = parameter(0.1, "m", 0.02, 5.0, SETBACK)
+    angle: float = parameter(0.5, "rad", -1.4, 1.4, ANGLE)
+    height: float = parameter(1.0, "", 0.1, 1.0, HEIGHT)
+    damping: float = parameter(0.05, "", 0.0, 2.0, ("damping ratio", "減衰定数"))
+
+
+@dataclass(frozen=True, slots=True)
+class Chain(Tie):
+    """Chains from the top of the piece to the wall."""
+
+    kind: ClassVar[str] = "chain"
+    label: ClassVar[tuple[str, str]] = ("Chains", "チェーン式")
+    about: ClassVar[tuple[str, str]] = (
+        (
+            "Chains to the wall stop the piece once they are taut; they are stiff and usually slack, so the "
+            "jerk that tears their hooks or screws comes early."
+        ),
+        (
+            "壁とつないだチェーンが張ると転倒を止めるが、硬くたるみやすいため、急な力で金具やねじが外れやすい"
+            "。"
+        ),
+    )
+
+    count: int = parameter(2, "", 1, 20, ("number of chains", "本数"))
+    strength: float = parameter(1000.0, "N", 1.0, 1e6, ("strength of one", "1本の強さ"))
+    stiffness: float = parameter(200e3, "N/m", 1e3, 1e8, ("stiffness of one", "1本の剛性"))
+    slack: float = parameter(0.02, "m", 0.0, 0.5, ("slack", "たるみ"))
+    setback: float = parameter(0.1, "m", 0.02, 5.0, SETBACK)
+    angle: float = parameter(0.5, "rad", -1.4, 1.4, ANGLE)
+    height: float = parameter(1.0, "", 0.1, 1.0, HEIGHT)
+    damping: float = parameter(0.02, "", 0.0, 2.0, ("damping ratio", "減衰定数"))

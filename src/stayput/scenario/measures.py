@@ -1,0 +1,178 @@
+"""The tables of a scenario that say what holds the furniture, made from the measures' parameters."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from functools import reduce
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Self, cast
+
+from pydantic import BaseModel, Discriminator, Field, Tag, create_model, model_validator
+
+from stayput.measures import MEASURES, Measure, Parameter, parameters
+from stayput.measures.measure import refuse_conflicts
+from stayput.scenario.fields import Table, Text, between, checked
+
+COMBINE = "combine"
+
+
+class NamedMeasures(NamedTuple):
+    """One or several measures together, under a name.
+
+    Attributes
+    ----------
+    name : str
+        Its name in the scenario.
+    measures : tuple of Measure
+        The measures.
+    """
+
+    name: str
+    measures: tuple[Measure, ...]
+
+
+class MeasureTable(Table):
+    """One measure with its parameters."""
+
+    name: Text | None = Field(default=None, description="What it is called; default its type.")
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        checked("measures", self.measure)
+        return self
+
+    @property
+    def title(self) -> str:
+        """What it is called."""
+        return self.name or self.type_name
+
+    @property
+    def type_name(self) -> str:
+        """The kind of measure."""
+        return str(self.__dict__["type"])
+
+    def measure(self) -> Measure:
+        """Make the measure."""
+        return MEASURES[self.type_name](**self.model_dump(exclude={"name", "type"}))
+
+    def measures(self) -> tuple[Measure, ...]:
+        """Make what is in place together: one measure."""
+        return (self.measure(),)
+
+
+def _value(about: Parameter) -> Any:
+    if about.choices:
+        return Literal[about.choices]
+    kind: Any = int if isinstance(about.default, int) else float
+    bounded: Any = Annotated[kind, between(about.low, about.high, about.unit)]
+    return bounded if about.default is not None else bounded | None
+
+
+def _words(about: Parameter) -> str:
+    text = about.label[0]
+    return f"{text[0].upper()}{text[1:]} (default, {about.confidence} confidence)."
+
+
+def _table_of(kind: str, measure: type[Measure]) -> type[MeasureTable]:
+    """Return the table of one kind of measure."""
+    fields: dict[str, Any] = {"type": (Literal[kind], Field(description=measure.label[0] + "."))}
+    for about in parameters(measure):
+        fields[about.name] = (_value(about), Field(default=about.default, description=_words(about)))
+    name = f"{measure.__name__}Table"
+    return create_model(name, __base__=MeasureTable, __doc__=measure.about[0], **fields)
+
+
+TABLES: dict[str, type[MeasureTable]] = {kind: _table_of(kind, one) for kind, one in MEASURES.items()}
+"""The table of each kind of measure."""
+
+
+def _tag(value: object) -> str:
+    """Return the tag of a measure's table; `refuse_wrong_type` has refused what has none."""
+    table = value.__dict__ if isinstance(value, BaseModel) else cast("dict[str, object]", value)
+    return f"<{COMBINE}>" if COMBINE in table else f"<{table['type']}>"
+
+
+_TAGGED: list[Any] = [Annotated[table, Tag(f"<{kind}>")] for kind, table in TABLES.items()]
+
+if TYPE_CHECKING:
+    SingleChoice = MeasureTable
+else:
+    SingleChoice = Annotated[reduce(lambda one, other: one | other, _TAGGED), Discriminator(_tag)]
+
+
+class CombinedTable(Table):
+    """Several measures together."""
+
+    name: Text | None = Field(default=None, description="What they are called; default their types.")
+    combine: Annotated[list[SingleChoice], Field(min_length=1, max_length=20)] = Field(
+        description="The measures, each a table with its type."
+    )
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        checked("measures", lambda: refuse_conflicts(self.measures()))
+        return self
+
+    @property
+    def title(self) -> str:
+        """What they are called."""
+        return self.name or " + ".join(one.type_name for one in self.combine)
+
+    def measures(self) -> tuple[Measure, ...]:
+        """Make what is in place together."""
+        return tuple(one.measure() for one in self.combine)
+
+
+if TYPE_CHECKING:
+    MeasureChoice = MeasureTable | CombinedTable
+else:
+    _COMBINED = Annotated[CombinedTable, Tag(f"<{COMBINE}>")]
+    MeasureChoice = Annotated[reduce(lambda one, other: one | other, _TAGGED, _COMBINED), Discriminator(_tag)]
+"""A measure, or several together."""
+
+
+def refuse_wrong_type(given: object, place: str = "measures", *, nested: bool = False) -> None:
+    """Refuse a measure of no type, or of one that there is not; the tables check the rest.
+
+    Raises
+    ------
+    ValueError
+        The sentence.
+    """
+    if not isinstance(given, list):
+        return
+    for number, one in enumerate(cast("list[object]", given)):
+        name = f"{place}[{number}]"
+        if isinstance(one, BaseModel):
+            continue
+        if not isinstance(one, dict):
+            also = "" if nested else " or combine"
+            raise ValueError(f"{name} is {one!r}; it must be a table with type{also}.")
+        table = cast("dict[str, object]", one)
+        if COMBINE in table and not nested:
+            if "type" in table:
+                raise ValueError(f"{name}.type is given beside {name}.combine; it must be left out.")
+            refuse_wrong_type(table[COMBINE], f"{name}.{COMBINE}", nested=True)
+        elif str(table.get("type")) not in MEASURES:
+            raise ValueError(_wrong_type(f"{name}.type", table.get("type")))
+
+
+def _wrong_type(name: str, value: object) -> str:
+    allowed = f"it must be one of {', '.join(MEASURES)}."
+    if value is None:
+        return f"{name} is missing; {allowed}"
+    near = get_close_matches(value, MEASURES, 1) if isinstance(value, str) else []
+    hint = f" (did you mean {near[0]!r}?)" if near else ""
+    return f"{name} is {value!r}{hint}; {allowed}"
+
+
+class UncertaintyTable(Table):
+    """How much of what is not known is tried out."""
+
+    samples: Annotated[int, between(1, 1_000_000)] = Field(
+        default=400, description="Most samples of each set of measures."
+    )
+    seed: Annotated[int, between(0, 2**53)] = Field(default=1, description="Seed of the draws.")
+    precision: Annotated[float, between(0.001, 0.5)] | None = Field(
+        default=None,
+        description="Half-width of the 95 % interval of the probability of overturning that is enough.",
+    )

@@ -1,0 +1,256 @@
+"""Measures: their parameters, what they make of a body and its room, and what they refuse."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+import stayput as sp
+from stayput.furniture import FURNITURE
+from stayput.measures import (
+    MEASURES,
+    AgainstWall,
+    AntiSlipSheet,
+    AwayFromWall,
+    Ballast,
+    BaseIsolator,
+    Belt,
+    Chain,
+    GelMats,
+    LBracket,
+    LBracketInBoard,
+    LowerShelves,
+    TensionPole,
+    WedgeStopper,
+    element_rows,
+    hold,
+    parameters,
+    shapes,
+)
+from stayput.measures.element import at_rest
+from stayput.mechanics.restrained.columns import NORMAL, TANGENT
+
+ROOM = sp.Room(left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))
+BODY = sp.Body(0.4, 1.8, 100.0)
+
+
+@pytest.mark.parametrize("kind", MEASURES)
+def test_a_measure_tells_what_is_known_of_it(kind):
+    measure = MEASURES[kind]
+    assert measure.kind == kind
+    for english, japanese in (measure.label, measure.about):
+        assert english.isascii()
+        assert not japanese.isascii()
+    assert measure.about[0].endswith(".")
+    assert measure.about[1].endswith("。")
+    for about in parameters(measure):
+        assert about.label[0].isascii()
+        assert not about.label[1].isascii()
+        if about.choices:
+            assert about.default in about.choices
+        elif about.default is not None:
+            assert about.low <= about.default <= about.high
+
+
+@pytest.mark.parametrize("kind", MEASURES)
+@pytest.mark.parametrize("name", FURNITURE)
+def test_the_defaults_fit_every_piece_of_furniture(kind, name):
+    preset = FURNITURE[name]
+    body = sp.Body(preset.width, preset.height, preset.mass)
+    held = hold(body, ROOM, [MEASURES[kind]()])
+    assert (held.body, held.room, held.elements) != (body, ROOM, ())
+    run = sp.simulate(body, ROOM, sp.pulse("ricker", 3.0, frequency=1.0, quiet=1.0), held.measures)
+    assert len(run.devices) == len(held.elements)
+    assert run.outcome is not sp.Outcome.FAILED
+
+
+@pytest.mark.parametrize("kind", MEASURES)
+def test_every_number_out_of_range_is_refused_in_one_sentence(kind):
+    for about in parameters(MEASURES[kind]):
+        if about.choices:
+            with pytest.raises(sp.InputError, match=f"{about.name} is 'sideways'; it must be"):
+                MEASURES[kind](**{about.name: "sideways"})
+            continue
+        for value in (about.low - 1.0, 2.0 * about.high + 1.0, math.nan):
+            with pytest.raises(sp.InputError, match=rf"{about.name} is .*; it must be .*\.$"):
+                MEASURES[kind](**{about.name: value})
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: LBracket(count=1.5), "whole number"),
+        (lambda: AntiSlipSheet(kinetic_friction=0.9), "must not be above static_friction, 0.8"),
+        (lambda: BaseIsolator(kinetic_friction=0.9), "must not be above static_friction, 0.05"),
+        (lambda: TensionPole(preload=600.0), "below the ceiling's strength, 500 N"),
+    ],
+)
+def test_numbers_that_contradict_each_other_are_refused(make, message):
+    with pytest.raises(sp.InputError, match=message):
+        make()
+
+
+@pytest.mark.parametrize(
+    ("measures", "message"),
+    [
+        (
+            (AntiSlipSheet(), GelMats()),
+            "^Anti-slip sheet and Adhesive gel mats are given together, both under",
+        ),
+        ((WedgeStopper(), MEASURES["felt_glides"]()), "both under the base"),
+        ((TensionPole(), TensionPole(count=1)), "^Tension poles is given twice, both on the top, 0.05 m"),
+        ((AgainstWall(), AwayFromWall()), "both at a distance from the wall"),
+        ((LBracket(), LBracketInBoard()), "both on the wall at 1 times the height"),
+        ((LowerShelves(), LowerShelves(share=0.1)), "both on the shelves"),
+        (("belt",), "^A measure is 'belt'"),
+    ],
+)
+def test_two_measures_for_one_place_are_refused(measures, message):
+    with pytest.raises(sp.InputError, match=message):
+        hold(BODY, ROOM, measures)
+
+
+def test_two_poles_at_different_places_hold_together():
+    assert len(hold(BODY, ROOM, [TensionPole(count=1), TensionPole(count=1, setback=0.3)]).elements) == 2
+
+
+@pytest.mark.parametrize(
+    ("room", "measure", "message"),
+    [
+        (sp.Room(), LBracket(), "needs a wall at the back"),
+        (sp.Room(), Belt(), "needs a wall at the back"),
+        (sp.Room(), AgainstWall(), "needs a wall at the back"),
+        (sp.Room(left_wall=sp.Wall(0.2)), LBracket(), "gap must be at most 0.15 m"),
+        (sp.Room(), TensionPole(), "need a ceiling"),
+        (sp.Room(ceiling=sp.Ceiling(4.0)), TensionPole(), "have 2.2 m below the ceiling"),
+        (sp.Room(), TensionPole(ceiling_height=1.81), "have 0.01 m below the ceiling"),
+        (ROOM, TensionPole(setback=0.5), "at most the width, 0.4 m"),
+        (ROOM, Belt(setback=0.5), "at most the width, 0.4 m"),
+        (ROOM, Chain(angle=1.4), "between floor and ceiling"),
+        (ROOM, Ballast(height=2.0), "at most the piece's, 1.8 m"),
+    ],
+)
+def test_a_measure_that_cannot_be_put_there_is_refused(room, measure, message):
+    with pytest.raises(sp.InputError, match=message):
+        hold(BODY, room, [measure])
+
+
+def test_a_pole_brings_the_ceiling_that_the_room_does_not_tell():
+    assert hold(BODY, sp.Room(), [TensionPole(ceiling_height=2.2)]).room.ceiling == sp.Ceiling(2.2)
+
+
+def test_the_order_of_measures_changes_nothing_but_the_order_of_the_elements():
+    measures = [TensionPole(), Ballast(), WedgeStopper(), LBracket(), AgainstWall()]
+    one, other = hold(BODY, ROOM, measures), hold(BODY, ROOM, measures[::-1])
+    assert (one.body, one.room) == (other.body, other.room)
+    assert one.elements == other.elements[::-1]
+    assert [element.kind for element in one.elements] == ["tension_pole", "l_bracket"]
+
+
+def test_forces_in_newtons_become_forces_per_unit_mass():
+    held = hold(BODY, ROOM, [LBracket()])
+    row = element_rows(held)[0]
+    assert row["stiffness"][NORMAL] == 2 * 300e3 / 100.0
+    assert row["limit_plus"][NORMAL] == row["limit_plus"][TANGENT] == 2 * 1500.0 / 100.0
+    assert row["limit_minus"][NORMAL] == math.inf
+    assert row["damping"][NORMAL] == pytest.approx(2 * 0.05 * math.sqrt(600e3 * 100.0) / 100.0)
+    assert (row["u"], row["v"]) == (-0.2, 0.9)
+    assert math.isnan(row["x"])
+    weak = element_rows(held, 0.5)[0]
+    assert weak["limit_plus"][NORMAL] == 0.5 * row["limit_plus"][NORMAL]
+    assert weak["stiffness"][NORMAL] == row["stiffness"][NORMAL]
+    both = element_rows(hold(BODY, ROOM, [GelMats()]), [1.0, 0.25])["limit_plus"][:, TANGENT]
+    assert both[1] == 0.25 * both[0] == 0.25 * 0.7 * 2 * 0.0016 * 50e3 / 100.0
+
+
+def test_screws_that_point_up_are_weaker():
+    down, up = (element_rows(hold(BODY, ROOM, [LBracket(screws=way)]))[0] for way in ("down", "up"))
+    assert up["limit_plus"][NORMAL] == pytest.approx(0.7 * down["limit_plus"][NORMAL])
+
+
+def test_a_pole_pushes_with_its_preload_at_rest():
+    row = element_rows(hold(BODY, ROOM, [TensionPole()]))[0]
+    assert -row["slack_minus"][NORMAL] * row["stiffness"][NORMAL] == pytest.approx(2 * 150.0 / 100.0)
+    assert row["slack_plus"][NORMAL] == math.inf
+    assert (row["drops_out"], row["friction"]) == (1, 0.4)
+
+
+def test_the_anchor_of_a_belt_is_on_the_wall_at_its_angle():
+    held = hold(BODY, ROOM, [Belt(setback=0.1, angle=0.3)])
+    row = element_rows(held)[0]
+    assert row["x"] == pytest.approx(-0.2 - 0.03)
+    assert row["z"] == pytest.approx(1.8 + 0.13 * math.tan(0.3))
+    assert row["length"] == pytest.approx(0.13 / math.cos(0.3))
+    assert row["slack_minus"][NORMAL] == math.inf
+
+
+def test_where_a_point_of_the_body_is_at_rest():
+    assert at_rest(BODY, (-0.1, 1.0)) == pytest.approx((-0.1, 1.0), abs=1e-15)
+    back, front = 0.002, -0.005
+    tilted = sp.Body(0.4, 1.8, base_heights=(back, front))
+    left, right = at_rest(tilted, (-0.2, back)), at_rest(tilted, (0.2, front))
+    assert left[1] == pytest.approx(0.0, abs=1e-15)
+    assert right[1] == pytest.approx(0.0, abs=1e-15)
+    assert left[0] + right[0] == pytest.approx(0.0, abs=1e-15)
+    top = at_rest(tilted, (-0.2, 1.8))
+    assert top[0] - left[0] == pytest.approx(-1.798 * 0.007 / math.hypot(0.4, 0.007))
+
+
+def test_a_wedge_tilts_the_body_back_by_a_degree():
+    held = hold(BODY, ROOM, [WedgeStopper()])
+    assert math.degrees(held.body.resting_tilt) == pytest.approx(-math.degrees(math.atan(0.007 / 0.4)))
+    assert held.body.base_heights == (0.0, -0.007)
+
+
+def test_ballast_is_a_part_more():
+    body = sp.Body(0.4, 1.8, 100.0, cg_offset=(0.02, -0.1), inertia=30.0)
+    x, z = body.centre_of_gravity
+    half = math.sqrt(30.0 / 100.0 * 12.0)  # a rod of the body's inertia
+    parts = [sp.Part(100.0, x, z, half, 0.0), sp.Part(20.0, 0.0, 0.1, 0.4, 0.0)]
+    expected, found = sp.Body.from_parts(0.4, 1.8, parts), hold(body, ROOM, [Ballast()]).body
+    assert found.mass == expected.mass
+    assert found.cg_offset == pytest.approx(expected.cg_offset)
+    assert found.inertia == pytest.approx(expected.inertia)
+
+
+def test_heavy_things_on_the_lower_shelves_are_the_bookcase_loaded_so():
+    even = sp.Body.bookcase(0.4, 1.8, 40.0, [30.0, 30.0])
+    uneven = sp.Body.bookcase(0.4, 1.8, 40.0, [40.0, 20.0])
+    found = hold(even, ROOM, [LowerShelves(share=0.1)]).body
+    assert found.mass == uneven.mass
+    assert found.cg_offset == pytest.approx(uneven.cg_offset)
+    assert found.inertia == pytest.approx(uneven.inertia)
+
+
+def test_other_gaps_and_floors_take_the_place_of_the_rooms():
+    assert hold(BODY, ROOM, [AwayFromWall(gap=0.25)]).room.left_wall == sp.Wall(0.25)
+    floor = sp.Floor(0.4, 0.3, edge_static_friction=0.2, edge_kinetic_friction=0.1, restitution=0.9)
+    held = hold(BODY, sp.Room(floor), [AntiSlipSheet()])
+    assert held.room.floor == sp.Floor(0.8, 0.7, restitution=0.9)
+
+
+@pytest.mark.parametrize("kind", MEASURES)
+def test_a_picture_has_what_can_be_seen_as_plain_data(kind):
+    held = hold(BODY, ROOM, [MEASURES[kind]()])
+    x, z = held.body.centre_of_gravity
+    drawn = shapes(held, x, z, 0.0)
+    assert drawn or kind in ("lower_shelves", "against_wall", "away_from_wall")
+    assert json.loads(json.dumps(drawn)) == [
+        {**one, "points": [list(p) for p in one["points"]]} for one in drawn
+    ]
+    for one in drawn:
+        assert np.isfinite(one["points"]).all()
+
+
+def test_a_belt_stretches_and_breaks_in_the_picture():
+    held = hold(BODY, ROOM, [Belt()])
+
+    def length(drawn):
+        return [math.dist(*one["points"]) for one in drawn]
+
+    x, z = held.body.centre_of_gravity
+    (slack,), (taut,) = length(shapes(held, x, z, 0.0)), length(shapes(held, x + 0.1, z, 0.1))
+    assert slack == pytest.approx(element_rows(held)[0]["length"])
+    assert taut > slack
+    assert length(shapes(held, x, z, 0.1, broken=[0])) == pytest.approx([0.06, 0.06])
