@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
+
 from stayput.compiled import inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, FAILED, FLAT, FLIGHT, FLOOR_BITS, HELD, PLANE
-from stayput.mechanics.contact import STUCK, base_friction, none_presses, tabulate
+from stayput.mechanics.contact import STUCK, none_presses, tabulate
 from stayput.mechanics.geometry import along, gap_rate, slip_rate, stand_flat
 from stayput.mechanics.modes import (
     ALL_BUT_FLAT,
@@ -18,6 +20,10 @@ from stayput.mechanics.modes import (
 )
 from stayput.mechanics.restrained.elements import measure, settle_elements
 from stayput.mechanics.restrained.holding import bears, cone_facets, keep_floors_side, with_wrench
+from stayput.mechanics.restrained.rates import shared_friction
+
+STILL = 1e-9
+"""A body whose closed contacts do not move is still when it is not faster than this [m/s]."""
 
 
 @inner
@@ -39,20 +45,19 @@ def _close_slow_contacts(contacts, touching, settle, case, s):
 
 @inner
 def _share_base_friction(rows, case, a, G, wrench):
-    """Set the kinetic friction of a flat base whose load the elements shift; see `base_friction`."""
+    """Set the kinetic friction of a flat base whose load the elements shift; see `shared_friction`."""
     fx, fz, fl = wrench
     if G - fz <= 0.0:
         return
     shift = fl / (G - fz)
     left, right = rows[0], rows[1]
-    to_right = base_friction(case, right.mu_slip, -right.nl - shift, -right.tl)
-    to_left = base_friction(case, left.mu_slip, left.nl + shift, -left.tl)
-    left.flat_slip_right = right.flat_slip_right = to_right
-    left.flat_slip_left = right.flat_slip_left = to_left
+    a, b = (left.mu_slip, -left.nl, -left.tl), (right.mu_slip, -right.nl, -right.tl)
+    left.flat_slip_right = right.flat_slip_right = shared_friction(case, a, b, 1.0, shift)
+    left.flat_slip_left = right.flat_slip_left = shared_friction(case, a, b, -1.0, shift)
 
 
 @inner
-def _tabulate_rates(rows, contacts, closed, case, s, work, a, G, wrench):
+def _tabulate_rates(rows, contacts, closed, case, s, a, G, wrench):
     """List the closed contacts a moment ahead, with their accelerations under the loads and elements."""
     fx, fz, fl = wrench
     turn = MOMENT * s.omega
@@ -74,22 +79,18 @@ def _tabulate_rates(rows, contacts, closed, case, s, work, a, G, wrench):
 
 
 @inner
-def _is_still(contacts, closed, settle, s):
-    """Whether two contacts are closed and none slips faster than ``settle``: then the body does not move."""
-    count = 0
-    c = 0
-    while closed >> c:
-        if closed >> c & 1:
-            count += 1
-            if abs(slip_rate(contacts[c], s)) > settle:
-                return False
-        c += 1
-    return count >= 2
+def _is_still(closed, case, s):
+    """Whether contacts can hold the body where it is: two or more are closed, and it does not move."""
+    two = closed & (closed - 1) != 0
+    return two and max(abs(s.vx), abs(s.vz), math.sqrt(case.inertia) * abs(s.omega)) <= STILL
 
 
 @inner
-def _wrench_ahead(elements, links, s, work):
-    """Force of the elements a moment ahead, in the motion that the body had."""
+def _wrench_ahead(elements, links, s):
+    """Force of the elements a moment ahead in place; their dampers have the rates of now.
+
+    Rates a moment ahead would be those of the old mode's accelerations, which may be far from the new one's.
+    """
     t, turn = MOMENT, MOMENT * s.omega
     return measure(
         elements,
@@ -98,9 +99,9 @@ def _wrench_ahead(elements, links, s, work):
         s.cos - turn * s.sin,
         s.x + t * s.vx,
         s.z + t * s.vz,
-        s.vx + t * work.ax,
-        s.vz + t * work.az,
-        s.omega + t * s.alpha,
+        s.vx,
+        s.vz,
+        s.omega,
     )
 
 
@@ -109,7 +110,6 @@ def _stay_held(elements, links, closed, case, s, work):
     set_mode(s, HELD, -1, 0, -1, 0)
     s.closed = closed
     s.vx = s.vz = s.omega = s.alpha = 0.0
-    work.ax = work.az = 0.0
     if closed & FLOOR_BITS == FLOOR_BITS and abs(s.theta - s.rest) < ALL_BUT_FLAT:
         stand_flat(case, s)
     with_wrench(work, measure(elements, links, s.sin, s.cos, s.x, s.z, 0.0, 0.0, 0.0))
@@ -119,7 +119,7 @@ def _stay_held(elements, links, closed, case, s, work):
 def _hold_on_plane(elements, links, rows, count, closed, case, s, work, a, G, wrench):
     """Try to hold the body still by both its corners on one plane."""
     for k in range(count - 1):
-        if PLANE[rows[k].index] == PLANE[rows[k + 1].index] and cone_facets(rows, k, 2, case.inertia, work):
+        if PLANE[rows[k].index] == PLANE[rows[k + 1].index] and cone_facets(rows, k, 2, -1, case.inertia, work):
             if bears(work, a, G, wrench):
                 _stay_held(elements, links, closed, case, s, work)
                 return True
@@ -128,12 +128,14 @@ def _hold_on_plane(elements, links, rows, count, closed, case, s, work, a, G, wr
 
 @inner
 def _hold(elements, links, rows, count, closed, case, s, work, spare, a, G, wrench):
-    """Try to hold the body still by all its contacts."""
-    if not cone_facets(rows, 0, count, case.inertia, work) or not bears(work, a, G, wrench):
-        return False
-    keep_floors_side(rows, count, a, G, wrench, case.inertia, work, spare)
-    _stay_held(elements, links, closed, case, s, work)
-    return True
+    """Try to hold the body still by all its contacts, or by all but a base corner that bears nothing."""
+    both = closed & FLOOR_BITS == FLOOR_BITS
+    for lifted in range(-1, 2 if both and count > 2 else 0):
+        if cone_facets(rows, 0, count, lifted, case.inertia, work) and bears(work, a, G, wrench):
+            keep_floors_side(rows, count, lifted, a, G, wrench, case.inertia, work, spare)
+            _stay_held(elements, links, closed, case, s, work)
+            return True
+    return False
 
 
 @inner
@@ -142,15 +144,15 @@ def choose_restrained_mode(
 ):
     """Set the mode of a body with elements whose contacts ``touching`` are closed; as `modes.choose_mode`."""
     closed = _close_slow_contacts(contacts, touching, settle, case, s)
-    still = _is_still(contacts, closed, settle, s)
+    still = _is_still(closed, case, s)
     a, G = a + MOMENT * a_rate, G + MOMENT * G_rate
     held = (0.0, 0.0, 0.0)
     if still:  # slips of elements end, and no damper bears
         held = measure(elements, links, s.sin, s.cos, s.x, s.z, 0.0, 0.0, 0.0)
         work.failed += settle_elements(elements, links, devices, time)
         held = measure(elements, links, s.sin, s.cos, s.x, s.z, 0.0, 0.0, 0.0)
-    wrench = _wrench_ahead(elements, links, s, work)
-    count = _tabulate_rates(rows, contacts, closed, case, s, work, a, G, wrench)
+    wrench = _wrench_ahead(elements, links, s)
+    count = _tabulate_rates(rows, contacts, closed, case, s, a, G, wrench)
     if none_presses(rows, count, TOLERANCE):
         set_mode(s, FLIGHT, -1, 0, -1, 0)
         s.alpha = 0.0

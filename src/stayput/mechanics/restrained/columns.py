@@ -95,8 +95,6 @@ MOST_FACETS = 40
 
 WORK = np.dtype(
     [
-        ("ax", "f8"),  # acceleration of G just before the last event, for looking a moment ahead [m/s²]
-        ("az", "f8"),
         ("longest", "f8"),  # step that the last error allowed [s]
         ("foot", "f8"),  # place of a fulcrum that sticks, along its plane [m]
         ("patience", "f8"),  # factor on the slacks of limits; grows where events crowd

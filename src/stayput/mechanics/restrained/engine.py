@@ -139,7 +139,7 @@ def _list(events, case, s, work, dt, why, kind, closed, d):
 
 @inner
 def _forget(work, dt):
-    work.ax = work.az = work.foot = 0.0
+    work.foot = 0.0
     work.longest = dt
     work.patience = 1.0
     work.crowded = work.failed = work.facets = 0

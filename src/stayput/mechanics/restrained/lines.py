@@ -150,9 +150,8 @@ def first_branch(el, link, i):
 
 
 @inner
-def _spring_back(el, link, i):
+def _spring_back(el, link, i, plus):
     """End a slip: the spring keeps what its limit allows, and the rest has become plastic."""
-    plus = link.branch[i] == SLIP_PLUS
     side = 1.0 if plus else -1.0
     most = limit(el, i, plus, link.push)
     grown = max(0.0, side * stretch(el, link, i, link.e[i]) - most / el.stiffness[i])
@@ -179,6 +178,7 @@ def _reach_limit(el, link, device, i, plus, time):
         back, _ = margins(el, link, i, link.e[i], link.rate[i], link.push, link.push_rate)
         if back <= 0.0:
             link.branch[i] = before
+            _spring_back(el, link, i, plus)
     elif i == TANGENT:
         fail(link, device, SHEARED, time)
     else:
@@ -194,7 +194,7 @@ def _settle_line(el, link, device, i, time):
         if high < 0.0:
             fail(link, device, DRAWN_OUT, time)
         elif low <= 0.0:
-            _spring_back(el, link, i)
+            _spring_back(el, link, i, branch == SLIP_PLUS)
         return
     if branch == OPEN:
         if low < 0.0:

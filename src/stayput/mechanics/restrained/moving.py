@@ -313,7 +313,7 @@ def advance_moving(
         if pass_time(s, h, dt):
             note_sample(history, case, s)
             note_sample_forces(forces, links, s)
-    work.ax, work.az, s.alpha = k0[3], k0[4], k0[5]
+    s.alpha = k0[5]
     return why
 
 

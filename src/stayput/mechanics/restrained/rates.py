@@ -10,7 +10,7 @@ import math
 
 from stayput.compiled import inline, inner
 from stayput.mechanics.columns import FLAT, FLIGHT, PLANE, SLIP, STICK
-from stayput.mechanics.contact import JAMMED, base_friction, press_of_two, tabulate
+from stayput.mechanics.contact import JAMMED, press_of_two, tabulate
 from stayput.mechanics.geometry import along, arm_at, sin_cos
 from stayput.mechanics.restrained.elements import measure
 
@@ -37,13 +37,29 @@ def _on_fulcrum(con, case, stick, d, sin, cos, vx, vz, omega, A, Γ, fl):
 
 
 @inline
+def shared_friction(case, first, second, d, shift):
+    """Kinetic coefficient of the flat base under a body that slides, the load shifted by ``shift`` [m].
+
+    ``first`` and ``second`` are A and B: their own coefficient, σ and κ. The leading corner bears all at the
+    coefficient ``tips``, the trailing one at ``sits``. Where the base's
+    own is beyond either, the corner that bears all has its edge's, unless that would put the other down
+    again: then it is the one at which the other just bears nothing; see `contact.base_friction`.
+    """
+    lead, trail = (second, first) if d > 0.0 else (first, second)
+    tips, sits = d * (lead[1] - shift) / lead[2], d * (trail[1] - shift) / trail[2]
+    mu = case.kinetic_friction
+    if mu > tips:
+        return min(mu, max(lead[0], tips))
+    return max(mu, min(trail[0], sits))
+
+
+@inline
 def kinetic_pair(contacts, case, s, d, sigma_i, sigma_j, kappa, Γ, fl):
     """Kinetic coefficients of both corners of a body that slides flat."""
-    first, second = contacts[s.i], contacts[s.j]
+    first, second = contacts[s.i].mu_kinetic, contacts[s.j].mu_kinetic
     if PLANE[s.i] > 0:
-        return first.mu_kinetic, second.mu_kinetic
-    lead, reach = (second, sigma_j) if d > 0.0 else (first, -sigma_i)
-    mu = base_friction(case, lead.mu_kinetic, reach - d * fl / Γ, kappa)
+        return first, second
+    mu = shared_friction(case, (first, sigma_i, kappa), (second, sigma_j, kappa), d, fl / Γ)
     return mu, mu
 
 

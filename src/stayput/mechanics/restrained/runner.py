@@ -79,8 +79,8 @@ def check_elements(elements: NDArray[np.void]) -> None:
     _refuse(both < 0.0, both, "slack_plus + slack_minus", "0 or more")
     idle = (rows["stiffness"] == 0.0) & (rows["damping"] > 0.0)
     _refuse(idle, rows["damping"], "damping", "0 where there is no stiffness")
-    rubbed = ~np.isnan(rows["friction"]) & (rows["damping"][:, 1] > 0.0)
-    _refuse(rubbed, rows["damping"][:, 1], "tangential damping", "0 where the tangent slips by friction")
+    rubbed = ~np.isnan(rows["friction"]) & (rows["damping"] > 0.0).any(axis=1)
+    _refuse(rubbed, rows["damping"].max(axis=1), "damping", "0 where the tangent slips by friction")
     open_bond = np.isnan(both)
     _refuse(open_bond, both, "slack", "a number")
 
