@@ -73,7 +73,7 @@ def random_element(source: Source, standing: Standing) -> NDArray[np.void]:
         e["limit_plus"][:, 1] = e["limit_minus"][:, 1] = strength * _among(source, 0.3, 3.0)
         if _one_in(source, 2):
             e["interaction"] = 1
-    if _one_in(source, 3):
+    if int(e["interaction"][0]) == 0 and _one_in(source, 3):
         e["ultimate"] = _among(source, 1e-4, 0.1)
     if not _one_in(source, 3):
         e["damping"][:, 1] = e["damping"][:, 0] if float(e["stiffness"][0, 1]) > 0.0 else 0.0

@@ -46,7 +46,7 @@ def _along_normal(el, dx, dz):
     return dx / far, dz / far, far - el.length
 
 
-@inner
+@inline
 def measure(elements, links, sin, cos, x, z, vx, vz, omega):
     """Force on the body and its moment about G, + clockwise; the links keep elongations and forces.
 
@@ -84,6 +84,15 @@ def settle_elements(elements, links, devices, time):
         if links[n].lines > 0 and settle(elements[n], links[n], devices[n], time):
             failed += 1
     return failed
+
+
+@inner
+def none_left(links):
+    """Whether no element acts any more."""
+    for n in range(links.shape[0]):
+        if links[n].lines > 0:
+            return False
+    return True
 
 
 @inline

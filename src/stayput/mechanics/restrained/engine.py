@@ -22,13 +22,14 @@ from stayput.mechanics.columns import (
     TURNED_OVER,
 )
 from stayput.mechanics.contact import STUCK
-from stayput.mechanics.engine import list_event, outcome_of, start
+from stayput.mechanics.engine import COULOMB, carry_on, list_event, outcome_of, start
 from stayput.mechanics.geometry import note_peaks, slide_of, touching
 from stayput.mechanics.impact import closing, land, unjam
 from stayput.mechanics.motion import loads, note_sample
 from stayput.mechanics.restrained.choose import choose_restrained_mode
 from stayput.mechanics.restrained.elements import (
     measure,
+    none_left,
     note_forces,
     note_sample_forces,
     set_up_elements,
@@ -45,6 +46,9 @@ UNNAMED = -1
 
 PATIENCE = 8
 """So many crowded events in a row are borne before the slacks of limits grow tenfold with each further one."""
+
+TOLERANCE_ALONE = 1e-10
+"""Tolerance of the first kernel, which carries on where all devices are gone [rad]."""
 
 MOST_PATIENCE = 1e6
 """The slacks of limits do not grow by more than this."""
@@ -209,6 +213,24 @@ def run_restrained_case(
         before = s.k * dt + s.tau
         if kind == HELD:
             why = advance_held(case, links, s, work, ax, az, dt, extremes, history, forces)
+        elif none_left(links):
+            carry_on(
+                case,
+                ax,
+                az,
+                dt,
+                extremes,
+                COULOMB,
+                TOLERANCE_ALONE,
+                max_step,
+                max_events,
+                contacts,
+                rows,
+                s,
+                history,
+                events,
+            )
+            break
         else:
             _note_how_it_moves(s)
             why = advance_moving(

@@ -29,7 +29,6 @@ from stayput.mechanics.restrained.columns import (
     OPEN,
     PLUS,
     PULLED,
-    PULLED_AND_SHEARED,
     PUSHED,
     SHEARED,
     SLIP_MINUS,
@@ -49,9 +48,11 @@ def slips_by_friction(el, i):
 
 @inline
 def limit(el, i, plus, push):
-    """Largest force of a line to one side [N/kg]."""
+    """Largest force of a line to one side [N/kg], where it is not the pull and the shear together that count."""
     if slips_by_friction(el, i):
         return el.friction * push
+    if el.interaction != 0 and (plus or i == TANGENT):
+        return math.inf
     return el.limit_plus[i] if plus else el.limit_minus[i]
 
 
@@ -227,5 +228,6 @@ def settle(el, link, device, time):
             link.force[i] = force(el, link, i, link.e[i], link.rate[i], link.push)
         i += 1
     if link.lines == 2 and joint_margin(el, link.force[NORMAL], link.force[TANGENT]) < 0.0:
-        fail(link, device, PULLED_AND_SHEARED, time)
+        pulled = share(el, NORMAL, link.force[NORMAL]) >= share(el, TANGENT, link.force[TANGENT])
+        fail(link, device, PULLED if pulled else SHEARED, time)
     return link.lines == 0

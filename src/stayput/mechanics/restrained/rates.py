@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.columns import FLAT, FLIGHT, PLANE, SLIP, STICK
+from stayput.mechanics.columns import FLAT, FLIGHT, PLANE, STICK, WEDGE
 from stayput.mechanics.contact import JAMMED, press_of_two, tabulate
-from stayput.mechanics.geometry import along, arm_at, sin_cos
+from stayput.mechanics.geometry import along, arm_at
 from stayput.mechanics.restrained.elements import measure
 
 
@@ -63,7 +63,7 @@ def kinetic_pair(contacts, case, s, d, sigma_i, sigma_j, kappa, Γ, fl):
     return mu, mu
 
 
-@inline
+@inner
 def _flat(contacts, case, s, d, sin, cos, vx, vz, A, Γ, fl):
     """Tangential acceleration of a body that slides on both corners of a plane, and the margins."""
     first, second = contacts[s.i], contacts[s.j]
@@ -95,41 +95,28 @@ def _on_two_planes(rows, contacts, case, s, sin, cos, vx, vz, omega, a, G, fl):
     return fx - a, fz - G, (moment + fl) / I, least, min(float(s.d) * slip_i, float(s.dj) * slip_j)
 
 
-@inner
-def rates(elements, links, contacts, rows, case, s, base, load, t, y):
-    """Rates of y = (x, z, θ, ẋ, ż, θ̇) a time t after the loads, in the mode of s, and its two margins.
+@inline
+def accelerations(elements, links, contacts, rows, case, s, load, t):
+    """Accelerations of x, z and θ in the state and mode of s, a time t after the loads, and two margins.
 
-    ``base`` is a tilt nearby with its sine and cosine. The margins are forces [m/s²], but the second is a
-    rate of slip [m/s] where there is one. The links keep what was measured.
+    The margins are forces [m/s²], but the second is a rate of slip [m/s] where there is one. The links keep
+    what was measured.
     """
-    x, z, theta, vx, vz, omega = y
-    sin, cos = sin_cos(theta, base[0], base[1], base[2])
-    fx, fz, fl = measure(elements, links, sin, cos, x, z, vx, vz, omega)
+    sin, cos, vx, vz, omega = s.sin, s.cos, s.vx, s.vz, s.omega
+    fx, fz, fl = measure(elements, links, sin, cos, s.x, s.z, vx, vz, omega)
     a, G = load[0] + load[1] * t - fx, load[2] + load[3] * t - fz
     kind = s.kind
     if kind == FLIGHT:
-        return (vx, vz, omega, -a, -G, fl / case.inertia), math.inf, math.inf
+        return -a, -G, fl / case.inertia, math.inf, math.inf
+    if kind == WEDGE:
+        return _on_two_planes(rows, contacts, case, s, sin, cos, vx, vz, omega, a, G, fl)
     con = contacts[s.i]
     A, Γ = along(con, a, G)
-    if kind == STICK or kind == SLIP:
+    if kind == FLAT:
+        normal = alpha = 0.0
+        tangential, f, g = _flat(contacts, case, s, float(s.d), sin, cos, vx, vz, A, Γ, fl)
+    else:
         tangential, normal, alpha, f, g = _on_fulcrum(
             con, case, kind == STICK, float(s.d), sin, cos, vx, vz, omega, A, Γ, fl
         )
-        return _in_room(con, vx, vz, omega, tangential, normal, alpha), f, g
-    if kind == FLAT:
-        tangential, f, g = _flat(contacts, case, s, float(s.d), sin, cos, vx, vz, A, Γ, fl)
-        return _in_room(con, vx, vz, omega, tangential, 0.0, 0.0), f, g
-    ax, az, alpha, f, g = _on_two_planes(rows, contacts, case, s, sin, cos, vx, vz, omega, a, G, fl)
-    return (vx, vz, omega, ax, az, alpha), f, g
-
-
-@inline
-def _in_room(con, vx, vz, omega, tangential, normal, alpha):
-    return (
-        vx,
-        vz,
-        omega,
-        con.cos * tangential - con.sin * normal,
-        con.sin * tangential + con.cos * normal,
-        alpha,
-    )
+    return con.cos * tangential - con.sin * normal, con.sin * tangential + con.cos * normal, alpha, f, g

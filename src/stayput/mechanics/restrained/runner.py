@@ -16,7 +16,7 @@ from stayput.mechanics.runner import LISTED_EVENTS, MAX_EVENTS, Shaking, Traced,
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-TOLERANCE = 1e-8
+TOLERANCE = 1e-7
 """Largest error of a step with elements [m, rad]."""
 
 
@@ -81,8 +81,10 @@ def check_elements(elements: NDArray[np.void]) -> None:
     _refuse(idle, rows["damping"], "damping", "0 where there is no stiffness")
     rubbed = ~np.isnan(rows["friction"]) & (rows["damping"] > 0.0).any(axis=1)
     _refuse(rubbed, rows["damping"].max(axis=1), "damping", "0 where the tangent slips by friction")
-    open_bond = np.isnan(both)
-    _refuse(open_bond, both, "slack", "a number")
+    tough = (rows["interaction"] != 0) & (rows["ultimate"] > 0.0).any(axis=1)
+    _refuse(tough, rows["ultimate"].max(axis=1), "ultimate", "0 where pull and shear act together")
+    together = (rows["interaction"] != 0) & (rows["kind"] == el.AXIAL)
+    _refuse(together, rows["interaction"], "interaction", "0 for an axial one, which has no shear")
 
 
 def _refuse(wrong: NDArray[np.bool_], values: NDArray[np.float64], name: str, allowed: str) -> None:
