@@ -7,7 +7,7 @@ import math
 from stayput.compiled import inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, FAILED, FLAT, FLIGHT, FLOOR_BITS, HELD, PLANE
 from stayput.mechanics.contact import STUCK, none_presses, tabulate
-from stayput.mechanics.geometry import along, gap_rate, slip_rate, stand_flat
+from stayput.mechanics.geometry import along, gap_rate, given_or, own_friction, slip_rate, stand_flat
 from stayput.mechanics.modes import (
     ALL_BUT_FLAT,
     MOMENT,
@@ -52,8 +52,10 @@ def _share_base_friction(rows, case, a, G, wrench):
     shift = fl / (G - fz)
     left, right = rows[0], rows[1]
     a, b = (left.mu_slip, -left.nl, -left.tl), (right.mu_slip, -right.nl, -right.tl)
-    left.flat_slip_right = right.flat_slip_right = shared_friction(case, a, b, 1.0, shift)
-    left.flat_slip_left = right.flat_slip_left = shared_friction(case, a, b, -1.0, shift)
+    to_right, to_left = shared_friction(case, a, b, 1.0, shift), shared_friction(case, a, b, -1.0, shift)
+    for k in range(2):
+        row, own = rows[k], own_friction(case, k)[1]
+        row.flat_slip_right, row.flat_slip_left = given_or(own, to_right), given_or(own, to_left)
 
 
 @inner

@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.columns import FLAT, FLIGHT, PLANE, STICK, WEDGE
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, FLAT, FLIGHT, PLANE, STICK, WEDGE
 from stayput.mechanics.contact import JAMMED, press_of_two, tabulate
-from stayput.mechanics.geometry import along, arm_at
+from stayput.mechanics.geometry import along, arm_at, given_or, own_friction
 from stayput.mechanics.restrained.elements import measure
 
 
@@ -60,7 +60,7 @@ def kinetic_pair(contacts, case, s, d, sigma_i, sigma_j, kappa, Γ, fl):
     if PLANE[s.i] > 0:
         return first, second
     mu = shared_friction(case, (first, sigma_i, kappa), (second, sigma_j, kappa), d, fl / Γ)
-    return mu, mu
+    return given_or(own_friction(case, A_FLOOR)[1], mu), given_or(own_friction(case, B_FLOOR)[1], mu)
 
 
 @inner
