@@ -36,7 +36,7 @@ def about_right_corner(b, h, tie_at, anchor, k, c, slack, a):
     return rates
 
 
-@pytest.mark.parametrize(("slack", "c"), [(0.0, 0.0), (0.02, 0.0), (0.01, 8.0)])
+@pytest.mark.parametrize(("slack", "c"), [(0.0, 0.0), (0.02, 0.0), (0.01, 1.0)])
 def test_a_tied_block_follows_the_equations(slack, c):
     """A belt from the top back edge to the wall, 0.3 m behind; the block is thrown forward."""
     b, h, k = 0.2, 0.8, 60.0
@@ -45,9 +45,21 @@ def test_a_tied_block_follows_the_equations(slack, c):
     motion = still(0.6, 0.002)
     found = held(block(b, h), FLOOR, motion, belt, tilt_rate=1.2)
     rates = about_right_corner(b, h, point, anchor, k, c, slack, 0.0)
-    landing = lambda t, y: y[0]  # noqa: E731
+
+    def landing(_t, y):
+        return y[0]
+
     landing.terminal, landing.direction = True, -1
-    exact = solve_ivp(rates, (0, 0.6), [0.0, 1.2], events=landing, max_step=1e-3, rtol=1e-10, atol=1e-13, dense_output=True)
+    exact = solve_ivp(
+        rates,
+        (0, 0.6),
+        [0.0, 1.2],
+        events=landing,
+        max_step=1e-3,
+        rtol=1e-10,
+        atol=1e-13,
+        dense_output=True,
+    )
     end = exact.t_events[0][0]
     impacts = [event.time for event in found.run.events if event.kind == 3]
     assert impacts[0] == pytest.approx(end, abs=2e-7)
