@@ -79,7 +79,9 @@ def leaves_of_body(body: Body) -> dict[str, float]:
     }
 
 
-OWN_FRICTION = tuple(f"{side}_edge_{kind}_friction" for side in ("left", "right") for kind in ("static", "kinetic"))
+OWN_FRICTION = tuple(
+    f"{side}_edge_{kind}_friction" for side in ("left", "right") for kind in ("static", "kinetic")
+)
 """Names of the coefficients of one base corner alone."""
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-import numpy as np
 from mechanics_cases import Source, Standing, _among, _one_in
 
 from stayput.cases import standing_corners
@@ -14,6 +13,7 @@ from stayput.mechanics.restrained.runner import no_elements
 from stayput.simulation import State
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import NDArray
 
 
@@ -86,3 +86,14 @@ def random_elements(source: Source, standing: Standing, most: int = 3) -> NDArra
     for n in range(source.whole(1, most)):
         rows[n : n + 1] = random_element(source, standing)
     return rows
+
+
+def mirrored_elements(elements: NDArray[np.void]) -> NDArray[np.void]:
+    """Return elements with right and left exchanged."""
+    image = elements.copy()
+    image["u"], image["x"] = -elements["u"], -elements["x"]
+    image["sin"] = -elements["sin"]
+    # along the mirrored tangent what was to one side is to the other
+    for side, other in (("slack_plus", "slack_minus"), ("limit_plus", "limit_minus")):
+        image[side][..., 1], image[other][..., 1] = elements[other][..., 1], elements[side][..., 1]
+    return image

@@ -88,7 +88,9 @@ def test_a_strong_pole_holds_what_would_overturn():
 def test_the_shoe_of_a_pole_slips_by_friction():
     """On a smooth floor the ceiling's friction alone stops the body: v²/(2 μ P), beside the shoe's spring."""
     P, mu, v, shear = 5.0, 0.3, 0.7, 4000.0
-    found = held(sp.Body(4.0, 0.5), room(0.0), still(2.0), pole((0.0, 0.25), P, mu=mu, shear=shear), slide_rate=v)
+    found = held(
+        sp.Body(4.0, 0.5), room(0.0), still(2.0), pole((0.0, 0.25), P, mu=mu, shear=shear), slide_rate=v
+    )
     limit = mu * P
     farthest = (0.5 * v * v - 0.5 * limit**2 / shear) / limit + limit / shear
     assert found.run.peak_slide == pytest.approx(farthest, rel=1e-6)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from devices import LEFT, TILT, axial, held, planar
 from scipy.integrate import solve_ivp
-from setups import G, STICKING, block, constant, still
+from setups import STICKING, G, block, constant, still
 
 import stayput as sp
 

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 from devices import CEILING, RIGHT, SLIDE, SLIDE_RATE, axial, held, planar
-from setups import G, room, still
 from scipy.integrate import solve_ivp
+from setups import G, room, still
 
 import stayput as sp
 
@@ -72,7 +72,7 @@ def test_slack_is_a_run_without_force():
 
 
 def test_a_damped_belt_never_pushes():
-    """Its damper would push it slack before the spring does; the body leaves with what is left of its rate."""
+    """Its damper would push before it is slack; the body leaves with the rate that it has then."""
     c, v = 6.0, 0.5
     belt = axial((0.0, 0.0), (-1.0, 0.25), length=1.0, stiffness=K, damping=c)
     found = held(BODY, SMOOTH, still(1.0, 0.001), belt, slide_rate=v)
@@ -118,7 +118,9 @@ def test_friction_and_a_spring():
 
 def test_shear_of_a_ceiling_piece():
     """The tangential line along a ceiling bears as the normal one of a wall does."""
-    spring = planar((0.0, 0.25), CEILING, stiffness=(0.0, K), slack_plus=(np.inf, 0.0), slack_minus=(np.inf, 0.0))
+    spring = planar(
+        (0.0, 0.25), CEILING, stiffness=(0.0, K), slack_plus=(np.inf, 0.0), slack_minus=(np.inf, 0.0)
+    )
     heavy = sp.Body(4.0, 0.5)
     found = held(heavy, SMOOTH, still(2.0), spring, slide=0.05)
     time = 0.01 * np.arange(201)

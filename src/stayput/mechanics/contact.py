@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import A_FLOOR, B_FLOOR, PLANE
 from stayput.compiled import inner
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, PLANE
 from stayput.mechanics.geometry import arm_at, given_or, own_friction
 
 STUCK = 1e-10
@@ -254,7 +254,11 @@ def sticks_beside(rows, count, i, j, side_j, I, tolerance):
         Ni * ri.nl + T * ri.tl + Nj * jl,
     )
     if same_plane:
-        ok = Ni >= -tolerance and Nj >= -tolerance and abs(T) <= ri.flat_stick * Ni + rj.flat_stick * Nj + tolerance
+        ok = (
+            Ni >= -tolerance
+            and Nj >= -tolerance
+            and abs(T) <= ri.flat_stick * Ni + rj.flat_stick * Nj + tolerance
+        )
     else:
         ok = Ni >= tolerance and Nj >= tolerance and abs(T) <= ri.mu_stick * Ni + tolerance
     if ok and not same_plane and rj.slipping == 0.0:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from stayput.compiled import entry, inner
 from stayput.mechanics.columns import (
     C_CEILING,
     CEILING_IMPACT_EVENT,
@@ -45,7 +46,6 @@ from stayput.mechanics.columns import (
     WALL_IMPACT_EVENT,
     WALL_RELEASE_EVENT,
 )
-from stayput.compiled import entry, inner
 from stayput.mechanics.contact import STUCK
 from stayput.mechanics.flat import advance_flat, advance_held, flat_friction
 from stayput.mechanics.free import advance_flight, advance_lean
@@ -130,6 +130,7 @@ def _kind_of_event(s, why, kind, closed):
 
 @inner
 def list_event(events, case, s, dt, why, kind, closed):
+    """Write an event into its row of the list, if there is one; ``kind`` and ``closed`` were before it."""
     if s.events > events.shape[0]:
         return
     row = events[s.events - 1]
@@ -141,6 +142,7 @@ def list_event(events, case, s, dt, why, kind, closed):
 
 @inner
 def outcome_of(s):
+    """What became of the body, as the user knows it."""
     if s.kind == FAILED:
         return FAILED_OUTCOME
     if s.kind == OVERTURNED:

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import math
 
-from stayput.mechanics.columns import A_FLOOR, CONTACTS, CORNER, FLOOR_BITS, PLANE
 from stayput.compiled import inline, inner
+from stayput.mechanics.columns import A_FLOOR, CONTACTS, CORNER, FLOOR_BITS, PLANE
 
 GAP_TOLERANCE = 1e-10
 """A contact is closed when its gap is not larger than this [m]."""

@@ -23,7 +23,7 @@ from stayput.mechanics.restrained.holding import bears, cone_facets, keep_floors
 from stayput.mechanics.restrained.rates import shared_friction
 
 STILL = 1e-9
-"""A body whose closed contacts do not move is still when it is not faster than this [m/s]."""
+"""A corner that slips, and a body that moves, no faster than this stands still [m/s]."""
 
 
 @inner
@@ -46,7 +46,7 @@ def _close_slow_contacts(contacts, touching, settle, case, s):
 @inner
 def _share_base_friction(rows, case, a, G, wrench):
     """Set the kinetic friction of a flat base whose load the elements shift; see `shared_friction`."""
-    fx, fz, fl = wrench
+    _, fz, fl = wrench
     if G - fz <= 0.0:
         return
     shift = fl / (G - fz)
@@ -74,7 +74,7 @@ def _tabulate_rates(rows, contacts, closed, case, s, a, G, wrench):
         row.bias_t = tangential + omega * omega * row.nl + row.tl * spin
         row.target = 0.0
         slip = slip_rate(con, s)
-        row.slipping = 0.0 if abs(slip) <= STUCK else (1.0 if slip > 0.0 else -1.0)
+        row.slipping = 0.0 if abs(slip) <= STILL else (1.0 if slip > 0.0 else -1.0)
     if count >= 2 and rows[0].index == A_FLOOR and rows[1].index == B_FLOOR:
         _share_base_friction(rows, case, a, G, wrench)
     return count
@@ -121,10 +121,11 @@ def _stay_held(elements, links, closed, case, s, work):
 def _hold_on_plane(elements, links, rows, count, closed, case, s, work, a, G, wrench):
     """Try to hold the body still by both its corners on one plane."""
     for k in range(count - 1):
-        if PLANE[rows[k].index] == PLANE[rows[k + 1].index] and cone_facets(rows, k, 2, -1, case.inertia, work):
-            if bears(work, a, G, wrench):
-                _stay_held(elements, links, closed, case, s, work)
-                return True
+        if PLANE[rows[k].index] != PLANE[rows[k + 1].index]:
+            continue
+        if cone_facets(rows, k, 2, -1, case.inertia, work) and bears(work, a, G, wrench):
+            _stay_held(elements, links, closed, case, s, work)
+            return True
     return False
 
 
@@ -142,7 +143,22 @@ def _hold(elements, links, rows, count, closed, case, s, work, spare, a, G, wren
 
 @inner
 def choose_restrained_mode(
-    elements, links, devices, rows, contacts, touching, settle, case, s, work, spare, a, a_rate, G, G_rate, time
+    elements,
+    links,
+    devices,
+    rows,
+    contacts,
+    touching,
+    settle,
+    case,
+    s,
+    work,
+    spare,
+    a,
+    a_rate,
+    G,
+    G_rate,
+    time,
 ):
     """Set the mode of a body with elements whose contacts ``touching`` are closed; as `modes.choose_mode`."""
     closed = _close_slow_contacts(contacts, touching, settle, case, s)

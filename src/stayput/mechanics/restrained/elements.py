@@ -5,8 +5,25 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.restrained.columns import AXIAL, F_NORMAL, F_TANGENT, HOLDS, NONE, NORMAL, OPEN, TANGENT
-from stayput.mechanics.restrained.lines import elastic_push, first_branch, force, joint_margin, margins, settle, share
+from stayput.mechanics.restrained.columns import (
+    AXIAL,
+    F_NORMAL,
+    F_TANGENT,
+    HOLDS,
+    NONE,
+    NORMAL,
+    OPEN,
+    TANGENT,
+)
+from stayput.mechanics.restrained.lines import (
+    elastic_push,
+    first_branch,
+    force,
+    joint_margin,
+    margins,
+    settle,
+    share,
+)
 from stayput.mechanics.roots import falls_inside
 
 SLACK_FORCE = 1e-8
@@ -145,7 +162,7 @@ def _start_push(el, link):
 
 @inner
 def suspicious(elements, links, h):
-    """Earliest time in a step, measured at its end, at which a parabola has a margin below its level; or h."""
+    """Earliest time at which a parabola has a margin below its level, or h; the end has been measured."""
     first = h
     for n in range(elements.shape[0]):
         el, link = elements[n], links[n]

@@ -198,10 +198,10 @@ def advance_held(case, links, s, work, ax, az, dt, extremes, history, forces):
     per_second = case.scale / dt
     keeps = history.shape[0] > 0
     while s.k < last:
-        if s.tau == 0.0 and s.k % BLOCK == 0 and not keeps:
-            if _block_holds(case, work, s.k // BLOCK, extremes):
-                s.k = min(last, s.k + BLOCK)
-                continue
+        skips = s.tau == 0.0 and s.k % BLOCK == 0 and not keeps
+        if skips and _block_holds(case, work, s.k // BLOCK, extremes):
+            s.k = min(last, s.k + BLOCK)
+            continue
         h = dt - s.tau
         a0, _, G0, _ = loads(case, ax, az, per_second, s.k, s.tau)
         a1, G1 = case.scale * ax[s.k + 1], case.gravity + case.scale * az[s.k + 1]
@@ -214,4 +214,3 @@ def advance_held(case, links, s, work, ax, az, dt, extremes, history, forces):
         note_sample(history, case, s)
         note_sample_forces(forces, links, s)
     return ENDED
-

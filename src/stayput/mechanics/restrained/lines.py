@@ -48,7 +48,7 @@ def slips_by_friction(el, i):
 
 @inline
 def limit(el, i, plus, push):
-    """Largest force of a line to one side [N/kg], where it is not the pull and the shear together that count."""
+    """Largest force of a line alone to one side [N/kg]; none where pull and shear act together."""
     if slips_by_friction(el, i):
         return el.friction * push
     if el.interaction != 0 and (plus or i == TANGENT):
@@ -82,7 +82,7 @@ def force(el, link, i, e, rate, push):
 def elastic_push(el, link, e, rate):
     """Push of the normal line's spring, which friction follows, and its rate."""
     branch = link.branch[NORMAL]
-    if branch == MINUS or branch == BOND:
+    if branch in (MINUS, BOND):
         push = -el.stiffness[NORMAL] * stretch(el, link, NORMAL, e)
         if push > 0.0:
             return push, -el.stiffness[NORMAL] * rate
@@ -115,7 +115,7 @@ def margins(el, link, i, e, rate, push, push_rate):
         over = k * (e - link.plastic[i] - el.slack_plus[i])
         under = k * (e - link.plastic[i] + el.slack_minus[i])
         return -min(over, over + c * rate), max(under, under + c * rate)
-    if branch == SLIP_PLUS or branch == SLIP_MINUS:
+    if branch in (SLIP_PLUS, SLIP_MINUS):
         return _slip_margins(el, link, i, e, rate, push, push_rate)
     F = k * stretch(el, link, i, e) + c * rate
     if branch == PLUS:
@@ -191,7 +191,7 @@ def _settle_line(el, link, device, i, time):
     """Bring a line's branch up to date with the elongation and rate last measured."""
     low, high = margins(el, link, i, link.e[i], link.rate[i], link.push, link.push_rate)
     branch = link.branch[i]
-    if branch == SLIP_PLUS or branch == SLIP_MINUS:
+    if branch in (SLIP_PLUS, SLIP_MINUS):
         if high < 0.0:
             fail(link, device, DRAWN_OUT, time)
         elif low <= 0.0:
@@ -210,9 +210,9 @@ def _settle_line(el, link, device, i, time):
     if link.branch[i] == OPEN:
         return
     F = force(el, link, i, link.e[i], link.rate[i], link.push)
-    if F > limit(el, i, True, link.push):
+    if limit(el, i, True, link.push) < F:
         _reach_limit(el, link, device, i, True, time)
-    elif -F > limit(el, i, False, link.push):
+    elif limit(el, i, False, link.push) < -F:
         _reach_limit(el, link, device, i, False, time)
 
 

@@ -211,12 +211,18 @@ def run_restrained_cases(
     """
     check_elements(elements)
     if elements.shape[:1] != cases.shape:
-        raise InputError(f"There are elements for {len(elements)} cases; there must be one row for each of {len(cases)}.")
+        raise InputError(
+            f"There are elements for {len(elements)} cases; there must be one row for each of {len(cases)}."
+        )
     loads = _loads(motion)
     contacts, rows, works, links = _room(elements.shape[1])
     results = np.zeros(len(cases), col.RESULT)
     devices = np.zeros(elements.shape, el.DEVICE)
-    nothing = np.zeros((0, col.HISTORY)), np.zeros((0, elements.shape[1], el.FORCES)), np.zeros((0, col.EVENT))
+    nothing = (
+        np.zeros((0, col.HISTORY)),
+        np.zeros((0, elements.shape[1], el.FORCES)),
+        np.zeros((0, col.EVENT)),
+    )
     states = np.zeros(1, col.STATE)
     run_restrained_batch(
         cases,

@@ -63,7 +63,7 @@ def take_step(elements, links, contacts, rows, case, s, work, base, load, y0, h)
     Returns
     -------
     tuple
-        The two margins at the end, and an estimate of the error, the larger of place and h times rate [m, rad].
+        The two margins at the end, and the error, of places and of h times their rates [m, rad].
     """
     x0, z0, theta0, vx0, vz0, omega0 = y0
     stage = work.stage
