@@ -145,7 +145,7 @@ def examples() -> str:
 def tolerances() -> str:
     """Return the table of the mechanics' numbers; the text is that which stands below each in the code."""
     rows = []
-    for path in sorted(MECHANICS.glob("*.py")):
+    for path in sorted(MECHANICS.rglob("*.py")):
         body = ast.parse(path.read_text(encoding="utf-8")).body
         for given, about in pairwise(body):
             match given, about:

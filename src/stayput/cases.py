@@ -79,14 +79,24 @@ def leaves_of_body(body: Body) -> dict[str, float]:
     }
 
 
+OWN_FRICTION = tuple(
+    f"{side}_edge_{kind}_friction" for side in ("left", "right") for kind in ("static", "kinetic")
+)
+"""Names of the coefficients of one base corner alone."""
+
+
+def _nan_for_none(value: float | None) -> float:
+    return math.nan if value is None else value
+
+
 def leaves_of_floor(floor: Floor) -> dict[str, float]:
     """Return a floor's numbers by their paths; an edge's friction that is the base's is NaN."""
-    static, kinetic = floor.edge_static_friction, floor.edge_kinetic_friction
     return {
         "room.floor.static_friction": floor.static_friction,
         "room.floor.kinetic_friction": floor.kinetic_friction,
-        "room.floor.edge_static_friction": math.nan if static is None else static,
-        "room.floor.edge_kinetic_friction": math.nan if kinetic is None else kinetic,
+        "room.floor.edge_static_friction": _nan_for_none(floor.edge_static_friction),
+        "room.floor.edge_kinetic_friction": _nan_for_none(floor.edge_kinetic_friction),
+        **{f"room.floor.{name}": _nan_for_none(getattr(floor, name)) for name in OWN_FRICTION},
         "room.floor.restitution": floor.restitution,
         "room.floor.normal_restitution": floor.normal_restitution,
     }
@@ -150,6 +160,7 @@ def from_leaves(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
         edge_kinetic_friction=given("room.floor.edge_kinetic_friction"),
         restitution=numbers["room.floor.restitution"],
         normal_restitution=numbers["room.floor.normal_restitution"],
+        **{name: given(f"room.floor.{name}") for name in OWN_FRICTION},
     )
     left, right = surface("left_wall", Wall), surface("right_wall", Wall)
     room = Room(floor, left, right, surface("ceiling", Ceiling))  # type: ignore[arg-type]
@@ -217,6 +228,8 @@ def case_rows(numbers: Mapping[str, Numbers], count: int) -> NDArray[np.void]:
     for name in ("static_friction", "kinetic_friction"):
         edge = numbers[f"room.floor.edge_{name}"]
         rows[f"edge_{name}"] = np.where(np.isnan(edge), numbers[f"room.floor.{name}"], edge)
+    for name in OWN_FRICTION:
+        rows[name] = numbers[f"room.floor.{name}"]
     for name, column in zip(SURFACES, ("left", "right", "ceiling"), strict=True):
         rows[f"{column}_distance"] = numbers[f"room.{name}.{'height' if name == 'ceiling' else 'gap'}"]
         rows[f"{column}_restitution"] = numbers[f"room.{name}.restitution"]

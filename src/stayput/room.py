@@ -35,6 +35,11 @@ class Floor:
         Eq. 3.14); 1 is Housner's.
     normal_restitution : float
         Newton's restitution e_n of a landing corner (``contact="coulomb"`` only); 0 is plastic.
+    left_edge_static_friction, left_edge_kinetic_friction : float, optional
+        Coefficients of the left base corner alone, as of a strip of rubber under it; it has them flat or
+        tipped. Default: as the other corner's.
+    right_edge_static_friction, right_edge_kinetic_friction : float, optional
+        The same for the right base corner.
 
     Raises
     ------
@@ -48,10 +53,16 @@ class Floor:
     edge_kinetic_friction: float | None = None
     restitution: float = 1.0
     normal_restitution: float = 0.0
+    left_edge_static_friction: float | None = None
+    left_edge_kinetic_friction: float | None = None
+    right_edge_static_friction: float | None = None
+    right_edge_kinetic_friction: float | None = None
 
     def __post_init__(self) -> None:
         _coefficients("Floor", self.static_friction, self.kinetic_friction)
         _coefficients("Floor edge", *self.edge_friction)
+        _coefficients("Floor left edge", *self._of_one_edge("left"))
+        _coefficients("Floor right edge", *self._of_one_edge("right"))
         within("Floor restitution", self.restitution, 0.0, 1.0)
         within("Floor normal restitution", self.normal_restitution, 0.0, 1.0)
 
@@ -62,6 +73,16 @@ class Floor:
         return (
             self.static_friction if static is None else static,
             self.kinetic_friction if kinetic is None else kinetic,
+        )
+
+    def _of_one_edge(self, side: str) -> tuple[float, float]:
+        """Coefficients of one base corner; one that is not given is the edge's."""
+        static, kinetic = self.edge_friction
+        own_static: float | None = getattr(self, f"{side}_edge_static_friction")
+        own_kinetic: float | None = getattr(self, f"{side}_edge_kinetic_friction")
+        return (
+            static if own_static is None else own_static,
+            kinetic if own_kinetic is None else own_kinetic,
         )
 
     @classmethod

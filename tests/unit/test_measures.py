@@ -201,6 +201,7 @@ def test_a_wedge_tilts_the_body_back_by_a_degree():
     held = hold(BODY, ROOM, [WedgeStopper()])
     assert math.degrees(held.body.resting_tilt) == pytest.approx(-math.degrees(math.atan(0.007 / 0.4)))
     assert held.body.base_heights == (0.0, -0.007)
+    assert held.room.floor == sp.Floor(right_edge_static_friction=0.8, right_edge_kinetic_friction=0.7)
 
 
 def test_ballast_is_a_part_more():

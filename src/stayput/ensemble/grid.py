@@ -140,6 +140,13 @@ def _witnesses(part: Part) -> set[int]:
         rows["edge_static_friction"] - rows["edge_kinetic_friction"],
     ]
     for side in ("left", "right"):
+        static, kinetic = (
+            np.where(
+                np.isnan(own := rows[f"{side}_edge_{kind}_friction"]), rows[f"edge_{kind}_friction"], own
+            )
+            for kind in ("static", "kinetic")
+        )
+        limited.append(static - kinetic)
         height = numbers[f"body.base_heights.{side}"]
         limited += [height + b / 2, height - np.minimum(b, h) / 4]
     limited += _clearances(rows)

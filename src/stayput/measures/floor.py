@@ -39,6 +39,10 @@ def with_friction(floor: Floor, static: float, kinetic: float) -> Floor:
         kinetic_friction=kinetic,
         edge_static_friction=None,
         edge_kinetic_friction=None,
+        left_edge_static_friction=None,
+        left_edge_kinetic_friction=None,
+        right_edge_static_friction=None,
+        right_edge_kinetic_friction=None,
     )
 
 

@@ -17,7 +17,6 @@ from stayput.mechanics.restrained.columns import (
     NONE,
     NORMAL,
     PULLED,
-    PULLED_AND_SHEARED,
     PUSHED,
     SHEARED,
     TANGENT,
@@ -33,7 +32,6 @@ CAUSES: dict[int, str | None] = {
     PULLED: "pulled off",
     PUSHED: "pushed in",
     SHEARED: "sheared off",
-    PULLED_AND_SHEARED: "torn off by pull and shear",
     DRAWN_OUT: "drawn out",
     DROPPED_OUT: "dropped out",
 }

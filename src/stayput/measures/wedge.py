@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 class WedgeStopper(Measure):
     """A stopper of rubber pushed under the front edge: the piece leans back, and its front does not slide.
 
-    The front corner of the base is lower by the thickness, so the body rests tilted back. A single corner
-    has the rubber's friction; both together have what the loads at rest on rubber and floor give.
+    The front corner of the base is lower by the thickness, so the body rests tilted back; that corner has the
+    rubber's friction, and the other one the floor's.
     """
 
     kind: ClassVar[str] = "wedge_stopper"
@@ -48,13 +48,9 @@ class WedgeStopper(Measure):
         """Return the body tilted back, with rubber at the front edge."""
         left, right = body.base_heights
         body = replace(body, base_heights=(left, right - self.thickness))
-        share = 0.5 + body.cg_offset[0] / body.width  # of the weight that the front edge bears
-        floor = room.floor
         floor = replace(
-            floor,
-            static_friction=share * self.static_friction + (1.0 - share) * floor.static_friction,
-            kinetic_friction=share * self.kinetic_friction + (1.0 - share) * floor.kinetic_friction,
-            edge_static_friction=self.static_friction,
-            edge_kinetic_friction=self.kinetic_friction,
+            room.floor,
+            right_edge_static_friction=self.static_friction,
+            right_edge_kinetic_friction=self.kinetic_friction,
         )
         return Held(body, replace(room, floor=floor), (), (self,))

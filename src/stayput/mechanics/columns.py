@@ -15,6 +15,10 @@ CASE = np.dtype(
         ("kinetic_friction", "f8"),  # μ', flat base
         ("edge_static_friction", "f8"),
         ("edge_kinetic_friction", "f8"),
+        ("left_edge_static_friction", "f8"),  # of the corner A alone, tipped or flat; NaN: as above
+        ("left_edge_kinetic_friction", "f8"),
+        ("right_edge_static_friction", "f8"),  # of B
+        ("right_edge_kinetic_friction", "f8"),
         ("restitution", "f8"),  # e, factor on the rate at a change of fulcrum
         ("normal_restitution", "f8"),  # e_n of a landing corner
         ("right_distance", "f8"),  # [m], inf where there is no wall

@@ -13,7 +13,7 @@ import math
 
 from stayput.compiled import inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, PLANE
-from stayput.mechanics.geometry import arm_at
+from stayput.mechanics.geometry import arm_at, given_or, own_friction
 
 STUCK = 1e-10
 """A contact whose slip rate is not larger than this sticks [m/s]."""
@@ -45,11 +45,13 @@ def tabulate(rows, contacts, closed, sin, cos, case):
             count += 1
         c += 1
     if count >= 2 and rows[0].index == A_FLOOR and rows[1].index == B_FLOOR:
+        right = base_friction(case, rows[1].mu_slip, -rows[1].nl, -rows[1].tl)
+        left = base_friction(case, rows[0].mu_slip, rows[0].nl, -rows[0].tl)
         for k in range(2):
             row = rows[k]
-            row.flat_stick = case.static_friction
-            row.flat_slip_right = base_friction(case, row.mu_slip, -rows[1].nl, -rows[1].tl)
-            row.flat_slip_left = base_friction(case, row.mu_slip, rows[0].nl, -rows[0].tl)
+            static, kinetic = own_friction(case, k)
+            row.flat_stick = given_or(static, case.static_friction)
+            row.flat_slip_right, row.flat_slip_left = given_or(kinetic, right), given_or(kinetic, left)
     return count
 
 
@@ -59,6 +61,7 @@ def base_friction(case, edge, reach, kappa):
 
     A body tips when its friction is larger than reach/κ. If the edge's own friction is too small to keep
     it tipped, the base's falls with the load on the trailing corner to the ratio at which that is zero.
+    A corner with a friction of its own has that whether the base is flat or not.
     """
     return min(case.kinetic_friction, max(edge, reach / kappa))
 
@@ -251,7 +254,11 @@ def sticks_beside(rows, count, i, j, side_j, I, tolerance):
         Ni * ri.nl + T * ri.tl + Nj * jl,
     )
     if same_plane:
-        ok = Ni >= -tolerance and Nj >= -tolerance and abs(T) <= ri.flat_stick * (Ni + Nj) + tolerance
+        ok = (
+            Ni >= -tolerance
+            and Nj >= -tolerance
+            and abs(T) <= ri.flat_stick * Ni + rj.flat_stick * Nj + tolerance
+        )
     else:
         ok = Ni >= tolerance and Nj >= tolerance and abs(T) <= ri.mu_stick * Ni + tolerance
     if ok and not same_plane and rj.slipping == 0.0:

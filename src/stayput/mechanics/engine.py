@@ -130,6 +130,7 @@ def _kind_of_event(s, why, kind, closed):
 
 @inner
 def list_event(events, case, s, dt, why, kind, closed):
+    """Write an event into its row of the list, if there is one; ``kind`` and ``closed`` were before it."""
     if s.events > events.shape[0]:
         return
     row = events[s.events - 1]
@@ -141,6 +142,7 @@ def list_event(events, case, s, dt, why, kind, closed):
 
 @inner
 def outcome_of(s):
+    """What became of the body, as the user knows it."""
     if s.kind == FAILED:
         return FAILED_OUTCOME
     if s.kind == OVERTURNED:
@@ -191,6 +193,41 @@ def _meet(rows, contacts, touch, case, s, law):
 
 
 @entry
+def carry_on(
+    case, ax, az, dt, extremes, law, tolerance, max_step, max_events, contacts, rows, s, history, events
+):
+    """Run a case on from the mode that its state is in, to the end; arguments and result of `run_case`."""
+    lifts = law == COULOMB
+    last = ax.shape[0] - 1
+    while s.kind != FAILED:
+        kind, closed = s.kind, s.closed
+        why = advance(rows, contacts, case, s, ax, az, dt, extremes, tolerance, max_step, lifts, history)
+        note_peaks(case, s)
+        if why == ENDED:
+            break
+        s.events += 1
+        if s.events >= max_events:
+            s.kind = FAILED
+        elif why == TURNED_OVER:
+            s.kind = OVERTURNED
+        if s.kind == FAILED or s.kind == OVERTURNED or s.k >= last:
+            list_event(events, case, s, dt, why, kind, closed)
+            break
+        if why != CLOSED:
+            s.hit = 0
+        touch = touching(contacts, s) | s.closed | s.hit
+        if why == CLOSED and lifts and _rocks_on(contacts, touch, case, s, ax, az, dt):
+            s.floor_impacts += 1
+        else:
+            _meet(rows, contacts, touch, case, s, law)
+            if s.hit:
+                why = CLOSED
+            _next_mode(rows, contacts, touch, s.settle if s.hit else STUCK, case, s, ax, az, dt, law)
+        list_event(events, case, s, dt, why, kind, closed)
+    return outcome_of(s), s.k * dt + s.tau, slide_of(case, s)[0]
+
+
+@entry
 def run_case(
     case, ax, az, dt, extremes, law, tolerance, max_step, max_events, contacts, rows, s, history, events
 ):
@@ -226,8 +263,6 @@ def run_case(
         Outcome, time of the end [s], slide at the end [m].
     """
     start(case, contacts, s)
-    lifts = law == COULOMB
-    last = ax.shape[0] - 1
     touch = touching(contacts, s) | s.closed
     s.hit = closing(contacts, touch & ~s.closed, s)
     _meet(rows, contacts, touch, case, s, law)
@@ -237,32 +272,9 @@ def run_case(
         s.events += 1
         list_event(events, case, s, dt, CLOSED, kind, closed)
     note_sample(history, case, s)
-    while s.kind != FAILED:
-        kind, closed = s.kind, s.closed
-        why = advance(rows, contacts, case, s, ax, az, dt, extremes, tolerance, max_step, lifts, history)
-        note_peaks(case, s)
-        if why == ENDED:
-            break
-        s.events += 1
-        if s.events >= max_events:
-            s.kind = FAILED
-        elif why == TURNED_OVER:
-            s.kind = OVERTURNED
-        if s.kind == FAILED or s.kind == OVERTURNED or s.k >= last:
-            list_event(events, case, s, dt, why, kind, closed)
-            break
-        if why != CLOSED:
-            s.hit = 0
-        touch = touching(contacts, s) | s.closed | s.hit
-        if why == CLOSED and lifts and _rocks_on(contacts, touch, case, s, ax, az, dt):
-            s.floor_impacts += 1
-        else:
-            _meet(rows, contacts, touch, case, s, law)
-            if s.hit:
-                why = CLOSED
-            _next_mode(rows, contacts, touch, s.settle if s.hit else STUCK, case, s, ax, az, dt, law)
-        list_event(events, case, s, dt, why, kind, closed)
-    return outcome_of(s), s.k * dt + s.tau, slide_of(case, s)[0]
+    return carry_on(
+        case, ax, az, dt, extremes, law, tolerance, max_step, max_events, contacts, rows, s, history, events
+    )
 
 
 @entry

@@ -7,7 +7,7 @@ import math
 from stayput.compiled import entry, inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, ENDED, LIMIT, PLANE
 from stayput.mechanics.contact import STUCK, base_friction, one_ray, turned
-from stayput.mechanics.geometry import along, arm, gap
+from stayput.mechanics.geometry import along, arm, gap, given_or, own_friction
 from stayput.mechanics.motion import loads, note_sample, pass_time
 from stayput.mechanics.roots import closed_level, first_zero
 
@@ -192,10 +192,21 @@ def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
 
 @inner
 def flat_friction(contacts, case, s):
-    """Kinetic coefficient of a body that slides flat: on the floor the base's."""
+    """Kinetic coefficient of a body that slides flat: on the floor by the corners' loads."""
     con = contacts[s.i]
     if PLANE[s.i] > 0:
         return con.mu_kinetic
     leading = contacts[B_FLOOR if s.d > 0 else A_FLOOR]
     sigma, kappa = arm(leading, s)
-    return base_friction(case, con.mu_kinetic, abs(sigma), kappa)
+    base = base_friction(case, leading.mu_kinetic, abs(sigma), kappa)
+    left, right = (
+        given_or(own_friction(case, A_FLOOR)[1], base),
+        given_or(own_friction(case, B_FLOOR)[1], base),
+    )
+    if left == right:
+        return left
+    # each corner's share of the load is as the other's arm about G, friction included
+    d = float(s.d)
+    on_left = arm(contacts[B_FLOOR], s)[0] - d * right * kappa
+    on_right = d * left * kappa - arm(contacts[A_FLOOR], s)[0]
+    return (left * on_left + right * on_right) / (on_left + on_right)

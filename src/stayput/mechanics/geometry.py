@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.columns import CONTACTS, CORNER, FLOOR_BITS, PLANE
+from stayput.mechanics.columns import A_FLOOR, CONTACTS, CORNER, FLOOR_BITS, PLANE
 
 GAP_TOLERANCE = 1e-10
 """A contact is closed when its gap is not larger than this [m]."""
@@ -61,6 +61,20 @@ def stand_flat(case, s):
     s.z = -above(case, 0, s)
 
 
+@inline
+def own_friction(case, c):
+    """Static and kinetic coefficient of a base corner's own, NaN where it has none; ``c`` is its contact."""
+    if c == A_FLOOR:
+        return case.left_edge_static_friction, case.left_edge_kinetic_friction
+    return case.right_edge_static_friction, case.right_edge_kinetic_friction
+
+
+@inline
+def given_or(value, other):
+    """Return the value, or the other where it is NaN."""
+    return other if math.isnan(value) else value
+
+
 @inner
 def set_up(case, contacts, s):
     """Fill the contact table of a case and the state's constants; the body at rest at slide 0."""
@@ -89,7 +103,9 @@ def set_up(case, contacts, s):
         if plane == 0:
             con.cos, con.sin = 1.0, 0.0
             con.offset = 0.0
-            con.mu_static, con.mu_kinetic = case.edge_static_friction, case.edge_kinetic_friction
+            static, kinetic = own_friction(case, c)
+            con.mu_static = given_or(static, case.edge_static_friction)
+            con.mu_kinetic = given_or(kinetic, case.edge_kinetic_friction)
             con.restitution = case.normal_restitution
         elif plane == 1:
             con.cos, con.sin = 0.0, 1.0

@@ -49,6 +49,7 @@ ALL_BUT_FLAT = 1e-8
 
 @inner
 def set_mode(s, kind, i, d, j, dj):
+    """Set the mode, its contacts and their directions of slip; only these are closed."""
     s.kind, s.i, s.d, s.j, s.dj = kind, i, d, j, dj
     s.closed = 0
     if i >= 0:

@@ -115,6 +115,18 @@ class FloorTable(Table):
     edge_kinetic_friction: Friction | None = Field(
         default=None, description="Kinetic friction of a single corner."
     )
+    left_edge_static_friction: Friction | None = Field(
+        default=None, description="Static friction of the left base corner alone, as of a strip of rubber."
+    )
+    left_edge_kinetic_friction: Friction | None = Field(
+        default=None, description="Kinetic friction of the left base corner alone."
+    )
+    right_edge_static_friction: Friction | None = Field(
+        default=None, description="Static friction of the right base corner alone."
+    )
+    right_edge_kinetic_friction: Friction | None = Field(
+        default=None, description="Kinetic friction of the right base corner alone."
+    )
     restitution: Restitution = Field(
         default=1.0, description="Factor on the rotation rate at a change of fulcrum; 1: Housner."
     )

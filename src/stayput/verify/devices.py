@@ -34,7 +34,7 @@ def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:
         found.append(
             DeviceSummary(
                 kind=element.kind,
-                name=getattr(element, "name", element.kind),
+                name=f"{element.kind} {element.place}".strip(),
                 failed=probability(device["failure"] != HOLDS, runs.missing),
                 peak=Quantiles.of(force, nowhere),
             )

@@ -6,7 +6,7 @@ options are not blurred by chance.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -59,17 +59,9 @@ def drawn_body(body: Body, draw: Draw) -> Body:
 
 
 def _drawn_floor(floor: Floor, draw: Draw) -> Floor:
-    def factor(value: float | None) -> float | None:
-        return None if value is None else draw.friction * value
-
-    return replace(
-        floor,
-        static_friction=draw.friction * floor.static_friction,
-        kinetic_friction=draw.friction * floor.kinetic_friction,
-        edge_static_friction=factor(floor.edge_static_friction),
-        edge_kinetic_friction=factor(floor.edge_kinetic_friction),
-        restitution=draw.restitution * floor.restitution,
-    )
+    coefficients = {f.name: getattr(floor, f.name) for f in fields(floor) if f.name.endswith("friction")}
+    changed = {name: draw.friction * value for name, value in coefficients.items() if value is not None}
+    return replace(floor, **changed, restitution=draw.restitution * floor.restitution)
 
 
 def drawn_room(room: Room, draw: Draw) -> Room:
@@ -108,7 +100,9 @@ def rows_of(option: Option, body: Body, room: Room, drawn: list[list[Draw]], gra
     The body is drawn before the measures are applied, friction after them: a measure's surface is as
     little known as the floor's.
     """
-    cases, elements, masses = [], [], []
+    cases: list[NDArray[np.void]] = []
+    elements: list[NDArray[np.void]] = []
+    masses: list[float] = []
     for draw in (one for row in drawn for one in row):
         held: Held = hold(drawn_body(body, draw), room, option.measures)
         cases.append(case_columns(held.body, drawn_room(held.room, draw), State(), gravity))

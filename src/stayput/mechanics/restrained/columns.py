@@ -34,7 +34,7 @@ ELEMENT = np.dtype(
         ("limit_minus", "f8", (2,)),  # strength in push, or to the other side [N/kg]
         ("ultimate", "f8", (2,)),  # plastic elongation, summed, at which it parts [m]; 0: brittle
         ("friction", "f8"),  # the tangent slips at this times the normal line's push; NaN: it does not
-        ("interaction", "i8"),  # 1: fails where (pull/strength)² + (shear/strength)² reaches 1
+        ("interaction", "i8"),  # 1: breaks where (pull/strength)² + (shear/strength)² is 1
         ("drops_out", "i8"),  # 1: gone for good once it pushes no more
     ],
     align=True,
@@ -58,8 +58,8 @@ DEVICE = np.dtype(
 )
 """What became of one device."""
 
-# why a device failed
-HOLDS, PULLED, PUSHED, SHEARED, PULLED_AND_SHEARED, DRAWN_OUT, DROPPED_OUT = range(7)
+# why a device failed: where pull and shear act together, by the one that used more of its strength
+HOLDS, PULLED, PUSHED, SHEARED, DRAWN_OUT, DROPPED_OUT = range(6)
 
 # columns of the history of forces, one row a sample and element
 F_NORMAL, F_TANGENT = range(2)
@@ -95,8 +95,7 @@ MOST_FACETS = 40
 
 WORK = np.dtype(
     [
-        ("ax", "f8"),  # acceleration of G just before the last event, for looking a moment ahead [m/s²]
-        ("az", "f8"),
+        ("stage", "f8", (7, 3)),  # accelerations of x, z and θ in the stages of a step
         ("longest", "f8"),  # step that the last error allowed [s]
         ("foot", "f8"),  # place of a fulcrum that sticks, along its plane [m]
         ("patience", "f8"),  # factor on the slacks of limits; grows where events crowd

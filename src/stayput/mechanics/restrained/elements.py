@@ -5,8 +5,25 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.restrained.columns import AXIAL, F_NORMAL, F_TANGENT, HOLDS, NONE, NORMAL, OPEN, TANGENT
-from stayput.mechanics.restrained.lines import elastic_push, first_branch, force, joint_margin, margins, settle, share
+from stayput.mechanics.restrained.columns import (
+    AXIAL,
+    F_NORMAL,
+    F_TANGENT,
+    HOLDS,
+    NONE,
+    NORMAL,
+    OPEN,
+    TANGENT,
+)
+from stayput.mechanics.restrained.lines import (
+    elastic_push,
+    first_branch,
+    force,
+    joint_margin,
+    margins,
+    settle,
+    share,
+)
 from stayput.mechanics.roots import falls_inside
 
 SLACK_FORCE = 1e-8
@@ -46,7 +63,7 @@ def _along_normal(el, dx, dz):
     return dx / far, dz / far, far - el.length
 
 
-@inner
+@inline
 def measure(elements, links, sin, cos, x, z, vx, vz, omega):
     """Force on the body and its moment about G, + clockwise; the links keep elongations and forces.
 
@@ -84,6 +101,15 @@ def settle_elements(elements, links, devices, time):
         if links[n].lines > 0 and settle(elements[n], links[n], devices[n], time):
             failed += 1
     return failed
+
+
+@inner
+def none_left(links):
+    """Whether no element acts any more."""
+    for n in range(links.shape[0]):
+        if links[n].lines > 0:
+            return False
+    return True
 
 
 @inline
@@ -136,7 +162,7 @@ def _start_push(el, link):
 
 @inner
 def suspicious(elements, links, h):
-    """Earliest time in a step, measured at its end, at which a parabola has a margin below its level; or h."""
+    """Earliest time at which a parabola has a margin below its level, or h; the end has been measured."""
     first = h
     for n in range(elements.shape[0]):
         el, link = elements[n], links[n]

@@ -10,7 +10,6 @@ from stayput.mechanics.columns import (
     ENDED,
     FAILED,
     FLAT,
-    FLOOR_BITS,
     HELD,
     LIMIT,
     MOVED_FLYING,
@@ -22,32 +21,24 @@ from stayput.mechanics.columns import (
     TURNED_OVER,
 )
 from stayput.mechanics.contact import STUCK
-from stayput.mechanics.engine import list_event, outcome_of, start
+from stayput.mechanics.engine import COULOMB, carry_on, list_event, outcome_of, run_case, start
 from stayput.mechanics.geometry import note_peaks, slide_of, touching
-from stayput.mechanics.impact import closing, land, unjam
-from stayput.mechanics.motion import loads, note_sample
-from stayput.mechanics.restrained.choose import choose_restrained_mode
+from stayput.mechanics.impact import closing
+from stayput.mechanics.motion import note_sample
 from stayput.mechanics.restrained.elements import (
-    measure,
-    note_forces,
+    none_left,
     note_sample_forces,
     set_up_elements,
-    settle_elements,
 )
 from stayput.mechanics.restrained.holding import advance_held
 from stayput.mechanics.restrained.moving import advance_moving
-
-CROWDED = 1e-8
-"""Events closer to one another than this crowd [s]."""
+from stayput.mechanics.restrained.transitions import meet, mind_crowds, next_mode
 
 UNNAMED = -1
 """Kind of an event that users are not told of: an element goes slack, say, and the mode stays."""
 
-PATIENCE = 8
-"""So many crowded events in a row are borne before the slacks of limits grow tenfold with each further one."""
-
-MOST_PATIENCE = 1e6
-"""The slacks of limits do not grow by more than this."""
+TOLERANCE_ALONE = 1e-10
+"""Tolerance of the first kernel, which carries on where all devices are gone [rad]."""
 
 
 @inner
@@ -55,73 +46,10 @@ def _note_how_it_moves(s):
     kind = s.kind
     if kind == FLAT:
         s.moved |= MOVED_SLIDING
-    elif kind == STICK or kind == SLIP:
+    elif kind in (STICK, SLIP):
         s.moved |= MOVED_ROCKING if kind == STICK else MOVED_ROCKING | MOVED_SLIDING
     else:
         s.moved |= MOVED_FLYING
-
-
-@inner
-def _meet(rows, contacts, touch, case, s):
-    """Carry out the impact of the contacts that close, if any do; elements give no impulse."""
-    s.hit |= closing(contacts, touch & ~s.closed, s)
-    if not s.hit:
-        return
-    if s.hit & FLOOR_BITS:
-        s.floor_impacts += 1
-    else:
-        s.wall_impacts += 1
-    land(rows, contacts, s.closed, touch & ~s.closed, case, s)
-
-
-@inner
-def _next_mode(elements, links, devices, rows, contacts, touch, settle, case, s, work, spare, ax, az, dt):
-    """Bring the elements up to date, and choose the mode at the present time."""
-    time = s.k * dt + s.tau
-    for _ in range(3):  # a failure shifts force to others
-        measure(elements, links, s.sin, s.cos, s.x, s.z, s.vx, s.vz, s.omega)
-        note_forces(links, devices)
-        failed = settle_elements(elements, links, devices, time)
-        work.failed += failed
-        if failed == 0:
-            break
-    a, a_rate, G, G_rate = loads(case, ax, az, case.scale / dt, s.k, s.tau)
-    for attempt in range(2):
-        if attempt == 1:
-            unjam(contacts, touch, case, s)
-        choose_restrained_mode(
-            elements,
-            links,
-            devices,
-            rows,
-            contacts,
-            touch,
-            settle,
-            case,
-            s,
-            work,
-            spare,
-            a,
-            a_rate,
-            G,
-            G_rate,
-            time,
-        )
-        if s.kind != FAILED:
-            break
-    note_forces(links, devices)
-
-
-@inner
-def _mind_crowds(s, work, dt, before):
-    """Widen the slacks of limits where events follow one another with next to no time between them."""
-    now = s.k * dt + s.tau
-    if now - before > CROWDED:
-        work.crowded, work.patience = 0, 1.0
-        return
-    work.crowded += 1
-    if work.crowded > PATIENCE:
-        work.patience = min(10.0 * work.patience, MOST_PATIENCE)
 
 
 @inner
@@ -139,7 +67,7 @@ def _list(events, case, s, work, dt, why, kind, closed, d):
 
 @inner
 def _forget(work, dt):
-    work.ax = work.az = work.foot = 0.0
+    work.foot = 0.0
     work.longest = dt
     work.patience = 1.0
     work.crowded = work.failed = work.facets = 0
@@ -192,13 +120,30 @@ def run_restrained_case(
     start(case, contacts, s)
     _forget(work, dt)
     set_up_elements(elements, links, devices, case, s)
+    if none_left(links):
+        return run_case(
+            case,
+            ax,
+            az,
+            dt,
+            extremes,
+            COULOMB,
+            TOLERANCE_ALONE,
+            max_step,
+            max_events,
+            contacts,
+            rows,
+            s,
+            history,
+            events,
+        )
     last = ax.shape[0] - 1
     touch = touching(contacts, s) | s.closed
     s.hit = closing(contacts, touch & ~s.closed, s)
-    _meet(rows, contacts, touch, case, s)
+    meet(rows, contacts, touch, case, s)
     kind, closed = s.kind, s.closed
     settle = s.settle if s.hit else STUCK
-    _next_mode(elements, links, devices, rows, contacts, touch, settle, case, s, work, spare, ax, az, dt)
+    next_mode(elements, links, devices, rows, contacts, touch, settle, case, s, work, spare, ax, az, dt)
     if s.hit or work.failed:
         s.events += 1
         _list(events, case, s, work, dt, CLOSED, kind, closed, s.d)
@@ -209,6 +154,24 @@ def run_restrained_case(
         before = s.k * dt + s.tau
         if kind == HELD:
             why = advance_held(case, links, s, work, ax, az, dt, extremes, history, forces)
+        elif none_left(links):
+            carry_on(
+                case,
+                ax,
+                az,
+                dt,
+                extremes,
+                COULOMB,
+                TOLERANCE_ALONE,
+                max_step,
+                max_events,
+                contacts,
+                rows,
+                s,
+                history,
+                events,
+            )
+            break
         else:
             _note_how_it_moves(s)
             why = advance_moving(
@@ -239,16 +202,16 @@ def run_restrained_case(
         if s.kind == FAILED or s.kind == OVERTURNED or s.k >= last:
             list_event(events, case, s, dt, why, kind, closed)
             break
-        _mind_crowds(s, work, dt, before)
+        mind_crowds(s, work, dt, before)
         if why != CLOSED:
             s.hit = 0
         touch = touching(contacts, s) | s.closed | s.hit
-        _meet(rows, contacts, touch, case, s)
+        meet(rows, contacts, touch, case, s)
         if s.hit:
             why = CLOSED
         settle = s.settle if s.hit else STUCK
         work.failed = 0
-        _next_mode(elements, links, devices, rows, contacts, touch, settle, case, s, work, spare, ax, az, dt)
+        next_mode(elements, links, devices, rows, contacts, touch, settle, case, s, work, spare, ax, az, dt)
         _list(events, case, s, work, dt, why, kind, closed, d)
     for n in range(devices.shape[0]):
         for i in range(2):

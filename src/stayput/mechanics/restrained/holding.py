@@ -25,10 +25,12 @@ BALANCED = 1e-10
 
 
 @inline
-def _edge(rows, p, root):
+def _edge(rows, p, lifted, root):
     """Edge p of the cone of contacts' forces; the moment is divided by √I, so that all are of one kind."""
     row = rows[p >> 1]
-    mu = (1.0 - 2.0 * (p & 1)) * row.flat_stick
+    if p >> 1 == lifted:
+        return 0.0, 0.0, 0.0
+    mu = (1.0 - 2.0 * (p & 1)) * (row.flat_stick if lifted < 0 else row.mu_stick)
     return row.nx + mu * row.tx, row.nz + mu * row.tz, (row.nl + mu * row.tl) / root
 
 
@@ -38,17 +40,17 @@ def _across(p, q):
     x, z, l = p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
     size = math.sqrt(x * x + z * z + l * l)
     whole = math.sqrt((p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]))
-    if size <= PARALLEL * whole:
+    if size <= PARALLEL * whole or whole == 0.0:
         return (0.0, 0.0, 0.0), 0.0
     return (x / size, z / size, l / size), size / whole
 
 
 @inline
-def _sides(rows, first, count, n, root):
+def _sides(rows, first, count, lifted, n, root):
     """Smallest and largest part of the edges along a unit vector."""
     low = high = 0.0
     for p in range(2 * first, 2 * (first + count)):
-        x, z, l = _edge(rows, p, root)
+        x, z, l = _edge(rows, p, lifted, root)
         part = n[0] * x + n[1] * z + n[2] * l
         low, high = min(low, part), max(high, part)
     return low, high
@@ -70,18 +72,22 @@ def _keep(work, n, root, slack):
 
 
 @inner
-def cone_facets(rows, first, count, I, work):
-    """List the facets of the cone of contacts' forces: rows ``first`` on; whether there is such a cone."""
+def cone_facets(rows, first, count, lifted, I, work):
+    """List the facets of the cone of contacts' forces: rows ``first`` on; whether there is such a cone.
+
+    ``lifted`` is the row of a base corner that bears nothing, so that the other has a corner's friction;
+    −1 for none.
+    """
     work.facets = 0
     root = math.sqrt(I)
     found = False
     for p in range(2 * first, 2 * (first + count)):
         for q in range(2 * first, p):
-            n, sine = _across(_edge(rows, p, root), _edge(rows, q, root))
+            n, sine = _across(_edge(rows, p, lifted, root), _edge(rows, q, lifted, root))
             if sine == 0.0:
                 continue
             found = True
-            low, high = _sides(rows, first, count, n, root)
+            low, high = _sides(rows, first, count, lifted, n, root)
             flat = low >= -PARALLEL and high <= PARALLEL
             slack = BALANCED if flat else 0.0
             if low >= -PARALLEL:
@@ -89,16 +95,16 @@ def cone_facets(rows, first, count, I, work):
             if high <= PARALLEL:
                 _keep(work, (-n[0], -n[1], -n[2]), root, slack)
             if flat:
-                _keep_ends(rows, first, count, n, root, work)
+                _keep_ends(rows, first, count, lifted, n, root, work)
     return found
 
 
 @inner
-def _keep_ends(rows, first, count, normal, root, work):
+def _keep_ends(rows, first, count, lifted, normal, root, work):
     """Of a cone that is flat, add its ends within its plane."""
     for p in range(2 * first, 2 * (first + count)):
-        n, sine = _across(normal, _edge(rows, p, root))
-        low, high = _sides(rows, first, count, n, root)
+        n, sine = _across(normal, _edge(rows, p, lifted, root))
+        low, high = _sides(rows, first, count, lifted, n, root)
         if sine > 0.0 and low >= -PARALLEL:
             _keep(work, n, root, 0.0)
         if sine > 0.0 and high <= PARALLEL:
@@ -117,7 +123,7 @@ def bears(work, a, G, wrench):
 
 
 @inner
-def keep_floors_side(rows, count, a, G, wrench, I, work, spare):
+def keep_floors_side(rows, count, lifted, a, G, wrench, I, work, spare):
     """Add the limits of the floor alone that the load keeps, so that walls hold only what presses to them.
 
     Where the floor holds one corner, that is the moment about it: the load must go on to press the body to
@@ -127,14 +133,15 @@ def keep_floors_side(rows, count, a, G, wrench, I, work, spare):
     on_floor = 0
     while on_floor < count and PLANE[rows[on_floor].index] == 0:
         on_floor += 1
-    if on_floor == 1 and count > 1:
-        nl, tl = rows[0].nl, rows[0].tl
+    if (on_floor == 1 and count > 1) or lifted >= 0:
+        foot = rows[1 if lifted == 0 else 0]
+        nl, tl = foot.nl, foot.tl
         moment = tl * (a - fx) + nl * (G - fz) + fl
         side = 1.0 if moment >= 0.0 else -1.0
         size = side / math.sqrt(tl * tl + nl * nl + 1.0)
         _keep(work, (size * tl, size * nl, -size), 1.0, 0.0)
     elif on_floor == 2 and count > 2:
-        cone_facets(rows, 0, 2, I, spare)
+        cone_facets(rows, 0, 2, -1, I, spare)
         for k in range(spare.facets):
             f = spare.facet[k]
             if f[0] + f[1] * (a - fx) + f[2] * (G - fz) - f[3] * fl >= 0.0:
@@ -173,18 +180,14 @@ def _block_holds(case, work, block, extremes):
 
 
 @inner
-def _leaves_after(work, a0, G0, a1, G1, h, fresh):
-    """Time in a step, with these loads at its ends, at which the body is held no longer; or h.
-
-    ``fresh`` is a step that starts at a sample: its start has been looked at as the end of the last.
-    """
+def _leaves_after(work, a0, G0, a1, G1, h):
+    """Time in a step, with these loads at its ends, at which the body is held no longer; or h."""
     first = h
     for j in range(work.facets):
         f = work.facet[j]
         m0, m1 = f[0] + f[1] * a0 + f[2] * G0, f[0] + f[1] * a1 + f[2] * G1
-        if m1 >= 0.0 and (fresh or m0 >= 0.0):
-            continue
-        first = min(first, 0.0 if m0 <= 0.0 else h * m0 / (m0 - m1))
+        if m1 < 0.0:
+            first = min(first, 0.0 if m0 <= 0.0 else h * m0 / (m0 - m1))
     return first
 
 
@@ -195,14 +198,14 @@ def advance_held(case, links, s, work, ax, az, dt, extremes, history, forces):
     per_second = case.scale / dt
     keeps = history.shape[0] > 0
     while s.k < last:
-        if s.tau == 0.0 and s.k % BLOCK == 0 and not keeps:
-            if _block_holds(case, work, s.k // BLOCK, extremes):
-                s.k = min(last, s.k + BLOCK)
-                continue
+        skips = s.tau == 0.0 and s.k % BLOCK == 0 and not keeps
+        if skips and _block_holds(case, work, s.k // BLOCK, extremes):
+            s.k = min(last, s.k + BLOCK)
+            continue
         h = dt - s.tau
         a0, _, G0, _ = loads(case, ax, az, per_second, s.k, s.tau)
         a1, G1 = case.scale * ax[s.k + 1], case.gravity + case.scale * az[s.k + 1]
-        t = _leaves_after(work, a0, G0, a1, G1, h, s.tau == 0.0)
+        t = _leaves_after(work, a0, G0, a1, G1, h)
         if t < h:
             s.tau += t
             return LIMIT
@@ -211,4 +214,3 @@ def advance_held(case, links, s, work, ax, az, dt, extremes, history, forces):
         note_sample(history, case, s)
         note_sample_forces(forces, links, s)
     return ENDED
-

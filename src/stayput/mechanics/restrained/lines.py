@@ -29,7 +29,6 @@ from stayput.mechanics.restrained.columns import (
     OPEN,
     PLUS,
     PULLED,
-    PULLED_AND_SHEARED,
     PUSHED,
     SHEARED,
     SLIP_MINUS,
@@ -49,9 +48,11 @@ def slips_by_friction(el, i):
 
 @inline
 def limit(el, i, plus, push):
-    """Largest force of a line to one side [N/kg]."""
+    """Largest force of a line alone to one side [N/kg]; none where pull and shear act together."""
     if slips_by_friction(el, i):
         return el.friction * push
+    if el.interaction != 0 and (plus or i == TANGENT):
+        return math.inf
     return el.limit_plus[i] if plus else el.limit_minus[i]
 
 
@@ -81,7 +82,7 @@ def force(el, link, i, e, rate, push):
 def elastic_push(el, link, e, rate):
     """Push of the normal line's spring, which friction follows, and its rate."""
     branch = link.branch[NORMAL]
-    if branch == MINUS or branch == BOND:
+    if branch in (MINUS, BOND):
         push = -el.stiffness[NORMAL] * stretch(el, link, NORMAL, e)
         if push > 0.0:
             return push, -el.stiffness[NORMAL] * rate
@@ -114,7 +115,7 @@ def margins(el, link, i, e, rate, push, push_rate):
         over = k * (e - link.plastic[i] - el.slack_plus[i])
         under = k * (e - link.plastic[i] + el.slack_minus[i])
         return -min(over, over + c * rate), max(under, under + c * rate)
-    if branch == SLIP_PLUS or branch == SLIP_MINUS:
+    if branch in (SLIP_PLUS, SLIP_MINUS):
         return _slip_margins(el, link, i, e, rate, push, push_rate)
     F = k * stretch(el, link, i, e) + c * rate
     if branch == PLUS:
@@ -150,9 +151,8 @@ def first_branch(el, link, i):
 
 
 @inner
-def _spring_back(el, link, i):
+def _spring_back(el, link, i, plus):
     """End a slip: the spring keeps what its limit allows, and the rest has become plastic."""
-    plus = link.branch[i] == SLIP_PLUS
     side = 1.0 if plus else -1.0
     most = limit(el, i, plus, link.push)
     grown = max(0.0, side * stretch(el, link, i, link.e[i]) - most / el.stiffness[i])
@@ -179,6 +179,7 @@ def _reach_limit(el, link, device, i, plus, time):
         back, _ = margins(el, link, i, link.e[i], link.rate[i], link.push, link.push_rate)
         if back <= 0.0:
             link.branch[i] = before
+            _spring_back(el, link, i, plus)
     elif i == TANGENT:
         fail(link, device, SHEARED, time)
     else:
@@ -190,11 +191,11 @@ def _settle_line(el, link, device, i, time):
     """Bring a line's branch up to date with the elongation and rate last measured."""
     low, high = margins(el, link, i, link.e[i], link.rate[i], link.push, link.push_rate)
     branch = link.branch[i]
-    if branch == SLIP_PLUS or branch == SLIP_MINUS:
+    if branch in (SLIP_PLUS, SLIP_MINUS):
         if high < 0.0:
             fail(link, device, DRAWN_OUT, time)
         elif low <= 0.0:
-            _spring_back(el, link, i)
+            _spring_back(el, link, i, branch == SLIP_PLUS)
         return
     if branch == OPEN:
         if low < 0.0:
@@ -209,9 +210,9 @@ def _settle_line(el, link, device, i, time):
     if link.branch[i] == OPEN:
         return
     F = force(el, link, i, link.e[i], link.rate[i], link.push)
-    if F > limit(el, i, True, link.push):
+    if limit(el, i, True, link.push) < F:
         _reach_limit(el, link, device, i, True, time)
-    elif -F > limit(el, i, False, link.push):
+    elif limit(el, i, False, link.push) < -F:
         _reach_limit(el, link, device, i, False, time)
 
 
@@ -227,5 +228,6 @@ def settle(el, link, device, time):
             link.force[i] = force(el, link, i, link.e[i], link.rate[i], link.push)
         i += 1
     if link.lines == 2 and joint_margin(el, link.force[NORMAL], link.force[TANGENT]) < 0.0:
-        fail(link, device, PULLED_AND_SHEARED, time)
+        pulled = share(el, NORMAL, link.force[NORMAL]) >= share(el, TANGENT, link.force[TANGENT])
+        fail(link, device, PULLED if pulled else SHEARED, time)
     return link.lines == 0

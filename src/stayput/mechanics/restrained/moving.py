@@ -6,26 +6,25 @@ import math
 
 from stayput.compiled import inline, inner
 from stayput.mechanics.columns import CLOSED, ENDED, FLIGHT, LIMIT, STICK, TURNED_OVER
-from stayput.mechanics.geometry import HALF_TURN, along, arm_at, gap, note_peaks
+from stayput.mechanics.geometry import HALF_TURN, note_peaks
 from stayput.mechanics.motion import loads, note_sample, pass_time
-from stayput.mechanics.restrained.elements import (
-    begin_step,
-    least_margin,
-    note_forces_within,
-    note_sample_forces,
-    suspicious,
+from stayput.mechanics.restrained.elements import begin_step, note_forces_within, note_sample_forces
+from stayput.mechanics.restrained.events import (
+    first_event,
+    go_to,
+    least_of_all,
+    level_of,
+    look_at,
+    set_gap_levels,
 )
-from stayput.mechanics.restrained.rates import rates
 from stayput.mechanics.restrained.step import (
+    STAGES,
     between,
-    dormand_prince,
-    meet_constraints,
     place_of_foot,
     quintics,
-    set_state,
     state_of,
+    take_step,
 )
-from stayput.mechanics.roots import closed_level, falls_inside, first_zero, narrowed, secant
 
 SLACK_FORCE, SLACK_SLIP = 1e-8, 5e-11
 """A margin of the contacts that starts at its limit has passed it when it is this far beyond [m/s², m/s]."""
@@ -38,75 +37,6 @@ SHORTEST = 1e-6
 
 LARGEST_TURN = 0.1
 """A step does not turn the body by more than about this [rad]."""
-
-LOCATED = 1e-12
-"""An event is located to this part of a second [s]."""
-
-
-@inline
-def _level(margin, slack):
-    return 0.0 if margin > slack else min(margin, 0.0) - slack
-
-
-@inner
-def _least(elements, links, contacts, s, y, levels, f, g):
-    """Least of all margins above their levels, in a state whose rates have just been worked out.
-
-    ``s.hit`` gets the bits of the contacts that have closed. The record s holds the state.
-    """
-    least = min(f - levels[0], g - levels[1], HALF_TURN - abs(y[2]))
-    s.hit = 0
-    others = s.present & ~s.closed
-    c = 0
-    while others >> c:
-        if others >> c & 1:
-            over = gap(contacts[c], s) - contacts[c].level
-            if over < 0.0:
-                s.hit |= 1 << c
-            least = min(least, over)
-        c += 1
-    return min(least, least_margin(elements, links))
-
-
-@inline
-def _gap_now(con, y, k, sin, cos):
-    """Gap of a contact in a state, with its first and second rate."""
-    sigma, kappa = arm_at(con, sin, cos)
-    place, rate, fall = along(con, y[0], y[1])[1], along(con, y[3], y[4])[1], along(con, k[3], k[4])[1]
-    return (
-        place + con.offset - kappa,
-        rate - y[5] * sigma,
-        fall - k[5] * sigma + y[5] * y[5] * kappa,
-    )
-
-
-@inner
-def _set_levels(contacts, s):
-    """Set the gaps at which the other contacts close in the step that begins."""
-    others = s.present & ~s.closed
-    c = 0
-    while others >> c:
-        if others >> c & 1:
-            contacts[c].level = closed_level(gap(contacts[c], s))
-        c += 1
-
-
-@inner
-def _first_gap(contacts, s, y0, k0, base, y1, k1, h):
-    """Time of the first gap that closes within a step, or h."""
-    first = h
-    others = s.present & ~s.closed
-    c = 0
-    while others >> c:
-        if others >> c & 1:
-            con = contacts[c]
-            g0, v0, c0 = _gap_now(con, y0, k0, base[1], base[2])
-            g1, v1, c1 = _gap_now(con, y1, k1, s.sin, s.cos)
-            t = first_zero(g0 - con.level, v0, c0, g1 - con.level, v1, c1, h)
-            if t >= 0.0:
-                first = min(first, t * (1.0 + 1e-6))
-        c += 1
-    return min(first, h)
 
 
 @inner
@@ -124,81 +54,20 @@ def _note_largest_tilt(s, y0, k0, y1, k1, h):
 
 @inline
 def _next_length(h, error, tolerance):
-    """Length of step that would have an error of the tolerance, with a margin, from one that has ``error``."""
-    if error <= 0.0:
+    """Length of a step that stays within the tolerance, from one of length h that has ``error``."""
+    if 2048.0 * error <= tolerance:
         return 4.0 * h
     return h * min(4.0, max(0.2, 0.9 * math.exp(0.2 * math.log(tolerance / error))))
 
 
-@inner
-def _step(elements, links, contacts, rows, case, s, work, base, load, y0, k0, h):
-    """Set the state to that a time h after y0; return it, its rates, its margins and the error."""
-    y, error = dormand_prince(elements, links, contacts, rows, case, s, base, load, y0, k0, h)
-    set_state(s, y, base)
-    meet_constraints(contacts, case, s, work.foot)
-    y = state_of(s)
-    k, f, g = rates(elements, links, contacts, rows, case, s, base, load, h, y)
-    return y, k, f, g, error
+@inline
+def _stage(work, i):
+    return work.stage[i, 0], work.stage[i, 1], work.stage[i, 2]
 
 
-@inner
-def _margin_at(elements, links, contacts, rows, case, s, base, load, curves, h, t, levels):
-    """Least margin a time t into a step, on its quintics."""
-    y = between(curves, h, t)
-    set_state(s, y, base)
-    _, f, g = rates(elements, links, contacts, rows, case, s, base, load, t, y)
-    return _least(elements, links, contacts, s, y, levels, f, g)
-
-
-@inner
-def _locate(elements, links, contacts, rows, case, s, base, load, curves, h, low, m_low, high, m_high, levels):
-    """Time just after which the least margin falls below zero, between ``low`` and ``high``."""
-    bracket = (low, m_low, high, m_high, 0)
-    for _ in range(100):
-        if bracket[2] - bracket[0] <= LOCATED:
-            break
-        t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
-        m = _margin_at(elements, links, contacts, rows, case, s, base, load, curves, h, t, levels)
-        if abs(t - (bracket[0] if m > 0.0 else bracket[2])) <= LOCATED and m <= 0.0:
-            return t
-        bracket = narrowed(bracket, t, m)
-    return bracket[2]
-
-
-@inner
-def _first_event(
-    elements, links, contacts, rows, case, s, base, load, y0, k0, m0, y1, k1, least0, least1, near, h, levels
-):
-    """Time of the first event in a step that has been taken to its end, or −1.
-
-    ``m0`` are the margins of the contacts at the start. The end is looked at, and the places where gaps and
-    parabolas through the margins say that one may be negative though it is not at the end.
-    """
-    curves = quintics(y0, k0, y1, k1, h)
-    probe = min(_first_gap(contacts, s, y0, k0, base, y1, k1, h), suspicious(elements, links, h))
-    low, m_low = 0.0, least0
-    if near:
-        y = between(curves, h, 0.5 * h)
-        set_state(s, y, base)
-        _, f, g = rates(elements, links, contacts, rows, case, s, base, load, 0.5 * h, y)
-        u = falls_inside(m0[0] - levels[0], f - levels[0], m0[2] - levels[0])
-        if u > 0.0:
-            probe = min(probe, u * h)
-        u = falls_inside(m0[1] - levels[1], g - levels[1], m0[3] - levels[1])
-        if u > 0.0:
-            probe = min(probe, u * h)
-    if probe < h:
-        m = _margin_at(elements, links, contacts, rows, case, s, base, load, curves, h, probe, levels)
-        if m < 0.0:
-            return _locate(
-                elements, links, contacts, rows, case, s, base, load, curves, h, low, m_low, probe, m, levels
-            )
-        low, m_low = probe, m
-    if least1 < 0.0:
-        return _locate(
-            elements, links, contacts, rows, case, s, base, load, curves, h, low, m_low, h, least1, levels
-        )
-    return -1.0
+@inline
+def _keep_as_first(work, k):
+    work.stage[0, 0], work.stage[0, 1], work.stage[0, 2] = k
 
 
 @inline
@@ -210,21 +79,7 @@ def _why_over(s):
 
 @inner
 def advance_moving(
-    elements,
-    links,
-    devices,
-    contacts,
-    rows,
-    case,
-    s,
-    work,
-    ax,
-    az,
-    dt,
-    tolerance,
-    max_step,
-    history,
-    forces,
+    elements, links, devices, contacts, rows, case, s, work, ax, az, dt, tolerance, max_step, history, forces
 ):
     """Move a body with elements in its mode to its next event.
 
@@ -250,15 +105,15 @@ def advance_moving(
     base = s.theta, s.sin, s.cos
     load = loads(case, ax, az, per_second, s.k, s.tau)
     y0 = state_of(s)
-    k0, f0, g0 = rates(elements, links, contacts, rows, case, s, base, load, 0.0, y0)
+    k0, f0, g0 = look_at(elements, links, contacts, rows, case, s, base, load, 0.0, y0)
     why = ENDED
     while s.k < last and why == ENDED:
         base = s.theta, s.sin, s.cos
         load = loads(case, ax, az, per_second, s.k, s.tau)
-        levels = _level(f0, slack_f), _level(g0, slack_g)
-        _set_levels(contacts, s)
+        levels = level_of(f0, slack_f), level_of(g0, slack_g)
+        set_gap_levels(contacts, s)
         begin_step(elements, links, work.patience)
-        least0 = max(_least(elements, links, contacts, s, y0, levels, f0, g0), SLACK_SLIP)
+        _keep_as_first(work, k0)
         whole = min(dt - s.tau, max_step)
         if abs(s.omega) * whole > LARGEST_TURN:
             whole = LARGEST_TURN / abs(s.omega)
@@ -266,46 +121,29 @@ def advance_moving(
         if h > 0.8 * whole:
             h = whole
         while True:
-            y1, k1, f1, g1, error = _step(
-                elements, links, contacts, rows, case, s, work, base, load, y0, k0, h
-            )
+            f1, g1, error = take_step(elements, links, contacts, rows, case, s, work, base, load, y0, h)
             s.steps += 1
             proposed = _next_length(h, error, tolerance)
             if error <= tolerance or h <= SHORTEST:
                 break
             h = work.longest = max(proposed, SHORTEST)
         work.longest = proposed if h < whole else max(proposed, work.longest)
-        least1 = _least(elements, links, contacts, s, y1, levels, f1, g1)
-        near = min(f0, f1) < near_limit or (not slips and min(g0, g1) < near_limit) or g1 <= 0.0
-        t = _first_event(
-            elements,
-            links,
-            contacts,
-            rows,
-            case,
-            s,
-            base,
-            load,
-            y0,
-            k0,
-            (f0, g0, f1, g1),
-            y1,
-            k1,
-            least0,
-            least1,
-            near,
-            h,
-            levels,
+        y1, k1 = state_of(s), _stage(work, STAGES - 1)
+        least = least_of_all(elements, links, contacts, s, levels, f1, g1)
+        near = min(f0, f1) < near_limit or (not slips and min(g0, g1) < near_limit)
+        start, end = (y0, k0, f0, g0), (y1, k1, f1, g1)
+        t = first_event(
+            elements, links, contacts, rows, case, s, base, load, start, end, least, near, h, levels
         )
         if t >= 0.0:
-            h, least1 = _go_to(elements, links, contacts, rows, case, s, work, base, load, y0, k0, levels, t, h)
-            y1 = state_of(s)
-            k1, f1, g1 = rates(elements, links, contacts, rows, case, s, base, load, h, y1)
-            if least1 < 0.0:
+            h, f1, g1, least = go_to(
+                elements, links, contacts, rows, case, s, work, base, load, y0, levels, t, h
+            )
+            y1, k1 = state_of(s), _stage(work, STAGES - 1)
+            if least < 0.0:
                 why = _why_over(s)
         elif near:
-            set_state(s, y1, base)
-            k1, f1, g1 = rates(elements, links, contacts, rows, case, s, base, load, h, y1)
+            k1, f1, g1 = look_at(elements, links, contacts, rows, case, s, base, load, h, y1)
         _note_largest_tilt(s, y0, k0, y1, k1, h)
         note_forces_within(elements, links, devices, h)
         note_peaks(case, s)
@@ -313,22 +151,5 @@ def advance_moving(
         if pass_time(s, h, dt):
             note_sample(history, case, s)
             note_sample_forces(forces, links, s)
-    work.ax, work.az, s.alpha = k0[3], k0[4], k0[5]
+    s.alpha = k0[2]
     return why
-
-
-@inner
-def _go_to(elements, links, contacts, rows, case, s, work, base, load, y0, k0, levels, t, h):
-    """Take the step that ends at an event, and a hair longer where the margin is not yet below zero there.
-
-    Returns its length and the least margin: negative, unless the event was one of the quintics alone.
-    """
-    least = 0.0
-    more = LOCATED
-    for _ in range(5):
-        y, _, f, g, _ = _step(elements, links, contacts, rows, case, s, work, base, load, y0, k0, t)
-        least = _least(elements, links, contacts, s, y, levels, f, g)
-        if least < 0.0 or t >= h:
-            break
-        t, more = min(h, t + more), 30.0 * more
-    return t, least

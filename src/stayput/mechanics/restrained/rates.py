@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.columns import FLAT, FLIGHT, PLANE, SLIP, STICK
-from stayput.mechanics.contact import JAMMED, base_friction, press_of_two, tabulate
-from stayput.mechanics.geometry import along, arm_at, sin_cos
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, FLAT, FLIGHT, PLANE, STICK, WEDGE
+from stayput.mechanics.contact import JAMMED, press_of_two, tabulate
+from stayput.mechanics.geometry import along, arm_at, given_or, own_friction
 from stayput.mechanics.restrained.elements import measure
 
 
@@ -37,17 +37,33 @@ def _on_fulcrum(con, case, stick, d, sin, cos, vx, vz, omega, A, Γ, fl):
 
 
 @inline
-def kinetic_pair(contacts, case, s, d, sigma_i, sigma_j, kappa, Γ, fl):
-    """Kinetic coefficients of both corners of a body that slides flat."""
-    first, second = contacts[s.i], contacts[s.j]
-    if PLANE[s.i] > 0:
-        return first.mu_kinetic, second.mu_kinetic
-    lead, reach = (second, sigma_j) if d > 0.0 else (first, -sigma_i)
-    mu = base_friction(case, lead.mu_kinetic, reach - d * fl / Γ, kappa)
-    return mu, mu
+def shared_friction(case, first, second, d, shift):
+    """Kinetic coefficient of the flat base under a body that slides, the load shifted by ``shift`` [m].
+
+    ``first`` and ``second`` are A and B: their own coefficient, σ and κ. The leading corner bears all at the
+    coefficient ``tips``, the trailing one at ``sits``. Where the base's
+    own is beyond either, the corner that bears all has its edge's, unless that would put the other down
+    again: then it is the one at which the other just bears nothing; see `contact.base_friction`.
+    """
+    lead, trail = (second, first) if d > 0.0 else (first, second)
+    tips, sits = d * (lead[1] - shift) / lead[2], d * (trail[1] - shift) / trail[2]
+    mu = case.kinetic_friction
+    if mu > tips:
+        return min(mu, max(lead[0], tips))
+    return max(mu, min(trail[0], sits))
 
 
 @inline
+def kinetic_pair(contacts, case, s, d, sigma_i, sigma_j, kappa, Γ, fl):
+    """Kinetic coefficients of both corners of a body that slides flat."""
+    first, second = contacts[s.i].mu_kinetic, contacts[s.j].mu_kinetic
+    if PLANE[s.i] > 0:
+        return first, second
+    mu = shared_friction(case, (first, sigma_i, kappa), (second, sigma_j, kappa), d, fl / Γ)
+    return given_or(own_friction(case, A_FLOOR)[1], mu), given_or(own_friction(case, B_FLOOR)[1], mu)
+
+
+@inner
 def _flat(contacts, case, s, d, sin, cos, vx, vz, A, Γ, fl):
     """Tangential acceleration of a body that slides on both corners of a plane, and the margins."""
     first, second = contacts[s.i], contacts[s.j]
@@ -79,41 +95,28 @@ def _on_two_planes(rows, contacts, case, s, sin, cos, vx, vz, omega, a, G, fl):
     return fx - a, fz - G, (moment + fl) / I, least, min(float(s.d) * slip_i, float(s.dj) * slip_j)
 
 
-@inner
-def rates(elements, links, contacts, rows, case, s, base, load, t, y):
-    """Rates of y = (x, z, θ, ẋ, ż, θ̇) a time t after the loads, in the mode of s, and its two margins.
+@inline
+def accelerations(elements, links, contacts, rows, case, s, load, t):
+    """Accelerations of x, z and θ in the state and mode of s, a time t after the loads, and two margins.
 
-    ``base`` is a tilt nearby with its sine and cosine. The margins are forces [m/s²], but the second is a
-    rate of slip [m/s] where there is one. The links keep what was measured.
+    The margins are forces [m/s²], but the second is a rate of slip [m/s] where there is one. The links keep
+    what was measured.
     """
-    x, z, theta, vx, vz, omega = y
-    sin, cos = sin_cos(theta, base[0], base[1], base[2])
-    fx, fz, fl = measure(elements, links, sin, cos, x, z, vx, vz, omega)
+    sin, cos, vx, vz, omega = s.sin, s.cos, s.vx, s.vz, s.omega
+    fx, fz, fl = measure(elements, links, sin, cos, s.x, s.z, vx, vz, omega)
     a, G = load[0] + load[1] * t - fx, load[2] + load[3] * t - fz
     kind = s.kind
     if kind == FLIGHT:
-        return (vx, vz, omega, -a, -G, fl / case.inertia), math.inf, math.inf
+        return -a, -G, fl / case.inertia, math.inf, math.inf
+    if kind == WEDGE:
+        return _on_two_planes(rows, contacts, case, s, sin, cos, vx, vz, omega, a, G, fl)
     con = contacts[s.i]
     A, Γ = along(con, a, G)
-    if kind == STICK or kind == SLIP:
+    if kind == FLAT:
+        normal = alpha = 0.0
+        tangential, f, g = _flat(contacts, case, s, float(s.d), sin, cos, vx, vz, A, Γ, fl)
+    else:
         tangential, normal, alpha, f, g = _on_fulcrum(
             con, case, kind == STICK, float(s.d), sin, cos, vx, vz, omega, A, Γ, fl
         )
-        return _in_room(con, vx, vz, omega, tangential, normal, alpha), f, g
-    if kind == FLAT:
-        tangential, f, g = _flat(contacts, case, s, float(s.d), sin, cos, vx, vz, A, Γ, fl)
-        return _in_room(con, vx, vz, omega, tangential, 0.0, 0.0), f, g
-    ax, az, alpha, f, g = _on_two_planes(rows, contacts, case, s, sin, cos, vx, vz, omega, a, G, fl)
-    return (vx, vz, omega, ax, az, alpha), f, g
-
-
-@inline
-def _in_room(con, vx, vz, omega, tangential, normal, alpha):
-    return (
-        vx,
-        vz,
-        omega,
-        con.cos * tangential - con.sin * normal,
-        con.sin * tangential + con.cos * normal,
-        alpha,
-    )
+    return con.cos * tangential - con.sin * normal, con.sin * tangential + con.cos * normal, alpha, f, g

@@ -16,7 +16,7 @@ from stayput.mechanics.runner import LISTED_EVENTS, MAX_EVENTS, Shaking, Traced,
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-TOLERANCE = 1e-8
+TOLERANCE = 1e-7
 """Largest error of a step with elements [m, rad]."""
 
 
@@ -79,10 +79,12 @@ def check_elements(elements: NDArray[np.void]) -> None:
     _refuse(both < 0.0, both, "slack_plus + slack_minus", "0 or more")
     idle = (rows["stiffness"] == 0.0) & (rows["damping"] > 0.0)
     _refuse(idle, rows["damping"], "damping", "0 where there is no stiffness")
-    rubbed = ~np.isnan(rows["friction"]) & (rows["damping"][:, 1] > 0.0)
-    _refuse(rubbed, rows["damping"][:, 1], "tangential damping", "0 where the tangent slips by friction")
-    open_bond = np.isnan(both)
-    _refuse(open_bond, both, "slack", "a number")
+    rubbed = ~np.isnan(rows["friction"]) & (rows["damping"] > 0.0).any(axis=1)
+    _refuse(rubbed, rows["damping"].max(axis=1), "damping", "0 where the tangent slips by friction")
+    tough = (rows["interaction"] != 0) & (rows["ultimate"] > 0.0).any(axis=1)
+    _refuse(tough, rows["ultimate"].max(axis=1), "ultimate", "0 where pull and shear act together")
+    together = (rows["interaction"] != 0) & (rows["kind"] == el.AXIAL)
+    _refuse(together, rows["interaction"], "interaction", "0 for an axial one, which has no shear")
 
 
 def _refuse(wrong: NDArray[np.bool_], values: NDArray[np.float64], name: str, allowed: str) -> None:
@@ -209,12 +211,18 @@ def run_restrained_cases(
     """
     check_elements(elements)
     if elements.shape[:1] != cases.shape:
-        raise InputError(f"There are elements for {len(elements)} cases; there must be one row for each of {len(cases)}.")
+        raise InputError(
+            f"There are elements for {len(elements)} cases; there must be one row for each of {len(cases)}."
+        )
     loads = _loads(motion)
     contacts, rows, works, links = _room(elements.shape[1])
     results = np.zeros(len(cases), col.RESULT)
     devices = np.zeros(elements.shape, el.DEVICE)
-    nothing = np.zeros((0, col.HISTORY)), np.zeros((0, elements.shape[1], el.FORCES)), np.zeros((0, col.EVENT))
+    nothing = (
+        np.zeros((0, col.HISTORY)),
+        np.zeros((0, elements.shape[1], el.FORCES)),
+        np.zeros((0, col.EVENT)),
+    )
     states = np.zeros(1, col.STATE)
     run_restrained_batch(
         cases,

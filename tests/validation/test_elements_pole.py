@@ -1,0 +1,119 @@
+"""Tension poles: preload in the static limits of sliding and tipping, friction at the ceiling, drop-out."""
+
+import math
+
+import numpy as np
+import pytest
+from devices import CEILING, SLIDE, held, planar
+from setups import G, block, constant, room, still, threshold
+
+import stayput as sp
+from stayput.mechanics.restrained import columns as el
+
+K = 2000.0
+
+
+def pole(point, preload, *, mu=0.4, shear=500.0, **fields):
+    return planar(
+        point,
+        CEILING,
+        stiffness=(K, shear),
+        slack_plus=(np.inf, 0.0),
+        slack_minus=(-preload / K, 0.0),
+        friction=mu,
+        **fields,
+    )
+
+
+def ramp(to, seconds):
+    """Load that grows slowly to a value."""
+    return sp.Motion(0.01, np.linspace(0.0, to, round(100 * seconds) + 1))
+
+
+def test_preload_adds_to_the_friction_of_the_floor():
+    """The floor bears g + P; sliding starts at μ(g + P), and the ceiling adds μ_c P once its shoe slips."""
+    body, mu, P = sp.Body(1.0, 0.5), 0.3, 4.0
+    found = held(body, room(mu), ramp(8.0, 80.0), pole((0.0, 0.25), P), tolerance=1e-9)
+    starts = next(event.time for event in found.run.events if event.kind == 0)
+    assert 0.1 * starts == pytest.approx(mu * (G + P), rel=1e-6)
+    away = found.run.history[:, SLIDE]
+    runs = 0.1 * 0.01 * np.argmax(np.abs(away) > 0.004)  # the shoe's spring gives 3.2 mm
+    assert runs == pytest.approx(mu * (G + P) + 0.4 * P, rel=0.01)
+    assert found.devices["failure"][0] == el.HOLDS
+
+
+@pytest.mark.parametrize("place", [-0.15, 0.0, 0.15])
+def test_preload_adds_to_the_weight_against_tipping(place):
+    """a h = g b + P (b + c) for a pole c behind G and a load that tips the block forward."""
+    b, h, P = 0.2, 0.8, 3.0
+    found = held(block(b, h), room(3.0), ramp(-8.0, 40.0), pole((place, h), P, mu=0.0))
+    starts = next(event.time for event in found.run.events if event.kind == 2)
+    assert 0.2 * starts == pytest.approx((G * b + P * (b - place)) / h, rel=1e-6)
+
+
+def test_a_pole_drops_out_when_the_top_moves_away():
+    """A body that tips away under the pole's foot lowers it: the push is lost at once where it is shallow."""
+    b, h, P = 0.2, 0.8, 0.5
+    body = block(b, h)
+    found = held(body, room(3.0), still(0.3, 0.001), pole((b, h), P, mu=0.0, drops_out=1), tilt_rate=0.6)
+    device = found.devices[0]
+    assert device["failure"] == el.DROPPED_OUT
+    # the corner over the fulcrum sinks by 2h (1 − cos θ)
+    tilt = math.acos(1.0 - P / K / (2.0 * h))
+    k = int(device["failure_time"] / 0.001)
+    assert found.run.history[k, 2] <= tilt <= found.run.history[k + 1, 2]
+    assert set(found.forces[k + 1 :, 0, 0]) == {0.0}
+
+
+def test_the_ceiling_gives_way_at_its_strength():
+    b, h = 0.2, 0.8
+    weak = pole((-b, h), 0.5, mu=0.0, limit_minus=6.0)
+    found = held(block(b, h), room(3.0), still(0.5), weak, tilt_rate=1.5)
+    assert found.devices["failure"][0] == el.PUSHED
+    assert found.devices["peak_push"][0] == pytest.approx(6.0, rel=1e-6)
+    strong = pole((-b, h), 0.5, mu=0.0)
+    assert held(block(b, h), room(3.0), still(0.5), strong, tilt_rate=1.5).devices["failure"][0] == el.HOLDS
+
+
+def test_a_strong_pole_holds_what_would_overturn():
+    b, h = 0.2, 0.8
+    shaken = sp.sine(amplitude=0.6 * G, frequency=1.0, duration=4.0)
+    alone = held(block(b, h), room(3.0), shaken)
+    assert alone.run.outcome == 4
+    found = held(block(b, h), room(3.0), shaken, pole((-b, h), 3.0), pole((b, h), 3.0), tolerance=1e-8)
+    assert found.run.outcome == 2
+    assert found.run.peak_tilt < 0.02
+
+
+def test_the_shoe_of_a_pole_slips_by_friction():
+    """On a smooth floor the ceiling's friction alone stops the body: v²/(2 μ P), beside the shoe's spring."""
+    P, mu, v, shear = 5.0, 0.3, 0.7, 4000.0
+    found = held(
+        sp.Body(4.0, 0.5), room(0.0), still(2.0), pole((0.0, 0.25), P, mu=mu, shear=shear), slide_rate=v
+    )
+    limit = mu * P
+    farthest = (0.5 * v * v - 0.5 * limit**2 / shear) / limit + limit / shear
+    assert found.run.peak_slide == pytest.approx(farthest, rel=1e-6)
+    assert found.devices["peak_shear"][0] == pytest.approx(limit, rel=1e-6)
+
+
+def test_a_preload_beyond_the_weight_lifts_a_body():
+    """Turned round, a preload that pulls up with more than g takes the body off the floor, with less not."""
+    for pull, flies in ((0.9 * G, False), (1.1 * G, True)):
+        lift = planar((0.0, 0.0), CEILING, stiffness=K, slack_minus=np.inf, slack_plus=0.0)
+        lift["cos"], lift["slack_minus"][:, 0], lift["slack_plus"][:, 0] = 1.0, -pull / K, np.inf
+        found = held(sp.Body(1.0, 0.5), room(0.4), constant(0.0, 0.5), lift)
+        assert (found.run.outcome == 2) is flies
+        if flies:
+            assert found.run.history[:, 1].max() == pytest.approx(0.25 + 2 * (pull - G) / K, rel=1e-5)
+
+
+def test_the_limit_of_a_pole_is_sharp():
+    """The load at which a preloaded block starts to rock, found from outside."""
+    b, h, P = 0.2, 0.8, 3.0
+
+    def moves(a):
+        return held(block(b, h), room(3.0), constant(-a, 0.1), pole((0.0, h), P, mu=0.0)).run.outcome != 0
+
+    limit = threshold(moves, 0.2 * G, 0.5 * G, halvings=30)
+    assert limit == pytest.approx((G + P) * b / h, rel=1e-7)
