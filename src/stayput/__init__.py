@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from stayput.building import Building, Isolation, ShearModel
     from stayput.ensemble import overturning_map, simulate_many, sweep, trace_boundary
     from stayput.errors import InputError
+    from stayput.fragility import FragilityCurve, Trials, fragility_curve, write_nrml, write_pelicun
+    from stayput.measures import MEASURES, Measure, hold
     from stayput.motion import Motion, near_fault, pulse, read_motion, sine
     from stayput.motion.spectrum import ResponseSpectrum, response_spectrum
     from stayput.motion.suites import (
@@ -28,6 +30,8 @@ if TYPE_CHECKING:
     from stayput.room import SURFACES, Ceiling, Floor, Room, Wall
     from stayput.scenario import Scenario, read_scenario
     from stayput.simulation import Case, Event, EventKind, Mode, Outcome, Run, State, simulate
+    from stayput.uncertainty import Lognormal, Normal, Uncertainty, Uniform
+    from stayput.verify import Verdict, verify
 
 __version__ = "0.1.0"
 
@@ -39,10 +43,15 @@ _HOMES = {
     "Event": "simulation",
     "EventKind": "simulation",
     "Floor": "room",
+    "FragilityCurve": "fragility",
     "InputError": "errors",
     "Isolation": "building",
+    "Lognormal": "uncertainty",
+    "MEASURES": "measures",
+    "Measure": "measures",
     "Mode": "simulation",
     "Motion": "motion",
+    "Normal": "uncertainty",
     "Outcome": "simulation",
     "Part": "body",
     "ResponseSpectrum": "motion.spectrum",
@@ -54,8 +63,14 @@ _HOMES = {
     "State": "simulation",
     "Suite": "motion.suites",
     "TargetSpectrum": "motion.suites",
+    "Trials": "fragility",
+    "Uncertainty": "uncertainty",
+    "Uniform": "uncertainty",
+    "Verdict": "verify",
     "Wall": "room",
     "asce7": "motion.suites",
+    "fragility_curve": "fragility",
+    "hold": "measures",
     "japanese_design": "motion.suites",
     "near_fault": "motion",
     "overturning_map": "ensemble",
@@ -71,9 +86,13 @@ _HOMES = {
     "sweep": "ensemble",
     "synthetic_suite": "motion.suites",
     "trace_boundary": "ensemble",
+    "verify": "verify",
+    "write_nrml": "fragility",
+    "write_pelicun": "fragility",
 }
 
 __all__ = [
+    "MEASURES",
     "SURFACES",
     "Body",
     "Building",
@@ -82,10 +101,14 @@ __all__ = [
     "Event",
     "EventKind",
     "Floor",
+    "FragilityCurve",
     "InputError",
     "Isolation",
+    "Lognormal",
+    "Measure",
     "Mode",
     "Motion",
+    "Normal",
     "Outcome",
     "Part",
     "ResponseSpectrum",
@@ -96,8 +119,14 @@ __all__ = [
     "State",
     "Suite",
     "TargetSpectrum",
+    "Trials",
+    "Uncertainty",
+    "Uniform",
+    "Verdict",
     "Wall",
     "asce7",
+    "fragility_curve",
+    "hold",
     "japanese_design",
     "near_fault",
     "overturning_map",
@@ -113,6 +142,9 @@ __all__ = [
     "sweep",
     "synthetic_suite",
     "trace_boundary",
+    "verify",
+    "write_nrml",
+    "write_pelicun",
 ]
 
 

@@ -50,6 +50,9 @@ def headline(verdict: Verdict, language: str) -> str:
     without, best = verdict.without, verdict.best
     name = verdict.scenario.furniture.title
     falls = without.probabilities[OVERTURNED].estimate
+    if math.isnan(falls):
+        told = "No run without a measure could be followed to its end, so nothing can be said."
+        return told if language == "en" else "対策なしの計算が最後まで進まなかったため、判定できません。"
     strength = class_label(verdict.intensity, language)
     if best.option.measures and best.probabilities[OVERTURNED].estimate < falls - 0.005:
         held = best.probabilities[OVERTURNED].estimate
@@ -86,6 +89,9 @@ def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
     english = language == "en"
     shares = {event: found.estimate for event, found in option.probabilities.items()}
     falls = verdict.without.probabilities[OVERTURNED].estimate
+    if math.isnan(shares[OVERTURNED]):
+        told = "No run could be followed to its end."
+        return told if english else "最後まで進んだ計算がありません。"
     parts: list[str] = []
     if option.change is None:
         parts.append(

@@ -1,0 +1,225 @@
+"""Verification: options, draws, levels, what they say; the same bits however it is run."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stayput as sp
+from stayput.fragility import JMA_INTENSITY, PGA
+from stayput.measures import MEASURES
+from stayput.scenario import Scenario
+from stayput.verify import LEVELS, options_of, verify
+from stayput.verify.draws import drawn_body, drawn_room, draws
+from stayput.verify.hazard import Hazard
+from stayput.verify.options import usual_options
+from stayput.verify.ranking import members
+from stayput.verify.runs import Runs
+from stayput.verify.verdict import DEVICE_FAILED, EVENTS, HIT_WALL, OVERTURNED, SLID, Quantiles
+from stayput.verify.words import headline, reason
+
+ROOM = {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
+FEW = np.array([5.0, 5.75, 6.5])
+
+
+def scenario(**tables):
+    data = {
+        "furniture": {"preset": "bookcase"},
+        "room": ROOM,
+        "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 5}},
+        "uncertainty": {"samples": 10},
+        "measures": [{"type": "l_bracket"}, {"type": "felt_glides"}],
+    }
+    return Scenario.parse({**data, **tables})
+
+
+@pytest.fixture(scope="module")
+def verdict():
+    return verify(scenario(), levels=FEW)
+
+
+def test_every_option_is_there_and_ranked(verdict):
+    assert {one.option.name for one in verdict.options} == {"none", "l_bracket", "felt_glides"}
+    assert [one.rank for one in verdict.options] == [1, 2, 3]
+    assert verdict.without.option.measures == ()
+    assert verdict.best is verdict.options[0]
+    shares = [one.probabilities[OVERTURNED].estimate for one in verdict.options]
+    assert shares == sorted(shares)
+
+
+def test_a_bracket_holds_what_falls_without_it(verdict):
+    assert verdict.best.option.name == "l_bracket"
+    assert verdict.without.probabilities[OVERTURNED].estimate > 0.4
+    assert verdict.best.probabilities[OVERTURNED].estimate == 0.0
+    assert verdict.best.change.estimate < -0.4
+    assert verdict.without.change is None
+
+
+def test_counts(verdict):
+    assert (verdict.motions, verdict.samples) == (5, 2)
+    assert verdict.runs == 3 * 5 * 2 * (1 + len(FEW))
+    for one in verdict.options:
+        assert set(one.probabilities) == set(EVENTS)
+        assert one.probabilities[OVERTURNED].runs == 10
+        assert 0 <= one.typical.motion < 5
+        assert 0 <= one.worst.sample < 2
+
+
+def test_devices_are_those_of_the_measures(verdict):
+    bracket = next(one for one in verdict.options if one.option.name == "l_bracket")
+    assert bracket.devices
+    assert all(0.0 < device.peak.median < 1e5 for device in bracket.devices)
+    assert all(one.devices == () for one in verdict.options if one is not bracket)
+    assert verdict.without.probabilities[DEVICE_FAILED].estimate == 0.0
+
+
+def test_curves_against_every_measure_of_the_shaking(verdict):
+    curve = verdict.without.curves[JMA_INTENSITY]
+    assert [level.im for level in curve.levels] == pytest.approx(FEW)
+    shares = [level.probability.estimate for level in curve.levels]
+    assert shares[0] <= shares[-1]
+    assert verdict.without.capacities.keys() == {0.1, 0.5}
+    assert PGA in verdict.without.curves
+
+
+def test_bits_do_not_depend_on_threads(verdict):
+    again = verify(scenario(), levels=FEW, threads=1)
+    for one, two in zip(verdict.options, again.options, strict=True):
+        assert one.option == two.option
+        assert one.probabilities == two.probabilities
+        assert (one.slide, one.tilt, one.typical, one.worst) == (two.slide, two.tilt, two.typical, two.worst)
+        assert [d.peak for d in one.devices] == [d.peak for d in two.devices]
+
+
+def test_an_option_does_not_depend_on_what_stands_beside_it(verdict):
+    alone = verify(scenario(measures=[{"type": "felt_glides"}]), levels=())
+    glides = next(one for one in verdict.options if one.option.name == "felt_glides")
+    other = next(one for one in alone.options if one.option.name == "felt_glides")
+    assert glides.probabilities == other.probabilities
+    assert glides.slide == other.slide
+    assert other.curves == {}
+
+
+def test_another_seed_gives_other_draws():
+    one, two = (verify(scenario(uncertainty={"samples": 10, "seed": n}), levels=()) for n in (1, 2))
+    assert one.options[0].tilt != two.options[0].tilt
+
+
+def test_samples_stop_at_the_asked_precision():
+    rough = verify(scenario(uncertainty={"samples": 400, "precision": 0.49}), levels=())
+    assert rough.samples == 4
+    exhausted = verify(scenario(uncertainty={"samples": 20, "precision": 0.001}), levels=())
+    assert exhausted.samples == 4
+    assert not exhausted.precise
+
+
+def test_more_samples_continue_the_draws_of_fewer():
+    few, many = draws(3, 2, 7), draws(3, 5, 7)
+    assert [row[:2] for row in many] == few
+    assert [row[2:] for row in many] == draws(3, 3, 7, start=2)
+
+
+def test_draws_change_what_is_not_known_only():
+    draw = draws(1, 1, 3)[0][0]
+    body, room = sp.Body(0.4, 1.8, 100.0, cg_offset=(0.0, -0.1)), sp.Room(sp.Floor(0.4, 0.3), sp.Wall(0.02))
+    drawn, around = drawn_body(body, draw), drawn_room(room, draw)
+    assert (drawn.width, drawn.height) == (body.width, body.height)
+    assert drawn.mass == pytest.approx(draw.mass * 100.0)
+    assert 0.9 + drawn.cg_offset[1] == pytest.approx(draw.gravity_height * 0.8)
+    assert around.floor.kinetic_friction == pytest.approx(draw.friction * 0.3)
+    assert around.left_wall.gap == 0.02
+    assert around.left_wall.restitution == draw.wall_restitution
+    assert 0.9 <= around.floor.restitution <= 1.0
+
+
+@pytest.mark.parametrize("building", [None, {"storeys": 5}, {"storeys": 5, "nonlinear": False}])
+def test_the_ground_has_the_level_and_the_floor_follows(building):
+    keys = {"suite": {"family": "crustal", "count": 3}}
+    if building:
+        keys |= {"building": building, "storey": 5}
+    shaking = scenario(shaking=keys).shaking
+    hazard = Hazard(shaking.ground(Path()), shaking.building, shaking.storey or 1)
+    floors = hazard.at(5.5)
+    assert floors.measures[JMA_INTENSITY] == pytest.approx(np.full(3, 5.5), abs=1e-12)
+    wanted = scenario(shaking={**keys, "intensity": 5.5}).shaking.motions(Path())
+    for number in range(3):
+        assert floors.felt(number).x == pytest.approx(wanted[number].x, rel=1e-9, abs=1e-9)
+    assert floors.measures[PGA] == pytest.approx([m.to_intensity(5.5).pga for m in hazard.ground])
+
+
+def test_usual_measures_are_those_that_can_be_applied_here():
+    body = sp.Body(0.4, 1.8, 100.0)
+    nothing_near = {option.name for option in usual_options(body, sp.Room())}
+    assert "tension_pole" not in nothing_near
+    full = {option.name for option in usual_options(body, scenario().room.room())}
+    assert {"l_bracket", "tension_pole", "wedge_stopper + tension_pole"} <= full
+    unsaid = Scenario.parse({"furniture": {"preset": "bookcase"}, "room": ROOM})
+    usual = usual_options(unsaid.furniture.body(), unsaid.room.room())
+    assert [option.name for option in options_of(unsaid)] == ["none", *(option.name for option in usual)]
+
+
+def test_what_cannot_be_verified():
+    with pytest.raises(sp.InputError, match='needs "coulomb"'):
+        verify(scenario(contact="paper"))
+    with pytest.raises(sp.InputError, match="not increasing"):
+        verify(scenario(), levels=[6.0, 5.0])
+    with pytest.raises(sp.InputError):
+        verify(scenario(room={"floor": "carpet"}, measures=[{"type": "tension_pole"}]), levels=())
+
+
+def test_it_can_be_stopped_from_outside():
+    class StoppedError(Exception):
+        pass
+
+    seen = []
+
+    def told(done, total):
+        seen.append((done, total))
+        if len(seen) == 2:
+            raise StoppedError
+
+    with pytest.raises(StoppedError):
+        verify(scenario(), levels=FEW, told=told)
+    assert len(seen) == 2
+    assert seen[1][0] < seen[1][1]
+
+
+def test_a_record_keeps_its_own_strength():
+    found = verify(scenario(shaking={"builtin": "near-fault", "scale": 0.5}), levels=())
+    assert found.intensity == pytest.approx(sp.near_fault().intensity + 2.0 * math.log10(0.5))
+    assert found.motions == 1
+
+
+def test_quantiles_count_a_fall_as_infinite():
+    peaks, fell = np.array([[0.1, 0.2, 0.3, 9.0]]), np.array([[False, False, False, True]])
+    assert Quantiles.of(peaks, fell) == Quantiles(0.3, math.inf)
+    assert Quantiles.of(peaks, np.zeros((1, 4), bool)).p90 == 9.0
+
+
+def test_members_are_the_median_and_the_worst():
+    tilt = np.array([[0.1, 0.3], [0.2, 0.0]])
+    none = np.zeros((2, 2), bool)
+    runs = Runs(none, none, none, none, 0.0 * tilt, tilt, np.empty((2, 2, 0)), 0.0 * tilt)
+    typical, worst = members(runs)
+    assert (worst.motion, worst.sample) == (0, 1)
+    assert (typical.motion, typical.sample) == (0, 0)
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_words(verdict, language):
+    said = headline(verdict, language)
+    assert "6-upper" in said or "震度6強" in said
+    for one in verdict.options:
+        text = reason(one, verdict, language)
+        assert text.endswith("." if language == "en" else "。")
+        assert "nan" not in text
+        assert "inf" not in text
+
+
+def test_levels_reach_from_slight_to_the_strongest():
+    assert len(LEVELS) == 20
+    assert LEVELS[0] < 4.5
+    assert LEVELS[-1] > 6.5
+    assert set(EVENTS) == {OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED}
+    assert "l_bracket" in MEASURES
