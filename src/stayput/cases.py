@@ -171,17 +171,29 @@ def from_leaves(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
     return body, room, start
 
 
+def wall_faces(body: Body, room: Room) -> tuple[float, float]:
+    """Return where the faces of the left and the right wall stand [m]; infinitely far where there is none.
+
+    A gap is clear of the whole body as it stands at rest at slide 0, a tilted one's top corners as well.
+    """
+    across = [x for x, _ in standing_corners(body, State())]
+    left, right = room.left_wall, room.right_wall
+    return (
+        -math.inf if left is None else min(across) - left.gap,
+        math.inf if right is None else max(across) + right.gap,
+    )
+
+
 def refuse_penetration(body: Body, room: Room, start: State) -> None:
     """Raise `InputError` where the initial state puts the body into a wall or the ceiling."""
     corners = standing_corners(body, start)
-    rest = standing_corners(body, State())
-    right, left = max(x for x, _ in rest), min(x for x, _ in rest)
+    left, right = wall_faces(body, room)
     top = max(z for _, z in corners)
     if room.right_wall is not None:
-        clear = right + room.right_wall.gap - max(x for x, _ in corners)
+        clear = right - max(x for x, _ in corners)
         _refuse_negative("the right wall", clear)
     if room.left_wall is not None:
-        clear = min(x for x, _ in corners) - (left - room.left_wall.gap)
+        clear = min(x for x, _ in corners) - left
         _refuse_negative("the left wall", clear)
     if room.ceiling is not None:
         _refuse_negative("the ceiling", room.ceiling.height - top)

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 import stayput
-from stayput.cli import building, motion, simulate, study
+from stayput.cli import building, fragility, motion, simulate, study, verify
 from stayput.cli.plainly import Plainly
 
 app = typer.Typer(
@@ -18,6 +18,8 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 app.command("simulate")(simulate.simulate)
+app.command("verify")(verify.verify)
+app.command("fragility")(fragility.fragility)
 app.command("study")(study.study)
 app.command("building")(building.building)
 app.add_typer(motion.app, name="motion")

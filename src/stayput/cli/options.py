@@ -18,3 +18,6 @@ Unit: TypeAlias = Annotated[
 TimeStep: TypeAlias = Annotated[
     float | None, typer.Option("--dt", help="The record's time step [s], where its file does not state it.")
 ]
+Threads: TypeAlias = Annotated[
+    int | None, typer.Option("--threads", min=1, help="Threads; as many as there are cores by default.")
+]

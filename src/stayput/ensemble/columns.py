@@ -14,7 +14,7 @@ from stayput.mechanics.runner import run_cases, shaking
 from stayput.progress import bar
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
@@ -63,6 +63,7 @@ def run_columns(
     *,
     threads: int | None = None,
     progress: bool | None = None,
+    told: Callable[[int], None] | None = None,
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
     """Run columns of cases over threads, each with its own row of elements, under the "coulomb" law.
 
@@ -80,6 +81,8 @@ def run_columns(
         Threads; default one for each core that this process may use.
     progress : bool, optional
         Whether to draw a bar on standard error; default on a terminal.
+    told : callable, optional
+        Told, on this thread, how many more cases are done; what it raises stops the work.
 
     Returns
     -------
@@ -127,6 +130,8 @@ def run_columns(
         try:
             for piece in pool.map(run, pieces):
                 tell(len(piece))
+                if told is not None:
+                    told(len(piece))
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise

@@ -156,7 +156,10 @@ class FragilityCurve:
                 f"At {measure.key} {measure.text(first.im)} {first.probability.text} fell; no other was run."
             )
         if self.state is State.ABRUPT:
-            return f"All fall from one level on: half fall at {measure.key} {self.capacity(0.5).text}."
+            return (
+                "No level has falls and a higher one runs that stood, so there is no curve: "
+                f"half fall at {measure.key} {self.capacity(0.5).text}."
+            )
         return f"The share of falls does not grow with {measure.key} in {runs}, so there is no curve."
 
 

@@ -7,10 +7,12 @@ body moves. A picture needs nothing else: each point is turned and moved with it
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
+from stayput.cases import wall_faces
 from stayput.measures.element import Element, at_rest
+from stayput.room import Wall
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -96,9 +98,7 @@ def _to_wall(n: int, element: Element, body: Body, room: Room) -> list[Shape]:
 
 def _face(body: Body, room: Room) -> float:
     """Return the place of the wall behind [m]."""
-    back = -body.width / 2
-    left = min(at_rest(body, (back, body.base_heights[0]))[0], at_rest(body, (back, body.height))[0])
-    return left - (0.0 if room.left_wall is None else room.left_wall.gap)
+    return wall_faces(body, replace(room, left_wall=room.left_wall or Wall(0.0)))[0]
 
 
 def _tie(n: int, element: Element, body: Body, room: Room) -> list[Shape]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.cases import wall_faces
 from stayput.errors import InputError
 from stayput.report.history import History, history, turned
 from stayput.report.props import Prop, props_of
@@ -198,9 +199,10 @@ def section(body: Body, pose: Pose) -> list[tuple[float, float]]:
 
 
 def _faces(run: Run, farthest: float) -> tuple[float | None, float | None, float | None]:
-    half, room = run.body.width / 2, run.room
-    left = None if room.left_wall is None or room.left_wall.gap > farthest else -half - room.left_wall.gap
-    right = None if room.right_wall is None or room.right_wall.gap > farthest else half + room.right_wall.gap
+    room = run.room
+    at_left, at_right = wall_faces(run.body, room)
+    left = None if room.left_wall is None or room.left_wall.gap > farthest else at_left
+    right = None if room.right_wall is None or room.right_wall.gap > farthest else at_right
     high = None if room.ceiling is None else room.ceiling.height
     return left, right, None if high is None or high > run.body.height + farthest else high
 

@@ -94,18 +94,26 @@ class Rows:
     masses: NDArray[np.float64]
 
 
-def rows_of(option: Option, body: Body, room: Room, drawn: list[list[Draw]], gravity: float) -> Rows:
+def rows_of(
+    option: Option,
+    body: Body,
+    room: Room,
+    drawn: list[list[Draw]],
+    gravity: float,
+    initial: State | None = None,
+) -> Rows:
     """Return the rows of one option under all draws.
 
     The body is drawn before the measures are applied, friction after them: a measure's surface is as
     little known as the floor's.
     """
+    start = State() if initial is None else initial
     cases: list[NDArray[np.void]] = []
     elements: list[NDArray[np.void]] = []
     masses: list[float] = []
     for draw in (one for row in drawn for one in row):
         held: Held = hold(drawn_body(body, draw), room, option.measures)
-        cases.append(case_columns(held.body, drawn_room(held.room, draw), State(), gravity))
+        cases.append(case_columns(held.body, drawn_room(held.room, draw), start, gravity))
         elements.append(element_rows(held, draw.strength))
         masses.append(held.body.mass)
     return Rows(np.concatenate(cases), np.stack(elements), np.array(masses))

@@ -72,14 +72,16 @@ def run_level(
     threads : int, optional
         As many as there are cores by default.
     progress : callable, optional
-        Told how many runs are done.
+        Told how many more runs are done; what it raises stops the work.
     """
     motions = len(floors.motions)
     cases = np.concatenate([rows.cases for rows in options])
     elements = _side_by_side([rows.elements for rows in options])
     place = np.concatenate([np.repeat(np.arange(motions), len(rows.cases) // motions) for rows in options])
     cases["scale"] = floors.scales[place]
-    results, devices = run_columns(cases, elements, floors.motions, place, threads=threads, progress=False)
+    results, devices = run_columns(
+        cases, elements, floors.motions, place, threads=threads, progress=False, told=progress
+    )
     failed = failures_of(elements, devices).count > 0
     found: list[Runs] = []
     start = 0
@@ -87,8 +89,6 @@ def run_level(
         mine = slice(start, start + len(rows.cases))
         found.append(_runs(rows, results[mine], devices[mine], failed[mine], motions))
         start = mine.stop
-    if progress is not None:
-        progress(len(cases))
     return found
 
 

@@ -71,7 +71,8 @@ class _Work:
         """Return the rows of every option, for some samples of each motion."""
         body, room = self.scenario.furniture.body(), self.scenario.room.room()
         drawn = draws(self.motions, samples, self.seed, start)
-        return [rows_of(option, body, room, drawn, self.scenario.gravity) for option in self.options]
+        initial, gravity = self.scenario.initial.state(), self.scenario.gravity
+        return [rows_of(option, body, room, drawn, gravity, initial) for option in self.options]
 
     def run(self, rows: list[Rows], floors: Floors) -> list[Runs]:
         """Run every option at a level."""

@@ -1,0 +1,81 @@
+"""``stayput fragility``: fragility curves of a scenario's measures, in the forms that loss tools read."""
+
+from __future__ import annotations
+
+from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from stayput.cli.options import Threads  # noqa: TC001 - Typer reads the annotations
+
+if TYPE_CHECKING:
+    from stayput.fragility import FragilityCurve, IntensityMeasure
+    from stayput.scenario import Scenario
+
+
+def fragility(
+    scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="The scenario file.")],
+    out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the files; it is made.")],
+    im: Annotated[
+        str,
+        typer.Option(metavar="JMA|PGA|PGV|PFA|PFV", help="What the curves are over; F is the floor's peak."),
+    ] = "JMA",
+    measure: Annotated[
+        list[str] | None,
+        typer.Option(metavar="TYPE|NAME", help="Only this measure beside none; may be repeated."),
+    ] = None,
+    threads: Threads = None,
+) -> None:
+    """Write the probability of overturning over the strength of the shaking.
+
+    The folder gets curves.csv and observed.csv, a figure, pelicun's and, where OpenQuake knows the measure,
+    its NRML file.
+    """
+    from stayput.errors import InputError
+    from stayput.fragility import INTENSITY_MEASURES
+
+    if im not in INTENSITY_MEASURES:
+        raise InputError(f"--im is {im!r}; it must be one of {', '.join(INTENSITY_MEASURES)}.")
+    if out.exists() and not out.is_dir():
+        raise InputError(f"The folder is {str(out)!r}; it must be a folder, and that is a file.")
+    if not out.parent.is_dir():
+        raise InputError(f"The folder is {str(out)!r}; the folder that it is in must exist.")
+
+    from stayput.scenario import read_scenario
+
+    asked = _only(read_scenario(scenario), measure)
+
+    from stayput.report.verdict.exports import write_curves
+    from stayput.verify import verify
+
+    verdict = verify(asked, threads=threads)
+    wanted: IntensityMeasure = INTENSITY_MEASURES[im]
+    curves: list[FragilityCurve] = [one.curves[wanted] for one in verdict.options]
+    files, left_out = write_curves(verdict, wanted, out)
+    for curve in curves:
+        typer.echo(f"{curve.name}: {curve.text}")
+    for told in left_out:
+        typer.echo(told, err=True)
+    for file in files:
+        typer.echo(f"Wrote {file}")
+
+
+def _only(scenario: Scenario, names: list[str] | None) -> Scenario:
+    """Return the scenario with only these of its measures, or with these types of measure.
+
+    Raises
+    ------
+    InputError
+        A name that is neither.
+    """
+    if not names:
+        return scenario
+    from stayput.cli.flags import chosen_measures
+    from stayput.scenario import Scenario
+
+    chosen_measures(scenario, names)  # refuses unknown names
+    said = scenario.model_dump(by_alias=True, exclude_unset=True)
+    given = dict(zip((one.name for one in scenario.measures), said.get("measures") or (), strict=True))
+    said["measures"] = [given.get(name, {"type": name}) for name in dict.fromkeys(names)]
+    return Scenario.parse(said, scenario.folder)

@@ -1,0 +1,137 @@
+"""``stayput verify``: which measure keeps a piece of furniture standing, and how likely that is."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from stayput.cli.options import Threads  # noqa: TC001 - Typer reads the annotations
+
+if TYPE_CHECKING:
+    from stayput.verify import Verdict
+
+
+def verify(
+    scenario: Annotated[Path, typer.Argument(metavar="SCENARIO.toml", help="The scenario file.")],
+    report: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Write a report that needs nothing else: .html."),
+    ] = None,
+    lang: Annotated[str, typer.Option(metavar="en|ja", help="Language of what is printed.")] = "en",
+    json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+    markdown: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the verdict as .md.")] = None,
+    csv: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the ranking as .csv.")] = None,
+    slide_limit: Annotated[float | None, typer.Option(help="Slide that counts as too far [m].")] = None,
+    threads: Threads = None,
+) -> None:
+    """Compare what a scenario's measures do, over its motions and over what is not known.
+
+    Without measures in the file the usual ones are compared, those that can be applied there.
+    """
+    from stayput.errors import within
+    from stayput.files import check_target
+    from stayput.report.verdict.languages import check_language
+
+    check_language(lang)
+    for path, suffix in ((report, ".html"), (markdown, ".md"), (csv, ".csv")):
+        if path is not None:
+            check_target(path, (suffix,))
+    if slide_limit is not None:
+        within("--slide-limit", slide_limit, 0.0, 100.0, "m")
+    verdict = _verified(scenario, slide_limit, threads)
+    written = _write(verdict, report, markdown, csv, lang)
+    if json:
+        from stayput.report.verdict.data import verdict_json
+
+        typer.echo(verdict_json(verdict), nl=False)
+    else:
+        _print(verdict, lang, written)
+
+
+def _verified(path: Path, slide_limit: float | None, threads: int | None) -> Verdict:
+    from stayput.scenario import read_scenario
+
+    scenario = read_scenario(path)
+
+    from stayput.verify import SLIDE_LIMIT
+    from stayput.verify import verify as compare
+
+    limit = SLIDE_LIMIT if slide_limit is None else slide_limit
+    return compare(scenario, slide_limit=limit, threads=threads)
+
+
+def _write(
+    verdict: Verdict, report: Path | None, markdown: Path | None, csv: Path | None, lang: str
+) -> list[Path]:
+    from stayput.files import draft
+
+    if report is not None:
+        from stayput.report.verdict.html import write_report
+
+        write_report(verdict, report, lang)
+    if markdown is not None:
+        from stayput.report.verdict.markdown import verdict_markdown
+
+        with draft(markdown) as unfinished:
+            unfinished.write_text(verdict_markdown(verdict, lang), encoding="utf-8")
+    if csv is not None:
+        from stayput.report.verdict.tables import verdict_csv
+
+        with draft(csv) as unfinished:
+            unfinished.write_text(verdict_csv(verdict), encoding="utf-8")
+    return [path for path in (report, markdown, csv) if path is not None]
+
+
+def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    from stayput.report.verdict import numbers
+    from stayput.report.verdict.tables import SHARES, ranking
+    from stayput.report.verdict.words import word
+    from stayput.verify import EVENTS
+    from stayput.verify.words import headline
+
+    def told(key: str, **values: object) -> str:
+        return word(key, lang, **values)
+
+    console = Console(highlight=False, markup=False)
+    if verdict.scenario.title is not None:
+        console.print(verdict.scenario.title, style="bold")
+    console.print(headline(verdict, lang))
+    table = Table(box=None, padding=(0, 1, 0, 0))
+    table.add_column("", justify="right")
+    table.add_column(told("measure"), min_width=12)
+    limit = numbers.length(verdict.slide_limit, lang)
+    events = (told(f"brief {event}", limit=limit) for event in EVENTS)
+    capacities = (told("brief capacity", share=f"{100.0 * share:g}") for share in SHARES)
+    for heading in (*events, told("brief slide"), *capacities):
+        table.add_column(heading, justify="right", no_wrap=True)
+    rows = ranking(verdict, lang)
+    for row in rows:
+        shares = (
+            numbers.NO_NUMBER if found is None else numbers.probability(found, lang)
+            for _, found in row.shares
+        )
+        one = row.option
+        found = [one.capacities.get(share) for share in SHARES]
+        reached = (numbers.capacity(capacity, lang, brief=True) for capacity in found)
+        slide = told("brief falls") if math.isinf(one.slide.median) else row.slide[0]
+        table.add_row(str(one.rank), row.name or row.label, *shares, slide, *reached)
+    console.print(table)
+    console.print(told("brief told"))
+    colon = told("colon")
+    for row in rows:
+        console.print(f"{row.option.rank}. {row.label}{colon}{row.reason}", soft_wrap=True)
+    if verdict.motions == 1:
+        console.print(told("one motion"))
+    if not verdict.precise:
+        console.print(told("not precise"))
+    console.print(
+        told("simulations told", runs=f"{verdict.runs:,}", motions=verdict.motions, samples=verdict.samples)
+    )
+    for path in written:
+        console.print(f"Wrote {path}", soft_wrap=True)

@@ -1,0 +1,157 @@
+"""The picture of the fragility curves, with JMA's classes and the shaking in question."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.fragility import JMA_INTENSITY
+from stayput.fragility.curve import State
+from stayput.motion.intensity import CLASSES
+from stayput.report.verdict import svg
+from stayput.report.verdict.words import word
+from stayput.verify.words import class_label
+
+if TYPE_CHECKING:
+    from stayput.fragility import FragilityCurve
+    from stayput.verify import OptionVerdict, Verdict
+
+WIDTH, HEIGHT = 600.0, 400.0
+LEFT, RIGHT, TOP, BOTTOM = 58.0, 590.0, 34.0, 346.0
+LOOKS = 11
+"""Looks of lines that the page's style has: the first is that of no measure, the second of the best."""
+
+_POINTS = 120
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One line of the legend: the look of the curve, what it is called, and whether there is a curve."""
+
+    look: int
+    label: str
+    note: str
+
+
+def looks(verdict: Verdict) -> dict[str, int]:
+    """Return the look of each option's line, by its name: 0 without a measure, the others as they rank."""
+    names = [one.option.name for one in verdict.options if one.option.measures]
+    found = {name: 1 if n == 0 else 2 + (n - 1) % (LOOKS - 2) for n, name in enumerate(names)}
+    return found | {verdict.without.option.name: 0}
+
+
+def legend(verdict: Verdict, language: str) -> list[Entry]:
+    """Return the legend, the best option first."""
+    seen = looks(verdict)
+    return [
+        Entry(seen[one.option.name], one.option.label(language), _note(one, language))
+        for one in verdict.options
+        if one.curves
+    ]
+
+
+def _note(one: OptionVerdict, language: str) -> str:
+    state = one.curves[JMA_INTENSITY].state
+    return "" if state is State.FITTED else word("no curve", language, state=word(state.value, language))
+
+
+def curves_svg(verdict: Verdict, language: str) -> str:
+    """Return the picture: curves of all options, bands and counts of no measure and of the best.
+
+    Parameters
+    ----------
+    verdict : Verdict
+        A verdict with curves.
+    language : str
+        "en" or "ja".
+    """
+    levels = verdict.levels
+    x = svg.Axis(float(levels[0]) - 0.1, float(levels[-1]) + 0.1, LEFT, RIGHT)
+    y = svg.Axis(0.0, 1.0, BOTTOM, TOP)
+    parts = [*_classes(x, language), *_frame(x, y, language)]
+    seen = looks(verdict)
+    shown = [verdict.without, *([verdict.best] if verdict.best.option.measures else [])]
+    parts += [_band(x, y, one.curves[JMA_INTENSITY], seen[one.option.name]) for one in shown]
+    for one in reversed(verdict.options):
+        curve = one.curves[JMA_INTENSITY]
+        if curve.state is State.FITTED:
+            grid = np.linspace(x.low, x.high, _POINTS)
+            parts.append(
+                svg.polyline(x.at(grid), y.at(curve.probability(grid)), f"curve look{seen[one.option.name]}")
+            )
+    for one in shown:
+        parts += _counts(x, y, one.curves[JMA_INTENSITY], seen[one.option.name])
+    if x.low <= verdict.intensity <= x.high:
+        parts += _here(x, verdict.intensity, language)
+    return svg.drawing(WIDTH, HEIGHT, parts, word("fragility alt", language), "chart")
+
+
+def _classes(x: svg.Axis, language: str) -> list[str]:
+    """Return bands of every second class of JMA's intensity, and the classes' names along the top."""
+    parts: list[str] = []
+    ends = [start for _, start in CLASSES[1:]] + [math.inf]
+    for number, ((name, start), end) in enumerate(zip(CLASSES, ends, strict=True)):
+        low, high = max(start, x.low), min(end, x.high)
+        if high <= low:
+            continue
+        left, right = x.place(low), x.place(high)
+        if number % 2:
+            parts.append(svg.box(left, TOP, right, BOTTOM, "classes"))
+        if right - left > 40.0:
+            told = name if language == "en" else class_label(0.5 * (low + high), language)
+            parts.append(svg.label(0.5 * (left + right), TOP - 8.0, told))
+    return parts
+
+
+def _frame(x: svg.Axis, y: svg.Axis, language: str) -> list[str]:
+    parts: list[str] = []
+    for share in (0.0, 0.2, 0.4, 0.6, 0.8, 1.0):
+        level = y.place(share)
+        parts += [svg.line(LEFT, level, RIGHT, level, "grid")]
+        parts += [svg.label(LEFT - 7.0, level + 4.5, f"{100.0 * share:.0f} %", anchor="end")]
+    for value in svg.ticks(x.low, x.high, 7):
+        across = x.place(value)
+        parts += [svg.line(across, BOTTOM, across, BOTTOM + 5.0, "axis")]
+        parts += [svg.label(across, BOTTOM + 20.0, f"{value:.1f}")]
+    parts.append(svg.line(LEFT, BOTTOM, RIGHT, BOTTOM, "axis"))
+    parts.append(svg.label(0.5 * (LEFT + RIGHT), BOTTOM + 42.0, word("axis intensity", language), "name"))
+    middle = 0.5 * (TOP + BOTTOM)
+    turned = svg.label(0.0, 0.0, word("axis share", language), "name")
+    parts.append(svg.element("g", turned, transform=f"translate(14 {middle:.0f}) rotate(-90)"))
+    return parts
+
+
+def _band(x: svg.Axis, y: svg.Axis, curve: FragilityCurve, look: int) -> str:
+    if curve.state is not State.FITTED:
+        return ""
+    grid = np.linspace(x.low, x.high, _POINTS)
+    low, high = curve.band(grid)
+    there = zip(x.at(grid).tolist(), y.at(high).tolist(), strict=True)
+    back = zip(x.at(grid[::-1]).tolist(), y.at(low[::-1]).tolist(), strict=True)
+    return svg.polygon([*there, *back], f"band look{look}")
+
+
+def _counts(x: svg.Axis, y: svg.Axis, curve: FragilityCurve, look: int) -> list[str]:
+    """Return what was counted: circles without a measure, squares with one."""
+    parts: list[str] = []
+    for level in curve.levels:
+        across, up = x.place(level.im), y.place(level.probability.estimate)
+        if look == 0:
+            parts.append(svg.element("circle", cx=across, cy=up, r=3.5, class_=f"mark look{look}"))
+        else:
+            parts.append(svg.box(across - 3.2, up - 3.2, across + 3.2, up + 3.2, f"mark look{look}"))
+    return parts
+
+
+def _here(x: svg.Axis, intensity: float, language: str) -> list[str]:
+    across = x.place(intensity)
+    right = across < 0.5 * (LEFT + RIGHT)
+    told = word("here", language, value=JMA_INTENSITY.text(intensity))
+    place, anchor = (across + 6.0, "start") if right else (across - 6.0, "end")
+    return [
+        svg.line(across, TOP, across, BOTTOM, "here"),
+        svg.label(place, TOP + 16.0, told, "name halo", anchor),
+    ]

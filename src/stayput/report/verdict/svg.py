@@ -1,0 +1,110 @@
+"""Small pieces of inline SVG; colours and fonts come from the page's style by class."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import dataclass
+from html import escape
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from numpy.typing import ArrayLike, NDArray
+
+PAIRS = 400
+"""Most pairs of least and greatest value in the line of a history."""
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """How values lie on the page: those between ``low`` and ``high`` from ``start`` to ``end`` [px]."""
+
+    low: float
+    high: float
+    start: float
+    end: float
+
+    def at(self, values: ArrayLike) -> NDArray[np.float64]:
+        """Return where values lie [px]."""
+        share = (np.asarray(values, np.float64) - self.low) / (self.high - self.low)
+        return self.start + share * (self.end - self.start)
+
+    def place(self, value: float) -> float:
+        """Return where one value lies [px]."""
+        return float(self.at(value))
+
+
+def element(name: str, content: str = "", **attributes: str | float) -> str:
+    """Return an element; underscores in the names of attributes are dashes, ``class_`` is ``class``."""
+    told = "".join(
+        f' {key.rstrip("_").replace("_", "-")}="{_value(value)}"' for key, value in attributes.items()
+    )
+    return f"<{name}{told}>{content}</{name}>" if content else f"<{name}{told}/>"
+
+
+def _value(value: str | float) -> str:
+    return escape(value) if isinstance(value, str) else f"{value:.2f}".rstrip("0").rstrip(".")
+
+
+def label(x: float, y: float, text: str, class_: str = "small", anchor: str = "middle") -> str:
+    """Return a text that stands at a place [px]."""
+    return element("text", escape(text), x=x, y=y, class_=class_, text_anchor=anchor)
+
+
+def line(x0: float, y0: float, x1: float, y1: float, class_: str) -> str:
+    """Return a straight line [px]."""
+    return element("line", x1=x0, y1=y0, x2=x1, y2=y1, class_=class_)
+
+
+def box(x0: float, y0: float, x1: float, y1: float, class_: str) -> str:
+    """Return a rectangle between two corners [px]."""
+    low, high = min(x0, x1), min(y0, y1)
+    return element("rect", x=low, y=high, width=abs(x1 - x0), height=abs(y1 - y0), class_=class_)
+
+
+def polyline(x: ArrayLike, y: ArrayLike, class_: str) -> str:
+    """Return a line through points [px]."""
+    return element("polyline", points=_points(zip(np.asarray(x), np.asarray(y), strict=True)), class_=class_)
+
+
+def polygon(points: Iterable[tuple[float, float]], class_: str) -> str:
+    """Return a filled outline [px]."""
+    return element("polygon", points=_points(points), class_=class_)
+
+
+def _points(points: Iterable[tuple[float, float]]) -> str:
+    return " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
+
+
+def drawing(width: float, height: float, content: Sequence[str], name: str, class_: str) -> str:
+    """Return a picture with its name for those who do not see it."""
+    window = f"0 0 {width:.0f} {height:.0f}"
+    told = {"viewBox": window, "class_": class_, "role": "img", "aria_label": name}
+    return element("svg", "".join(content), **told)
+
+
+def ticks(low: float, high: float, count: int) -> list[float]:
+    """Return round numbers between two ends, about so many."""
+    rough = (high - low) / count
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = power * next(s for s in (1.0, 2.0, 5.0, 10.0) if s * power >= rough * (1.0 - 1e-9))
+    return [step * k for k in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)]
+
+
+def thinned(
+    x: NDArray[np.float64], y: NDArray[np.float64], pairs: int = PAIRS
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the least and the greatest value of each of many parts, in their order: no peak is lost."""
+    if len(x) <= 2 * pairs:
+        return x, y
+    edges = np.linspace(0, len(x), pairs + 1).astype(np.intp)
+    found = {0, len(x) - 1}
+    for first, last in itertools.pairwise(edges):
+        part = y[first:last]
+        found |= {int(first + part.argmin()), int(first + part.argmax())}
+    kept = np.array(sorted(found))
+    return x[kept], y[kept]

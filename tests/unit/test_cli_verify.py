@@ -1,0 +1,174 @@
+"""``stayput verify`` and ``stayput fragility``: what they print and write, and what they refuse."""
+
+import csv
+import json
+
+import pytest
+from typer.testing import CliRunner
+
+import stayput as sp
+from stayput.cli import app
+
+SCENARIO = """
+title = "A slender block"
+[furniture]
+width = 0.3
+height = 1.5
+mass = 60.0
+[room]
+back_wall = { gap = 0.02 }
+[shaking]
+builtin = "near-fault"
+scale = 0.8
+[uncertainty]
+samples = 6
+[[measures]]
+type = "belt"
+[[measures]]
+name = "glides"
+type = "felt_glides"
+"""
+
+
+def cli(*arguments):
+    return CliRunner().invoke(app, [str(argument) for argument in arguments])
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    path = tmp_path_factory.mktemp("scenario") / "block.toml"
+    path.write_text(SCENARIO)
+    return path
+
+
+@pytest.fixture(scope="module")
+def done(file):
+    names = ("r.html", "r.md", "r.csv")
+    html, markdown, table = (file.parent / name for name in names)
+    result = cli("verify", file, "--report", html, "--markdown", markdown, "--csv", table, "--json")
+    assert result.exit_code == 0, result.output
+    return json.loads(result.stdout), html, markdown, table
+
+
+def test_json_markdown_csv_and_report_say_the_same(done):
+    data, html, markdown, table = done
+    rows = {row["option"]: row for row in csv.DictReader(table.open())}
+    assert [one["name"] for one in data["options"]] == list(rows)
+    assert set(rows) == {"none", "belt", "glides"}
+    for one in data["options"]:
+        assert float(rows[one["name"]]["overturned"]) == one["probabilities"]["overturned"]["estimate"]
+        assert one["label"]["en"] in markdown.read_text()
+        assert one["label"]["en"] in html.read_text()
+    assert data["verdict"]["en"] in markdown.read_text().replace("\\", "")
+    assert data["samples"] == 6
+
+
+def test_what_is_printed_is_the_verdict(file, done):
+    result = cli("verify", file, "--lang", "ja", "--slide-limit", "0.05", "--threads", "2")
+    assert result.exit_code == 0, result.output
+    data = done[0]
+    assert data["verdict"]["ja"] in result.stdout.replace("\n", "")
+    assert "5.0 cm" in result.stdout
+    assert "glides" in result.stdout
+    assert all(one["label"]["ja"] in result.stdout for one in data["options"])
+
+
+def test_the_reports_toml_makes_the_same_verdict(file, done, tmp_path):
+    again = tmp_path / "again.toml"
+    again.write_text(done[0]["scenario_toml"], encoding="utf-8")
+    data = json.loads(cli("verify", again, "--json").stdout)
+    assert {**data, "seconds": 0} == {**done[0], "seconds": 0}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--lang", "fr"], "The language is 'fr'; it must be one of en, ja."),
+        (["--report", "r.txt"], "must end in .html"),
+        (["--report", "nowhere/r.html"], "its folder must exist"),
+        (["--markdown", "r.html"], "must end in .md"),
+        (["--csv", "r.html"], "must end in .csv"),
+        (["--slide-limit", "-1"], "--slide-limit"),
+        (["--threads", "0"], "threads"),
+    ],
+)
+def test_what_is_wrong_is_refused_before_any_work(file, arguments, said):
+    result = cli("verify", file, *arguments)
+    assert result.exit_code == 2
+    assert said in result.stderr
+    assert result.stdout == ""
+
+
+@pytest.mark.parametrize("command", ["verify", "fragility"])
+def test_a_scenario_that_is_wrong_is_refused_in_a_sentence(command, tmp_path):
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text('[furniture]\npreset = "bokcase"\n')
+    rest = ["--out", tmp_path / "out"] if command == "fragility" else []
+    result = cli(command, wrong, *rest)
+    assert result.exit_code == 2
+    assert "bokcase" in result.stderr
+    assert len(result.stderr.strip().splitlines()) == 1
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_papers_law_is_refused(tmp_path):
+    file = tmp_path / "paper.toml"
+    file.write_text('contact = "paper"\n[furniture]\npreset = "chest"\n[shaking]\nbuiltin = "near-fault"\n')
+    result = cli("verify", file, "--report", tmp_path / "r.html")
+    assert result.exit_code == 2
+    assert "coulomb" in result.stderr
+    assert not (tmp_path / "r.html").exists()
+
+
+@pytest.fixture(scope="module")
+def curves(file):
+    out = file.parent / "curves"
+    result = cli("fragility", file, "--out", out, "--im", "PGV", "--measure", "glides")
+    assert result.exit_code == 0, result.output
+    return result, out
+
+
+def test_fragility_writes_curves_counts_a_figure_and_the_forms_of_loss_tools(curves):
+    result, out = curves
+    assert {path.name for path in out.iterdir()} >= {"curves.csv", "observed.csv", "fragility.svg"}
+    observed = list(csv.DictReader((out / "observed.csv").open()))
+    assert {row["option"] for row in observed} == {"none", "glides"}
+    assert all(int(row["overturned"]) <= int(row["runs"]) == 6 for row in observed)
+    for row in csv.DictReader((out / "curves.csv").open()):
+        assert float(row["pgv_m_s"]) > 0.0
+        assert 0.0 <= float(row["low"]) <= float(row["probability"]) <= float(row["high"]) <= 1.0
+    named = {path.name for path in out.iterdir()}
+    assert all(f"Wrote {out / name}" in result.stdout for name in named)
+    assert ("pelicun.csv" in named) == ("nrml.xml" in named)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--im", "SA"], "--im is 'SA'; it must be one of JMA, PGA, PGV, PFA, PFV."),
+        (["--measure", "belts"], "--measure is 'belts' (did you mean 'belt'?)"),
+    ],
+)
+def test_fragility_refuses_in_a_sentence(file, tmp_path, arguments, said):
+    result = cli("fragility", file, "--out", tmp_path / "out", *arguments)
+    assert result.exit_code == 2
+    assert said in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_folder_of_the_curves_must_be_one(file, tmp_path):
+    (tmp_path / "there").write_text("")
+    assert "that is a file" in cli("fragility", file, "--out", tmp_path / "there").stderr
+    assert "must exist" in cli("fragility", file, "--out", tmp_path / "not" / "there").stderr
+
+
+def test_the_example_scenario_is_one():
+    from pathlib import Path
+
+    scenario = sp.read_scenario(Path(__file__).parents[2] / "examples/verify.toml")
+    assert [one.name for one in scenario.measures] == [
+        "felt_glides",
+        "belt",
+        "l_bracket",
+        "stopper and poles",
+    ]

@@ -1,0 +1,170 @@
+"""A verdict as JSON, CSV and Markdown: the same numbers, in both languages, whatever it is called."""
+
+import csv
+import io
+import json
+import math
+import string
+import tomllib
+
+import pytest
+import verdict_cases
+
+import stayput as sp
+from stayput.fragility import INTENSITY_MEASURES
+from stayput.furniture import FURNITURE
+from stayput.measures import MEASURES
+from stayput.motion.suites import FAMILIES
+from stayput.report.verdict import words
+from stayput.report.verdict.assumptions import QUANTITIES, assumptions
+from stayput.report.verdict.data import verdict_data, verdict_json
+from stayput.report.verdict.exports import write_curves
+from stayput.report.verdict.markdown import verdict_markdown
+from stayput.report.verdict.numbers import capacity, capacity_interval, change, length, share
+from stayput.report.verdict.tables import ranking, verdict_csv
+from stayput.room import SURFACES
+from stayput.simulation import Mode, Outcome
+from stayput.uncertainty import USUAL
+from stayput.verify import EVENTS
+from stayput.verify.words import headline
+
+
+def fields(text):
+    return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
+
+
+@pytest.mark.parametrize("table", [words.WORDS, words.MODES, words.OUTCOMES, {"": words.HARDLY}])
+def test_every_text_is_there_in_both_languages_with_the_same_values(table):
+    for key, pair in table.items():
+        assert len(pair) == 2, key
+        assert all(pair), key
+        assert fields(pair[0]) == fields(pair[1]), key
+
+
+def test_every_mode_outcome_preset_and_quantity_has_its_words():
+    assert set(words.MODES) == set(Mode)
+    assert set(words.OUTCOMES) == set(Outcome)
+    assert set(QUANTITIES) == set(USUAL)
+    assert {*FURNITURE, *SURFACES, *FAMILIES} <= set(words.NAMES)
+    assert all(all(measure.label) and all(measure.about) for measure in MEASURES.values())
+
+
+def test_json_holds_the_verdicts_numbers():
+    verdict = verdict_cases.made()
+    data = json.loads(verdict_json(verdict))
+    assert data["best"] == "belt"
+    assert (data["runs"], data["seed"], data["jma_intensity"]) == (2400, 7, 6.123)
+    for one, told in zip(verdict.options, data["options"], strict=True):
+        assert told["name"] == one.option.name
+        for event in EVENTS:
+            found = one.probabilities[event]
+            assert told["probabilities"][event]["estimate"] == found.estimate
+            assert told["probabilities"][event]["low"] == found.low
+        assert [curve["measure"] for curve in told["curves"]] == ["JMA", "PGA", "PGV", "PFA", "PFV"]
+    assert data["options"][0]["devices"][0]["peak_force_n"] == {"median": 900.0, "p90": 1800.0}
+    assert data["options"][1]["peak_slide_m"] == {"median": 0.03, "p90": None}
+    again = sp.Scenario.parse(tomllib.loads(data["scenario_toml"]))
+    assert again == verdict.scenario
+
+
+def test_json_has_no_number_that_json_does_not_know():
+    for verdict in (verdict_cases.made(), verdict_cases.without_numbers()):
+        text = verdict_json(verdict)
+        json.loads(text, parse_constant=lambda name: pytest.fail(name))
+        assert verdict_data(verdict) == json.loads(text)
+
+
+def test_csv_has_a_row_for_every_option():
+    verdict = verdict_cases.made()
+    rows = list(csv.DictReader(io.StringIO(verdict_csv(verdict))))
+    assert [row["option"] for row in rows] == ["belt", "none", "felt_glides"]
+    for one, row in zip(verdict.options, rows, strict=True):
+        assert float(row["overturned"]) == one.probabilities["overturned"].estimate
+        assert int(row["overturned_count"]) == one.probabilities["overturned"].fell
+        assert row["peak_slide_m_p90"] == ""
+    assert float(rows[1]["jma_intensity_50_percent"]) == verdict.without.capacities[0.5].estimate
+    assert rows[0]["jma_intensity_50_percent"] == ""
+    assert rows[0]["jma_intensity_50_percent_text"].startswith("> 7.00")
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_markdown_says_what_the_ranking_says(language):
+    verdict = verdict_cases.made()
+    text = verdict_markdown(verdict, language)
+    assert headline(verdict, language) in text.replace("\\", "")
+    for row in ranking(verdict, language):
+        line = next(line for line in text.splitlines() if line.startswith(f"| {row.option.rank} |"))
+        assert row.label in line
+        assert share(row.option.probabilities["overturned"].estimate, language) in line
+    assert "scenario.toml" in text
+    assert all(word not in text for word in ("nan", "inf ", "None"))
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_markdown_of_nothing_known_says_so(language):
+    text = verdict_markdown(verdict_cases.without_numbers(), language)
+    assert words.word("unknown", language) in text
+    assert words.word("not precise", language) in text
+    assert "nan" not in text
+
+
+def test_hostile_names_mean_nothing_to_markdown():
+    title = "<script>alert(1)</script> | `x` [a](b) *c*"
+    name = 'say "hi"\n| | <img src=x>'
+    data = {**verdict_cases.SCENARIO, "title": title, "furniture": {"preset": "chest", "name": name}}
+    text = verdict_markdown(verdict_cases.made(data))
+    told = text.split("```")[0]
+    assert "\\<script\\>" in told
+    assert "<img" not in told.replace("\\<img", "")
+    assert (
+        len({line.count(" | ") for line in told.splitlines() if line.startswith(("| 1", "| 2", "| 3"))}) == 1
+    )
+
+
+def test_assumptions_carry_how_well_founded_they_are():
+    given = {
+        "furniture": {"width": 0.4, "height": 1.8, "mass": 90.0},
+        "room": {"floor": {"static_friction": 0.5}},
+    }
+    preset, own = verdict_cases.made(), verdict_cases.made(given)
+    tags = {one.what("en"): one.confidence for one in assumptions(preset)}
+    assert (tags["Furniture"], tags["Floor"], tags["Wall behind"]) == ("low", "medium", "given")
+    tags = {one.what("en"): one.confidence for one in assumptions(own)}
+    assert (tags["Furniture"], tags["Floor"]) == ("given", "given")
+    for one in assumptions(preset):
+        assert one.confidence in words.WORDS
+        assert one.value("en") != ""
+        assert one.value("ja") != ""
+    assert any("synthetic" in one.value("en") for one in assumptions(preset))
+
+
+def test_numbers_in_words():
+    assert length(0.004, "en") == "0.4 cm"
+    assert length(0.123, "ja") == "12 cm"
+    assert length(math.inf, "en") == "overturned"
+    assert length(math.nan, "en") == "–"
+    assert change(None, "en") == "–"
+    bare = verdict_cases.made().without
+    assert capacity(bare.capacities[0.5], "en") == bare.capacities[0.5].text.split(" (")[0]
+    low, high = (f"{end:.2f}" for end in (bare.capacities[0.5].low, bare.capacities[0.5].high))
+    assert capacity_interval(bare.capacities[0.5], "en") == f"{low} to {high}"
+    assert capacity_interval(bare.capacities[0.5], "ja") == f"{low}〜{high}"
+    assert capacity(None, "en") == "–"
+
+
+@pytest.mark.parametrize(("key", "heading", "nrml"), [("PGV", "pgv_m_s", True), ("PFA", "pfa_m_s2", False)])
+def test_curves_are_written_for_loss_tools(tmp_path, key, heading, nrml):
+    measure = INTENSITY_MEASURES[key]
+    verdict = verdict_cases.made()
+    files, left_out = write_curves(verdict, measure, tmp_path / "curves")
+    names = ["curves.csv", "observed.csv", "fragility.svg", "pelicun.csv", *(["nrml.xml"] if nrml else [])]
+    assert [file.name for file in files] == names
+    assert sorted(names) == sorted(path.name for path in (tmp_path / "curves").iterdir())
+    assert any(told.startswith("belt is not") for told in left_out)
+    assert any("OpenQuake has no PFA" in told for told in left_out) != nrml
+    curve = verdict.without.curves[measure]
+    for row in csv.DictReader(files[0].open()):
+        if row["option"] == "none":
+            assert float(row["probability"]) == float(curve.probability(float(row[heading])))
+    rows = [row for row in csv.DictReader(files[1].open()) if row["option"] == "none"]
+    assert [int(row["overturned"]) for row in rows] == [level.probability.fell for level in curve.levels]

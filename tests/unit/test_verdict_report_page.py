@@ -1,0 +1,243 @@
+"""The report's page: one file with the verdict's numbers, safe from what it is given, in both languages."""
+
+import json
+import math
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from itertools import pairwise
+
+import numpy as np
+import pytest
+import verdict_cases
+
+import stayput as sp
+from stayput.report.verdict import svg
+from stayput.report.verdict.html import report_html, write_report
+from stayput.report.verdict.numbers import interval, share
+from stayput.report.verdict.pairs import pairs_of
+from stayput.report.verdict.replay import replay
+from stayput.report.verdict.scenes import scene, steps
+from stayput.report.verdict.tables import ranking
+from stayput.report.verdict.words import word
+from stayput.verify.draws import draws, rows_of
+from stayput.verify.hazard import Hazard
+from stayput.verify.runs import run_level
+from stayput.verify.verdict import Member
+from stayput.verify.words import headline
+
+VOID = {"meta", "input", "br", "line", "rect", "circle", "polyline", "polygon"}
+
+
+class Page(HTMLParser):
+    """Collects elements and text, and checks that elements are closed in order."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.elements, self.text, self.scripts = [], [], [], []
+        self.feed(text)
+        assert self.open == []
+
+    def handle_starttag(self, tag, attrs):
+        self.elements.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        self.elements.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        (self.scripts if self.open and self.open[-1] in ("script", "style") else self.text).append(data)
+
+    @property
+    def words(self):
+        return " ".join("".join(self.text).split())
+
+
+@pytest.fixture(scope="module", params=["en", "ja"])
+def page(request):
+    verdict = verdict_cases.made()
+    return verdict, request.param, report_html(verdict, request.param)
+
+
+def test_it_says_the_verdict_and_every_number_of_the_ranking(page):
+    verdict, language, text = page
+    told = Page(text).words
+    assert " ".join(headline(verdict, language).split()) in told
+    for row in ranking(verdict, language):
+        assert row.label in told
+        for _, found in row.shares:
+            if found is not None:
+                assert share(found.estimate, language) in told
+                assert interval(found, language) in told
+        for middle, ends in row.capacities:
+            assert middle in told
+            assert ends in told
+    assert f"{verdict.intensity:.2f}" in told
+
+
+def test_bars_are_as_long_as_the_numbers(page):
+    verdict, _, text = page
+    parts = [attrs for tag, attrs in Page(text).elements if tag == "rect" and attrs.get("class") == "part"]
+    wanted = [
+        round(100.0 * one.probabilities[event].estimate, 2)
+        for one in verdict.options
+        for event in ("overturned", "slid", "hit_wall", "device_failed")
+        if event != "device_failed" or one.devices
+    ]
+    assert [float(attrs["width"]) for attrs in parts] == wanted
+
+
+def test_it_needs_nothing_else(page):
+    _, _, text = page
+    assert re.findall(r"https?://[^\s\"'<]*", text) == []
+    found = Page(text)
+    for tag, attrs in found.elements:
+        assert "src" not in attrs, tag
+        assert attrs.get("href", "#").startswith("#"), tag
+    assert not any(tag in ("link", "iframe", "img", "object", "base") for tag, _ in found.elements)
+    assert "@import" not in text
+    assert "url(" not in text
+    assert len(text.encode()) < 2_000_000
+
+
+def test_it_can_be_read_without_seeing_it(page):
+    _, language, text = page
+    found = Page(text)
+    assert ("html", {"lang": language}) in found.elements
+    ids = [attrs["id"] for _, attrs in found.elements if "id" in attrs]
+    assert len(ids) == len(set(ids))
+    for tag, attrs in found.elements:
+        if tag == "svg":
+            assert attrs.get("aria-label") or attrs.get("aria-hidden") == "true" or "x" in attrs
+        if tag == "canvas":
+            assert attrs["aria-label"]
+        if tag == "th":
+            assert attrs["scope"] in ("col", "row")
+        if "aria-labelledby" in attrs:
+            assert attrs["aria-labelledby"] in ids
+    levels = [int(tag[1]) for tag, _ in found.elements if re.fullmatch("h[1-6]", tag)]
+    assert levels[0] == 1
+    assert levels.count(1) == 1
+    assert all(after - before <= 1 for before, after in pairwise(levels))
+
+
+def test_the_scenes_are_the_runs_of_the_verdict(page):
+    verdict, _, text = page
+    data = json.loads(re.search(r'<script id="scenes"[^>]*>(.*?)</script>', text, re.DOTALL)[1])
+    ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
+    run = replay(verdict, verdict.without.option, verdict.without.typical, ground)
+    first = data[0]["sides"][0]
+    tilt = np.cumsum(first["tilt"]) * data[0]["angle"]
+    time = data[0]["start"] + data[0]["step"] * np.arange(data[0]["count"])
+    inside = time < run.time[-1]
+    np.testing.assert_allclose(tilt[inside], np.interp(time, run.time, run.tilt)[inside], atol=6e-5)
+    assert len(data) == 2
+    assert [side["label"] for side in data[0]["sides"]] != [first["label"]] * 2
+
+
+def test_hostile_names_are_only_text():
+    title = "</title><script>alert(1)</script>" + "x" * 160
+    name = "</script><img src=x onerror=alert(1)> \"'&"
+    data = {**verdict_cases.SCENARIO, "title": title, "furniture": {"preset": "chest", "name": name}}
+    verdict = verdict_cases.made(data)
+    belt, *others = verdict.options
+    named = replace(belt, option=replace(belt.option, name='<b>"quoted"</b>\''))
+    text = report_html(replace(verdict, options=(named, *others)))
+    found = Page(text)
+    assert [tag for tag, _ in found.elements].count("script") == 2
+    assert not any(tag in ("img", "b") or "onerror" in attrs for tag, attrs in found.elements)
+    assert title in found.words
+    assert '<b>"quoted"</b>\'' in found.words
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_a_verdict_without_curves_and_numbers_says_so(language):
+    told = Page(report_html(verdict_cases.without_numbers(), language)).words
+    assert word("unknown", language) in told
+    assert word("not precise", language) in told
+    assert "nan" not in told.split()
+    assert "None" not in told
+
+
+def test_where_nothing_helps_there_is_one_side():
+    verdict = verdict_cases.made()
+    bare = replace(verdict, options=(verdict.options[1], verdict.options[0], verdict.options[2]))
+    ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
+    assert [len(pair.sides) for pair in pairs_of(bare, ground)] == [1, 1]
+    assert word("typical bare told", "en") in Page(report_html(bare)).words
+
+
+def test_a_scene_shows_the_time_in_which_something_happens():
+    verdict = verdict_cases.made()
+    ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
+    for pair in pairs_of(verdict, ground):
+        assert 0.0 <= pair.start < pair.end <= pair.motion.duration
+        assert pair.start <= pair.telling <= pair.end
+        drawn = scene(pair, "en")
+        assert all(len(side["x"]) == drawn["count"] for side in drawn["sides"])
+        assert all(math.isfinite(end) for end in drawn["view"])
+        for side in drawn["sides"]:
+            assert [time for time, _ in side["modes"]] == sorted(time for time, _ in side["modes"])
+
+
+def test_a_replay_meets_the_draw_of_its_member():
+    verdict = verdict_cases.made()
+    ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
+    runs = [replay(verdict, verdict.without.option, Member(0, n), ground) for n in (0, 1, 0)]
+    assert runs[0].body.mass != runs[1].body.mass
+    assert runs[0].body == runs[2].body
+    np.testing.assert_array_equal(runs[0].tilt, runs[2].tilt)
+    held = replay(verdict, verdict.best.option, Member(0, 0), ground)
+    assert held.body == runs[0].body
+    assert [device.kind for device in held.devices] == ["belt"]
+
+
+def test_a_replay_is_the_run_that_was_counted():
+    verdict = verdict_cases.made()
+    scenario = verdict.scenario
+    ground = scenario.shaking.ground(scenario.folder)
+    floors = Hazard(ground, vertical=True).as_given(scenario.shaking.scale)
+    body, room = scenario.furniture.body(), scenario.room.room()
+    drawn = draws(1, 3, verdict.seed)
+    rows = [rows_of(one.option, body, room, drawn, scenario.gravity) for one in verdict.options]
+    for one, runs in zip(verdict.options, run_level(rows, floors), strict=True):
+        for sample in range(3):
+            run = replay(verdict, one.option, Member(0, sample), ground)
+            assert run.peak_tilt == runs.tilt[0, sample]
+            assert run.peak_slide == runs.slide[0, sample]
+            assert run.overturned == runs.overturned[0, sample]
+
+
+def test_steps_sum_to_the_values():
+    values = np.array([0.01234, 0.5, -0.25])
+    np.testing.assert_allclose(np.cumsum(steps(values, 1e-4)) * 1e-4, values, atol=5e-5)
+
+
+def test_thinning_keeps_every_peak():
+    x = np.arange(10_000.0)
+    y = np.sin(0.01 * x)
+    y[1234], y[4321] = 7.0, -9.0
+    across, up = svg.thinned(x, y)
+    assert len(across) <= 2 * svg.PAIRS + 2
+    assert {7.0, -9.0} <= set(up)
+    assert np.all(np.diff(across) > 0)
+
+
+def test_ticks_are_round_and_inside():
+    assert svg.ticks(4.0, 7.05, 7) == pytest.approx([4.0, 4.5, 5.0, 5.5, 6.0, 6.5, 7.0])
+    assert all(-0.3 <= tick <= 0.3 for tick in svg.ticks(-0.3, 0.3, 4))
+
+
+def test_a_report_is_written_whole_or_refused(tmp_path):
+    verdict = verdict_cases.made()
+    file = write_report(verdict, tmp_path / "r.html", "ja")
+    assert file.read_text(encoding="utf-8") == report_html(verdict, "ja")
+    with pytest.raises(sp.InputError, match=r"The language is 'fr'; it must be one of en, ja\."):
+        write_report(verdict, tmp_path / "s.html", "fr")
+    with pytest.raises(sp.InputError, match=r"must end in \.html"):
+        write_report(verdict, tmp_path / "s.txt")
+    assert [path.name for path in tmp_path.iterdir()] == ["r.html"]
