@@ -15,8 +15,8 @@ from stayput.mechanics.restrained.rates import accelerations
 from stayput.mechanics.restrained.step import between, quintics, set_state, take_step
 from stayput.mechanics.roots import closed_level, falls_inside, first_zero, narrowed, secant
 
-LOCATED = 1e-12
-"""An event is located to this part of a second [s]."""
+NEARLY, LOCATED = 1e-10, 1e-12
+"""An event is located to these parts of a second, on the quintics and by steps [s]."""
 
 BEYOND = 5e-11
 """Least margin that the start of a bracket is taken to have [m/s², m/s, m]."""
@@ -110,18 +110,18 @@ def _margin_at(elements, links, contacts, rows, case, s, base, load, curves, h, 
 
 @inner
 def _locate(elements, links, contacts, rows, case, s, base, load, curves, h, low, high, m_high, levels):
-    """Time just after which the least margin falls below zero, between ``low`` and ``high``."""
+    """Time about which the least margin falls below zero, between ``low`` and ``high``, on the quintics."""
     m_low = _margin_at(elements, links, contacts, rows, case, s, base, load, curves, h, low, levels)
     bracket = (low, max(m_low, BEYOND), high, m_high, 0)
+    last = high
     for _ in range(100):
-        if bracket[2] - bracket[0] <= LOCATED:
-            break
         t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
-        m = _margin_at(elements, links, contacts, rows, case, s, base, load, curves, h, t, levels)
-        if m <= 0.0 and bracket[2] - t <= LOCATED:
+        if abs(t - last) <= NEARLY or bracket[2] - bracket[0] <= NEARLY:
             return t
+        m = _margin_at(elements, links, contacts, rows, case, s, base, load, curves, h, t, levels)
         bracket = narrowed(bracket, t, m)
-    return bracket[2]
+        last = t
+    return last
 
 
 @inner
