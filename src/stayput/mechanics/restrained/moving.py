@@ -129,11 +129,11 @@ def advance_moving(
             h = work.longest = max(proposed, SHORTEST)
         work.longest = proposed if h < whole else max(proposed, work.longest)
         y1, k1 = state_of(s), _stage(work, STAGES - 1)
-        least = least_of_all(elements, links, contacts, s, levels, f1, g1)
+        least = least_of_all(elements, links, contacts, s, work, levels, f1, g1)
         near = min(f0, f1) < near_limit or (not slips and min(g0, g1) < near_limit)
         start, end = (y0, k0, f0, g0), (y1, k1, f1, g1)
         t = first_event(
-            elements, links, contacts, rows, case, s, base, load, start, end, least, near, h, levels
+            elements, links, contacts, rows, case, s, work, base, load, start, end, least, near, h, levels
         )
         if t >= 0.0:
             h, f1, g1, least = go_to(
