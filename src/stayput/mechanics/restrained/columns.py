@@ -103,6 +103,7 @@ WORK = np.dtype(
         ("stage", "f8", (7, 3)),  # accelerations of x, z and θ in the stages of a step
         ("weight", "f8", (CONTACTS + 3,)),  # of gaps, the mode's two margins and a right angle; as in LINK
         ("longest", "f8"),  # step that the last error allowed [s]
+        ("still", "f8"),  # rate below which nothing moves after the present event [m/s]
         ("foot", "f8"),  # place of a fulcrum that sticks, along its plane [m]
         ("patience", "f8"),  # factor on the slacks of limits; grows where events crowd
         ("crowded", "i8"),  # events in a row with next to no time between them

@@ -29,6 +29,9 @@ from stayput.mechanics.restrained.step import (
 SLACK_FORCE, SLACK_SLIP = 1e-8, 5e-11
 """A margin of the contacts that starts at its limit has passed it when it is this far beyond [m/s², m/s]."""
 
+STILL = 1e-9
+"""A corner that slips, and a body that moves, no faster than this stands still [m/s]."""
+
 NEAR_LIMIT = 0.01
 """A margin smaller than this part of g at either end of a step is also looked at in its middle."""
 
@@ -152,4 +155,6 @@ def advance_moving(
             note_sample(history, case, s)
             note_sample_forces(forces, links, s)
     s.alpha = k0[2]
+    # a slip that has turned at the event has stopped there, however little it is located beyond
+    work.still = max(STILL, -4.0 * g0) if slips and why == LIMIT else STILL
     return why
