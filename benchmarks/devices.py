@@ -7,8 +7,8 @@ import time
 from typing import TYPE_CHECKING
 
 import numpy as np
-import workload
 
+import workload
 from stayput.mechanics.restrained import columns as el
 from stayput.mechanics.restrained.runner import no_elements, run_restrained_cases
 from stayput.mechanics.runner import run_cases, shaking
@@ -93,7 +93,8 @@ def main() -> None:
         took, results = best(lambda elements=elements: run_restrained_cases(cases, elements, floor)[0])
         gone = run_restrained_cases(cases, elements, floor)[1]["failure"] != el.HOLDS
         print(f"{make.__name__:8} {COUNT / took:8.0f} {took / bare:7.1f} {results['steps'].mean():6.0f} "
-              f"{results['events'].mean():7.1f} {np.mean(results['outcome'] == 4):11.3f} {gone.mean():15.3f}")  # fmt: skip
+              f"{results['events'].mean():7.1f} {np.mean(results['outcome'] == 4):11.3f} "
+              f"{gone.mean():15.3f}")  # fmt: skip
 
 
 if __name__ == "__main__":
