@@ -22,9 +22,6 @@ from stayput.mechanics.restrained.elements import measure, settle_elements
 from stayput.mechanics.restrained.holding import bears, cone_facets, keep_floors_side, with_wrench
 from stayput.mechanics.restrained.rates import shared_friction
 
-STILL = 1e-9
-"""A corner that slips, and a body that moves, no faster than this stands still [m/s]."""
-
 
 @inner
 def _close_slow_contacts(contacts, touching, settle, case, s):
@@ -59,7 +56,7 @@ def _share_base_friction(rows, case, a, G, wrench):
 
 
 @inner
-def _tabulate_rates(rows, contacts, closed, case, s, a, G, wrench):
+def _tabulate_rates(rows, contacts, closed, case, s, work, a, G, wrench):
     """List the closed contacts a moment ahead, with their accelerations under the loads and elements."""
     fx, fz, fl = wrench
     turn = MOMENT * s.omega
@@ -74,17 +71,17 @@ def _tabulate_rates(rows, contacts, closed, case, s, a, G, wrench):
         row.bias_t = tangential + omega * omega * row.nl + row.tl * spin
         row.target = 0.0
         slip = slip_rate(con, s)
-        row.slipping = 0.0 if abs(slip) <= STILL else (1.0 if slip > 0.0 else -1.0)
+        row.slipping = 0.0 if abs(slip) <= work.still else (1.0 if slip > 0.0 else -1.0)
     if count >= 2 and rows[0].index == A_FLOOR and rows[1].index == B_FLOOR:
         _share_base_friction(rows, case, a, G, wrench)
     return count
 
 
 @inner
-def _is_still(closed, case, s):
+def _is_still(closed, case, s, work):
     """Whether contacts can hold the body where it is: two or more are closed, and it does not move."""
     two = closed & (closed - 1) != 0
-    return two and max(abs(s.vx), abs(s.vz), math.sqrt(case.inertia) * abs(s.omega)) <= STILL
+    return two and max(abs(s.vx), abs(s.vz), math.sqrt(case.inertia) * abs(s.omega)) <= work.still
 
 
 @inner
@@ -162,7 +159,7 @@ def choose_restrained_mode(
 ):
     """Set the mode of a body with elements whose contacts ``touching`` are closed; as `modes.choose_mode`."""
     closed = _close_slow_contacts(contacts, touching, settle, case, s)
-    still = _is_still(closed, case, s)
+    still = _is_still(closed, case, s, work)
     a, G = a + MOMENT * a_rate, G + MOMENT * G_rate
     held = (0.0, 0.0, 0.0)
     if still:  # slips of elements end, and no damper bears
@@ -170,7 +167,7 @@ def choose_restrained_mode(
         work.failed += settle_elements(elements, links, devices, time)
         held = measure(elements, links, s.sin, s.cos, s.x, s.z, 0.0, 0.0, 0.0)
     wrench = _wrench_ahead(elements, links, s)
-    count = _tabulate_rates(rows, contacts, closed, case, s, a, G, wrench)
+    count = _tabulate_rates(rows, contacts, closed, case, s, work, a, G, wrench)
     if none_presses(rows, count, TOLERANCE):
         set_mode(s, FLIGHT, -1, 0, -1, 0)
         s.alpha = 0.0

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from stayput.mechanics.columns import CONTACTS
+
 # kinds of element
 NONE, AXIAL, PLANAR = range(3)
 
@@ -86,6 +88,9 @@ LINK = np.dtype(
         ("low", "f8", (2,)),  # levels at which the margins end the present step; see `lines.margins`
         ("high", "f8", (2,)),
         ("joint", "f8"),
+        ("low_weight", "f8", (2,)),  # of the margins in the search for an event; 0: takes no part
+        ("high_weight", "f8", (2,)),
+        ("joint_weight", "f8"),
     ],
     align=True,
 )
@@ -96,7 +101,9 @@ MOST_FACETS = 40
 WORK = np.dtype(
     [
         ("stage", "f8", (7, 3)),  # accelerations of x, z and θ in the stages of a step
+        ("weight", "f8", (CONTACTS + 3,)),  # of gaps, the mode's two margins and a right angle; as in LINK
         ("longest", "f8"),  # step that the last error allowed [s]
+        ("still", "f8"),  # rate below which nothing moves after the present event [m/s]
         ("foot", "f8"),  # place of a fulcrum that sticks, along its plane [m]
         ("patience", "f8"),  # factor on the slacks of limits; grows where events crowd
         ("crowded", "i8"),  # events in a row with next to no time between them

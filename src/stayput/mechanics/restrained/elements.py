@@ -134,17 +134,52 @@ def begin_step(elements, links, patience):
             link.joint = _level(joint_margin(el, link.force[NORMAL], link.force[TANGENT]), slack)
 
 
+@inline
+def weight_of(margin):
+    """Weight in the search for an event: −1 over a margin that is negative, 0 for one that takes no part."""
+    return -1.0 / margin if margin < 0.0 else 0.0
+
+
+@inline
+def weighed(margin, weight):
+    """Margin in the search for an event."""
+    return weight * margin if weight > 0.0 else math.inf
+
+
 @inner
 def least_margin(elements, links):
-    """Least of all margins above their levels, at the place last measured."""
+    """Least of all margins above their levels, at the place last measured; their weights are set."""
     least = math.inf
     for n in range(elements.shape[0]):
         el, link = elements[n], links[n]
         for i in range(link.lines):
             low, high = margins(el, link, i, link.e[i], link.rate[i], link.push, link.push_rate)
-            least = min(least, low - link.low[i], high - link.high[i])
+            low, high = low - link.low[i], high - link.high[i]
+            link.low_weight[i], link.high_weight[i] = weight_of(low), weight_of(high)
+            least = min(least, low, high)
         if link.lines == 2 and el.interaction != 0:
-            least = min(least, joint_margin(el, link.force[NORMAL], link.force[TANGENT]) - link.joint)
+            joint = joint_margin(el, link.force[NORMAL], link.force[TANGENT]) - link.joint
+            link.joint_weight = weight_of(joint)
+            least = min(least, joint)
+    return least
+
+
+@inner
+def least_weighed_margin(elements, links):
+    """Least of the margins that have a weight, each times it."""
+    least = math.inf
+    for n in range(elements.shape[0]):
+        el, link = elements[n], links[n]
+        for i in range(link.lines):
+            low, high = margins(el, link, i, link.e[i], link.rate[i], link.push, link.push_rate)
+            least = min(
+                least,
+                weighed(low - link.low[i], link.low_weight[i]),
+                weighed(high - link.high[i], link.high_weight[i]),
+            )
+        if link.lines == 2 and el.interaction != 0:
+            joint = joint_margin(el, link.force[NORMAL], link.force[TANGENT]) - link.joint
+            least = min(least, weighed(joint, link.joint_weight))
     return least
 
 

@@ -31,7 +31,7 @@ from stayput.mechanics.restrained.elements import (
     set_up_elements,
 )
 from stayput.mechanics.restrained.holding import advance_held
-from stayput.mechanics.restrained.moving import advance_moving
+from stayput.mechanics.restrained.moving import STILL, advance_moving
 from stayput.mechanics.restrained.transitions import meet, mind_crowds, next_mode
 
 UNNAMED = -1
@@ -68,6 +68,7 @@ def _list(events, case, s, work, dt, why, kind, closed, d):
 @inner
 def _forget(work, dt):
     work.foot = 0.0
+    work.still = STILL
     work.longest = dt
     work.patience = 1.0
     work.crowded = work.failed = work.facets = 0

@@ -9,17 +9,26 @@ quintics of the motion, and the step is taken again to that time.
 from __future__ import annotations
 
 from stayput.compiled import inline, inner
+from stayput.mechanics.columns import CONTACTS
 from stayput.mechanics.geometry import HALF_TURN, along, arm_at, gap
-from stayput.mechanics.restrained.elements import least_margin, suspicious
+from stayput.mechanics.restrained.elements import (
+    least_margin,
+    least_weighed_margin,
+    suspicious,
+    weighed,
+    weight_of,
+)
 from stayput.mechanics.restrained.rates import accelerations
 from stayput.mechanics.restrained.step import between, quintics, set_state, take_step
 from stayput.mechanics.roots import closed_level, falls_inside, first_zero, narrowed, secant
 
-LOCATED = 1e-12
-"""An event is located to this part of a second [s]."""
+NEARLY, LOCATED = 1e-10, 1e-12
+"""An event is located to these parts of a second, on the quintics and by steps [s]."""
 
-BEYOND = 5e-11
-"""Least margin that the start of a bracket is taken to have [m/s², m/s, m]."""
+BEYOND = 1e-9
+"""Least part of its value at the end that a margin is taken to have at the start of a search."""
+
+F_WEIGHT, G_WEIGHT, TURN_WEIGHT = CONTACTS, CONTACTS + 1, CONTACTS + 2
 
 
 @inline
@@ -29,23 +38,53 @@ def level_of(margin, slack):
 
 
 @inner
-def least_of_all(elements, links, contacts, s, levels, f, g):
-    """Least of all margins above their levels, in a state whose rates have just been worked out.
+def least_of_all(elements, links, contacts, s, work, levels, f, g):
+    """Least of all margins above their levels, in a state whose accelerations have just been worked out.
 
-    ``s.hit`` gets the bits of the contacts that have closed. The record s holds the state.
+    ``s.hit`` gets the bits of the contacts that have closed. The weights are set for a search that ends here.
     """
-    least = min(f - levels[0], g - levels[1], HALF_TURN - abs(s.theta))
+    force, slip, turn = f - levels[0], g - levels[1], HALF_TURN - abs(s.theta)
+    weight = work.weight
+    weight[F_WEIGHT], weight[G_WEIGHT], weight[TURN_WEIGHT] = (
+        weight_of(force),
+        weight_of(slip),
+        weight_of(turn),
+    )
+    least = min(force, slip, turn)
     s.hit = 0
     others = s.present & ~s.closed
     c = 0
     while others >> c:
+        weight[c] = 0.0
         if others >> c & 1:
             over = gap(contacts[c], s) - contacts[c].level
+            weight[c] = weight_of(over)
             if over < 0.0:
                 s.hit |= 1 << c
             least = min(least, over)
         c += 1
     return min(least, least_margin(elements, links))
+
+
+@inner
+def _least_weighed(elements, links, contacts, s, work, levels, f, g):
+    """Least of the margins that were negative where a search ends, as parts of what they are there.
+
+    Each falls from above zero to −1, so a search by secants is not misled by margins of other sizes.
+    """
+    weight = work.weight
+    least = min(
+        weighed(f - levels[0], weight[F_WEIGHT]),
+        weighed(g - levels[1], weight[G_WEIGHT]),
+        weighed(HALF_TURN - abs(s.theta), weight[TURN_WEIGHT]),
+    )
+    others = s.present & ~s.closed
+    c = 0
+    while others >> c:
+        if others >> c & 1 and weight[c] > 0.0:
+            least = min(least, weight[c] * (gap(contacts[c], s) - contacts[c].level))
+        c += 1
+    return min(least, least_weighed_margin(elements, links))
 
 
 @inline
@@ -101,31 +140,36 @@ def look_at(elements, links, contacts, rows, case, s, base, load, t, y):
 
 
 @inner
-def _margin_at(elements, links, contacts, rows, case, s, base, load, curves, h, t, levels):
-    """Least margin a time t into a step, on its quintics."""
+def _margin_at(elements, links, contacts, rows, case, s, work, base, load, curves, h, t, levels, weighs):
+    """Least margin a time t into a step, on its quintics: of all, or weighed."""
     y = between(curves, h, t)
     _, f, g = look_at(elements, links, contacts, rows, case, s, base, load, t, y)
-    return least_of_all(elements, links, contacts, s, levels, f, g)
+    if weighs:
+        return _least_weighed(elements, links, contacts, s, work, levels, f, g)
+    return least_of_all(elements, links, contacts, s, work, levels, f, g)
 
 
 @inner
-def _locate(elements, links, contacts, rows, case, s, base, load, curves, h, low, high, m_high, levels):
-    """Time just after which the least margin falls below zero, between ``low`` and ``high``."""
-    m_low = _margin_at(elements, links, contacts, rows, case, s, base, load, curves, h, low, levels)
-    bracket = (low, max(m_low, BEYOND), high, m_high, 0)
+def _locate(elements, links, contacts, rows, case, s, work, base, load, curves, h, low, high, levels):
+    """Time about which a margin falls below zero that is negative at ``high``, on the quintics."""
+    _margin_at(elements, links, contacts, rows, case, s, work, base, load, curves, h, high, levels, False)
+    m = _margin_at(elements, links, contacts, rows, case, s, work, base, load, curves, h, low, levels, True)
+    bracket = (low, max(m, BEYOND), high, -1.0, 0)
+    last = high
     for _ in range(100):
-        if bracket[2] - bracket[0] <= LOCATED:
-            break
         t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
-        m = _margin_at(elements, links, contacts, rows, case, s, base, load, curves, h, t, levels)
-        if m <= 0.0 and bracket[2] - t <= LOCATED:
+        if abs(t - last) <= NEARLY or bracket[2] - bracket[0] <= NEARLY:
             return t
+        m = _margin_at(elements, links, contacts, rows, case, s, work, base, load, curves, h, t, levels, True)
         bracket = narrowed(bracket, t, m)
-    return bracket[2]
+        last = t
+    return last
 
 
 @inner
-def first_event(elements, links, contacts, rows, case, s, base, load, start, end, least, near, h, levels):
+def first_event(
+    elements, links, contacts, rows, case, s, work, base, load, start, end, least, near, h, levels
+):
     """Time of the first event in a step that has been taken to its end, or −1.
 
     ``start`` and ``end`` are states, accelerations and margins. Beside the end, places are looked at where
@@ -148,14 +192,16 @@ def first_event(elements, links, contacts, rows, case, s, base, load, start, end
             probe = min(probe, u * h)
     low = 0.0
     if probe < h:
-        m = _margin_at(elements, links, contacts, rows, case, s, base, load, curves, h, probe, levels)
+        m = _margin_at(
+            elements, links, contacts, rows, case, s, work, base, load, curves, h, probe, levels, False
+        )
         if m < 0.0:
             return _locate(
-                elements, links, contacts, rows, case, s, base, load, curves, h, low, probe, m, levels
+                elements, links, contacts, rows, case, s, work, base, load, curves, h, low, probe, levels
             )
         low = probe
     if least < 0.0:
-        return _locate(elements, links, contacts, rows, case, s, base, load, curves, h, low, h, least, levels)
+        return _locate(elements, links, contacts, rows, case, s, work, base, load, curves, h, low, h, levels)
     return -1.0
 
 
@@ -165,13 +211,13 @@ def go_to(elements, links, contacts, rows, case, s, work, base, load, y0, levels
 
     Returns its length, the margins, and the least: negative, unless the event was one of the quintics alone.
     """
-    least = f = g = 0.0
+    f = g = 0.0
     before, more = -1.0, LOCATED
     for _ in range(6):
         f, g, _ = take_step(elements, links, contacts, rows, case, s, work, base, load, y0, t)
-        least = least_of_all(elements, links, contacts, s, levels, f, g)
-        if least < 0.0 or t >= h:
+        m = _least_weighed(elements, links, contacts, s, work, levels, f, g)
+        if m < 0.0 or t >= h:
             break
-        more = LOCATED + (more * least / (before - least) if before > least else 10.0 * more)
-        t, before = min(h, t + more), least
-    return t, f, g, least
+        more = LOCATED + (more * m / (before - m) if before > m else 10.0 * more)
+        t, before = min(h, t + more), m
+    return t, f, g, least_of_all(elements, links, contacts, s, work, levels, f, g)

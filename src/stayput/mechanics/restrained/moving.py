@@ -29,6 +29,9 @@ from stayput.mechanics.restrained.step import (
 SLACK_FORCE, SLACK_SLIP = 1e-8, 5e-11
 """A margin of the contacts that starts at its limit has passed it when it is this far beyond [m/s², m/s]."""
 
+STILL = 1e-9
+"""A corner that slips, and a body that moves, no faster than this stands still [m/s]."""
+
 NEAR_LIMIT = 0.01
 """A margin smaller than this part of g at either end of a step is also looked at in its middle."""
 
@@ -129,11 +132,11 @@ def advance_moving(
             h = work.longest = max(proposed, SHORTEST)
         work.longest = proposed if h < whole else max(proposed, work.longest)
         y1, k1 = state_of(s), _stage(work, STAGES - 1)
-        least = least_of_all(elements, links, contacts, s, levels, f1, g1)
+        least = least_of_all(elements, links, contacts, s, work, levels, f1, g1)
         near = min(f0, f1) < near_limit or (not slips and min(g0, g1) < near_limit)
         start, end = (y0, k0, f0, g0), (y1, k1, f1, g1)
         t = first_event(
-            elements, links, contacts, rows, case, s, base, load, start, end, least, near, h, levels
+            elements, links, contacts, rows, case, s, work, base, load, start, end, least, near, h, levels
         )
         if t >= 0.0:
             h, f1, g1, least = go_to(
@@ -152,4 +155,6 @@ def advance_moving(
             note_sample(history, case, s)
             note_sample_forces(forces, links, s)
     s.alpha = k0[2]
+    # a slip that has turned at the event has stopped there, however little it is located beyond
+    work.still = max(STILL, -4.0 * g0) if slips and why == LIMIT else STILL
     return why

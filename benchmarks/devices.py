@@ -1,0 +1,101 @@
+"""Speed of bodies that devices hold, beside the bare ones: the mixed cases of `workload`, on one core."""
+
+from __future__ import annotations
+
+import math
+import time
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+import workload
+from stayput.mechanics.restrained import columns as el
+from stayput.mechanics.restrained.runner import no_elements, run_restrained_cases
+from stayput.mechanics.runner import run_cases, shaking
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    Measured = Callable[[], NDArray[np.void]]
+
+COUNT, MASS = 1000, 100.0
+
+
+def placed(
+    count: int, plane: tuple[float, float], points: list[tuple[NDArray[np.float64], NDArray[np.float64]]]
+) -> NDArray[np.void]:
+    """Return planar elements at points of each body, that do nothing yet."""
+    rows = no_elements(len(points), count)
+    rows["kind"] = el.PLANAR
+    rows["cos"], rows["sin"] = plane
+    for n, (u, v) in enumerate(points):
+        rows["u"][:, n], rows["v"][:, n] = u, v
+    return rows
+
+
+def bracket(b: NDArray[np.float64], h: NDArray[np.float64]) -> NDArray[np.void]:
+    """L-bracket to a stud at the back's top edge: 300 kN/m, 1.5 kN, a millimetre of play up and down."""
+    rows = placed(len(b), (0.0, -1.0), [(-b / 2, h / 2)])
+    rows["stiffness"] = 300e3 / MASS, 100e3 / MASS
+    rows["damping"][..., 0] = 2 * 0.05 * math.sqrt(300e3 / MASS)
+    rows["slack_plus"] = rows["slack_minus"] = 0.0, 1e-3
+    rows["limit_plus"] = 1500.0 / MASS
+    rows["limit_minus"][..., 1] = 1500.0 / MASS
+    return rows
+
+
+def pads(b: NDArray[np.float64], h: NDArray[np.float64]) -> NDArray[np.void]:
+    """Gel pads under both edges: two of 50 mm by 50 mm each, 4 mm thick."""
+    rows = placed(len(b), (1.0, 0.0), [(-b / 2, -h / 2), (b / 2, -h / 2)])
+    area = 2 * 0.05 * 0.05
+    rows["stiffness"] = 4e6 * area / 0.004 / MASS, 4e5 * area / 0.004 / MASS
+    rows["damping"] = 0.2 * np.sqrt(rows["stiffness"])
+    rows["slack_plus"], rows["slack_minus"][..., 1] = 0.0, 0.0
+    rows["limit_plus"] = 100e3 * area / MASS, 50e3 * area / MASS
+    rows["limit_minus"][..., 1] = 50e3 * area / MASS
+    rows["interaction"] = 1
+    return rows
+
+
+def pole(b: NDArray[np.float64], h: NDArray[np.float64]) -> NDArray[np.void]:
+    """Tension pole at the back: preload 150 N, 100 kN/m, a ceiling that bears 600 N."""
+    rows = placed(len(b), (-1.0, 0.0), [(-b / 2 + 0.05, h / 2)])
+    rows["stiffness"] = 100e3 / MASS, 50e3 / MASS
+    rows["slack_minus"][..., 0] = -150.0 / 100e3
+    rows["slack_plus"][..., 1] = rows["slack_minus"][..., 1] = 0.0
+    rows["limit_minus"][..., 0], rows["friction"], rows["drops_out"] = 600.0 / MASS, 0.4, 1
+    return rows
+
+
+def best(run: Measured, repeats: int = 3) -> tuple[float, NDArray[np.void]]:
+    """Shortest time of a run [s], and its results."""
+    results, shortest = run(), math.inf
+    for _ in range(repeats):
+        start = time.perf_counter()
+        results = run()
+        shortest = min(shortest, time.perf_counter() - start)
+    return shortest, results
+
+
+def main() -> None:
+    drawn = workload.mixed(COUNT)
+    cases, motion = workload.columns(drawn), workload.record()
+    floor = shaking(motion.x, None, motion.dt, 0)
+    b, h = np.array([case.width for case in drawn]), np.array([case.height for case in drawn])
+    bare, results = best(lambda: run_cases(cases, floor))
+    print("device    cases/s  × bare  steps  events  overturned  failed devices")
+    print(f"{'none':8} {COUNT / bare:8.0f} {1.0:7.1f} {results['steps'].mean():6.0f} "
+          f"{results['events'].mean():7.1f} {np.mean(results['outcome'] == 4):11.3f}")  # fmt: skip
+    for make in (bracket, pads, pole):
+        elements = make(b, h)
+        took, results = best(lambda elements=elements: run_restrained_cases(cases, elements, floor)[0])
+        gone = run_restrained_cases(cases, elements, floor)[1]["failure"] != el.HOLDS
+        print(f"{make.__name__:8} {COUNT / took:8.0f} {took / bare:7.1f} {results['steps'].mean():6.0f} "
+              f"{results['events'].mean():7.1f} {np.mean(results['outcome'] == 4):11.3f} "
+              f"{gone.mean():15.3f}")  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()
