@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from devices import CEILING, LEFT, axial, bare, held, planar
 from setups import G, block
 
 import stayput as sp
+from devices import CEILING, LEFT, axial, bare, held, planar
 
 SHAKEN = sp.near_fault().component("x").trimmed(0.0, 12.0)
 PLACES = {

@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from devices import LEFT, TILT, axial, held, planar
 from scipy.integrate import solve_ivp
 from setups import STICKING, G, block, constant, still
 
 import stayput as sp
+from devices import LEFT, TILT, axial, held, planar
 
 FLOOR = sp.Room(STICKING)
 

@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from devices import CEILING, RIGHT, SLIDE, SLIDE_RATE, axial, held, planar
 from scipy.integrate import solve_ivp
 from setups import G, room, still
 
 import stayput as sp
+from devices import CEILING, RIGHT, SLIDE, SLIDE_RATE, axial, held, planar
 
 BODY = sp.Body(1.0, 0.5)
 SMOOTH = room(0.0)

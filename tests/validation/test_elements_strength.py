@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 import pytest
-from devices import FLOOR, LEFT, RIGHT, SLIDE, held, planar
 from setups import G, block, constant, room, still, threshold
 
 import stayput as sp
+from devices import FLOOR, LEFT, RIGHT, SLIDE, held, planar
 from stayput.mechanics.restrained import columns as el
 
 SMOOTH = room(0.0)

@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 import pytest
-from devices import bare, held
 from setups import STICKING, G, constant, room, still, threshold
 
 import stayput as sp
+from devices import bare, held
 
 BOTH = [pytest.param(bare, id="bare"), pytest.param(held, id="with elements")]
 

@@ -100,6 +100,12 @@ class Scenario(Table):
         """Return the JSON Schema of a scenario file, for editors and other programs."""
         return cls.model_json_schema(by_alias=by_alias, ref_template=ref_template)
 
+    def to_toml(self) -> str:
+        """Return the scenario as a file's text; `Scenario.parse` reads it back."""
+        from stayput.scenario.writing import scenario_toml
+
+        return scenario_toml(self)
+
     @property
     def folder(self) -> Path:
         """Where the relative path of a record begins."""

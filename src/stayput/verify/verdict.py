@@ -9,6 +9,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from pathlib import Path
 
     from numpy.typing import NDArray
 
@@ -160,3 +161,33 @@ class Verdict:
     def best(self) -> OptionVerdict:
         """The option that ranks first."""
         return self.options[0]
+
+    def sentence(self, language: str = "en") -> str:
+        """Return the verdict in one sentence, in "en" or "ja"."""
+        from stayput.verify.words import headline
+
+        return headline(self, language)
+
+    def to_json(self) -> str:
+        """Return the verdict as JSON; keys carry their units."""
+        from stayput.report.verdict.data import verdict_json
+
+        return verdict_json(self)
+
+    def to_markdown(self, language: str = "en") -> str:
+        """Return the verdict as Markdown, in "en" or "ja"."""
+        from stayput.report.verdict.markdown import verdict_markdown
+
+        return verdict_markdown(self, language)
+
+    def to_csv(self) -> str:
+        """Return the ranking as CSV."""
+        from stayput.report.verdict.tables import verdict_csv
+
+        return verdict_csv(self)
+
+    def report(self, path: str | Path, language: str = "en") -> Path:
+        """Write the report, one HTML file with everything in it; see `stayput.report.verdict`."""
+        from stayput.report.verdict.html import write_report
+
+        return write_report(self, path, language)
