@@ -7,7 +7,8 @@ from typing import Annotated
 import typer
 
 import stayput
-from stayput.cli import building, fragility, motion, simulate, study, verify
+from stayput.cli import app as page
+from stayput.cli import assess, building, fragility, motion, simulate, study, verify
 from stayput.cli.plainly import Plainly
 
 app = typer.Typer(
@@ -23,6 +24,8 @@ app.command("fragility")(fragility.fragility)
 app.command("study")(study.study)
 app.command("building")(building.building)
 app.add_typer(motion.app, name="motion")
+app.command("assess")(assess.assess)
+app.command("app")(page.app)
 
 
 def _print_version(wanted: bool) -> None:

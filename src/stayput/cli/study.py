@@ -20,10 +20,12 @@ STUDIES = {
     "wall-gap": "overturning over width and distance to a wall, under a sine (§4.4)",
     "wall-gap-record": "the same under a record (§4.5, Table 4.3)",
     "spectrum": "overturning and rocking spectra of pulses and of a record",
+    "tokyo": "devices alone and together, as in Tokyo's product test of 2015",
+    "capacity": "median overturning capacity beside Kaneko and Hayashi's formula",
 }
 """Names of the studies, and what they are about."""
 
-OF_A_RECORD = ("wall-gap-record", "spectrum")
+OF_A_RECORD = ("wall-gap-record", "spectrum", "tokyo")
 """Studies that take a motion."""
 
 
@@ -33,7 +35,7 @@ def study(
     motion: Annotated[
         str | None,
         typer.Option(
-            metavar="FILE", help=f"A record's file, for {' and '.join(OF_A_RECORD)}. Default: near-fault."
+            metavar="FILE", help=f"A record's file, for {', '.join(OF_A_RECORD)}. Default: near-fault."
         ),
     ] = None,
     component: Component = None,
@@ -50,7 +52,7 @@ def study(
         hint = f" (did you mean {near[0]!r}?)" if near else ""
         raise InputError(f"Study is {name!r}{hint}; it must be one of {', '.join(STUDIES)}.")
     if motion is not None and name not in OF_A_RECORD:
-        raise InputError(f"Study {name!r} takes no motion; --motion is for {' and '.join(OF_A_RECORD)}.")
+        raise InputError(f"Study {name!r} takes no motion; --motion is for {', '.join(OF_A_RECORD)}.")
     if out.exists() and not out.is_dir():
         raise InputError(f"The folder is {str(out)!r}; it must be a folder, and that is a file.")
 

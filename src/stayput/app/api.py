@@ -1,0 +1,280 @@
+"""The API's routes: each reads, lets a worker compute, and sends what came out."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from fastapi import APIRouter, Path, Query, Request
+from starlette.responses import Response
+
+import stayput
+from stayput.app.downloads import attachment, report_page, run_csv, scene_toml
+from stayput.app.guards import REPORT_POLICY
+from stayput.app.presets import presets
+from stayput.app.refusals import RefusedError
+from stayput.app.replies import MotionReply, PingReply, PresetsReply, PreviewReply
+from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotations
+    SimulateRequest,
+    SizeMapRequest,
+    TomlRequest,
+    VerifyRequest,
+)
+from stayput.app.run_replies import SimulateReply, SizeMapReply
+from stayput.app.running import simulated
+from stayput.app.service import Service, json_response, problems
+from stayput.app.size_map import size_map
+from stayput.app.uploads import read_upload
+from stayput.app.verdict_replies import JobReply
+from stayput.app.verification import job_reply, runs_of, verified, with_options
+from stayput.report.verdict.tables import verdict_csv
+from stayput.verify.verify import LEVELS
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from stayput.app.jobs import Job
+    from stayput.scenario import Scenario
+    from stayput.verify import Verdict
+
+Name = Annotated[str, Path(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")]
+Language = Literal["en", "ja"]
+
+UPLOAD_FORM: dict[str, Any] = {
+    "requestBody": {
+        "required": True,
+        "content": {
+            "multipart/form-data": {
+                "schema": {
+                    "type": "object",
+                    "required": ["file"],
+                    "additionalProperties": False,
+                    "properties": {
+                        "file": {"type": "string", "format": "binary", "description": "A record's file."},
+                        "unit": {"type": "string", "maxLength": 20, "description": "Where it states none."},
+                        "dt": {"type": "number", "description": "Time step [s], where it states none."},
+                        "component": {"type": "string", "maxLength": 60, "description": "Channel of x."},
+                    },
+                }
+            }
+        },
+    }
+}
+"""What the description of the API says of an upload, which is read here, not by FastAPI."""
+
+
+def api(service: Service) -> APIRouter:
+    """Return the routes under /api/v1."""
+    router = APIRouter(prefix="/api/v1")
+    _add_general(router, service)
+    _add_runs(router, service)
+    _add_jobs(router, service)
+    _add_motions(router, service)
+    return router
+
+
+def _add_general(router: APIRouter, service: Service) -> None:
+    @router.get("/ping", response_model=PingReply, tags=["general"])
+    async def ping() -> Response:
+        """Say whether the server is there."""
+        return json_response(PingReply(ready=service.ready, version=stayput.__version__))
+
+    @router.get("/presets", response_model=PresetsReply, tags=["general"], responses=problems(503))
+    async def all_presets() -> Response:
+        """Return everything that can be chosen."""
+        return await service.workers.run(lambda: json_response(presets(service.limits)))
+
+    @router.post(
+        "/scenario/toml",
+        response_class=Response,
+        tags=["general"],
+        responses={200: {"content": {"application/toml": {}}}, **problems(400, 413, 422, 503)},
+    )
+    async def toml(asked: TomlRequest) -> Response:
+        """Return a scene as a scenario file."""
+
+        def work() -> Response:
+            scenario = service.scene(asked.scene, asked.measures)
+            return attachment(
+                scene_toml(scenario, service.motions), "scenario.toml", "application/toml; charset=utf-8"
+            )
+
+        return await service.workers.run(work)
+
+
+def _add_runs(router: APIRouter, service: Service) -> None:
+    refusals = problems(400, 413, 422, 503)
+
+    @router.post("/simulate", response_model=SimulateReply, tags=["runs"], responses=refusals)
+    async def simulate(asked: SimulateRequest) -> Response:
+        """Run a scene without and with measures."""
+
+        def work() -> Response:
+            found = simulated(service.scene(asked.scene, asked.measures))
+            found.motion.name = service.motions.named(found.motion.name)
+            return json_response(found)
+
+        return await service.workers.run(work)
+
+    @router.post(
+        "/simulate/csv",
+        response_class=Response,
+        tags=["runs"],
+        responses={200: {"content": {"text/csv": {}}}, **refusals},
+    )
+    async def simulate_csv(
+        asked: SimulateRequest, which: Annotated[Literal["without", "with"], Query()] = "without"
+    ) -> Response:
+        """Run a scene without or with measures; return its histories at the record's samples."""
+
+        def work() -> Response:
+            scenario = service.scene(asked.scene, asked.measures)
+            text = run_csv(scenario, held=which == "with")
+            return attachment(text, f"run_{which}.csv", "text/csv; charset=utf-8")
+
+        return await service.slow.run(work)
+
+    @router.post("/size-map", response_model=SizeMapReply, tags=["runs"], responses=refusals)
+    async def map_of_sizes(asked: SizeMapRequest) -> Response:
+        """Return which pieces of this kind overturn in which shaking."""
+
+        def work() -> Response:
+            scenario = service.scene(asked.scene, asked.measures)
+            return json_response(size_map(scenario, asked.axis, service.limits.threads))
+
+        return await service.slow.run(work)
+
+
+def _add_jobs(router: APIRouter, service: Service) -> None:
+    @router.post(
+        "/verify",
+        status_code=202,
+        response_model=JobReply,
+        tags=["verification"],
+        responses=problems(400, 413, 422, 429, 503),
+    )
+    async def start(asked: VerifyRequest) -> Response:
+        """Begin a verification: it goes on as a job."""
+
+        def prepare() -> tuple[Scenario, int]:
+            scenario = service.scene(asked.scene, asked.measures)
+            whole = with_options(scenario, asked.scene, asked.compare_usual)
+            return whole, runs_of(whole, service.limits, len(LEVELS) if asked.curves else 0)
+
+        scenario, runs = await service.workers.run(prepare)
+
+        def work(told: Callable[[int, int], None]) -> Verdict:
+            threads = service.limits.threads
+            return verified(scenario, asked.slide_limit_m, asked.curves, threads, told)
+
+        job = service.jobs.start(work, runs)
+        return json_response(job_reply(job), 202, {"Location": f"/api/v1/jobs/{job.id}"})
+
+    @router.get(
+        "/jobs/{name}", response_model=JobReply, tags=["verification"], responses=problems(404, 422, 503)
+    )
+    async def get_job(name: Name) -> Response:
+        """Return how a job stands, and its verdict once it is done."""
+        job = service.jobs.get(name)
+        return await service.workers.run(lambda: json_response(job_reply(job)))
+
+    @router.delete(
+        "/jobs/{name}", response_model=JobReply, tags=["verification"], responses=problems(404, 422, 503)
+    )
+    async def cancel_job(name: Name) -> Response:
+        """Stop a job; forget one that has ended."""
+        job = service.jobs.cancel(name)
+        return await service.workers.run(lambda: json_response(job_reply(job)))
+
+    def done(name: str) -> tuple[Job, Verdict]:
+        job = service.jobs.get(name)
+        if job.state != "done" or job.verdict is None:
+            raise RefusedError(409, f"The job is {job.state}; there is a report once it is done.")
+        return job, job.verdict
+
+    @router.get(
+        "/jobs/{name}/report",
+        response_class=Response,
+        tags=["verification"],
+        responses={200: {"content": {"text/html": {}}}, **problems(404, 409, 422, 503)},
+    )
+    async def report(name: Name, lang: Annotated[Language, Query()] = "en") -> Response:
+        """Return the report of a job: one HTML file."""
+        job, verdict = done(name)
+
+        def work() -> Response:
+            if lang not in job.reports:
+                job.reports[lang] = report_page(verdict, lang, service.motions)
+            answer = attachment(job.reports[lang], "stayput_report.html", "text/html; charset=utf-8")
+            answer.headers["Content-Security-Policy"] = REPORT_POLICY
+            return answer
+
+        return await service.slow.run(work)
+
+    @router.get(
+        "/jobs/{name}/csv",
+        response_class=Response,
+        tags=["verification"],
+        responses={200: {"content": {"text/csv": {}}}, **problems(404, 409, 422, 503)},
+    )
+    async def table(name: Name) -> Response:
+        """Return the ranking of a job as a table."""
+        _, verdict = done(name)
+
+        def work() -> Response:
+            return attachment(verdict_csv(verdict), "stayput_ranking.csv", "text/csv; charset=utf-8")
+
+        return await service.workers.run(work)
+
+
+def _add_motions(router: APIRouter, service: Service) -> None:
+    @router.post(
+        "/motions",
+        status_code=201,
+        response_model=MotionReply,
+        tags=["motions"],
+        responses=problems(400, 413, 422, 429, 503),
+        openapi_extra=UPLOAD_FORM,
+    )
+    async def add(request: Request) -> Response:
+        """Upload a record; it is kept for a while under the id that is returned."""
+        if service.uploading:
+            raise RefusedError(429, "Another file is being uploaded; try again in a moment.", retry_after=1)
+        service.uploading = True
+        try:
+            sent = await read_upload(request, service.limits)
+
+            def work() -> Response:
+                return json_response(service.motions.add(sent), 201)
+
+            return await service.workers.run(work)
+        finally:
+            service.uploading = False
+
+    @router.get(
+        "/motions/{name}", response_model=MotionReply, tags=["motions"], responses=problems(404, 422, 503)
+    )
+    async def about(name: Name) -> Response:
+        """Return what is known of an uploaded motion."""
+        return await service.workers.run(lambda: json_response(service.motions.about(name)))
+
+    @router.get(
+        "/motions/{name}/preview",
+        response_model=PreviewReply,
+        tags=["motions"],
+        responses=problems(404, 422, 503),
+    )
+    async def preview(name: Name) -> Response:
+        """Return the outline of an uploaded motion."""
+        return await service.workers.run(lambda: json_response(service.motions.preview(name)))
+
+    @router.delete(
+        "/motions/{name}",
+        status_code=204,
+        tags=["motions"],
+        responses=problems(404, 422),
+        response_class=Response,
+    )
+    async def remove(name: Name) -> Response:
+        """Forget an uploaded motion."""
+        service.motions.remove(name)
+        return Response(status_code=204)

@@ -1,0 +1,197 @@
+"""Jobs: verifications that take a while, with their progress, and an end at any time."""
+
+from __future__ import annotations
+
+import logging
+import secrets
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal
+
+from stayput.app.refusals import RefusedError
+from stayput.errors import InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from stayput.app.limits import Limits
+    from stayput.verify import Verdict
+
+State = Literal["waiting", "running", "done", "cancelled", "failed"]
+Told = "Callable[[int, int], None]"
+
+_log = logging.getLogger("stayput.app")
+
+
+class StoppedError(Exception):
+    """Raised within a job that is no longer wanted."""
+
+
+@dataclass(slots=True)
+class Job:
+    """A verification.
+
+    Attributes
+    ----------
+    id : str
+        Its name; nobody can guess it.
+    state : str
+        Where it stands.
+    done, total : int
+        Simulations done, and in all.
+    verdict : Verdict or None
+        What came out.
+    message, about : str or None
+        Why it failed, and the field that is about.
+    """
+
+    id: str
+    total: int
+    state: State = "waiting"
+    done: int = 0
+    verdict: Verdict | None = None
+    message: str | None = None
+    about: str | None = None
+    began: float = field(default_factory=time.monotonic)
+    ended: float | None = None
+    used: float = field(default_factory=time.monotonic)
+    reports: dict[str, bytes] = field(default_factory=dict[str, bytes])
+    stop: threading.Event = field(default_factory=threading.Event)
+
+    @property
+    def seconds(self) -> float:
+        """How long it has taken since it was asked for [s]."""
+        return (time.monotonic() if self.ended is None else self.ended) - self.began
+
+    def told(self, done: int, total: int) -> None:
+        """Note how far it has got.
+
+        Raises
+        ------
+        StoppedError
+            It is no longer wanted.
+        """
+        if self.stop.is_set():
+            raise StoppedError
+        self.done, self.total = done, total
+
+
+class Jobs:
+    """All jobs: some at work, some waiting, the others done and kept for a while.
+
+    Parameters
+    ----------
+    limits : Limits
+        How many.
+    """
+
+    def __init__(self, limits: Limits) -> None:
+        self._limits = limits
+        self._pool = ThreadPoolExecutor(limits.jobs_running, "stayput-job")
+        self._jobs: dict[str, Job] = {}
+        self._lock = threading.Lock()
+
+    def start(self, work: Callable[[Callable[[int, int], None]], Verdict], total: int) -> Job:
+        """Begin a job, now or when a thread is free.
+
+        Parameters
+        ----------
+        work : callable
+            Does it; it is given what it tells its progress, and that raises when it is to stop.
+        total : int
+            About how many simulations there are.
+
+        Raises
+        ------
+        RefusedError
+            Too many jobs already.
+        """
+        with self._lock:
+            self._expire()
+            active = sum(job.state in ("waiting", "running") for job in self._jobs.values())
+            if active >= self._limits.jobs_running + self._limits.jobs_waiting:
+                told = f"There are {active} verifications already; wait for one to end, or cancel it."
+                raise RefusedError(429, told, retry_after=10)
+            job = Job(secrets.token_hex(16), total)
+            self._jobs[job.id] = job
+        self._pool.submit(self._run, job, work)
+        return job
+
+    def get(self, name: str) -> Job:
+        """Return a job.
+
+        Raises
+        ------
+        RefusedError
+            There is none of this name.
+        """
+        with self._lock:
+            self._expire()
+            job = self._jobs.get(name)
+        if job is None:
+            raise RefusedError(404, "There is no such job; it may have expired.")
+        job.used = time.monotonic()
+        return job
+
+    def cancel(self, name: str) -> Job:
+        """Stop a job, or forget one that has ended.
+
+        Raises
+        ------
+        RefusedError
+            There is none of this name.
+        """
+        job = self.get(name)
+        job.stop.set()
+        with self._lock:
+            if job.state in ("waiting", "running"):
+                job.state, job.ended = "cancelled", time.monotonic()
+            else:
+                self._jobs.pop(name, None)
+        return job
+
+    def close(self) -> None:
+        """Stop all jobs."""
+        with self._lock:
+            for job in self._jobs.values():
+                job.stop.set()
+        self._pool.shutdown(wait=False, cancel_futures=True)
+
+    def _run(self, job: Job, work: Callable[[Callable[[int, int], None]], Verdict]) -> None:
+        with self._lock:
+            if job.stop.is_set():
+                return
+            job.state = "running"
+        try:
+            verdict = work(job.told)
+        except StoppedError:
+            self._end(job, "cancelled")
+        except RefusedError as refused:
+            job.message, job.about = refused.message, refused.field
+            self._end(job, "failed")
+        except InputError as error:
+            job.message = str(error)
+            self._end(job, "failed")
+        except Exception:
+            _log.exception("A verification failed")
+            job.message = "The verification failed; the server's log says why."
+            self._end(job, "failed")
+        else:
+            job.verdict = verdict
+            self._end(job, "done")
+
+    def _end(self, job: Job, state: State) -> None:
+        with self._lock:
+            if job.state == "running":
+                job.state, job.ended = state, time.monotonic()
+
+    def _expire(self) -> None:
+        """Forget jobs that ended and were not looked at for long, and the oldest of too many."""
+        now = time.monotonic()
+        ended = sorted((job for job in self._jobs.values() if job.ended is not None), key=lambda j: j.used)
+        surplus = len(self._jobs) - self._limits.jobs_kept
+        for place, job in enumerate(ended):
+            if place < surplus or now - job.used > self._limits.keep:
+                del self._jobs[job.id]

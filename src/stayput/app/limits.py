@@ -1,0 +1,83 @@
+"""What the server accepts: sizes, lengths, counts."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+
+MEBIBYTE = 1024 * 1024
+
+
+def cores() -> int:
+    """Return how many cores this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """Limits of a server; beyond them a request is refused with one sentence.
+
+    Parameters
+    ----------
+    body : int
+        Largest body of a request but an upload [bytes].
+    upload : int
+        Largest body of an upload, the form around the file included [bytes].
+    seconds : float
+        Longest time in which a body must have come [s].
+    duration : float
+        Longest motion [s].
+    samples_of_motion : int
+        Most samples of a motion.
+    numbers : int
+        Most numbers in an uploaded file.
+    motions : int
+        Most motions kept; the oldest go first.
+    motion_bytes : int
+        Most bytes of all motions kept.
+    keep : float
+        How long a motion or a finished job is kept after its last use [s].
+    storeys : int
+        Most storeys of a building.
+    suite : int
+        Most motions of a suite.
+    samples : int
+        Most samples of a verification.
+    options : int
+        Most options of a verification.
+    runs : int
+        Most simulations of a verification.
+    jobs_running, jobs_waiting, jobs_kept : int
+        Most jobs at work, waiting for it, and known at all.
+    workers : int
+        Threads for requests that compute something short.
+    waiting : int
+        Most such requests that wait for a thread.
+    slow_workers, slow_waiting : int
+        The same for maps, tables and reports.
+    threads : int
+        Threads of one verification or map.
+    """
+
+    body: int = 256 * 1024
+    upload: int = 16 * MEBIBYTE
+    seconds: float = 60.0
+    duration: float = 600.0
+    samples_of_motion: int = 200_000
+    numbers: int = 1_000_000
+    motions: int = 8
+    motion_bytes: int = 64 * MEBIBYTE
+    keep: float = 7200.0
+    storeys: int = 60
+    suite: int = 100
+    samples: int = 2000
+    options: int = 20
+    runs: int = 2_000_000
+    jobs_running: int = 1
+    jobs_waiting: int = 4
+    jobs_kept: int = 12
+    workers: int = max(2, cores())
+    waiting: int = 64
+    slow_workers: int = 1
+    slow_waiting: int = 16
+    threads: int = max(1, cores() - 1)

@@ -1,0 +1,88 @@
+// The building from outside, swaying: the ground, the storey of the furniture, the roof. Not to scale across.
+
+import { ink, line, prepared } from "./inks.js";
+import { at } from "./runs.js";
+
+/** Draws the building at a time; its sway is drawn larger than it is. */
+export function drawBuilding(canvas, building, floor, t) {
+  const [pen, width, height] = prepared(canvas);
+  const n = building.storeys,
+    ground = height - 16,
+    storey = Math.min(26, (ground - 10) / n),
+    wide = Math.min(width * 0.5, Math.max(26, 5 * storey));
+  const here = at(floor.time_s, floor.x_m, t),
+    share = Math.max(0, (building.storey - 1) / n);
+  const base = building.ground_x_m ? at(floor.time_s, building.ground_x_m, t) : 0;
+  const roof = building.roof_x_m
+    ? at(floor.time_s, building.roof_x_m, t)
+    : share > 0
+      ? base + (here - base) / share
+      : here;
+  const most = largest(building, floor),
+    scale = (0.2 * width) / most;
+  const sway = (level) => {
+    const up = level / n;
+    const bent =
+      share > 0 && share < 1
+        ? up <= share
+          ? base + ((here - base) * up) / share
+          : here + ((roof - here) * (up - share)) / (1 - share)
+        : base + (roof - base) * up;
+    return width / 2 + bent * scale;
+  };
+  for (let level = 0; level < n; level++) {
+    const low = ground - level * storey,
+      high = low - storey,
+      a = sway(level),
+      b = sway(level + 1),
+      own = level + 1 === building.storey;
+    pen.beginPath();
+    pen.moveTo(a - wide / 2, low);
+    pen.lineTo(a + wide / 2, low);
+    pen.lineTo(b + wide / 2, high);
+    pen.lineTo(b - wide / 2, high);
+    pen.closePath();
+    pen.fillStyle = own ? ink.record : ink.card;
+    pen.fill();
+    pen.strokeStyle = ink.ink;
+    pen.lineWidth = own ? 2 : 1;
+    pen.stroke();
+    if (own) marker(pen, (a + b) / 2 + wide / 2 + 4, (low + high) / 2);
+  }
+  const x = width / 2 + base * scale;
+  line(pen, ink.ink, 2, [
+    [0, ground],
+    [width, ground],
+  ]);
+  for (let k = -6; k <= 6; k++)
+    line(pen, ink.mark, 1, [
+      [x + k * 14, ground + 2],
+      [x + k * 14 - 6, ground + 12],
+    ]);
+}
+
+const known = new WeakMap();
+
+function largest(building, floor) {
+  if (!known.has(floor)) {
+    const series = [floor.x_m, building.ground_x_m, building.roof_x_m].filter(Boolean);
+    known.set(
+      floor,
+      Math.max(
+        1e-3,
+        ...series.map((values) => values.reduce((most, one) => Math.max(most, Math.abs(one)), 0)),
+      ),
+    );
+  }
+  return known.get(floor);
+}
+
+function marker(pen, x, y) {
+  pen.beginPath();
+  pen.moveTo(x, y);
+  pen.lineTo(x + 9, y - 6);
+  pen.lineTo(x + 9, y + 6);
+  pen.closePath();
+  pen.fillStyle = ink.alarm;
+  pen.fill();
+}

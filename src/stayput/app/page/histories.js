@@ -1,0 +1,160 @@
+// Time histories under the animation: floor acceleration, tilt, slide, forces of devices; one time line
+// for all.
+
+import { label, ticks } from "./axes.js";
+import { ink, line, prepared } from "./inks.js";
+import { t as say } from "./words.js";
+
+const LEFT = 58,
+  RIGHT = 12,
+  BAND = 92,
+  GAP = 26,
+  FOOT = 34;
+const DEGREES = 180 / Math.PI;
+
+/** The panels of a result: titles, units and series; the second run's lines are dashed. */
+function panels({ floor, runs }, end) {
+  const series = (values, factor) =>
+    runs.map((run, i) => ({
+      times: run.time_s,
+      values: values(run),
+      factor,
+      dash: i === 0 ? [] : [7, 4],
+      colour: i === 0 ? ink.alarm : ink.record,
+    }));
+  const made = [
+    {
+      title: say("acceleration"),
+      unit: "m/s²",
+      lines: [
+        { times: floor.time_s, values: floor.acceleration_m_s2, factor: 1, dash: [], colour: ink.muted },
+      ],
+    },
+    {
+      title: say("tilt"),
+      unit: "°",
+      lines: series((run) => run.tilt_rad, DEGREES),
+      floor: 0.5,
+      most: 3 * runs[0].body.slenderness_rad * DEGREES,
+    },
+    { title: say("slide"), unit: "cm", lines: series((run) => run.slide_m, 100), floor: 0.5 },
+  ];
+  const devices = runs.at(-1).devices;
+  if (devices.length)
+    made.push({
+      title: say("force"),
+      unit: "N",
+      floor: 1,
+      lines: devices.slice(0, 4).map((one, i) => ({
+        times: runs.at(-1).time_s,
+        factor: 1,
+        colour: ink.record,
+        dash: [[], [7, 4], [2, 3], [9, 3, 2, 3]][i],
+        values: one.pull_n.map((pull, k) => Math.hypot(pull, one.shear_n[k])),
+      })),
+    });
+  for (const panel of made) panel.span = reach(panel, end);
+  return made;
+}
+
+function reach({ lines, floor = 0.01, most = Infinity }, end) {
+  let low = 0,
+    high = 0;
+  for (const { times, values, factor } of lines)
+    values.forEach((value, i) => {
+      if (times[i] > end) return;
+      low = Math.min(low, value * factor);
+      high = Math.max(high, value * factor);
+    });
+  const wide = Math.max(floor, high, -low);
+  return [
+    Math.max(-most, low < 0 ? Math.min(low, -0.15 * wide) : 0),
+    Math.min(most, Math.max(high, 0.15 * wide)),
+  ];
+}
+
+const still = document.createElement("canvas");
+let shown = null,
+  size = "";
+
+/** Takes a result; its pictures are drawn with the next call of drawHistories. */
+export function setHistories(canvas, result, end) {
+  shown = { panels: panels(result, end), end };
+  canvas.style.height = `${shown.panels.length * (BAND + GAP) + FOOT}px`;
+  size = "";
+}
+
+/** Draws the histories and the time now. */
+export function drawHistories(canvas, t) {
+  if (!shown || !canvas.clientWidth) return;
+  const [pen, width, height] = prepared(canvas);
+  if (size !== `${canvas.width} ${canvas.height}`) {
+    size = `${canvas.width} ${canvas.height}`;
+    drawStill(width, height);
+  }
+  pen.drawImage(still, 0, 0, width, height);
+  const x = LEFT + ((width - LEFT - RIGHT) * t) / shown.end;
+  line(pen, ink.alarm, 2, [
+    [x, GAP - 8],
+    [x, height - FOOT],
+  ]);
+}
+
+/** The time at a place across the picture. */
+export const timeAt = (canvas, x) =>
+  shown && shown.end * Math.min(1, Math.max(0, (x - LEFT) / (canvas.clientWidth - LEFT - RIGHT)));
+
+function drawStill(width, height) {
+  const ratio = devicePixelRatio || 1,
+    pen = still.getContext("2d");
+  still.width = Math.round(width * ratio);
+  still.height = Math.round(height * ratio);
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  pen.font = "12px system-ui, sans-serif";
+  const across = (t) => LEFT + ((width - LEFT - RIGHT) * t) / shown.end;
+  const bottom = height - FOOT;
+  for (const t of ticks(0, shown.end, Math.max(3, Math.round(width / 110)))) {
+    line(pen, ink.faint, 1, [
+      [across(t), GAP],
+      [across(t), bottom],
+    ]);
+    pen.fillStyle = ink.muted;
+    pen.textAlign = "center";
+    pen.fillText(label(t), across(t), bottom + 14);
+  }
+  pen.textAlign = "right";
+  pen.fillText(say("seconds"), width - RIGHT, bottom + 29);
+  shown.panels.forEach((panel, i) => drawPanel(pen, panel, i * (BAND + GAP) + GAP, width, across));
+}
+
+function drawPanel(pen, { title, unit, lines, span: [low, high] }, top, width, across) {
+  const up = (value) => top + BAND - (BAND * (value - low)) / (high - low);
+  pen.fillStyle = ink.ink;
+  pen.textAlign = "left";
+  pen.fillText(`${title} [${unit}]`, LEFT, top - 8);
+  pen.fillStyle = ink.muted;
+  pen.textAlign = "right";
+  for (const value of ticks(low, high, 4)) {
+    line(pen, ink.faint, 1, [
+      [LEFT, up(value)],
+      [width - RIGHT, up(value)],
+    ]);
+    pen.fillText(label(value), LEFT - 6, up(value) + 4);
+  }
+  line(pen, ink.muted, 1, [
+    [LEFT, up(0)],
+    [width - RIGHT, up(0)],
+  ]);
+  pen.save();
+  pen.beginPath();
+  pen.rect(LEFT, top - 1, width - LEFT - RIGHT, BAND + 2);
+  pen.clip();
+  for (const { times, values, factor, dash, colour } of lines) {
+    pen.setLineDash(dash);
+    const points = [];
+    for (let k = 0; k < times.length && times[k] <= shown.end; k++)
+      points.push([across(times[k]), up(values[k] * factor)]);
+    line(pen, colour, 1.6, points);
+  }
+  pen.restore();
+}

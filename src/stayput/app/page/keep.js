@@ -1,0 +1,63 @@
+// "Keep it": the link, the scenario as TOML, the report, the data.
+
+import * as api from "./api.js";
+import { offer, part } from "./dom.js";
+import { spoken, t } from "./words.js";
+
+const say = (text) => {
+  part("kept").textContent = text;
+};
+
+/** Wires the buttons; "asked" gives what the server is asked now, "refused" the words for an error. */
+export function wire(asked, refused) {
+  const attempt = (work) => async () => {
+    try {
+      await work();
+    } catch (error) {
+      say(refused(error));
+    }
+  };
+  part("copy").addEventListener(
+    "click",
+    attempt(async () => {
+      const field = part("address");
+      try {
+        await navigator.clipboard.writeText(field.value);
+      } catch {
+        field.select();
+        document.execCommand("copy");
+      }
+      say(t("copied"));
+    }),
+  );
+  part("address").addEventListener("focus", (event) => event.target.select());
+  part("toml").addEventListener(
+    "click",
+    attempt(async () => offer(await api.toml(asked()), "scenario.toml", "application/toml")),
+  );
+  for (const which of ["without", "with"])
+    part(`csv-${which}`).addEventListener(
+      "click",
+      attempt(async () => offer(await api.runAsCsv(asked(), which), `run_${which}.csv`, "text/csv")),
+    );
+}
+
+/** Points the links of the verdict at a finished job, or at nothing. */
+export function point(job) {
+  for (const [id, address] of [
+    ["report", job && api.reportAddress(job, spoken())],
+    ["table", job && api.tableAddress(job)],
+  ]) {
+    const link = part(id);
+    if (address) link.setAttribute("href", address);
+    else link.removeAttribute("href");
+    link.setAttribute("aria-disabled", String(!address));
+  }
+  part("report-wait").hidden = Boolean(job);
+}
+
+/** Shows the address of the scene, and whether there is a run with measures. */
+export function update(measured) {
+  part("address").value = location.href;
+  part("csv-with").disabled = !measured;
+}

@@ -1,0 +1,78 @@
+// The scene in the page's address, so that a link shows it again.
+
+import { plain } from "./scene.js";
+
+const round = (value) => String(Number(value.toPrecision(6)));
+const NUMBERS = [
+  "width",
+  "height",
+  "mass",
+  "centre",
+  "gap",
+  "ceiling",
+  "storeys",
+  "storey",
+  "intensity",
+  "member",
+];
+const NAMES = ["piece", "floor", "structure", "family"];
+const FLAGS = ["wall", "scaled"];
+
+/** The scene as the part of an address after "#". */
+export function toHash(scene) {
+  const pairs = new URLSearchParams();
+  for (const name of NAMES) pairs.set(name, scene[name]);
+  for (const name of NUMBERS) pairs.set(name, round(scene[name]));
+  for (const name of FLAGS) pairs.set(name, scene[name] ? "1" : "0");
+  if (scene.shelves) pairs.set("shelves", scene.shelves.map(round).join(","));
+  if (scene.record) pairs.set("record", scene.record.id);
+  const measures = Object.entries(scene.measures).map(([type, given]) =>
+    [type, ...Object.entries(given).map(([name, value]) => `${name}:${value}`)].join(";"),
+  );
+  if (measures.length) pairs.set("measures", measures.join(","));
+  return pairs.toString();
+}
+
+function measured(text, presets) {
+  const found = {},
+    taken = new Set();
+  for (const piece of text.split(",")) {
+    const [type, ...given] = piece.split(";");
+    const preset = presets.measures.find((one) => one.type === type);
+    if (!preset || taken.has(preset.place)) continue;
+    if (preset.place) taken.add(preset.place);
+    found[type] = {};
+    for (const pair of given) {
+      const [name, value] = pair.split(":");
+      const about = preset.parameters.find((one) => one.name === name);
+      if (about) found[type][name] = about.choices?.length ? value : Number(value);
+    }
+  }
+  return found;
+}
+
+/** The scene of an address; what is missing or makes no sense there is as in the scene given. */
+export function fromHash(hash, presets, start) {
+  const pairs = new URLSearchParams(hash.replace(/^#/, ""));
+  const scene = { ...structuredClone(plain), ...start };
+  const lists = {
+    piece: presets.furniture,
+    floor: presets.surfaces,
+    structure: presets.structures,
+    family: presets.families,
+  };
+  if (!pairs.has("piece")) return { scene, record: null };
+  for (const name of NAMES)
+    if (lists[name].some((one) => one.id === pairs.get(name))) scene[name] = pairs.get(name);
+  for (const name of NUMBERS) {
+    const value = Number(pairs.get(name) ?? NaN);
+    if (Number.isFinite(value) && value >= 0) scene[name] = value;
+  }
+  for (const name of FLAGS) if (pairs.has(name)) scene[name] = pairs.get(name) === "1";
+  const loads = pairs.get("shelves")?.split(",").map(Number) ?? [];
+  scene.shelves =
+    loads.length && loads.every((load) => Number.isFinite(load) && load >= 0) ? loads.slice(0, 12) : null;
+  scene.measures = pairs.has("measures") ? measured(pairs.get("measures"), presets) : {};
+  scene.record = null;
+  return { scene, record: pairs.get("record") };
+}

@@ -1,0 +1,89 @@
+// "Set the scene": floor, wall, ceiling, and where in which building.
+
+import { choice, oneOf, slider, toggle } from "./controls.js";
+import { fill, part } from "./dom.js";
+import { change, current } from "./scene.js";
+import { both, number, t } from "./words.js";
+
+let fields = {};
+
+/** Builds the panel; called again for another language. */
+export function build(presets) {
+  const named = (list) => list.map((one) => ({ id: one.id, label: both(one.label) }));
+  const most = Math.min(60, presets.limits?.storeys ?? 60);
+  fields = {
+    floor: choice({
+      label: t("floor"),
+      changed: (floor) => change({ floor }),
+      options: presets.surfaces.map((one) => ({
+        id: one.id,
+        label: `${both(one.label)} (μ ${number(one.static_friction, 2)})`,
+      })),
+    }),
+    wall: toggle({ label: t("wall"), changed: (wall) => change({ wall }) }),
+    gap: slider({
+      label: t("gap"),
+      unit: "cm",
+      low: 0,
+      high: 0.5,
+      step: 0.005,
+      factor: 100,
+      changed: (gap) => change({ gap }),
+    }),
+    ceiling: slider({
+      label: t("ceiling"),
+      unit: "cm",
+      low: 1.8,
+      high: 3.5,
+      step: 0.05,
+      factor: 100,
+      changed: (ceiling) => change({ ceiling }),
+    }),
+    inside: oneOf({
+      label: t("where"),
+      options: [
+        { id: "ground", label: t("onGround") },
+        { id: "building", label: t("inBuilding") },
+      ],
+      changed: (where) => change(where === "ground" ? { storeys: 0, storey: 1 } : { storeys: 10, storey: 5 }),
+    }),
+    storeys: slider({
+      label: t("storeys"),
+      low: 1,
+      high: most,
+      step: 1,
+      changed: (storeys) => change({ storeys: Math.round(storeys) }),
+    }),
+    storey: slider({
+      label: t("storey"),
+      low: 1,
+      high: most,
+      step: 1,
+      changed: (storey) => change({ storey: Math.round(storey) }),
+    }),
+    structure: choice({
+      label: t("structure"),
+      options: named(presets.structures),
+      changed: (structure) => change({ structure }),
+    }),
+  };
+  fill(
+    part("room"),
+    ["floor", "wall", "gap", "ceiling"].map((key) => fields[key].element),
+  );
+  fill(
+    part("building"),
+    ["inside", "storeys", "storey", "structure"].map((key) => fields[key].element),
+  );
+  update();
+}
+
+/** Puts the scene's values into the fields; fields that do not apply are hidden. */
+export function update() {
+  const scene = current();
+  for (const key of ["floor", "wall", "gap", "ceiling", "storeys", "storey", "structure"])
+    fields[key]?.set(scene[key]);
+  fields.inside.set(scene.storeys > 0 ? "building" : "ground");
+  fields.gap.element.hidden = !scene.wall;
+  for (const key of ["storeys", "storey", "structure"]) fields[key].element.hidden = scene.storeys === 0;
+}

@@ -1,0 +1,93 @@
+// The clock of the animation: play, pause, scrub, slow motion. It calls for a picture only when one is due.
+
+import { beforeNextFrame, calm } from "./dom.js";
+
+const HOLD = 1.5;
+
+/** A clock for a time span; "draw" is called with the time whenever the picture changes. */
+export function player(draw, told) {
+  let now = 0,
+    start = 0,
+    end = 0,
+    playing = false,
+    speed = 1,
+    last = null,
+    held = 0,
+    ticking = false;
+  const once = beforeNextFrame(() => {
+    if (!playing) draw(now);
+  });
+
+  function tick(stamp) {
+    ticking = playing && !document.hidden;
+    const passed = last === null ? 0 : Math.min(0.25, (stamp - last) / 1000);
+    last = stamp;
+    if (!playing) return;
+    if (now >= end) {
+      held += passed;
+      if (held > HOLD) {
+        now = start;
+        held = 0;
+      }
+    } else now = Math.min(end, now + passed * speed);
+    draw(now);
+    if (ticking) requestAnimationFrame(tick);
+  }
+  const begin = () => {
+    if (!ticking && playing) {
+      ticking = true;
+      last = null;
+      requestAnimationFrame(tick);
+    }
+  };
+  document.addEventListener("visibilitychange", begin);
+
+  function play(on) {
+    playing = on && end > 0;
+    if (playing && now >= end) now = start;
+    held = 0;
+    told(playing);
+    begin();
+    once();
+  }
+  return {
+    play,
+    toggle: () => play(!playing),
+    seek(time) {
+      play(false);
+      now = Math.min(end, Math.max(0, time));
+      once();
+    },
+    step(by) {
+      this.seek(now + by);
+    },
+    faster(wanted) {
+      speed = wanted;
+    },
+    redraw: once,
+    get now() {
+      return now;
+    },
+    get start() {
+      return start;
+    },
+    get end() {
+      return end;
+    },
+    get playing() {
+      return playing;
+    },
+    /** Takes another span; the first one plays at once, unless the reader has asked for less motion. */
+    span(from, until, shown) {
+      const first = end === 0;
+      start = from;
+      end = until;
+      now = first ? start : Math.min(now, end);
+      if (first && !calm()) play(true);
+      else {
+        if (calm() && !playing) now = Math.min(end, shown);
+        once();
+      }
+    },
+  };
+}

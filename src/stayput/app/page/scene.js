@@ -1,0 +1,97 @@
+// What the user has set: one plain object, who wants to know of changes, and the scene that the server reads.
+
+/** A scene that is complete, whatever the server proposes. */
+export const plain = {
+  piece: "bookcase",
+  width: 0.3,
+  height: 1.8,
+  mass: 35,
+  shelves: [33, 33, 33, 33, 33],
+  centre: 0.5,
+  floor: "wood flooring",
+  wall: true,
+  gap: 0.02,
+  ceiling: 2.4,
+  storeys: 0,
+  structure: "RC",
+  storey: 1,
+  intensity: 6.25,
+  family: "mixed",
+  member: 3,
+  record: null,
+  scaled: false,
+  measures: {},
+};
+
+let scene = structuredClone(plain);
+const listeners = new Set();
+
+/** The scene now; not to be written to. */
+export const current = () => scene;
+
+/** Changes some of the scene and tells everybody which keys. */
+export function change(part) {
+  scene = { ...scene, ...part };
+  if (scene.storeys > 0) scene.storey = Math.min(Math.max(1, scene.storey), scene.storeys);
+  for (const told of listeners) told(Object.keys(part));
+}
+
+/** Calls a function with the keys that changed, after every change. */
+export const watch = (told) => listeners.add(told);
+
+/** What a preset stands with: its size, and shelves loaded evenly where it has any. */
+export function fromPreset(preset) {
+  const size = { piece: preset.id, width: preset.width_m, height: preset.height_m, centre: 0.5 };
+  if (!preset.shelves || !preset.carcass_mass_kg) return { ...size, mass: preset.mass_kg, shelves: null };
+  const each = Math.round((preset.mass_kg - preset.carcass_mass_kg) / preset.shelves);
+  return { ...size, mass: preset.carcass_mass_kg, shelves: Array(preset.shelves).fill(each) };
+}
+
+/** What the user sees first, from the scene that the server proposes. */
+export function fromServer(presets) {
+  const { furniture, room = {}, shaking = {} } = presets.scene;
+  const preset = presets.furniture.find((one) => one.id === furniture.preset) ?? presets.furniture[0];
+  const wall = room.left_wall ?? room.back_wall;
+  const middle = presets.intensities.find((one) => one.id === shaking.intensity)?.middle;
+  return {
+    ...structuredClone(plain),
+    ...fromPreset(preset),
+    floor: typeof room.floor === "string" ? room.floor : plain.floor,
+    wall: Boolean(wall),
+    gap: wall?.gap ?? plain.gap,
+    ceiling: room.ceiling?.height ?? plain.ceiling,
+    storeys: shaking.building?.storeys ?? 0,
+    storey: shaking.storey ?? 1,
+    intensity: middle ?? (Number(shaking.intensity) || plain.intensity),
+    family: shaking.suite?.family ?? plain.family,
+    member: shaking.member ?? plain.member,
+    measures: Object.fromEntries(presets.measures_shown.map(({ type, ...given }) => [type, given])),
+  };
+}
+
+/**
+ * Mass and height of G above the floor as a part of the height, by the parts' masses (parallel to the
+ * server's).
+ */
+export function balance({ mass, height, shelves, centre }) {
+  if (!shelves) return { mass, centre, up: centre * height };
+  const total = shelves.reduce((sum, load) => sum + load, mass);
+  const clear = height / shelves.length;
+  const moment = shelves.reduce((sum, load, i) => sum + load * (i + 0.5) * clear, (mass * height) / 2);
+  return { mass: total, centre: moment / total / height, up: moment / total };
+}
+
+/** The scene as the server's simulations read it. */
+export function forServer(s) {
+  const furniture = { preset: s.piece, width: s.width, height: s.height, mass: s.mass };
+  if (s.shelves) furniture.shelves = s.shelves;
+  else if (s.centre !== 0.5) furniture.cg_offset = [0, (s.centre - 0.5) * s.height];
+  const room = { floor: s.floor };
+  if (s.wall) room.left_wall = { gap: s.gap };
+  if (s.ceiling > s.height) room.ceiling = { height: s.ceiling };
+  const shaking = s.record ? { ...s.record.shaking } : { suite: { family: s.family }, member: s.member };
+  if (!s.record || s.scaled) shaking.intensity = s.intensity;
+  if (s.storeys > 0)
+    Object.assign(shaking, { building: { storeys: s.storeys, structure: s.structure }, storey: s.storey });
+  return { furniture, room, shaking };
+}

@@ -1,0 +1,127 @@
+// "See it": the stages, the building, the clock's buttons, and the histories that go with them.
+
+import { icon } from "./icons.js";
+import { fill, part } from "./dom.js";
+import { drawBuilding } from "./building.js";
+import { drawHistories, setHistories, timeAt } from "./histories.js";
+import { player } from "./player.js";
+import { shownSpan, telling } from "./runs.js";
+import { drawStage, viewOf } from "./stage.js";
+import { both, number, t } from "./words.js";
+
+let result = null,
+  view = null,
+  look = null,
+  modes = {};
+
+const mark = (playing) => {
+  fill(part("play"), icon(playing ? "pause" : "play"));
+  part("play").setAttribute("aria-label", t(playing ? "pause" : "play"));
+};
+export const clock = player(draw, mark);
+
+function draw(now) {
+  if (!result) return;
+  result.runs.forEach((run, i) => {
+    const canvas = part(i ? "stage-with" : "stage-without");
+    if (!canvas.clientWidth) return;
+    const pose = drawStage(canvas, run, result.floor, view, now, {
+      kind: look.piece,
+      loads: look.shelves,
+      colours: modes.colours,
+    });
+    part(i ? "now-with" : "now-without").textContent =
+      `${modes.labels[pose.mode] ?? pose.mode} · ${number((Math.abs(pose.tilt) * 180) / Math.PI, 1)}°`;
+    part(i ? "chip-with" : "chip-without").style.background = modes.colours[pose.mode];
+  });
+  if (result.building && part("tower").clientWidth)
+    drawBuilding(part("tower"), result.building, result.floor, now);
+  drawHistories(part("histories"), now);
+  part("time").value = String(Math.round((1000 * now) / (clock.end || 1)));
+  part("clock").textContent = `${number(now, 1)} / ${number(clock.end, 0)} s`;
+}
+
+/** Reads what the server calls the modes, and their colours. */
+export function name(presets) {
+  modes = {
+    colours: Object.fromEntries(presets.modes.map((one) => [one.id, one.colour])),
+    labels: Object.fromEntries(presets.modes.map((one) => [one.id, both(one.label)])),
+  };
+  clock.redraw();
+}
+
+/** Shows a result: runs, floor and building of one simulation, for a scene. */
+export function show(shaken, scene) {
+  result = shaken;
+  look = scene;
+  const { start, end } = shownSpan(shaken);
+  view = viewOf(shaken, end);
+  part("figure-with").hidden = shaken.runs.length < 2;
+  part("stages").dataset.count = String(shaken.runs.length);
+  part("tower-box").hidden = !shaken.building;
+  part("says-without").textContent = both(shaken.runs[0].sentence);
+  part("says-with").textContent = shaken.runs[1] ? both(shaken.runs[1].sentence) : "";
+  shaken.runs.forEach((run, i) =>
+    part(i ? "stage-with" : "stage-without").setAttribute(
+      "aria-label",
+      `${t(i ? "with" : "without")}: ${both(run.sentence)}`,
+    ),
+  );
+  setHistories(part("histories"), shaken, end);
+  part("histories").setAttribute(
+    "aria-label",
+    t("historiesAlt", {
+      pga: number(shaken.motion.pga_m_s2, 1),
+      tilt: number((shaken.runs[0].peak_tilt_rad * 180) / Math.PI, 1),
+    }),
+  );
+  clock.span(start, end, telling(shaken.runs[0]));
+  clock.redraw();
+}
+
+/** Writes the words again, for another language or theme. */
+export function again(presets) {
+  name(presets);
+  mark(clock.playing);
+  if (result) show(result, look);
+}
+
+/** Wires the buttons, the keys and the pictures that the time is chosen on. */
+export function wire() {
+  mark(false);
+  fill(part("again"), icon("again"));
+  part("play").addEventListener("click", () => clock.toggle());
+  part("again").addEventListener("click", () => {
+    clock.seek(clock.start);
+    clock.play(true);
+  });
+  part("time").addEventListener("input", (event) =>
+    clock.seek((clock.end * Number(event.target.value)) / 1000),
+  );
+  part("speed").addEventListener("change", (event) => clock.faster(Number(event.target.value)));
+  const strip = part("histories");
+  const pick = (event) => clock.seek(timeAt(strip, event.clientX - strip.getBoundingClientRect().left));
+  strip.addEventListener("pointerdown", (event) => {
+    if (event.pointerType === "mouse") strip.setPointerCapture(event.pointerId);
+    pick(event);
+  });
+  strip.addEventListener("pointermove", (event) => {
+    if (event.buttons) pick(event);
+  });
+  addEventListener("keydown", (event) => {
+    if (
+      event.target.closest("button, select, input, textarea, summary, a") ||
+      event.ctrlKey ||
+      event.metaKey ||
+      event.altKey
+    )
+      return;
+    if (event.key === " ") {
+      clock.toggle();
+      event.preventDefault();
+    }
+    if (event.key === "ArrowRight") clock.step(0.05);
+    if (event.key === "ArrowLeft") clock.step(-0.05);
+  });
+  for (const name of ["resize", "shown"]) addEventListener(name, () => clock.redraw());
+}

@@ -1,0 +1,81 @@
+// What happens first, in words: the first event of each kind, which the animation jumps to.
+
+import { el, fill, part } from "./dom.js";
+import { both, length, number, t } from "./words.js";
+
+const TOLD = {
+  slip: "ev_slip",
+  uplift: "ev_uplift",
+  "wall impact": "ev_wall",
+  "ceiling impact": "ev_ceiling",
+  "device failure": "ev_device",
+  overturned: "ev_overturned",
+  failed: "ev_failed",
+};
+
+/** The first event of each kind, in their order: {time, text}. */
+export function story(run) {
+  const found = [];
+  const seen = new Set();
+  for (const { time_s: time, kind } of run.events) {
+    if (!(kind in TOLD) || seen.has(kind) || kind === "device failure") continue;
+    seen.add(kind);
+    found.push({ time, text: t(TOLD[kind]) });
+  }
+  for (const device of run.devices)
+    if (device.failed && device.failure_time_s !== null)
+      found.push({ time: device.failure_time_s, text: t("ev_device", { device: both(device.label) }) });
+  return found.sort((a, b) => a.time - b.time);
+}
+
+/** Writes both runs' stories; "seek" takes the time that the reader chose. */
+export function tell(result, titles, seek) {
+  fill(
+    part("story"),
+    result.runs.map((run, i) => {
+      const events = story(run);
+      return el(
+        "div",
+        {},
+        el("h4", { text: titles[i] }),
+        events.length
+          ? el(
+              "ol",
+              {},
+              ...events.map(({ time, text }) =>
+                el(
+                  "li",
+                  {},
+                  el(
+                    "button",
+                    { type: "button", class: "jump", onclick: () => seek(time) },
+                    el("span", { class: "when", text: `${number(time, 1)} s` }),
+                    ` ${text}`,
+                  ),
+                ),
+              ),
+            )
+          : el("p", { text: t("nothing") }),
+        el("p", { class: "hint", text: peaks(run) }),
+      );
+    }),
+  );
+}
+
+function peaks(run) {
+  const parts = run.overturned
+    ? []
+    : [
+        t("peakTilt", { tilt: number((run.peak_tilt_rad * 180) / Math.PI, 1) }),
+        t("peakSlide", { slide: length(run.peak_slide_m) }),
+      ];
+  for (const one of run.devices)
+    parts.push(
+      t("deviceLoad", {
+        device: both(one.label),
+        force: number(Math.max(one.peak_pull_n, one.peak_push_n, one.peak_shear_n)),
+        share: number(100 * one.utilisation),
+      }),
+    );
+  return parts.join(t("space"));
+}

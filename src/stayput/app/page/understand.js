@@ -1,0 +1,161 @@
+// "Understand it": verdict, curve, ranking, the other floor and the map, asked for once the scene has
+// settled.
+
+import * as api from "./api.js";
+import { oneOf } from "./controls.js";
+import { fill, part, settled } from "./dom.js";
+import * as fragility from "./fragility.js";
+import * as keep from "./keep.js";
+import * as ranking from "./ranking.js";
+import { change, current } from "./scene.js";
+import * as sizemap from "./sizemap.js";
+import { line } from "./verification.js";
+import * as verdict from "./verdict.js";
+import * as whatif from "./whatif.js";
+import { number, t } from "./words.js";
+
+const SETTLED = 900;
+const jobs = line();
+let question = null,
+  refused = String,
+  found = null,
+  base = null,
+  map = null,
+  flight = null,
+  round = 0,
+  mapped = "without";
+
+/** Builds what is asked here; "asked" gives the scene and its measures, "words" an error's words. */
+export function build(presets, asked, words) {
+  question = asked;
+  refused = words;
+  whatif.build(presets, elsewhere);
+  choose();
+  part("cancel").addEventListener("click", () => {
+    stop();
+    state("cancelled");
+  });
+  part("verify").addEventListener("click", () => work());
+  part("samples").addEventListener("change", () => work());
+  const charts = settled(120, () => {
+    if (found) fragility.show(found);
+    if (map) showMap();
+  });
+  for (const name of ["resize", "shown"]) addEventListener(name, charts);
+}
+
+/** What is shown no longer belongs to the scene; the answer is asked for when it has settled. */
+export function outdated() {
+  part("understand").dataset.old = "true";
+  base = null;
+  stop();
+  keep.point(null);
+  state("waiting");
+  soon();
+}
+const soon = settled(SETTLED, () => work());
+
+function stop() {
+  round += 1;
+  flight?.abort();
+  jobs.stop();
+  whatif.stop();
+}
+
+const samples = () => Number(part("samples").value);
+
+/** First the chances of what is looked at, within a moment; then everything else. */
+async function work() {
+  stop();
+  const mine = round,
+    { scene, measures } = question();
+  const asked = { scene: { ...scene, uncertainty: { samples: samples() } }, measures };
+  state("running");
+  progress(0);
+  try {
+    const first = await jobs.run({ ...asked, compare_usual: false, curves: false }, () => {});
+    if (!first || mine !== round) return;
+    part("understand").dataset.old = "false";
+    verdict.show(first.result);
+    base = first.result;
+    elsewhere();
+    drawMap();
+    const job = await jobs.run({ ...asked, compare_usual: true }, (told) => progress(told.progress));
+    if (!job || mine !== round) return;
+    found = job.result;
+    part("understand").dataset.job = job.id;
+    state("done");
+    keep.point(job.id);
+    display();
+  } catch (error) {
+    if (mine !== round) return;
+    state("refused");
+    part("verdict").textContent = refused(error);
+  }
+}
+
+/** Lets the reader choose whether the map is of the piece without measures or with them. */
+function choose() {
+  const which = oneOf({
+    label: t("mapWhich"),
+    options: ["without", "with"].map((id) => ({ id, label: t(id) })),
+    changed: (id) => {
+      mapped = id;
+      drawMap();
+    },
+  });
+  which.set(mapped);
+  fill(part("map-which"), which.element);
+}
+
+async function drawMap() {
+  const mine = round,
+    { scene, measures } = question();
+  flight?.abort();
+  const own = (flight = new AbortController());
+  try {
+    const answer = await api.sizeMap({ scene, measures: mapped === "with" ? measures : [] }, own.signal);
+    if (mine !== round || own !== flight) return;
+    map = answer;
+    showMap();
+  } catch (error) {
+    if (error.name !== "AbortError" && mine === round) part("map").textContent = refused(error);
+  }
+}
+
+const showMap = () => sizemap.show(map, current().ceiling > current().height ? current().ceiling : Infinity);
+
+function elsewhere() {
+  if (base) whatif.ask(base, question().measures, samples());
+}
+
+function display() {
+  verdict.show(found);
+  fragility.show(found);
+  ranking.show(found, (chosen) =>
+    change({ measures: Object.fromEntries(chosen.map(({ type, ...given }) => [type, given])) }),
+  );
+}
+
+/** Writes the words again, for another language. */
+export function again(presets) {
+  whatif.build(presets, elsewhere);
+  choose();
+  if (found) display();
+  if (base) verdict.show(base);
+  if (map) showMap();
+  state(part("understand").dataset.state);
+  if (part("understand").dataset.state === "done") keep.point(part("understand").dataset.job);
+}
+
+function state(name) {
+  part("understand").dataset.state = name;
+  part("progress").hidden = part("cancel").hidden = name !== "running";
+  part("verify").hidden = name === "running";
+  part("state").textContent = name === "done" ? "" : t(`state_${name}`);
+}
+
+function progress(share) {
+  part("progress").value = share;
+  part("progress").setAttribute("aria-valuetext", `${number(100 * share)} %`);
+}

@@ -1,0 +1,71 @@
+// The verdict in plain words with its probability, and ten small pieces that show it.
+
+import { el, fill, part, svg } from "./dom.js";
+import { both, length, number, percent, t } from "./words.js";
+
+const LIKELY = 0.02;
+
+/** The options that the reader looks at: without a measure, and with those in place. */
+export const without = (verdict) => verdict.options.find((one) => one.measures.length === 0);
+export const yours = (verdict) => verdict.options.find((one) => one.yours && one.measures.length > 0) ?? null;
+
+/** Writes the verdict. */
+export function show(verdict) {
+  const pair = [without(verdict), yours(verdict)].filter(Boolean);
+  const single = verdict.motions === 1;
+  const texts = pair.map((one, i) => {
+    const p = one.overturned;
+    return t(i > 0 ? "chanceWith" : single ? "chanceOfRecord" : "chanceWithout", {
+      share: percent(p.estimate),
+      low: percent(p.low),
+      high: percent(p.high),
+      measures: both(one.label),
+    });
+  });
+  fill(part("verdict"), ...texts.map((text) => el("span", { class: "sentence", text })));
+  fill(part("tens"), ...pair.map((one, i) => tens(one.overturned.estimate, t(i === 0 ? "without" : "with"))));
+  fill(
+    part("also"),
+    ...pair.map((one, i) => also(one, t(i === 0 ? "without" : "with"), verdict)).filter(Boolean),
+  );
+  part("basis").textContent = t(single ? "basisOfRecord" : "basis", {
+    motions: number(verdict.motions),
+    runs: number(verdict.runs),
+    seconds: number(verdict.seconds, 1),
+  });
+}
+
+/** What else is likely: sliding far, a device that fails. */
+function also(one, title, verdict) {
+  const told = [];
+  if (one.slid.estimate >= LIKELY)
+    told.push(t("alsoSlides", { limit: length(verdict.slide_limit_m), share: percent(one.slid.estimate) }));
+  for (const device of one.devices)
+    if (device.failed.estimate >= LIKELY)
+      told.push(t("alsoFails", { device: both(device.label), share: percent(device.failed.estimate) }));
+  return told.length ? el("li", { text: `${title}: ${told.join(t("space"))}` }) : null;
+}
+
+function tens(share, title) {
+  const fallen = Math.round(10 * share),
+    pieces = [];
+  for (let i = 0; i < 10; i++) {
+    const x = 4 + i * 26;
+    pieces.push(
+      i < fallen
+        ? svg("path", { class: "fell", d: `M${x} 30h22v8h-22z` })
+        : svg("path", { class: "stood", d: `M${x + 7} 8h9v30h-9z` }),
+    );
+  }
+  return el(
+    "figure",
+    { class: "tens" },
+    svg(
+      "svg",
+      { viewBox: "0 0 264 44", role: "img", "aria-label": t("tensAlt", { title, n: fallen }) },
+      ...pieces,
+      svg("path", { class: "floorline", d: "M0 39.500H264" }),
+    ),
+    el("figcaption", { text: t("tens", { title, n: fallen }) }),
+  );
+}

@@ -1,0 +1,98 @@
+// "What if I live on the 20th floor?": the same verification once more, in a building that is tall enough.
+
+import { el, fill, part } from "./dom.js";
+import { change, current, forServer } from "./scene.js";
+import { line } from "./verification.js";
+import { without, yours } from "./verdict.js";
+import { both, number, percent, t } from "./words.js";
+
+const jobs = line();
+let asked = 20,
+  most = 60,
+  answer = null,
+  failed = null;
+
+/** Builds the question; "told" is asked for it again with a new floor. */
+export function build(presets, again) {
+  most = Math.min(60, presets.limits?.storeys ?? 60);
+  const field = el("input", {
+    type: "number",
+    id: "whatif-floor",
+    min: 1,
+    max: most,
+    step: 1,
+    value: String(asked),
+    inputmode: "numeric",
+  });
+  field.addEventListener("change", () => {
+    asked = Math.round(Math.min(most, Math.max(1, Number(field.value) || 20)));
+    field.value = String(asked);
+    again();
+  });
+  const take = el("button", {
+    type: "button",
+    text: t("goThere"),
+    onclick: () => change({ storeys: tall(current()), storey: asked }),
+  });
+  fill(
+    part("whatif-ask"),
+    el("label", { for: "whatif-floor", text: t("whatIf") }),
+    field,
+    el("span", { text: t("whatIfFloor") }),
+    take,
+  );
+  say();
+}
+
+const tall = (scene) => Math.min(most, Math.max(scene.storeys, Math.round(asked * 1.25), asked));
+
+/** Asks the server, for the scene now; "base" is the verdict that it is compared to. */
+export async function ask(base, measures, samples) {
+  const scene = current(),
+    storeys = tall(scene);
+  answer = failed = null;
+  part("whatif").textContent = t("thinking");
+  part("whatif").dataset.state = "running";
+  const elsewhere = forServer({ ...scene, storeys, storey: asked });
+  const content = {
+    scene: { ...elsewhere, uncertainty: { samples } },
+    measures,
+    compare_usual: false,
+    curves: false,
+  };
+  try {
+    const job = await jobs.run(content, () => {});
+    if (!job) return;
+    answer = { there: job.result, here: base, storey: asked, storeys };
+  } catch (error) {
+    failed = error;
+  }
+  say();
+}
+
+export const stop = () => {
+  answer = null;
+  part("whatif").textContent = "";
+  return jobs.stop();
+};
+
+function say() {
+  if (failed || answer) part("whatif").dataset.state = "done";
+  if (failed) part("whatif").textContent = failed.message || t("noServer");
+  if (!answer) return;
+  const { there, here, storey, storeys } = answer;
+  const before = without(here).overturned.estimate,
+    after = without(there).overturned.estimate;
+  const key = Math.abs(after - before) < 0.05 ? "whatIfSame" : after > before ? "whatIfMore" : "whatIfLess";
+  const first = t(key, {
+    storey: number(storey),
+    storeys: number(storeys),
+    after: percent(after),
+    before: percent(before),
+  });
+  const held = yours(there);
+  const second = held
+    ? t("space") + t("whatIfHeld", { measures: both(held.label), share: percent(held.overturned.estimate) })
+    : "";
+  part("whatif").textContent = first + second;
+}

@@ -1,0 +1,180 @@
+"""Everything that can be chosen, with its names and numbers."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any, Literal
+
+import stayput
+from stayput.app.fields import Words
+from stayput.app.intensities import LABELS_JA, ON_FURNITURE, PEOPLE
+from stayput.app.replies import (
+    FamilyReply,
+    FurnitureReply,
+    IntensityReply,
+    LimitsReply,
+    MeasureReply,
+    ModeReply,
+    NamedReply,
+    ParameterReply,
+    PresetsReply,
+    StructureReply,
+    SurfaceReply,
+)
+from stayput.app.words import EVENTS, FAMILIES, FURNITURE, MODES, OUTCOMES, STRUCTURES, SURFACES
+from stayput.body import Body
+from stayput.building.structures import STOREY_HEIGHT
+from stayput.building.structures import STRUCTURES as BUILDINGS
+from stayput.errors import InputError
+from stayput.furniture import FURNITURE as PIECES
+from stayput.measures import MEASURES, hold, parameters
+from stayput.motion.intensity import CLASSES, intensity_of_class
+from stayput.report.palette import MODE_COLOURS
+from stayput.room import SURFACES as FRICTIONS
+from stayput.room import Ceiling, Room, Wall
+from stayput.verify.options import USUAL
+
+if TYPE_CHECKING:
+    from stayput.app.limits import Limits
+    from stayput.furniture import Preset
+    from stayput.measures import Measure, Parameter
+
+SHELVES = 5
+"""Shelves that a bookcase is drawn with."""
+
+SCENE: dict[str, Any] = {
+    "furniture": {"preset": "bookcase"},
+    "room": {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
+    "shaking": {"intensity": "6-upper", "member": 3},
+}
+"""A scene to begin with: a bookcase that falls, in the shortest of the mixed suite's kinds of motion."""
+
+SHOWN: list[dict[str, Any]] = [{"type": "l_bracket"}]
+"""Measures to begin with."""
+
+
+def presets(limits: Limits) -> PresetsReply:
+    """Return everything that can be chosen."""
+    return PresetsReply(
+        version=stayput.__version__,
+        furniture=[_furniture(name, preset) for name, preset in PIECES.items()],
+        surfaces=[
+            SurfaceReply(
+                id=name,
+                label=Words.of(SURFACES.get(name, (name, name))),
+                static_friction=static,
+                kinetic_friction=kinetic,
+            )
+            for name, (static, kinetic) in FRICTIONS.items()
+        ],
+        structures=[
+            StructureReply(
+                id=name,
+                label=Words.of(STRUCTURES.get(name, (name, name))),
+                storey_height_m=STOREY_HEIGHT,
+                damping=structure.damping,
+                most_storeys=limits.storeys,
+            )
+            for name, structure in BUILDINGS.items()
+        ],
+        families=[
+            FamilyReply(id=name, label=Words.of(label), about=Words.of(about))
+            for name, (label, about) in FAMILIES.items()
+        ],
+        intensities=[_intensity(name, start) for name, start in CLASSES],
+        measures=[_measure(name, kind) for name, kind in MEASURES.items()],
+        modes=[
+            ModeReply(id=mode.value, label=Words.of(label), colour=MODE_COLOURS[mode])
+            for mode, label in MODES.items()
+        ],
+        outcomes=[NamedReply(id=one.value, label=Words.of(label)) for one, label in OUTCOMES.items()],
+        events=[NamedReply(id=one.value, label=Words.of(label)) for one, label in EVENTS.items()],
+        scene=SCENE,
+        measures_shown=SHOWN,
+        limits=_limits(limits),
+    )
+
+
+def _furniture(name: str, preset: Preset) -> FurnitureReply:
+    body = Body(preset.width, preset.height, preset.mass)
+    return FurnitureReply(
+        id=name,
+        label=Words.of(FURNITURE.get(name, (name, name))),
+        width_m=preset.width,
+        height_m=preset.height,
+        mass_kg=preset.mass,
+        carcass_mass_kg=preset.carcass_mass,
+        shelves=None if preset.carcass_mass is None else SHELVES,
+        centre_of_gravity_m=body.centre_of_gravity,
+    )
+
+
+def _intensity(name: str, start: float) -> IntensityReply:
+    return IntensityReply(
+        id=name,
+        label=Words(en=name, ja=f"震度{LABELS_JA.get(name, name)}"),
+        from_=start if math.isfinite(start) else None,
+        middle=intensity_of_class(name),
+        about=Words.of(PEOPLE[name]),
+        furniture=Words.of(ON_FURNITURE[name]),
+    )
+
+
+def _measure(name: str, kind: type[Measure]) -> MeasureReply:
+    return MeasureReply(
+        type=name,
+        label=Words.of(kind.label),
+        about=Words.of(kind.about),
+        place=kind().where(),
+        needs=_needs(kind),
+        usual=name in USUAL,
+        parameters=[_parameter(one) for one in parameters(kind)],
+    )
+
+
+def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
+    """Return what must be there, found by trying without it."""
+    body = Body(0.4, 1.8, 100.0)
+
+    def applies(room: Room) -> bool:
+        try:
+            hold(body, room, (kind(),))
+        except InputError:
+            return False
+        return True
+
+    wall, ceiling = Wall(0.05), Ceiling(2.4)
+    found: list[Literal["wall", "ceiling"]] = []
+    if not applies(Room(ceiling=ceiling)):
+        found.append("wall")
+    if not applies(Room(left_wall=wall)):
+        found.append("ceiling")
+    return found
+
+
+def _parameter(one: Parameter) -> ParameterReply:
+    return ParameterReply(
+        name=one.name,
+        default=one.default,
+        unit=one.unit,
+        low=one.low,
+        high=one.high,
+        confidence=str(one.confidence),
+        label=Words.of(one.label),
+        choices=list(one.choices),
+        whole=isinstance(one.default, int),
+    )
+
+
+def _limits(limits: Limits) -> LimitsReply:
+    return LimitsReply(
+        body_bytes=limits.body,
+        upload_bytes=limits.upload,
+        duration_s=limits.duration,
+        suite_count=limits.suite,
+        samples=limits.samples,
+        jobs_running=limits.jobs_running,
+        jobs_waiting=limits.jobs_waiting,
+        motions=limits.motions,
+        storeys=limits.storeys,
+    )

@@ -1,0 +1,168 @@
+"""What the server answers besides runs: presets and motions."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from pydantic import Field
+
+from stayput.app.fields import Pair, Reply, Words
+
+
+class PingReply(Reply):
+    """Whether the server is there."""
+
+    status: Literal["ok"] = "ok"
+    ready: bool = Field(description="Whether everything is compiled.")
+    version: str
+
+
+class FurnitureReply(Reply):
+    """A preset of furniture."""
+
+    id: str
+    label: Words
+    width_m: float
+    height_m: float
+    mass_kg: float
+    carcass_mass_kg: float | None
+    shelves: int | None
+    centre_of_gravity_m: Pair
+
+
+class SurfaceReply(Reply):
+    """A preset of a surface."""
+
+    id: str
+    label: Words
+    static_friction: float
+    kinetic_friction: float
+
+
+class StructureReply(Reply):
+    """A structure of buildings."""
+
+    id: str
+    label: Words
+    storey_height_m: float
+    damping: float
+    most_storeys: int
+
+
+class FamilyReply(Reply):
+    """A family of earthquakes."""
+
+    id: str
+    label: Words
+    about: Words
+
+
+class IntensityReply(Reply):
+    """A class of JMA's intensity."""
+
+    id: str
+    label: Words
+    from_: float | None = Field(serialization_alias="from", description="Where it begins.")
+    middle: float
+    about: Words = Field(description="What people meet.")
+    furniture: Words = Field(description="What it does to furniture.")
+
+
+class ParameterReply(Reply):
+    """A parameter of a measure."""
+
+    name: str
+    default: float | int | str | None
+    unit: str
+    low: float
+    high: float
+    confidence: str
+    label: Words
+    choices: list[str]
+    whole: bool
+
+
+class MeasureReply(Reply):
+    """A kind of measure."""
+
+    type: str
+    label: Words
+    about: Words
+    place: str | None = Field(description="Two measures of one place exclude each other.")
+    needs: list[Literal["wall", "ceiling"]]
+    usual: bool
+    parameters: list[ParameterReply]
+
+
+class ModeReply(Reply):
+    """A way in which a body moves."""
+
+    id: str
+    label: Words
+    colour: str
+
+
+class NamedReply(Reply):
+    """A name that is shown."""
+
+    id: str
+    label: Words
+
+
+class LimitsReply(Reply):
+    """What the server accepts."""
+
+    body_bytes: int
+    upload_bytes: int
+    duration_s: float
+    suite_count: int
+    samples: int
+    jobs_running: int
+    jobs_waiting: int
+    motions: int
+    storeys: int
+
+
+class PresetsReply(Reply):
+    """Everything that can be chosen."""
+
+    version: str
+    furniture: list[FurnitureReply]
+    surfaces: list[SurfaceReply]
+    structures: list[StructureReply]
+    families: list[FamilyReply]
+    intensities: list[IntensityReply]
+    measures: list[MeasureReply]
+    modes: list[ModeReply]
+    outcomes: list[NamedReply]
+    events: list[NamedReply]
+    scene: dict[str, Any] = Field(description="A scene to begin with.")
+    measures_shown: list[dict[str, Any]]
+    limits: LimitsReply
+
+
+class MotionReply(Reply):
+    """An uploaded motion."""
+
+    id: str
+    name: str
+    source: str
+    synthetic: bool
+    duration_s: float
+    dt_s: float
+    samples: int
+    components: list[str]
+    pga_m_s2: float
+    pgv_m_s: float
+    intensity: float | None
+    intensity_class: str | None
+    expires_in_s: float
+    shaking: dict[str, Any] = Field(description="What a scene's shaking says to use it.")
+
+
+class PreviewReply(Reply):
+    """A motion's outline: extremes of the acceleration in each piece of time."""
+
+    time_s: list[float]
+    low_m_s2: list[float]
+    high_m_s2: list[float]

@@ -1,0 +1,157 @@
+"""What the server answers about runs: histories as arrays, sent once."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from stayput.app.fields import Pair, Reply, Words
+
+
+class BodyReply(Reply):
+    """The body that was simulated."""
+
+    width_m: float
+    height_m: float
+    mass_kg: float
+    inertia_kg_m2: float
+    centre_of_gravity_m: Pair = Field(description="From the middle of the base.")
+    corners_m: list[Pair] = Field(description="Base left, base right, top right, top left, from G.")
+    base_heights_m: Pair
+    slenderness_rad: float
+
+
+class RoomReply(Reply):
+    """Where the faces of the room stand; x = 0 is the middle of the base at the start."""
+
+    left_wall_x_m: float | None
+    right_wall_x_m: float | None
+    ceiling_z_m: float | None
+
+
+class EventReply(Reply):
+    """What happened at an instant."""
+
+    time_s: float
+    kind: str
+    mode: str
+
+
+class DeviceReply(Reply):
+    """What became of a device."""
+
+    kind: str
+    label: Words
+    name: str
+    peak_pull_n: float
+    peak_push_n: float
+    peak_shear_n: float
+    utilisation: float | None
+    failed: bool
+    failure_time_s: float | None
+    cause: str | None
+    pull_n: list[float] = Field(description="At the run's times.")
+    shear_n: list[float]
+
+
+class ShapeReply(Reply):
+    """A line or a filled outline of a device, points in the body's or the room's frame."""
+
+    kind: Literal["line", "polygon"]
+    points: list[tuple[Literal["body", "room"], float, float]]
+    role: str
+    device: int | None
+    when: Literal["always", "whole", "broken"]
+
+
+class RunReply(Reply):
+    """One run."""
+
+    outcome: str
+    sentence: Words
+    overturned: bool
+    overturn_time_s: float | None
+    peak_slide_m: float
+    residual_slide_m: float
+    peak_tilt_rad: float
+    residual_tilt_rad: float
+    floor_impacts: int
+    wall_impacts: int
+    body: BodyReply
+    room: RoomReply
+    time_s: list[float]
+    x_m: list[float] = Field(description="Centre of gravity in the room.")
+    z_m: list[float]
+    tilt_rad: list[float]
+    slide_m: list[float]
+    modes: list[tuple[float, str]] = Field(description="When each mode starts.")
+    events: list[EventReply]
+    events_total: int
+    devices: list[DeviceReply]
+    shapes: list[ShapeReply]
+
+
+class MotionOfRun(Reply):
+    """The motion under the furniture, and the ground's intensity."""
+
+    name: str
+    synthetic: bool
+    duration_s: float
+    dt_s: float
+    pga_m_s2: float
+    pgv_m_s: float
+    ground_intensity: float | None
+    ground_class: str | None
+    floor_intensity: float | None
+    floor_class: str | None
+
+
+class FloorReply(Reply):
+    """How the floor moves in a picture, over the whole motion."""
+
+    time_s: list[float]
+    x_m: list[float] = Field(description="Displacement without its slow drift, times scale_shown.")
+    acceleration_m_s2: list[float] = Field(description="The largest of each frame, with its sign.")
+    scale_shown: float
+
+
+class BuildingReply(Reply):
+    """The building between the ground and the furniture."""
+
+    storeys: int
+    storey: int
+    structure: str | None
+    ground_x_m: list[float] = Field(description="Displacement of the ground, as the floor's.")
+    roof_x_m: list[float] = Field(description="Displacement of the roof, as the floor's.")
+
+
+class SimulateReply(Reply):
+    """A scene run without and with measures."""
+
+    motion: MotionOfRun
+    floor: FloorReply
+    building: BuildingReply | None
+    without: RunReply
+    with_: RunReply | None = Field(serialization_alias="with")
+
+
+class Here(Reply):
+    """Where the user's piece stands in a map."""
+
+    intensity: float | None
+    width_m: float
+    height_m: float
+
+
+class SizeMapReply(Reply):
+    """Share of the motions that overturn pieces of each size, by intensity."""
+
+    axis: str
+    intensity: list[float]
+    size: list[float] = Field(description="Factors on what grows.")
+    width_m: list[float]
+    height_m: list[float]
+    overturned: list[list[float | None]] = Field(description="By size, then by intensity.")
+    motions: int
+    here: Here

@@ -1,0 +1,146 @@
+"""What the server answers about verifications: jobs and verdicts."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from stayput.app.fields import Reply, Words
+
+
+class ChanceReply(Reply):
+    """A probability with its 95 % interval."""
+
+    estimate: float | None
+    low: float
+    high: float
+    text: str
+
+
+class ChangeReply(Reply):
+    """A probability less that without a measure."""
+
+    estimate: float | None
+    low: float | None
+    high: float | None
+    clear: bool
+
+
+class QuantilesReply(Reply):
+    """Median and 90 % quantile; null where so many overturn."""
+
+    median: float | None
+    p90: float | None
+
+
+class CapacityReply(Reply):
+    """An intensity of the ground; null where the runs do not say."""
+
+    estimate: float | None
+    low: float | None
+    high: float | None
+    text: str
+
+
+class CapacitiesReply(Reply):
+    """Intensities at which a tenth and a half overturn."""
+
+    p10: CapacityReply
+    p50: CapacityReply
+
+
+class ObservedReply(Reply):
+    """Share that overturned at a level."""
+
+    intensity: float
+    estimate: float | None
+    low: float
+    high: float
+
+
+class CurveReply(Reply):
+    """Probability of overturning over the ground's JMA intensity."""
+
+    state: str
+    text: str
+    intensity: list[float]
+    probability: list[float] | None
+    low: list[float] | None
+    high: list[float] | None
+    observed: list[ObservedReply]
+
+
+class DeviceSummaryReply(Reply):
+    """What became of one device over all runs."""
+
+    kind: str
+    name: str
+    label: Words
+    failed: ChanceReply
+    peak_n: QuantilesReply
+
+
+class OptionReply(Reply):
+    """One of the things that may be done."""
+
+    rank: int
+    name: str
+    label: Words
+    measures: list[dict[str, Any]]
+    reason: Words
+    yours: bool
+    overturned: ChanceReply
+    slid: ChanceReply
+    hit_wall: ChanceReply
+    device_failed: ChanceReply
+    change: ChangeReply | None
+    slide_m: QuantilesReply
+    tilt_rad: QuantilesReply
+    devices: list[DeviceSummaryReply]
+    capacity: CapacitiesReply | None
+    curve: CurveReply | None
+
+
+class EstimatesReply(Reply):
+    """Quick estimates by formulas, for the piece without measures."""
+
+    rocking_acceleration_m_s2: float
+    overturning_velocity_m_s: float
+    possible: float
+    overturning_ratio: float
+
+
+class VerdictReply(Reply):
+    """The outcome of a verification, the best option first."""
+
+    headline: Words
+    intensity: float | None
+    intensity_class: str | None
+    slide_limit_m: float
+    motions: int
+    samples: int
+    runs: int
+    precise: bool
+    seed: int
+    seconds: float
+    options: list[OptionReply]
+    estimates: EstimatesReply
+
+
+class ProblemOfJob(Reply):
+    """Why a job failed."""
+
+    message: str
+    field: str | None = None
+
+
+class JobReply(Reply):
+    """A verification that is under way or done."""
+
+    id: str
+    state: Literal["waiting", "running", "done", "cancelled", "failed"]
+    done: int
+    total: int
+    progress: float
+    seconds: float
+    error: ProblemOfJob | None
+    result: VerdictReply | None

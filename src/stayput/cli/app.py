@@ -1,0 +1,30 @@
+"""``stayput app``: the page and its API, on this machine."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+PORT = 8000
+
+
+def app(
+    host: Annotated[
+        str, typer.Option(help="Address to bind to; others than loopback let other machines in.")
+    ] = "127.0.0.1",
+    port: Annotated[int, typer.Option(min=0, max=65535, help="Port; 0 takes a free one.")] = PORT,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page.")] = True,
+) -> None:
+    """Serve the app: set a scene, see it shaken, see what holds it."""
+    from stayput.errors import InputError
+
+    try:
+        from stayput.app.server import serve
+    except ModuleNotFoundError as error:
+        if error.name is not None and error.name.startswith("stayput"):
+            raise
+        raise InputError(
+            f"The app needs {error.name}, which is not installed: pip install 'stayput[app]'."
+        ) from None
+    serve(host, port, browser=browser)

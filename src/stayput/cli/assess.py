@@ -1,0 +1,98 @@
+"""``stayput assess``: every piece of an inventory."""
+
+from __future__ import annotations
+
+from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from stayput.inventory import Assessment
+
+
+def assess(
+    inventory: Annotated[
+        Path, typer.Argument(metavar="TABLE", help="The inventory, a row a piece: .csv, .parquet or .xlsx.")
+    ],
+    scenario: Annotated[
+        Path,
+        typer.Option(metavar="FILE|DIR", help="A scenario, or a folder of them: events or stations."),
+    ],
+    out: Annotated[
+        Path, typer.Option(metavar="DIR", help="Folder of the results; the same command goes on in it.")
+    ],
+    shakemap: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="CSV of lat, lon, intensity (JMA) of the ground.")
+    ] = None,
+    slide_limit: Annotated[float, typer.Option(help="Slide that counts as too far [m].")] = 0.10,
+    threads: Annotated[int | None, typer.Option(help="Threads; default one for each core.")] = None,
+    scheduler: Annotated[
+        str | None,
+        typer.Option(metavar="ADDRESS", help="A Dask scheduler whose workers simulate: tcp://host:8786."),
+    ] = None,
+    memory: Annotated[str, typer.Option(help="Memory to stay below.")] = "2GB",
+    json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+) -> None:
+    """Assess every piece of an inventory: how likely it overturns, and which measure helps most.
+
+    Interrupted, the same command goes on from what is complete.
+    """
+    from stayput.inventory import assess as run
+
+    done = run(
+        inventory,
+        scenario,
+        out,
+        shakemap=shakemap,
+        slide_limit=slide_limit,
+        threads=threads,
+        scheduler=scheduler,
+        memory=memory,
+        say=lambda text: typer.echo(text, err=True),
+    )
+    if json:
+        import json as writer
+
+        typer.echo(writer.dumps(_record(done), allow_nan=False))
+    else:
+        _print(done)
+
+
+def _record(done: Assessment) -> dict[str, object]:
+    events = {
+        name: {
+            "pieces": total.pieces,
+            "expected_overturned": total.fallen,
+            "expected_overturned_best": total.fallen_best,
+            "expected_loss": total.loss,
+            "expected_loss_best": total.loss_best,
+        }
+        for name, total in done.summary.events.items()
+    }
+    return {
+        "folder": str(done.folder),
+        **done.facts,
+        "events": events,
+        "runs": done.runs,
+        "seconds": done.seconds,
+    }
+
+
+def _print(done: Assessment) -> None:
+    from stayput.fragility.probabilities import percent
+
+    facts = done.facts
+    typer.echo(f"Read {facts['rows']:,} rows as {facts['read as']}: {facts['pieces']:,} assessed.")
+    if facts["columns not used"]:
+        typer.echo(f"Columns that were not used: {', '.join(facts['columns not used'])}.")
+    if facts["rejects"]:
+        typer.echo(f"{facts['rejects']:,} rows were not assessed; rejects.csv says why, row by row.")
+    different = f"{facts['choices']:,} combinations, {facts['units']:,} of them different"
+    typer.echo(f"{different}; {done.runs:,} runs.")
+    for name, total in done.summary.events.items():
+        told = f"{name}: {total.fallen:,.1f} of {total.pieces:,} pieces overturn ({percent(total.share)} %)"
+        if total.fallen_best < total.fallen:
+            told += f", {total.fallen_best:,.1f} with the best measures"
+        typer.echo(f"{told}.")
+    typer.echo(f"Wrote {done.folder / 'report.html'}")

@@ -1,0 +1,125 @@
+"""The page in Chromium: what every test of it opens, and what it watches."""
+
+from __future__ import annotations
+
+import shutil
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from playwright.sync_api import sync_playwright
+
+if TYPE_CHECKING:
+    from collections.abc import Generator, Iterator
+
+    from conftest import Running
+    from playwright.sync_api import Browser, Page, Response, Route
+
+PHONE = {"width": 390, "height": 844}
+DESK = {"width": 1280, "height": 900}
+FLAGS = ["--no-sandbox", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"]
+LOCALES = {"en": "en-GB", "ja": "ja-JP"}
+WAIT = 15_000
+COMPILING = 180_000
+FEW = 8
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with sync_playwright() as playwright:
+        path = shutil.which("chromium") or shutil.which("google-chrome")
+        with playwright.chromium.launch(executable_path=path, args=FLAGS) as found:
+            yield found
+
+
+@dataclass
+class Opened:
+    """A page that is open, and what it has said and asked."""
+
+    page: Page
+    home: str
+    console: list[str] = field(default_factory=list)
+    asked: list[str] = field(default_factory=list)
+
+    def simulated(self, act: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Do something and return what the next simulation was asked and what it answered."""
+        with self.page.expect_response(
+            lambda answer: answer.url.endswith("/simulate"), timeout=WAIT
+        ) as found:
+            act()
+        self.settle()
+        return _body(found.value), found.value.json()
+
+    def settle(self) -> None:
+        """Wait until the newest scene is drawn; the server's first one is compiled before."""
+        self.page.wait_for_selector("html[data-drawn]", state="attached", timeout=COMPILING)
+        self.page.wait_for_selector("#see:not([aria-busy])", state="attached", timeout=WAIT)
+
+    def go(self, screen: str) -> None:
+        """Choose a step."""
+        self.page.click(f"#steps button[data-screen={screen}]")
+
+    def text(self, selector: str) -> str:
+        return self.page.locator(selector).inner_text().replace("\u00a0", " ")
+
+
+def _body(answer: Response) -> dict[str, Any]:
+    found: dict[str, Any] = answer.request.post_data_json
+    return found
+
+
+def _short(route: Route) -> None:
+    asked: dict[str, Any] = route.request.post_data_json
+    asked["scene"]["shaking"]["suite"]["count"] = FEW
+    asked["scene"]["uncertainty"]["samples"] = FEW
+    route.continue_(post_data=asked)
+
+
+@contextmanager
+def opened(
+    browser: Browser,
+    server: Running,
+    address: str = "",
+    *,
+    language: str = "en",
+    theme: str = "light",
+    size: dict[str, int] = DESK,
+    motion: str = "reduce",
+    verify: bool = False,
+    allowed: tuple[str, ...] = (),
+) -> Generator[Opened]:
+    """Open the page; at the end nothing may have gone wrong, nor have been asked of anybody else.
+
+    Verifications are left out unless they are wanted, and then they are of a few motions.
+    """
+    context = browser.new_context(
+        viewport=size,  # type: ignore[arg-type]
+        locale=LOCALES[language],
+        color_scheme=theme,  # type: ignore[arg-type]
+        reduced_motion=motion,  # type: ignore[arg-type]
+        accept_downloads=True,
+    )
+    page = context.new_page()
+    page.set_default_timeout(WAIT)
+    found = Opened(page, server.address)
+    page.on("console", lambda one: one.type in ("error", "warning") and found.console.append(one.text))
+    page.on("pageerror", lambda error: found.console.append(str(error)))
+    page.on("request", lambda one: found.asked.append(one.url))
+    if verify:
+        page.route("**/api/v1/verify", _short)
+    else:
+        page.route("**/api/v1/verify", lambda route: None)  # it is never answered
+        page.route("**/api/v1/size-map", lambda route: None)
+    page.goto(f"{server.address}/{address}")
+    found.settle()
+    try:
+        yield found
+    finally:
+        page.unroute_all(behavior="ignoreErrors")
+        context.close()
+    strangers = [
+        url for url in found.asked if not url.startswith((server.address + "/", "blob:" + server.address))
+    ]
+    assert strangers == []
+    assert [line for line in found.console if not any(part in line for part in allowed)] == []

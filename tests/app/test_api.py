@@ -1,0 +1,229 @@
+"""The API by what it answers: presets, runs, maps, verifications, files to keep."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import time
+import tomllib
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from conftest import SCENE
+
+import stayput as sp
+from stayput.measures import MEASURES
+from stayput.motion.intensity import CLASSES
+from stayput.report.film import ground_displacement
+from stayput.report.history import history
+
+if TYPE_CHECKING:
+    import httpx
+
+BRACKET = [{"type": "l_bracket"}]
+
+
+def simulated(client: httpx.Client, scene: dict[str, Any], measures: list[Any] | None = None) -> Any:
+    answer = client.post("/api/v1/simulate", json={"scene": scene, "measures": measures or []})
+    assert answer.status_code == 200, answer.text
+    return answer.json()
+
+
+def finished(client: httpx.Client, asked: dict[str, Any]) -> Any:
+    """Start a verification and wait for its end."""
+    answer = client.post("/api/v1/verify", json=asked)
+    assert answer.status_code == 202, answer.text
+    place = answer.headers["location"]
+    deadline = time.monotonic() + 60.0
+    while True:
+        job = client.get(place).json()
+        if job["state"] not in ("waiting", "running"):
+            return job
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+
+
+def test_ping(client: httpx.Client) -> None:
+    answer = client.get("/api/v1/ping").json()
+    assert answer["status"] == "ok"
+    assert answer["version"] == sp.__version__
+
+
+def test_presets_are_complete_in_both_languages(client: httpx.Client) -> None:
+    found = client.get("/api/v1/presets").json()
+    assert [one["type"] for one in found["measures"]] == list(MEASURES)
+    assert [one["id"] for one in found["intensities"]] == [name for name, _ in CLASSES]
+    assert {"wall"} == set(next(m for m in found["measures"] if m["type"] == "l_bracket")["needs"])
+    assert {"ceiling"} == set(next(m for m in found["measures"] if m["type"] == "tension_pole")["needs"])
+
+    def labels(node: Any) -> list[dict[str, str]]:
+        if isinstance(node, list):
+            return [text for one in node for text in labels(one)]
+        if not isinstance(node, dict):
+            return []
+        if set(node) == {"en", "ja"}:
+            return [node]
+        return [text for one in node.values() for text in labels(one)]
+
+    texts = labels(found)
+    assert len(texts) > 100
+    for text in texts:
+        assert text["en"].strip()
+        assert any(ord(character) > 0x3000 for character in text["ja"]) or text["ja"][-1].isdigit(), text
+
+
+def test_the_scene_to_begin_with_falls_and_is_held(client: httpx.Client) -> None:
+    found = client.get("/api/v1/presets").json()
+    run = simulated(client, found["scene"], found["measures_shown"])
+    assert run["without"]["overturned"]
+    assert not run["with"]["overturned"]
+    assert run["motion"]["synthetic"]
+    assert run["motion"]["ground_class"] == "6-upper"
+
+
+def test_a_run_is_the_simulation_s(client: httpx.Client) -> None:
+    found = simulated(client, SCENE, BRACKET)
+    case = sp.Scenario.parse(SCENE).case()
+    for key, run in (
+        ("without", case.run()),
+        ("with", sp.Scenario.parse(SCENE).case((MEASURES["l_bracket"](),)).run()),
+    ):
+        reply = found[key]
+        assert reply["outcome"] == run.outcome.value
+        assert reply["peak_tilt_rad"] == run.peak_tilt
+        assert reply["peak_slide_m"] == run.peak_slide
+        shown = history(run)
+        assert reply["time_s"][-1] == pytest.approx(shown.end, abs=1e-4)
+        steps = [b - a for a, b in zip(reply["time_s"][:-2], reply["time_s"][1:-1], strict=True)]
+        assert steps == pytest.approx([1.0 / 60.0] * len(steps), abs=2e-4)
+        assert reply["tilt_rad"][-1] == pytest.approx(shown.tilt[-1], abs=1e-5)
+        assert {len(reply[name]) for name in ("time_s", "x_m", "z_m", "tilt_rad", "slide_m")} == {
+            len(reply["time_s"])
+        }
+        assert reply["events_total"] == len(run.events)
+    assert found["without"]["devices"] == []
+    assert found["with"]["devices"][0]["label"]["ja"]
+    assert len(found["with"]["devices"][0]["pull_n"]) == len(found["with"]["time_s"])
+    assert {shape["kind"] for shape in found["with"]["shapes"]} <= {"line", "polygon"}
+    shift = ground_displacement(case.motion)
+    scale = found["floor"]["scale_shown"]
+    largest = max(abs(x) for x in found["floor"]["x_m"])
+    assert largest == pytest.approx(scale * abs(shift).max(), rel=0.02)
+    peak = max(abs(a) for a in found["floor"]["acceleration_m_s2"])
+    assert peak == pytest.approx(case.motion.pga, abs=1e-3)
+
+
+def test_a_body_stands_on_the_floor_and_before_its_wall(client: httpx.Client) -> None:
+    run = simulated(client, SCENE)["without"]
+    corners = [(run["x_m"][0] + u, run["z_m"][0] + v) for u, v in run["body"]["corners_m"]]
+    assert min(z for _, z in corners) == pytest.approx(0.0, abs=1e-5)
+    assert min(x for x, _ in corners) - run["room"]["left_wall_x_m"] == pytest.approx(0.02, abs=1e-5)
+    assert run["room"]["right_wall_x_m"] is None
+    assert run["room"]["ceiling_z_m"] == 2.4
+
+
+def test_a_building_shakes_more_at_its_roof(client: httpx.Client) -> None:
+    shaking = {"builtin": "near-fault", "scale": 0.2, "building": {"storeys": 10}, "storey": 10}
+    found = simulated(client, {**SCENE, "shaking": shaking})
+    building = found["building"]
+    assert (building["storeys"], building["storey"], building["structure"]) == (10, 10, "RC")
+    assert found["motion"]["floor_intensity"] > found["motion"]["ground_intensity"]
+    assert len(building["ground_x_m"]) == len(building["roof_x_m"]) == len(found["floor"]["x_m"])
+    ground, roof = (max(map(abs, building[name])) for name in ("ground_x_m", "roof_x_m"))
+    assert roof > ground
+
+
+def test_a_run_as_a_table(client: httpx.Client) -> None:
+    answer = client.post("/api/v1/simulate/csv?which=with", json={"scene": SCENE, "measures": BRACKET})
+    assert answer.headers["content-type"].startswith("text/csv")
+    assert "attachment" in answer.headers["content-disposition"]
+    rows = list(csv.DictReader(io.StringIO(answer.text)))
+    run = sp.Scenario.parse(SCENE).case((MEASURES["l_bracket"](),)).run()
+    assert len(rows) == len(run.time)
+    assert float(rows[500]["tilt_rad"]) == pytest.approx(run.tilt[500], rel=1e-8)
+    assert rows[500]["mode"] == run.mode[500]
+
+
+def test_a_scene_as_a_scenario_file(client: httpx.Client) -> None:
+    answer = client.post("/api/v1/scenario/toml", json={"scene": SCENE, "measures": [{"type": "belt"}]})
+    read = sp.Scenario.parse(tomllib.loads(answer.text))
+    assert read.furniture == sp.Scenario.parse(SCENE).furniture
+    assert read.measures[0].measures == (MEASURES["belt"](),)
+
+
+def test_a_map_of_size_against_intensity(client: httpx.Client) -> None:
+    scene = {**SCENE, "shaking": {"builtin": "near-fault", "intensity": 6.0}}
+    found = client.post("/api/v1/size-map", json={"scene": scene, "axis": "width"}).json()
+    shares = found["overturned"]
+    assert len(shares) == len(found["width_m"]) == len(found["size"])
+    assert all(len(row) == len(found["intensity"]) for row in shares)
+    assert set(found["height_m"]) == {1.8}
+    assert found["here"] == {"intensity": 6.0, "width_m": 0.3, "height_m": 1.8}
+    narrow, wide = sum(shares[0]), sum(shares[-1])
+    assert narrow > wide
+    assert sum(row[0] for row in shares) < sum(row[-1] for row in shares)
+
+
+def test_pieces_higher_than_the_room_are_not_in_the_map(client: httpx.Client) -> None:
+    found = client.post("/api/v1/size-map", json={"scene": SCENE}).json()
+    for height, row in zip(found["height_m"], found["overturned"], strict=True):
+        assert (row[0] is None) == (height > 2.4)
+
+
+def test_a_verification_is_done_as_a_job(client: httpx.Client) -> None:
+    scene = {**SCENE, "uncertainty": {"samples": 8}}
+    own = [{"type": "l_bracket"}, {"type": "anti_slip_sheet"}]
+    job = finished(client, {"scene": scene, "measures": own, "compare_usual": False})
+    assert job["state"] == "done", job
+    assert job["progress"] == 1.0
+    verdict = job["result"]
+    names = {one["name"] for one in verdict["options"]}
+    assert names == {"none", "yours", "l_bracket", "anti_slip_sheet"}
+    assert [one["rank"] for one in verdict["options"]] == [1, 2, 3, 4]
+    without = next(one for one in verdict["options"] if one["name"] == "none")
+    assert without["overturned"]["estimate"] == 1.0
+    assert next(one for one in verdict["options"] if one["yours"])["measures"] == own
+    for one in verdict["options"]:
+        assert one["reason"]["en"]
+        assert one["reason"]["ja"]
+        assert one["curve"]["observed"]
+        low, share, high = (one["overturned"][key] for key in ("low", "estimate", "high"))
+        assert low <= share <= high
+    assert verdict["runs"] == job["done"]
+    text = client.get(f"/api/v1/jobs/{job['id']}/csv").text
+    rows = list(csv.DictReader(io.StringIO(text)))
+    assert [row["option"] for row in rows] == [one["name"] for one in verdict["options"]]
+    forgotten = client.delete(f"/api/v1/jobs/{job['id']}")
+    assert forgotten.status_code == 200
+    assert client.get(f"/api/v1/jobs/{job['id']}").status_code == 404
+
+
+def test_without_curves_and_measures_the_usual_ones_are_compared(client: httpx.Client) -> None:
+    scene = {**SCENE, "uncertainty": {"samples": 2}}
+    verdict = finished(client, {"scene": scene, "curves": False})["result"]
+    assert len(verdict["options"]) > 4
+    assert verdict["options"][0]["curve"] is None
+    assert verdict["options"][0]["capacity"] is None
+
+
+def test_a_report_of_a_job(client: httpx.Client) -> None:
+    scene = {**SCENE, "uncertainty": {"samples": 2}}
+    job = finished(client, {"scene": scene, "measures": BRACKET, "compare_usual": False})
+    for language in ("en", "ja"):
+        answer = client.get(f"/api/v1/jobs/{job['id']}/report?lang={language}")
+        assert answer.status_code == 200, answer.text
+        assert answer.headers["content-type"] == "text/html; charset=utf-8"
+        assert "attachment" in answer.headers["content-disposition"]
+        assert job["result"]["headline"][language].split("。")[0].split(";")[0][:20] in answer.text
+
+
+def test_numbers_that_are_not_finite_are_null(client: httpx.Client) -> None:
+    text = client.post("/api/v1/simulate", json={"scene": SCENE, "measures": BRACKET}).text
+    assert "NaN" not in text
+    assert "Infinity" not in text
+    still = {**SCENE, "shaking": {"sine": {"amplitude": 0.0, "frequency": 1.0, "duration": 2.0}}}
+    found = simulated(client, still)
+    assert found["motion"]["ground_intensity"] is None
+    assert found["without"]["outcome"] == "rested"
+    assert math.isfinite(found["floor"]["scale_shown"])

@@ -1,0 +1,171 @@
+"""`stayput app` as a process of its own: its address, its memory, its end; and the page inside the wheel."""
+
+from __future__ import annotations
+
+import re
+import signal
+import socket
+import subprocess
+import sys
+import zipfile
+from contextlib import contextmanager
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import httpx
+import pytest
+from conftest import SCENE
+from typer.testing import CliRunner
+
+from stayput.app.pages import page_files
+from stayput.app.server import address_of, bind
+from stayput.cli import app
+from stayput.errors import InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
+
+ROOT = Path(__file__).parents[2]
+STATUS = Path("/proc/self/status")
+START = "from stayput.cli import main; main()"
+COLD = """
+from stayput.app import server
+bound = server.bind("127.0.0.1", 0)
+print(server.address_of(bound), flush=True)
+server.server_of(server.create_app(warming=False)).run(sockets=[bound])
+"""
+
+
+@contextmanager
+def process(code: str = START) -> Generator[tuple[str, subprocess.Popen[str]]]:
+    """Start the server as a process; give its address and it."""
+    command_line = [sys.executable, "-c", code, "app", "--port", "0", "--no-browser"]
+    with subprocess.Popen(command_line, stdout=subprocess.PIPE, text=True) as started:
+        try:
+            assert started.stdout is not None
+            found = re.search(r"http://127\.0\.0\.1:\d+", started.stdout.readline())
+            assert found
+            yield found[0], started
+        finally:
+            started.kill()
+
+
+def client_at(address: str) -> httpx.Client:
+    return httpx.Client(base_url=address, trust_env=False, timeout=60.0)
+
+
+def memory(pid: int) -> float:
+    """Resident memory of a process [MiB]."""
+    text = Path(f"/proc/{pid}/status").read_text(encoding="ascii")
+    found = re.search(r"VmRSS:\s+(\d+) kB", text)
+    assert found
+    return int(found[1]) / 1024
+
+
+def test_it_prints_its_address_and_ends_on_an_interrupt() -> None:
+    with process() as (address, started):
+        with client_at(address) as client:
+            assert client.get("/api/v1/ping").status_code == 200
+        started.send_signal(signal.SIGINT)
+        assert started.wait(20.0) in (0, -signal.SIGINT)
+
+
+@pytest.mark.skipif(not STATUS.exists(), reason="this system does not tell memory in /proc")
+def test_memory_stays_flat() -> None:
+    """`benchmarks/app.py` measures it over 1,000 requests."""
+    with (
+        process() as (address, started),
+        httpx.Client(base_url=address, trust_env=False, timeout=60.0) as client,
+    ):
+        while not client.get("/api/v1/ping").json()["ready"]:
+            pass
+
+        def some(count: int) -> float:
+            for number in range(count):
+                scene = {**SCENE, "shaking": {"builtin": "near-fault", "scale": 0.5 + 0.001 * number}}
+                body = {"scene": scene, "measures": [{"type": "belt"}]}
+                assert client.post("/api/v1/simulate", json=body).status_code == 200
+            return memory(started.pid)
+
+        before = some(40)
+        after = some(80)
+    assert after - before < 20.0
+
+
+def test_an_address_that_is_taken_is_refused() -> None:
+    with bind("127.0.0.1", 0) as taken:
+        port = taken.getsockname()[1]
+        assert address_of(taken) == f"http://127.0.0.1:{port}/"
+        with pytest.raises(InputError, match=f"port {port}"):
+            bind("127.0.0.1", port)
+    with pytest.raises(InputError, match="cannot be served"):
+        bind("no such host", 0)
+
+
+def test_an_address_of_version_6_is_in_brackets() -> None:
+    if not socket.has_ipv6:
+        pytest.skip("this machine has no IPv6")
+    try:
+        with bind("::1", 0) as bound:
+            assert address_of(bound).startswith("http://[::1]:")
+    except InputError:
+        pytest.skip("this machine has no IPv6 loopback")
+
+
+def test_the_command_says_what_it_takes() -> None:
+    text = CliRunner().invoke(app, ["app", "--help"]).output
+    for option in ("--host", "--port", "--no-browser"):
+        assert option in text
+
+
+@pytest.mark.skipif(find_spec("hatchling") is None, reason="hatchling, which builds the wheel, is absent")
+def test_the_page_is_in_the_wheel(tmp_path: Path) -> None:
+    options = ("--no-deps", "--no-build-isolation", "--no-index", "--disable-pip-version-check", "-q")
+    wheel_of = [sys.executable, "-m", "pip", "wheel", *options, "-w", str(tmp_path), str(ROOT)]
+    subprocess.run(wheel_of, check=True, capture_output=True)
+    (wheel,) = tmp_path.glob("stayput-*.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        names = set(archive.namelist())
+        archive.extractall(tmp_path / "unpacked")
+    assert {f"stayput/app/page{path}" for path in page_files()} <= names
+    assert {"stayput/app/page/index.html", "stayput/app/templates/api.html"} <= names
+    code = "from stayput.app import pages; print(len(pages.page_files()), pages.__file__)"
+    environment = {"PYTHONPATH": str(tmp_path / "unpacked")}
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
+    )
+    count, place = done.stdout.split()
+    assert int(count) == len(page_files())
+    assert place.startswith(str(tmp_path))
+
+
+def test_the_page_s_files_are_served_with_their_kinds(client: httpx.Client) -> None:
+    kinds = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
+    assert "/index.html" in page_files()
+    for path, file in page_files().items():
+        answer = client.get(path)
+        assert answer.status_code == 200
+        assert answer.content == file.read_bytes()
+        assert answer.headers["content-type"].startswith(kinds.get(Path(path).suffix, ""))
+        again = client.get(path, headers={"if-none-match": answer.headers["etag"]})
+        assert again.status_code == 304
+        assert again.content == b""
+    assert client.get("/").content == client.get("/index.html").content
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/../server.py",
+        "/..%2fserver.py",
+        "/%2e%2e/server.py",
+        "/page/../../server.py",
+        "//etc/passwd",
+        "/__init__.py",
+    ],
+)
+def test_no_other_file_is_served(client: httpx.Client, path: str) -> None:
+    request = client.build_request("GET", "/")
+    request.url = request.url.copy_with(raw_path=path.encode())
+    assert client.send(request).status_code == 404

@@ -1,0 +1,151 @@
+"""Uploads: what is kept, under which name, for how long; and hostile files."""
+
+from __future__ import annotations
+
+import io
+import time
+import zipfile
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+from conftest import SCENE, Running, client_of, running
+
+from stayput.app.limits import Limits
+from stayput.app.motions import safe_label
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    import httpx
+
+    from stayput.app.service import Service
+
+RECORD = "".join(f"{0.01 * i:.2f},{np.sin(0.2 * i):.5f}\n" for i in range(1500))
+
+
+def upload(
+    client: httpx.Client, data: bytes | str, name: str = "record.csv", **fields: str
+) -> httpx.Response:
+    content = data.encode() if isinstance(data, str) else data
+    return client.post("/api/v1/motions", files={"file": (name, content)}, data=fields)
+
+
+def folder_of(server: Running) -> Path:
+    service: Service = server.app.state.service
+    return service.motions.folder
+
+
+def test_a_record_is_kept_under_an_id_and_used_by_it(client: httpx.Client, server: Running) -> None:
+    asked = upload(client, RECORD, "../../etc/cron.d/my record.csv")
+    assert asked.status_code == 422
+    assert "unit" in asked.json()["message"]
+    answer = upload(client, RECORD, "../../etc/cron.d/my record.csv", unit="m/s²")
+    assert answer.status_code == 201, answer.text
+    found = answer.json()
+    assert found["name"] == "my record.csv"
+    assert found["samples"] == 1500
+    assert [file.name for file in folder_of(server).iterdir()].count(found["id"]) == 1
+    again = client.get(f"/api/v1/motions/{found['id']}").json()
+    assert {**again, "expires_in_s": found["expires_in_s"]} == found
+    preview = client.get(f"/api/v1/motions/{found['id']}/preview").json()
+    assert max(preview["high_m_s2"]) == pytest.approx(1.0, abs=1e-3)
+    assert len(preview["time_s"]) == len(preview["low_m_s2"]) <= 1000
+    scene = {**SCENE, "shaking": found["shaking"]}
+    run = client.post("/api/v1/simulate", json={"scene": scene}).json()
+    assert run["motion"]["name"] == "my record.csv"
+    text = client.post("/api/v1/scenario/toml", json={"scene": scene}).text
+    assert 'record = "my record.csv"' in text
+    assert found["id"] not in text
+    assert client.delete(f"/api/v1/motions/{found['id']}").status_code == 204
+    assert not (folder_of(server) / found["id"]).exists()
+    assert client.get(f"/api/v1/motions/{found['id']}").status_code == 404
+    assert client.post("/api/v1/simulate", json={"scene": scene}).status_code == 422
+
+
+def bomb() -> bytes:
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("record.csv", b"0" * 50_000_000)
+    return packed.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        (bomb(), "binary"),
+        (b"", "empty"),
+        (b"   \n", "empty"),
+        ("0.0,nan\n0.01,1\n", "finite"),
+        ("0.0,1e999\n0.01,1\n", "finite"),
+        ("0.0,1\n0.01,1e30\n", "between"),
+        ("0.0,1\n0.5,1\n0.51,1\n", "irregular"),
+        (",".join(["1"] * 5000) + "\n", "columns"),
+        ("1," * 1_500_000, "numbers"),
+        ("1" * 5_000_000, "line"),
+        ("\x00\x01\x02", "binary"),
+        ("hello\n", "no known format"),
+        ("".join(f"{i * 0.5},1\n" for i in range(3000)), "600"),
+        ("\n".join(["1"] * 900_000), "dt"),
+    ],
+)
+def test_hostile_files_are_refused(
+    client: httpx.Client, server: Running, data: bytes | str, words: str
+) -> None:
+    before = set(folder_of(server).iterdir())
+    answer = upload(client, data, "evil.csv", unit="m/s²")
+    assert answer.status_code == 422, answer.text
+    problem = answer.json()
+    assert words in problem["message"]
+    assert problem["field"] == "file"
+    assert str(folder_of(server)) not in problem["message"]
+    assert set(folder_of(server).iterdir()) == before
+
+
+def test_forms_that_are_none(client: httpx.Client) -> None:
+    def post(content: bytes, kind: str) -> httpx.Response:
+        return client.post("/api/v1/motions", content=content, headers={"content-type": kind})
+
+    answers = [
+        post(b"x", "text/plain"),
+        post(b"x", "multipart/form-data"),
+        post(b"x", "multipart/form-data; boundary=y"),
+        client.post("/api/v1/motions", files={"other": ("a", b"x")}),
+        client.post("/api/v1/motions", files=[("file", ("a", b"x")), ("file", ("b", b"x"))]),
+        client.post("/api/v1/motions", files={"file": ("a", b"x")}, data={"unit": "x" * 1000}),
+        client.post("/api/v1/motions", files={"file": ("a", b"x")}, data={"dt": "nan"}),
+        client.post("/api/v1/motions", files={"file": ("a", b"x")}, data={"path": "/etc"}),
+        client.post("/api/v1/motions", data={"file": "text"}),
+    ]
+    assert [answer.status_code for answer in answers] == [422] * len(answers)
+
+
+def test_names_are_made_harmless() -> None:
+    assert safe_label("../../etc/passwd") == "passwd"
+    assert safe_label("C:\\evil\\<b>x</b>.csv") == "b_.csv"
+    assert safe_label("<script>.csv") == "_script_.csv"
+    assert safe_label("..") == "record"
+    assert safe_label(None) == "record"
+    assert safe_label("a\r\nb\x00.csv") == "a__b_.csv"
+    assert len(safe_label("x" * 1000)) == 60
+
+
+def test_motions_are_few_and_expire() -> None:
+    limits = replace(Limits(), motions=2, keep=1.0)
+    with running(limits) as server, client_of(server) as client:
+        names = [upload(client, RECORD, unit="m/s²").json()["id"] for _ in range(3)]
+        assert client.get(f"/api/v1/motions/{names[0]}").status_code == 404
+        assert client.get(f"/api/v1/motions/{names[2]}").status_code == 200
+        assert len(list(folder_of(server).iterdir())) == 2
+        time.sleep(1.1)
+        assert client.get(f"/api/v1/motions/{names[2]}").status_code == 404
+        assert not list(folder_of(server).iterdir())
+
+
+def test_the_folder_goes_with_the_server() -> None:
+    with running() as server, client_of(server) as client:
+        upload(client, RECORD, unit="m/s²")
+        folder = folder_of(server)
+        assert folder.is_dir()
+    assert not folder.exists()

@@ -1,0 +1,179 @@
+"""The page in Chromium: for everybody. Screen readers, the keyboard, both themes, both languages."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+import json
+import re
+from importlib import resources
+from typing import TYPE_CHECKING
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from browsing import DESK, PHONE, browser, opened  # noqa: F401
+
+if TYPE_CHECKING:
+    from conftest import Running
+    from playwright.sync_api import Browser, Page
+
+PAGE = resources.files("stayput.app").joinpath("page")
+
+
+def grave(page: Page) -> list[str]:
+    found = Axe().run(page).response["violations"]
+    return [
+        f"{one['id']}: {one['nodes'][0]['html'][:120]} {one['nodes'][0]['failureSummary'][:160]}"
+        for one in found
+        if one["impact"] in ("serious", "critical")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("theme", "language", "size"),
+    [("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE), ("dark", "en", PHONE)],
+)
+def test_axe_finds_nothing_serious(
+    browser: Browser, server: Running, theme: str, language: str, size: dict[str, int]
+) -> None:
+    building = "&storeys=9&storey=4" if size is PHONE else ""  # it takes its time where it is verified
+    scene = (
+        "#piece=bookcase&width=0.3&height=1.8&mass=35&shelves=33,33&wall=0&intensity=6.25&member=3"
+        f"&measures=gel_mats,tension_pole{building}"
+    )
+    with opened(browser, server, scene, theme=theme, language=language, size=size, verify=size is DESK) as it:
+        for screen in ("scene", "see", "understand", "keep") if size is PHONE else ("see",):
+            it.go(screen)
+            for summary in it.page.locator("summary:visible").all():
+                if summary.evaluate("one => !one.parentElement.open"):
+                    summary.click()
+            if size is DESK:
+                it.page.wait_for_selector("#understand[data-state=done]", timeout=60_000)
+                it.page.wait_for_selector("#map svg", timeout=60_000)
+            assert grave(it.page) == []
+
+
+def test_the_keyboard_reaches_and_works_everything(browser: Browser, server: Running) -> None:
+    with opened(browser, server, size=PHONE) as it:
+        page = it.page
+        for screen in ("scene", "see", "understand", "keep"):
+            page.focus(f"#steps button[data-screen={screen}]")
+            page.keyboard.press("Enter")
+            reached = set()
+            for _ in range(150):
+                page.keyboard.press("Tab")
+                mark = page.evaluate("document.activeElement.dataset.mark ??= String(Math.random())")
+                if mark in reached:
+                    break
+                reached.add(mark)
+            wanted = page.eval_on_selector_all(
+                f"#{screen} :is(button, select, summary, input:not([type=radio]), a[href])",
+                """all => all.filter(one => one.checkVisibility() && !one.disabled && !one.dataset.mark)
+                         .map(one => one.outerHTML.slice(0, 90))""",
+            )
+            assert wanted == []
+        page.focus("#steps button[data-screen=scene]")
+        page.keyboard.press("Enter")
+        slider = page.get_by_label("Height", exact=True)
+        slider.focus()
+        asked, _ = it.simulated(lambda: page.keyboard.press("ArrowRight"))
+        assert asked["scene"]["furniture"]["height"] == pytest.approx(1.81)
+        page.get_by_label("Belts").focus()
+        asked, _ = it.simulated(lambda: page.keyboard.press("Space"))
+        assert "belt" in [one["type"] for one in asked["measures"]]
+        page.get_by_label("6-upper", exact=True).focus()
+        asked, _ = it.simulated(lambda: page.keyboard.press("ArrowRight"))
+        assert asked["scene"]["shaking"]["intensity"] == 6.75
+        page.focus("#steps button[data-screen=see]")
+        page.keyboard.press("Enter")
+        before = page.input_value("#time")
+        page.keyboard.press("ArrowRight")
+        page.wait_for_timeout(60)
+        assert page.input_value("#time") > before
+        page.keyboard.press("Space")
+        assert page.get_attribute("#play", "aria-label") == "Pause"
+
+
+def test_both_languages_have_every_word(browser: Browser, server: Running) -> None:
+    with opened(browser, server) as it:
+        words = it.page.evaluate(
+            "Promise.all([import('/words_en.js'), import('/words_ja.js')])"
+            ".then(([a, b]) => [a.english, b.japanese])"
+        )
+    english, japanese = words
+    assert english.keys() == japanese.keys()
+    for key, text in english.items():
+        assert sorted(re.findall(r"\{\w+\}", text)) == sorted(re.findall(r"\{\w+\}", japanese[key])), key
+    sources = "".join(one.read_text("utf-8") for one in PAGE.iterdir() if one.name.endswith((".js", ".html")))
+    used = set(re.findall(r'\bt\("(\w+)"', sources)) | set(re.findall(r'\bsay\("(\w+)"', sources))
+    used |= set(re.findall(r'data-t(?:-label)?="(\w+)"', sources))
+    assert used - english.keys() == set()
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_the_language_is_the_browsers_and_the_choice_is_kept(
+    browser: Browser, server: Running, language: str
+) -> None:
+    with opened(browser, server, language=language) as it:
+        assert it.page.get_attribute("html", "lang") == language
+        it.page.get_by_label("Height (cm)" if language == "en" else "高さ (cm)", exact=True).fill("150")
+        it.page.wait_for_timeout(350)
+        other = "ja" if language == "en" else "en"
+        it.page.click(f"#languages [lang={other}]")
+        assert (
+            it.page.get_by_label("Height (cm)" if other == "en" else "高さ (cm)", exact=True).input_value()
+            == "150"
+        )
+        it.page.reload()
+        it.settle()
+        assert it.page.get_attribute("html", "lang") == other
+
+
+def test_the_theme_is_the_systems_until_chosen(browser: Browser, server: Running) -> None:
+    paper = "getComputedStyle(document.body).backgroundColor"
+    with opened(browser, server, theme="dark") as it:
+        dark = it.page.evaluate(paper)
+        it.page.click("#theme")
+        light = it.page.evaluate(paper)
+        assert dark != light
+        it.page.reload()
+        it.settle()
+        assert it.page.evaluate(paper) == light
+
+
+def test_only_the_verdict_speaks_up(browser: Browser, server: Running) -> None:
+    with opened(browser, server) as it:
+        live = it.page.eval_on_selector_all("[aria-live], output", "all => all.map(one => one.id)")
+        assert live == ["verdict"]
+        unlabelled = it.page.eval_on_selector_all(
+            "canvas", "all => all.filter(one => one.checkVisibility() && !one.ariaLabel).map(one => one.id)"
+        )
+        assert unlabelled == []
+
+
+def test_the_colours_are_stayputs() -> None:
+    from stayput.report.palette import ALARM, COMPONENT_COLOURS, FAINT, INK, PAPER, ROOM, ROOM_SHADE
+
+    style = PAGE.joinpath("style.css").read_text("utf-8")
+    light = dict(re.findall(r"--(\w+): (#\w+);", style.split("}")[0]))
+    wanted = {
+        "card": PAPER,
+        "ink": INK,
+        "faint": FAINT,
+        "room": ROOM,
+        "mark": ROOM_SHADE,
+        "alarm": ALARM,
+        "record": COMPONENT_COLOURS["x"],
+    }
+    assert {name: light[name] for name in wanted} == wanted
+    dark = re.findall(r"color-scheme: dark;(.*?)\}", style, re.DOTALL)
+    assert (
+        len({json.dumps(re.findall(r"--(\w+): (#\w+);", one)) for one in dark}) == 1
+    )  # chosen, and the system's
+
+
+def test_nothing_on_the_page_comes_from_elsewhere() -> None:
+    for one in PAGE.iterdir():
+        text = one.read_text("utf-8").replace("http://www.w3.org/2000/svg", "")
+        assert "http://" not in text, one.name
+        assert "https://" not in text, one.name
+        assert len(text.splitlines()) < 300, one.name

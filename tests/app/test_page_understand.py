@@ -1,0 +1,158 @@
+"""The page in Chromium: what it says of the chances, and what the user can keep."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+import csv
+import io
+import tomllib
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from browsing import browser, opened  # noqa: F401
+
+from stayput.scenario import Scenario
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from browsing import Opened
+    from conftest import Running
+    from playwright.sync_api import Browser
+
+
+def finished(it: Opened) -> dict:
+    """Wait for all of the answers; return the verdict."""
+    with it.page.expect_response(
+        lambda answer: "/jobs/" in answer.url and _ranked(answer), timeout=60_000
+    ) as found:
+        it.page.click("#verify")
+    it.page.wait_for_selector("#understand[data-state=done]", timeout=60_000)
+    it.page.wait_for_selector("#whatif[data-state=done]", timeout=60_000)
+    it.page.wait_for_selector("#map svg", timeout=60_000)
+    return found.value.json()["result"]
+
+
+def _ranked(answer) -> bool:
+    result = answer.json().get("result") if answer.ok and answer.request.method == "GET" else None
+    return bool(result) and len(result["options"]) > 3
+
+
+@pytest.fixture(scope="module")
+def verified(browser: Browser, server: Running) -> Iterator[tuple[Opened, dict]]:
+    with opened(browser, server, verify=True) as it:
+        yield it, finished(it)
+
+
+def shown(share: float) -> str:
+    return f"{100 * share:.0f} %"
+
+
+def test_the_verdict_has_its_probability(verified: tuple[Opened, dict]) -> None:
+    it, verdict = verified
+    without = next(one for one in verdict["options"] if not one["measures"])
+    assert f"in {shown(without['overturned']['estimate'])} of such earthquakes" in it.text("#verdict")
+    assert "With L-brackets in studs" in it.text("#verdict")
+    assert it.page.get_attribute("#verdict", "aria-live") == "polite"
+    assert it.page.locator("#tens .fell").count() == round(10 * without["overturned"]["estimate"])
+
+
+def test_the_ranking_is_the_verdicts(verified: tuple[Opened, dict]) -> None:
+    it, verdict = verified
+    rows = it.page.locator("#ranking .option")
+    assert rows.count() == len(verdict["options"])
+    for i, option in enumerate(verdict["options"]):
+        text = rows.nth(i).inner_text()
+        assert option["reason"]["en"] in text
+        if option["measures"]:
+            assert option["label"]["en"] in text
+    assert "yours" in it.text("#ranking .yours")
+
+
+def test_the_curves_say_where_the_scene_is(verified: tuple[Opened, dict]) -> None:
+    it, verdict = verified
+    assert "you are here" in it.page.text_content("#fragility svg.chart")
+    assert it.page.locator("#fragility .curve.c0").count() >= 1
+    assert f"{verdict['intensity']:.2f}" in it.page.get_attribute("#fragility svg.chart", "aria-label")
+
+
+def test_the_twentieth_floor(verified: tuple[Opened, dict]) -> None:
+    it, _ = verified
+    assert it.text("#whatif").startswith("On storey 20 of a building with 25")
+    assert "With L-brackets in studs it would be" in it.text("#whatif")
+
+
+def test_the_map_has_the_users_piece(verified: tuple[Opened, dict]) -> None:
+    it, _ = verified
+    assert it.page.locator("#map .you").count() == 1
+    assert "your piece" in it.page.text_content("#map svg.chart")
+    assert it.page.locator("#map .cell").count() > 50
+    before = it.page.inner_html("#map")
+    with it.page.expect_response("**/size-map"):
+        it.page.locator("#map-which").get_by_label("With the measures").check()
+    it.page.wait_for_timeout(100)
+    assert it.page.inner_html("#map") != before
+
+
+def test_another_language_keeps_everything(verified: tuple[Opened, dict]) -> None:
+    it, verdict = verified
+    address = it.page.evaluate("location.hash")
+    asked = len(it.asked)
+    it.page.click("#languages [lang=ja]")
+    try:
+        assert it.page.get_attribute("html", "lang") == "ja"
+        assert it.page.evaluate("location.hash") == address
+        assert "倒れます" in it.text("#verdict")
+        assert verdict["options"][0]["reason"]["ja"] in it.text("#ranking")
+        assert "20階では" in it.text("#whatif")
+        assert it.text("#presets [aria-pressed=true]").startswith("本棚")
+        assert "lang=ja" in it.page.get_attribute("#report", "href")
+        assert len(it.asked) == asked  # nothing had to be worked out again
+    finally:
+        it.page.click("#languages [lang=en]")
+
+
+def saved(it: Opened, selector: str) -> tuple[str, str]:
+    with it.page.expect_download() as found:
+        it.page.click(selector)
+    return found.value.suggested_filename, Path(found.value.path()).read_text(encoding="utf-8")
+
+
+def test_what_is_kept(verified: tuple[Opened, dict]) -> None:
+    it, verdict = verified
+    name, text = saved(it, "#toml")
+    scenario = Scenario.parse(tomllib.loads(text))
+    assert name == "scenario.toml"
+    assert scenario.furniture.preset == "bookcase"
+    assert scenario.shaking.wanted_intensity == 6.25
+    name, text = saved(it, "#report")
+    assert name.endswith(".html")
+    assert "<html" in text
+    assert "http://" not in text.replace("http://www.w3.org", "")
+    name, text = saved(it, "#table")
+    assert len(list(csv.reader(io.StringIO(text)))) >= len(verdict["options"]) + 1
+    runs = [list(csv.DictReader(io.StringIO(saved(it, f"#csv-{which}")[1]))) for which in ("without", "with")]
+    assert float(runs[0][-1]["tilt_rad"]) > 1.5
+    assert abs(float(runs[1][-1]["tilt_rad"])) < 0.1
+    it.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    it.page.click("#copy")
+    assert it.page.evaluate("navigator.clipboard.readText()") == it.page.input_value("#address")
+
+
+def test_a_measure_is_taken_from_the_ranking_and_the_new_verification_stopped(
+    verified: tuple[Opened, dict],
+) -> None:
+    it, _ = verified
+    row = it.page.locator("#ranking .option", has_text="Belts").first
+    asked, _ = it.simulated(lambda: row.get_by_role("button").click())
+    assert [one["type"] for one in asked["measures"]] == ["belt"]
+    assert it.page.get_by_role("checkbox", name="Belts").is_checked()
+    assert it.page.get_attribute("#understand", "data-old") == "true"
+    assert it.page.get_attribute("#report", "href") is None
+    it.page.wait_for_selector("#understand[data-state=running][data-old=false]")
+    it.page.wait_for_timeout(300)
+    with it.page.expect_request(lambda one: one.method == "DELETE" and "/jobs/" in one.url):
+        it.page.click("#cancel")
+    assert it.text("#state") == "Stopped."
+    assert it.page.locator("#verify").is_visible()
