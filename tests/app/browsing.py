@@ -122,4 +122,6 @@ def opened(
         url for url in found.asked if not url.startswith((server.address + "/", "blob:" + server.address))
     ]
     assert strangers == []
-    assert [line for line in found.console if not any(part in line for part in allowed)] == []
+    busy = ("status of 429", "status of 503")  # what the page waits for, on a machine that is slow
+    expected = (*allowed, *busy)
+    assert [line for line in found.console if not any(part in line for part in expected)] == []

@@ -1,0 +1,1 @@
+"""Median overturning capacity of bare furniture by simulation, beside Kaneko and Hayashi's formula."""
