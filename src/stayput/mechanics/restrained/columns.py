@@ -85,6 +85,17 @@ LINK = np.dtype(
         ("push_rate", "f8"),
         ("e0", "f8", (2,)),  # the same at the start of the step
         ("rate0", "f8", (2,)),
+        # on a fulcrum that sticks, see `fulcrum_step`: the point from there, the fulcrum from the anchor [m]
+        ("du", "f8"),
+        ("dv", "f8"),
+        ("dx", "f8"),
+        ("dz", "f8"),
+        ("p", "f8", (2,)),  # parts of the elongation that change as cos θ and as sin θ [m]
+        ("q", "f8", (2,)),
+        ("stiffness", "f8", (2,)),  # of the branch, with damping, force at e = 0 and coefficient of friction
+        ("damping", "f8", (2,)),
+        ("constant", "f8", (2,)),
+        ("rubs", "f8", (2,)),
         ("low", "f8", (2,)),  # levels at which the margins end the present step; see `lines.margins`
         ("high", "f8", (2,)),
         ("joint", "f8"),

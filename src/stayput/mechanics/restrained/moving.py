@@ -8,6 +8,7 @@ from stayput.compiled import inline, inner
 from stayput.mechanics.columns import CLOSED, ENDED, FLIGHT, LIMIT, STICK, TURNED_OVER
 from stayput.mechanics.geometry import HALF_TURN, note_peaks
 from stayput.mechanics.motion import loads, note_sample, pass_time
+from stayput.mechanics.restrained.dormand_prince import STAGES
 from stayput.mechanics.restrained.elements import begin_step, note_forces_within, note_sample_forces
 from stayput.mechanics.restrained.events import (
     first_event,
@@ -17,8 +18,8 @@ from stayput.mechanics.restrained.events import (
     look_at,
     set_gap_levels,
 )
+from stayput.mechanics.restrained.fulcrum_step import set_laws
 from stayput.mechanics.restrained.step import (
-    STAGES,
     between,
     place_of_foot,
     quintics,
@@ -102,6 +103,7 @@ def advance_moving(
     per_second = case.scale / dt
     if s.kind == STICK:
         work.foot = place_of_foot(contacts, s)
+        set_laws(elements, links, contacts, case, s, work.foot)
     slips = s.kind != STICK and s.kind != FLIGHT
     slack_f, slack_g = work.patience * SLACK_FORCE, work.patience * (SLACK_SLIP if slips else SLACK_FORCE)
     near_limit = NEAR_LIMIT * case.gravity
