@@ -31,8 +31,9 @@ from stayput.mechanics.restrained.dormand_prince import (
     STAGES,
     TIMES,
 )
+from stayput.mechanics.restrained.elements import measure
 from stayput.mechanics.restrained.lines import limit, slips_by_friction, stretch
-from stayput.mechanics.restrained.rates import accelerations
+from stayput.mechanics.restrained.rates import on_fulcrum
 
 P3, P4, P5, P6, P7 = (tuple(PLACES[i, :i].tolist()) for i in range(2, STAGES))
 R2, R3, R4, R5, R6, R7 = (tuple(RATES[i, :i].tolist()) for i in range(1, STAGES))
@@ -122,7 +123,7 @@ def _alpha(elements, links, law, t, base, theta, omega):
 
 
 @inner
-def take_fulcrum_step(elements, links, contacts, rows, case, s, work, base, load, y0, h):
+def take_fulcrum_step(elements, links, contacts, case, s, work, base, load, y0, h):
     """Take a step as `stayput.mechanics.restrained.step.take_step`, of a body on a fulcrum that sticks."""
     con = contacts[s.i]
     A, Γ = along(con, load[0], load[2])
@@ -154,9 +155,14 @@ def take_fulcrum_step(elements, links, contacts, rows, case, s, work, base, load
     right, height = work.foot - sigma, kappa - con.offset
     s.x, s.z = con.cos * right - con.sin * height, con.sin * right + con.cos * height
     pivot_on(con, s)
-    ax, az, k7, f, g = accelerations(elements, links, contacts, rows, case, s, load, h)
+    fx, fz, fl = measure(elements, links, s.sin, s.cos, s.x, s.z, s.vx, s.vz, s.omega)
+    A, Γ = along(con, load[0] + load[1] * h - fx, load[2] + load[3] * h - fz)
+    tangential, normal, k7, f, g = on_fulcrum(
+        con, case, True, 0.0, s.sin, s.cos, s.vx, s.vz, s.omega, A, Γ, fl
+    )
     end = work.stage[STAGES - 1]
-    end[0], end[1], end[2] = ax, az, k7
+    end[0], end[1] = con.cos * tangential - con.sin * normal, con.sin * tangential + con.cos * normal
+    end[2] = k7
     place = PW[0] * k1 + PW[1] * k2 + PW[2] * k3 + PW[3] * k4 + PW[4] * k5 + PW[5] * k6
     rate = RW[0] * k1 + RW[2] * k3 + RW[3] * k4 + RW[4] * k5 + RW[5] * k6 + RW[6] * k7
     return f, g, hh * max(abs(place), abs(rate))

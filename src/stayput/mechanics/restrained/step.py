@@ -44,7 +44,7 @@ def take_step(elements, links, contacts, rows, case, s, work, base, load, y0, h)
         The two margins at the end, and the error, of places and of h times their rates [m, rad].
     """
     if s.kind == STICK:
-        return take_fulcrum_step(elements, links, contacts, rows, case, s, work, base, load, y0, h)
+        return take_fulcrum_step(elements, links, contacts, case, s, work, base, load, y0, h)
     x0, z0, theta0, vx0, vz0, omega0 = y0
     stage = work.stage
     turns = s.kind != FLAT
