@@ -85,7 +85,26 @@ LINK = np.dtype(
         ("push_rate", "f8"),
         ("e0", "f8", (2,)),  # the same at the start of the step
         ("rate0", "f8", (2,)),
-        ("low", "f8", (2,)),  # levels at which the margins end the present step; see `lines.margins`
+        # on a fulcrum that sticks, see `fulcrum_step`: the point from there, the fulcrum from the anchor [m]
+        ("du", "f8"),
+        ("dv", "f8"),
+        ("dx", "f8"),
+        ("dz", "f8"),
+        ("p", "f8", (2,)),  # parts of the elongation that change as cos θ and as sin θ [m]
+        ("q", "f8", (2,)),
+        ("stiffness", "f8", (2,)),  # of the branch, with damping, force at e = 0 and coefficient of friction
+        ("damping", "f8", (2,)),
+        ("constant", "f8", (2,)),
+        ("rubs", "f8", (2,)),
+        ("force0", "f8", (2,)),
+        ("swing", "f8", (2,)),  # by which forces may be larger inside the step than at both ends [N/kg]
+        ("calm", "i8"),  # 1: no margin can be passed in the step
+        ("low0", "f8", (2,)),  # margins at the start and at the place last looked at; see `lines.margins`
+        ("high0", "f8", (2,)),
+        ("low1", "f8", (2,)),
+        ("high1", "f8", (2,)),
+        ("joint1", "f8"),
+        ("low", "f8", (2,)),  # levels at which the margins end the present step
         ("high", "f8", (2,)),
         ("joint", "f8"),
         ("low_weight", "f8", (2,)),  # of the margins in the search for an event; 0: takes no part
@@ -102,6 +121,7 @@ WORK = np.dtype(
     [
         ("stage", "f8", (7, 3)),  # accelerations of x, z and θ in the stages of a step
         ("weight", "f8", (CONTACTS + 3,)),  # of gaps, the mode's two margins and a right angle; as in LINK
+        ("gap", "f8", (CONTACTS,)),  # of the open contacts, where all margins were last looked at [m]
         ("longest", "f8"),  # step that the last error allowed [s]
         ("still", "f8"),  # rate below which nothing moves after the present event [m/s]
         ("foot", "f8"),  # place of a fulcrum that sticks, along its plane [m]

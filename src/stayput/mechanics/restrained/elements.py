@@ -118,6 +118,19 @@ def _level(margin, slack):
 
 
 @inner
+def note_margins(elements, links):
+    """Keep the margins at the place last measured."""
+    for n in range(elements.shape[0]):
+        el, link = elements[n], links[n]
+        for i in range(link.lines):
+            link.low1[i], link.high1[i] = margins(
+                el, link, i, link.e[i], link.rate[i], link.push, link.push_rate
+            )
+        if link.lines == 2 and el.interaction != 0:
+            link.joint1 = joint_margin(el, link.force[NORMAL], link.force[TANGENT])
+
+
+@inner
 def begin_step(elements, links, patience):
     """Keep what was last measured as the start of a step, and set the levels that end it.
 
@@ -125,13 +138,14 @@ def begin_step(elements, links, patience):
     """
     slack = patience * SLACK_FORCE
     for n in range(elements.shape[0]):
-        el, link = elements[n], links[n]
+        link = links[n]
         for i in range(link.lines):
-            link.e0[i], link.rate0[i] = link.e[i], link.rate[i]
-            low, high = margins(el, link, i, link.e[i], link.rate[i], link.push, link.push_rate)
+            link.e0[i], link.rate0[i], link.force0[i] = link.e[i], link.rate[i], link.force[i]
+            low, high = link.low1[i], link.high1[i]
+            link.low0[i], link.high0[i] = low, high
             link.low[i], link.high[i] = _level(low, slack), _level(high, slack)
-        if link.lines == 2 and el.interaction != 0:
-            link.joint = _level(joint_margin(el, link.force[NORMAL], link.force[TANGENT]), slack)
+        if link.lines == 2 and elements[n].interaction != 0:
+            link.joint = _level(link.joint1, slack)
 
 
 @inline
@@ -149,16 +163,16 @@ def weighed(margin, weight):
 @inner
 def least_margin(elements, links):
     """Least of all margins above their levels, at the place last measured; their weights are set."""
+    note_margins(elements, links)
     least = math.inf
     for n in range(elements.shape[0]):
-        el, link = elements[n], links[n]
+        link = links[n]
         for i in range(link.lines):
-            low, high = margins(el, link, i, link.e[i], link.rate[i], link.push, link.push_rate)
-            low, high = low - link.low[i], high - link.high[i]
+            low, high = link.low1[i] - link.low[i], link.high1[i] - link.high[i]
             link.low_weight[i], link.high_weight[i] = weight_of(low), weight_of(high)
             least = min(least, low, high)
-        if link.lines == 2 and el.interaction != 0:
-            joint = joint_margin(el, link.force[NORMAL], link.force[TANGENT]) - link.joint
+        if link.lines == 2 and elements[n].interaction != 0:
+            joint = link.joint1 - link.joint
             link.joint_weight = weight_of(joint)
             least = min(least, joint)
     return least
@@ -190,44 +204,34 @@ def _halfway(link, i, h):
     return 0.5 * (e0 + e1) + 0.125 * h * (v0 - v1), 1.5 * (e1 - e0) / h - 0.25 * (v0 + v1)
 
 
-@inline
-def _start_push(el, link):
-    return elastic_push(el, link, link.e0[NORMAL], link.rate0[NORMAL])
-
-
 @inner
 def suspicious(elements, links, h):
     """Earliest time at which a parabola has a margin below its level, or h; the end has been measured."""
     first = h
     for n in range(elements.shape[0]):
         el, link = elements[n], links[n]
-        if link.lines == 0:
+        if link.lines == 0 or link.calm:
             continue
-        push0, push_rate0 = _start_push(el, link)
         e_m, v_m = _halfway(link, NORMAL, h)
         push_m, push_rate_m = elastic_push(el, link, e_m, v_m)
         shares = link.lines == 2 and el.interaction != 0
         j0 = jm = 0.0
         for i in range(link.lines):
-            e0, v0, e1, v1 = link.e0[i], link.rate0[i], link.e[i], link.rate[i]
             e_m, v_m = _halfway(link, i, h)
             if shares:
-                F0, Fm = force(el, link, i, e0, v0, push0), force(el, link, i, e_m, v_m, push_m)
-                j0, jm = j0 + share(el, i, F0), jm + share(el, i, Fm)
-            low0, high0 = margins(el, link, i, e0, v0, push0, push_rate0)
+                jm += share(el, i, force(el, link, i, e_m, v_m, push_m))
+                j0 += share(el, i, link.force0[i])
             low_m, high_m = margins(el, link, i, e_m, v_m, push_m, push_rate_m)
-            low1, high1 = margins(el, link, i, e1, v1, link.push, link.push_rate)
             low, high = link.low[i], link.high[i]
-            u = falls_inside(low0 - low, low_m - low, low1 - low)
+            u = falls_inside(link.low0[i] - low, low_m - low, link.low1[i] - low)
             if u > 0.0:
                 first = min(first, u * h)
-            if high0 < math.inf:
-                u = falls_inside(high0 - high, high_m - high, high1 - high)
+            if link.high0[i] < math.inf:
+                u = falls_inside(link.high0[i] - high, high_m - high, link.high1[i] - high)
                 if u > 0.0:
                     first = min(first, u * h)
         if shares:
-            j1 = joint_margin(el, link.force[NORMAL], link.force[TANGENT])
-            u = falls_inside(1.0 - j0 - link.joint, 1.0 - jm - link.joint, j1 - link.joint)
+            u = falls_inside(1.0 - j0 - link.joint, 1.0 - jm - link.joint, link.joint1 - link.joint)
             if u > 0.0:
                 first = min(first, u * h)
     return first
@@ -261,23 +265,34 @@ def note_forces(links, devices):
             _note(devices[n], i, links[n].force[i])
 
 
+@inline
+def _reaches_peak(link, device, i):
+    """Whether the force of a line may have been larger in the step than ever."""
+    high = max(link.force0[i], link.force[i]) + link.swing[i]
+    low = min(link.force0[i], link.force[i]) - link.swing[i]
+    if i == TANGENT:
+        return max(high, -low) > device.peak_shear
+    return high > device.peak_pull or -low > device.peak_push
+
+
+@inner
+def _note_within(el, link, device, i, h):
+    e_m, v_m = _halfway(link, NORMAL, h)
+    push, _ = elastic_push(el, link, e_m, v_m)
+    e_m, v_m = _halfway(link, i, h)
+    _note(device, i, _vertex(link.force0[i], force(el, link, i, e_m, v_m, push), link.force[i]))
+    _note(device, i, link.force[i])
+
+
 @inner
 def note_forces_within(elements, links, devices, h):
     """Keep the largest forces at the end of a step, and where they turn inside it."""
     for n in range(elements.shape[0]):
         el, link, device = elements[n], links[n], devices[n]
-        if link.lines == 0:
-            continue
-        push0, _ = _start_push(el, link)
-        e_m, v_m = _halfway(link, NORMAL, h)
-        push_m, _ = elastic_push(el, link, e_m, v_m)
         for i in range(link.lines):
-            if link.branch[i] == OPEN:
+            if link.branch[i] == OPEN or (link.calm and not _reaches_peak(link, device, i)):
                 continue
-            e_m, v_m = _halfway(link, i, h)
-            F0 = force(el, link, i, link.e0[i], link.rate0[i], push0)
-            _note(device, i, _vertex(F0, force(el, link, i, e_m, v_m, push_m), link.force[i]))
-            _note(device, i, link.force[i])
+            _note_within(el, link, device, i, h)
 
 
 @inner

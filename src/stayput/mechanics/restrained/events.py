@@ -11,9 +11,11 @@ from __future__ import annotations
 from stayput.compiled import inline, inner
 from stayput.mechanics.columns import CONTACTS
 from stayput.mechanics.geometry import HALF_TURN, along, arm_at, gap
+from stayput.mechanics.restrained.calm import none_stirs
 from stayput.mechanics.restrained.elements import (
     least_margin,
     least_weighed_margin,
+    note_margins,
     suspicious,
     weighed,
     weight_of,
@@ -57,7 +59,8 @@ def least_of_all(elements, links, contacts, s, work, levels, f, g):
     while others >> c:
         weight[c] = 0.0
         if others >> c & 1:
-            over = gap(contacts[c], s) - contacts[c].level
+            work.gap[c] = gap(contacts[c], s)
+            over = work.gap[c] - contacts[c].level
             weight[c] = weight_of(over)
             if over < 0.0:
                 s.hit |= 1 << c
@@ -100,18 +103,30 @@ def _gap_now(con, y, k, sin, cos):
 
 
 @inner
-def set_gap_levels(contacts, s):
+def note_all(elements, links, contacts, s, work):
+    """Keep the gaps and the elements' margins at the place last looked at."""
+    others = s.present & ~s.closed
+    c = 0
+    while others >> c:
+        if others >> c & 1:
+            work.gap[c] = gap(contacts[c], s)
+        c += 1
+    note_margins(elements, links)
+
+
+@inner
+def set_gap_levels(contacts, s, work):
     """Set the gaps at which the other contacts close in the step that begins."""
     others = s.present & ~s.closed
     c = 0
     while others >> c:
         if others >> c & 1:
-            contacts[c].level = closed_level(gap(contacts[c], s))
+            contacts[c].level = closed_level(work.gap[c])
         c += 1
 
 
 @inner
-def _first_gap(contacts, case, s, y0, k0, base, y1, k1, h):
+def _first_gap(contacts, case, s, work, y0, k0, base, y1, k1, h):
     """Time of the first gap that closes within a step, or h."""
     first = h
     # no more than this a corner comes nearer to a plane and goes back again in the step
@@ -120,7 +135,7 @@ def _first_gap(contacts, case, s, y0, k0, base, y1, k1, h):
     others = s.present & ~s.closed
     c = 0
     while others >> c:
-        if others >> c & 1 and gap(contacts[c], s) < swing:
+        if others >> c & 1 and work.gap[c] < swing:
             con = contacts[c]
             g0, v0, c0 = _gap_now(con, y0, k0, base[1], base[2])
             g1, v1, c1 = _gap_now(con, y1, k1, s.sin, s.cos)
@@ -170,16 +185,18 @@ def _locate(elements, links, contacts, rows, case, s, work, base, load, curves, 
 def first_event(
     elements, links, contacts, rows, case, s, work, base, load, start, end, least, near, h, levels
 ):
-    """Time of the first event in a step that has been taken to its end, or −1.
+    """Time of the first event in a step that has been taken to its end, or −1; whether it looked inside.
 
     ``start`` and ``end`` are states, accelerations and margins. Beside the end, places are looked at where
     gaps, and parabolas through the margins, say that one may be negative.
     """
     y0, k0, f0, g0 = start
     y1, k1, f1, g1 = end
-    probe = min(_first_gap(contacts, case, s, y0, k0, base, y1, k1, h), suspicious(elements, links, h))
+    probe = _first_gap(contacts, case, s, work, y0, k0, base, y1, k1, h)
+    if not none_stirs(elements, links, h):
+        probe = min(probe, suspicious(elements, links, h))
     if not near and probe >= h and least >= 0.0:
-        return -1.0
+        return -1.0, False
     curves = quintics(y0, k0, y1, k1, h)
     if near:
         y = between(curves, h, 0.5 * h)
@@ -196,13 +213,15 @@ def first_event(
             elements, links, contacts, rows, case, s, work, base, load, curves, h, probe, levels, False
         )
         if m < 0.0:
-            return _locate(
+            t = _locate(
                 elements, links, contacts, rows, case, s, work, base, load, curves, h, low, probe, levels
             )
+            return t, True
         low = probe
-    if least < 0.0:
-        return _locate(elements, links, contacts, rows, case, s, work, base, load, curves, h, low, h, levels)
-    return -1.0
+    if least >= 0.0:
+        return -1.0, True
+    t = _locate(elements, links, contacts, rows, case, s, work, base, load, curves, h, low, h, levels)
+    return t, True
 
 
 @inner

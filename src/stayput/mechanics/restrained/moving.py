@@ -8,6 +8,8 @@ from stayput.compiled import inline, inner
 from stayput.mechanics.columns import CLOSED, ENDED, FLIGHT, LIMIT, STICK, TURNED_OVER
 from stayput.mechanics.geometry import HALF_TURN, note_peaks
 from stayput.mechanics.motion import loads, note_sample, pass_time
+from stayput.mechanics.restrained.calm import none_stirs
+from stayput.mechanics.restrained.dormand_prince import STAGES
 from stayput.mechanics.restrained.elements import begin_step, note_forces_within, note_sample_forces
 from stayput.mechanics.restrained.events import (
     first_event,
@@ -15,10 +17,11 @@ from stayput.mechanics.restrained.events import (
     least_of_all,
     level_of,
     look_at,
+    note_all,
     set_gap_levels,
 )
+from stayput.mechanics.restrained.fulcrum_step import set_laws
 from stayput.mechanics.restrained.step import (
-    STAGES,
     between,
     place_of_foot,
     quintics,
@@ -102,6 +105,7 @@ def advance_moving(
     per_second = case.scale / dt
     if s.kind == STICK:
         work.foot = place_of_foot(contacts, s)
+        set_laws(elements, links, contacts, case, s, work.foot)
     slips = s.kind != STICK and s.kind != FLIGHT
     slack_f, slack_g = work.patience * SLACK_FORCE, work.patience * (SLACK_SLIP if slips else SLACK_FORCE)
     near_limit = NEAR_LIMIT * case.gravity
@@ -109,12 +113,13 @@ def advance_moving(
     load = loads(case, ax, az, per_second, s.k, s.tau)
     y0 = state_of(s)
     k0, f0, g0 = look_at(elements, links, contacts, rows, case, s, base, load, 0.0, y0)
+    note_all(elements, links, contacts, s, work)
     why = ENDED
     while s.k < last and why == ENDED:
         base = s.theta, s.sin, s.cos
         load = loads(case, ax, az, per_second, s.k, s.tau)
         levels = level_of(f0, slack_f), level_of(g0, slack_g)
-        set_gap_levels(contacts, s)
+        set_gap_levels(contacts, s, work)
         begin_step(elements, links, work.patience)
         _keep_as_first(work, k0)
         whole = min(dt - s.tau, max_step)
@@ -135,7 +140,7 @@ def advance_moving(
         least = least_of_all(elements, links, contacts, s, work, levels, f1, g1)
         near = min(f0, f1) < near_limit or (not slips and min(g0, g1) < near_limit)
         start, end = (y0, k0, f0, g0), (y1, k1, f1, g1)
-        t = first_event(
+        t, looked = first_event(
             elements, links, contacts, rows, case, s, work, base, load, start, end, least, near, h, levels
         )
         if t >= 0.0:
@@ -145,8 +150,10 @@ def advance_moving(
             y1, k1 = state_of(s), _stage(work, STAGES - 1)
             if least < 0.0:
                 why = _why_over(s)
-        elif near:
+            none_stirs(elements, links, h)
+        elif looked:
             k1, f1, g1 = look_at(elements, links, contacts, rows, case, s, base, load, h, y1)
+            note_all(elements, links, contacts, s, work)
         _note_largest_tilt(s, y0, k0, y1, k1, h)
         note_forces_within(elements, links, devices, h)
         note_peaks(case, s)

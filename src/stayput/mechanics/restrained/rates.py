@@ -16,7 +16,7 @@ from stayput.mechanics.restrained.elements import measure
 
 
 @inline
-def _on_fulcrum(con, case, stick, d, sin, cos, vx, vz, omega, A, Γ, fl):
+def on_fulcrum(con, case, stick, d, sin, cos, vx, vz, omega, A, Γ, fl):
     """Tangential and normal acceleration of G, θ̈, and the margins, of a body on one corner."""
     I = case.inertia
     sigma, kappa = arm_at(con, sin, cos)
@@ -116,7 +116,7 @@ def accelerations(elements, links, contacts, rows, case, s, load, t):
         normal = alpha = 0.0
         tangential, f, g = _flat(contacts, case, s, float(s.d), sin, cos, vx, vz, A, Γ, fl)
     else:
-        tangential, normal, alpha, f, g = _on_fulcrum(
+        tangential, normal, alpha, f, g = on_fulcrum(
             con, case, kind == STICK, float(s.d), sin, cos, vx, vz, omega, A, Γ, fl
         )
     return con.cos * tangential - con.sin * normal, con.sin * tangential + con.cos * normal, alpha, f, g

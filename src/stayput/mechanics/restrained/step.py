@@ -6,34 +6,21 @@ that slips on its plane. Between both ends the motion is the quintic through pla
 
 from __future__ import annotations
 
-import numpy as np
-
 from stayput.compiled import inline, inner
 from stayput.mechanics.columns import FLAT, SLIP, STICK, WEDGE
 from stayput.mechanics.geometry import along, arm, sin_cos
-from stayput.mechanics.modes import close_both, pivot_on, stay_on_plane
+from stayput.mechanics.modes import close_both, stay_on_plane
+from stayput.mechanics.restrained.dormand_prince import (
+    PLACES,
+    PLACES_WRONG,
+    RATES,
+    RATES_WRONG,
+    STAGES,
+    TIMES,
+)
+from stayput.mechanics.restrained.fulcrum_step import take_fulcrum_step
 from stayput.mechanics.restrained.rates import accelerations
 from stayput.mechanics.roots import hermite, horner
-
-STAGES = 7
-
-TIMES = np.array([0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
-
-RATES = np.zeros((STAGES, STAGES))
-"""Weights of the stages' accelerations in the rates, by Dormand and Prince (1980)."""
-
-RATES[1, :1] = 1 / 5
-RATES[2, :2] = 3 / 40, 9 / 40
-RATES[3, :3] = 44 / 45, -56 / 15, 32 / 9
-RATES[4, :4] = 19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729
-RATES[5, :5] = 9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656
-RATES[6, :6] = 35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84
-
-PLACES = RATES @ RATES
-"""Their weights in the places: the same method, with the rates put in."""
-
-RATES_WRONG = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
-PLACES_WRONG = RATES_WRONG @ RATES
 
 
 @inline
@@ -43,15 +30,6 @@ def _weighed(stage, i, c):
     for j in range(i):
         place, rate = place + PLACES[i, j] * stage[j, c], rate + RATES[i, j] * stage[j, c]
     return place, rate
-
-
-@inline
-def _place_fulcrum(con, s, foot):
-    """Put G where a corner that sticks keeps it at the state's tilt and rotation."""
-    sigma, kappa = arm(con, s)
-    right, height = foot - sigma, kappa - con.offset
-    s.x, s.z = con.cos * right - con.sin * height, con.sin * right + con.cos * height
-    pivot_on(con, s)
 
 
 @inner
@@ -65,9 +43,11 @@ def take_step(elements, links, contacts, rows, case, s, work, base, load, y0, h)
     tuple
         The two margins at the end, and the error, of places and of h times their rates [m, rad].
     """
+    if s.kind == STICK:
+        return take_fulcrum_step(elements, links, contacts, case, s, work, base, load, y0, h)
     x0, z0, theta0, vx0, vz0, omega0 = y0
     stage = work.stage
-    sticks, turns = s.kind == STICK, s.kind != FLAT
+    turns = s.kind != FLAT
     f = g = 0.0
     for i in range(1, STAGES):
         t = h * TIMES[i]
@@ -75,20 +55,17 @@ def take_step(elements, links, contacts, rows, case, s, work, base, load, y0, h)
             place, rate = _weighed(stage, i, 2)
             s.theta, s.omega = theta0 + (t * omega0 + h * h * place), omega0 + h * rate
             s.sin, s.cos = sin_cos(s.theta, base[0], base[1], base[2])
-        if sticks:
-            _place_fulcrum(contacts[s.i], s, work.foot)
-        else:
-            place, rate = _weighed(stage, i, 0)
-            s.x, s.vx = x0 + (t * vx0 + h * h * place), vx0 + h * rate
-            place, rate = _weighed(stage, i, 1)
-            s.z, s.vz = z0 + (t * vz0 + h * h * place), vz0 + h * rate
-            if i == STAGES - 1:
-                _meet_constraints(contacts, case, s)
+        place, rate = _weighed(stage, i, 0)
+        s.x, s.vx = x0 + (t * vx0 + h * h * place), vx0 + h * rate
+        place, rate = _weighed(stage, i, 1)
+        s.z, s.vz = z0 + (t * vz0 + h * h * place), vz0 + h * rate
+        if i == STAGES - 1:
+            _meet_constraints(contacts, case, s)
         stage[i, 0], stage[i, 1], stage[i, 2], f, g = accelerations(
             elements, links, contacts, rows, case, s, load, t
         )
     error = 0.0
-    for c in range(2 if sticks else 0, 3 if turns else 2):
+    for c in range(3 if turns else 2):
         place = rate = 0.0
         for j in range(STAGES):
             place, rate = place + PLACES_WRONG[j] * stage[j, c], rate + RATES_WRONG[j] * stage[j, c]
