@@ -1,0 +1,321 @@
+"""Inventories: throughput beside the bare kernel's, threads and processes, memory, the gain of doing once.
+
+``python benchmarks/inventory.py [PART ...]``: speed, kinds, processes, large, memory; all by default.
+Every part runs in a process of its own, so that its memory is its own. ``--json FILE`` keeps the numbers.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+CITY = """
+[room]
+back_wall = {{ gap = 0.05 }}
+ceiling = {{ height = 2.4 }}
+[shaking]
+{shaking}
+[uncertainty]
+samples = {samples}
+"""
+
+SUITE = 'intensity = "6-upper"\nsuite = { family = "mixed", count = 40, seed = 1 }'
+ONE = 'builtin = "near-fault"'
+
+BUILDINGS = ("3 RC", "5 RC", "8 steel", "10 RC", "2 wood")
+PRESETS = (
+    "bookcase",
+    "wardrobe",
+    "cupboard",
+    "chest",
+    "refrigerator",
+    "television",
+    "server rack",
+    "upright piano",
+)
+FLOORS = ("wood flooring", "vinyl", "carpet")
+
+
+def city(folder: Path, samples: int, shaking: str = SUITE) -> Path:
+    file = folder / "city.toml"
+    file.write_text(CITY.format(samples=samples, shaking=shaking), encoding="utf-8")
+    return file
+
+
+def different(folder: Path, rows: int) -> Path:
+    """An inventory in which no two rows are alike; nothing holds the pieces."""
+    file = folder / "different.csv"
+    rng = np.random.default_rng(1)
+    width, height, friction = (
+        rng.uniform(0.3, 0.6, rows),
+        rng.uniform(1.2, 2.0, rows),
+        rng.uniform(0.2, 0.8, rows),
+    )
+    with file.open("w", encoding="utf-8") as out:
+        out.write("id,width,height,mass,floor\n")
+        for n in range(rows):
+            out.write(f"p{n},{width[n]:.6f},{height[n]:.6f},100,{friction[n]:.6f};{0.8 * friction[n]:.6f}\n")
+    return file
+
+
+def usual(folder: Path, rows: int) -> Path:
+    """An inventory as a company has it: presets on three floors in five kinds of building, two measures."""
+    file = folder / "usual.csv"
+    rng = np.random.default_rng(1)
+    kinds = rng.integers(0, [len(PRESETS), len(FLOORS), len(BUILDINGS), 3], (rows, 4))
+    with file.open("w", encoding="utf-8") as out:
+        out.write("id,preset,floor,gap,building,storey,measures,costs,count,value\n")
+        for n, (preset, floor, building, gap) in enumerate(kinds.tolist()):
+            storeys = int(BUILDINGS[building].split()[0])
+            out.write(
+                f"p{n},{PRESETS[preset]},{FLOORS[floor]},{0.05 * gap:.2f},{BUILDINGS[building]},"
+                f"{1 + n % storeys},wedge_stopper;anti_slip_sheet,1500;800,1,50000\n"
+            )
+    return file
+
+
+def peak_memory() -> float:
+    """Largest memory of this process so far [MiB]."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+
+
+def load() -> float:
+    return os.getloadavg()[0]
+
+
+def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
+    """Runs, seconds and CPU seconds of the kernel alone: rows and motions ready, blocks over threads."""
+    from stayput.ensemble.columns import run_rows
+    from stayput.inventory.city import read_cities
+    from stayput.inventory.floors import Ground, floors_of
+    from stayput.inventory.header import header_of
+    from stayput.inventory.pieces import Reader
+    from stayput.inventory.specs import thing_of
+    from stayput.inventory.tables import open_table
+    from stayput.inventory.units import _drawn, unit_rows
+    from stayput.inventory.work import sampling_of
+
+    cities = read_cities(scenario)
+    reader, sampling = Reader(cities), sampling_of(cities, 0, 0.1)
+    ground = Ground.of(cities.all[0].ground, True)
+    level = cities.all[0].scenario.shaking.wanted_intensity
+    floor = floors_of(ground, None, [1], ground.factors(level, 1.0))[1]
+    drawn = _drawn(sampling.motions, sampling.samples, sampling.seed, 0)
+    rows = []
+    with open_table(table) as read:
+        header = header_of(read.header)
+        for number, cells in read.rows:
+            (met,) = reader.piece(number, header.cells(cells)).met
+            rows.append(unit_rows(*thing_of(met.thing), (), drawn, sampling.gravity))
+    cases = np.stack([row[0].reshape(sampling.motions, -1) for row in rows])
+    elements = np.stack([row[1].reshape(sampling.motions, cases.shape[2], -1) for row in rows])
+    pieces = []
+    for motion in range(sampling.motions):
+        mine = np.ascontiguousarray(cases[:, motion]).ravel()
+        mine["scale"] = floor.scales[motion]
+        ties = np.ascontiguousarray(elements[:, motion]).reshape(len(mine), -1)
+        pieces += [
+            (mine[k : k + 128], ties[k : k + 128], floor.shakings[motion]) for k in range(0, len(mine), 128)
+        ]
+    run_rows(*pieces[0])
+    with ThreadPoolExecutor(threads) as pool:
+        began, spent = time.perf_counter(), time.process_time()
+        list(pool.map(lambda piece: run_rows(*piece), pieces))
+        return cases.size, time.perf_counter() - began, time.process_time() - spent
+
+
+def speed(folder: Path) -> list[dict[str, Any]]:
+    """Throughput of the simulation beside the bare kernel's, at several threads, in turns."""
+    from stayput.inventory import assess
+
+    scenario, table = city(folder, 160), different(folder, 200)
+    assess(different(folder, 20), scenario, folder / "warm", progress=False)
+    table = different(folder, 200)
+    found = []
+    for threads in (1, 2, 4):
+        best = {"bare": 0.0, "simulating": 0.0, "whole": 0.0}
+        cpu = {"bare": 1e9, "whole": 1e9}
+        for turn in range(2):
+            runs, seconds, spent = bare(scenario, table, threads)
+            best["bare"] = max(best["bare"], runs / seconds)
+            cpu["bare"] = min(cpu["bare"], 1e3 * spent / runs)
+            began = time.process_time()
+            done = assess(table, scenario, folder / f"{threads}-{turn}", threads=threads, progress=False)
+            best["simulating"] = max(best["simulating"], done.runs / done.simulating)
+            best["whole"] = max(best["whole"], done.runs / done.seconds)
+            cpu["whole"] = min(cpu["whole"], 1e3 * (time.process_time() - began) / runs)
+        told = {f"CPU ms a run, {name}": value for name, value in cpu.items()}
+        found.append({"threads": threads, "runs": runs, **best, **told, "load": load()})
+    return found
+
+
+def kinds(folder: Path) -> list[dict[str, Any]]:
+    """Time of a run of a full bookcase by what holds it, on one thread, the best of three."""
+    import stayput as sp
+    from stayput.inventory.city import read_cities
+    from stayput.inventory.floors import Ground, floors_of
+    from stayput.inventory.specs import measures_spec, thing_spec
+    from stayput.inventory.units import evaluate
+    from stayput.inventory.work import sampling_of
+    from stayput.measures import MEASURES
+
+    cities = read_cities(city(folder, 160))
+    ground = Ground.of(cities.all[0].ground, True)
+    floor = floors_of(ground, None, [1], ground.factors(6.25, 1.0))[1]
+    room = sp.Room(left_wall=sp.Wall(0.05), ceiling=sp.Ceiling(2.4))
+    unit = [(0, thing_spec(sp.Body(0.3, 1.8, 200.0), room))]
+    found = []
+    for kind in (None, "wedge_stopper", "gel_mats", "belt", "l_bracket", "tension_pole"):
+        spec = measures_spec((MEASURES[kind](),) if kind else ())
+        times: list[float] = []
+        for _ in range(3):
+            began = time.process_time()
+            _, runs, _ = evaluate(unit, spec, floor, sampling_of(cities, 0, 0.1))
+            times.append(1e3 * (time.process_time() - began) / runs)
+        found.append({"measure": kind or "none", "CPU ms a run": min(times), "load": load()})
+    return found
+
+
+def processes(folder: Path) -> list[dict[str, Any]]:
+    """Throughput on Dask clusters of one-thread processes."""
+    from dask.distributed import Client, LocalCluster
+
+    from stayput.inventory import assess
+
+    scenario = city(folder, 160)
+    found = []
+    for count in (1, 2, 4):
+        with (
+            LocalCluster(
+                n_workers=count, threads_per_worker=1, dashboard_address=None, host="127.0.0.1"
+            ) as made,
+            Client(made, set_as_default=False) as client,
+        ):
+            assess(different(folder, 40), scenario, folder / f"warm-{count}", client=client, progress=False)
+            done = assess(
+                different(folder, 200), scenario, folder / f"p{count}", client=client, progress=False
+            )
+            found.append({"processes": count, "simulating": done.runs / done.simulating, "load": load()})
+    return found
+
+
+def large(folder: Path) -> list[dict[str, Any]]:
+    """100,000 usual pieces under 40 motions with 4 draws each."""
+    from stayput.inventory import assess
+
+    done = assess(usual(folder, 100_000), city(folder, 160), folder / "large", progress=False)
+    facts = done.facts
+    return [
+        {
+            "rows": facts["pieces"],
+            "choices": facts["choices"],
+            "units": facts["units"],
+            "gain": facts["choices"] / facts["units"],
+            "runs": done.runs,
+            "simulating": done.runs / done.simulating,
+            "seconds": done.seconds,
+            "memory": peak_memory(),
+            "load": load(),
+        }
+    ]
+
+
+def memory(folder: Path, kind: str, rows: int) -> list[dict[str, Any]]:
+    """Memory and time of an inventory, under one motion so that the table is what costs."""
+    from stayput.inventory import assess
+
+    table = {"usual": usual, "different": different}[kind](folder, rows)
+    done = assess(table, city(folder, 1, ONE), folder / "memory", progress=False)
+    size = sum(path.stat().st_size for path in (folder / "memory" / "pieces").iterdir())
+    return [
+        {
+            "kind": kind,
+            "rows": rows,
+            "units": done.facts["units"],
+            "seconds": done.seconds,
+            "simulating": done.simulating,
+            "memory": peak_memory(),
+            "bytes a row": size / rows,
+            "work bytes a row": sum(
+                p.stat().st_size for p in (folder / "memory/work").rglob("*") if p.is_file()
+            )
+            / rows,
+            "load": load(),
+        }
+    ]
+
+
+PARTS: dict[str, list[tuple[Any, ...]]] = {
+    "speed": [("speed",)],
+    "kinds": [("kinds",)],
+    "processes": [("processes",)],
+    "large": [("large",)],
+    "memory": [
+        ("memory", kind, str(rows)) for kind in ("usual", "different") for rows in (100_000, 1_000_000)
+    ],
+}
+
+
+def alone(arguments: list[str]) -> None:
+    """Run one part in this process and print its rows."""
+    name, *rest = arguments
+    with tempfile.TemporaryDirectory() as folder:
+        if name == "memory":
+            rows = memory(Path(folder), rest[0], int(rest[1]))
+        else:
+            rows = {"speed": speed, "kinds": kinds, "processes": processes, "large": large}[name](
+                Path(folder)
+            )
+    print(json.dumps(rows))
+
+
+def show(title: str, rows: list[dict[str, Any]]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(title=title)
+    for name in rows[0]:
+        table.add_column(name, justify="right")
+    for row in rows:
+        table.add_row(
+            *(
+                f"{v:,.2f}" if isinstance(v, float) else f"{v:,}" if isinstance(v, int) else v
+                for v in row.values()
+            )
+        )
+    Console(width=140).print(table)
+
+
+def main(arguments: list[str]) -> None:
+    keep = None
+    if "--json" in arguments:
+        place = arguments.index("--json")
+        keep = Path(arguments[place + 1])
+        arguments = arguments[:place] + arguments[place + 2 :]
+    found: dict[str, list[dict[str, Any]]] = {}
+    for part in arguments or PARTS:
+        for line in PARTS[part]:
+            told = subprocess.run(
+                [sys.executable, __file__, "--alone", *line], stdout=subprocess.PIPE, check=True
+            )
+            found.setdefault(part, []).extend(json.loads(told.stdout.splitlines()[-1]))
+        show(part, found[part])
+        if keep is not None:
+            keep.write_text(json.dumps(found, indent=1))
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["--alone"]:
+        alone(sys.argv[2:])
+    else:
+        main(sys.argv[1:])

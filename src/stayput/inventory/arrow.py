@@ -1,0 +1,38 @@
+"""PyArrow, loaded when it is needed; it has no types for a checker."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from stayput.errors import InputError
+
+
+def arrow() -> Any:
+    """Return PyArrow.
+
+    Raises
+    ------
+    InputError
+        It is not installed.
+    """
+    try:
+        import pyarrow
+    except ImportError:
+        raise InputError("An assessment needs PyArrow; install stayput[inventory].") from None
+    return pyarrow
+
+
+def parquet() -> Any:
+    """Return PyArrow's part for Parquet."""
+    arrow()
+    import pyarrow.parquet
+
+    return pyarrow.parquet
+
+
+def dataset() -> Any:
+    """Return PyArrow's part for many files."""
+    arrow()
+    import pyarrow.dataset
+
+    return pyarrow.dataset

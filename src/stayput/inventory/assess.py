@@ -1,0 +1,362 @@
+"""`assess`: an inventory from its table to results, each stage taken up again where it was left."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import time
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import stayput
+from stayput.ensemble.tasks import thread_count
+from stayput.errors import InputError, within
+from stayput.inventory.arrow import arrow, dataset, parquet
+from stayput.inventory.city import read_cities
+from stayput.inventory.crews import Cluster, Threads
+from stayput.inventory.folder import MANIFEST, WORK, claimed, digest_of, durable, read_json, write_json
+from stayput.inventory.places import read_shakemap
+from stayput.inventory.plan import REJECTS, STORE, csv_text, make_plan
+from stayput.inventory.records import Flat
+from stayput.inventory.report import report_html
+from stayput.inventory.results import PIECES, Writer
+from stayput.inventory.store import Store
+from stayput.inventory.summary import COLUMNS, summarise
+from stayput.inventory.work import Work
+from stayput.progress import bar
+from stayput.verify.verify import SLIDE_LIMIT
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Generator
+
+    from stayput.inventory.city import Cities
+    from stayput.inventory.summary import Summary
+
+MEMORY = 2 * 2**30
+"""Memory that an assessment keeps below [bytes]."""
+
+CONNECTING = 20.0
+"""Time in which a scheduler must answer [s]."""
+
+_UNITS = {"": 1, "k": 2**10, "m": 2**20, "g": 2**30, "t": 2**40}
+
+REPORT, SUMMARY = "report.html", ("summary.parquet", "summary.csv")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Assessment:
+    """What an assessment came to; the results lie in its folder.
+
+    Parameters
+    ----------
+    folder : Path
+        Where they are.
+    facts : dict
+        Rows, empty rows, pieces, rejects, choices (combinations of piece, measures, floor and event), units
+        (those of them that differ), how the table was read, columns that were not used.
+    summary : Summary
+        Totals by event, building and storey, and the worst pieces.
+    runs : int
+        Simulations that this call did.
+    seconds : float
+        Time that this call took [s].
+    simulating : float
+        Time of it in which it simulated [s].
+    """
+
+    folder: Path
+    facts: dict[str, Any]
+    summary: Summary
+    runs: int
+    seconds: float
+    simulating: float
+
+    @property
+    def pieces(self) -> Any:
+        """The results as a dataset of PyArrow: one row a piece and event."""
+        ds = dataset()
+
+        return ds.dataset(self.folder / PIECES, format="parquet")
+
+    @property
+    def rejects(self) -> Any:
+        """The rows that were not assessed, as a table of PyArrow: row, id, reason."""
+        pq = parquet()
+
+        return pq.read_table(self.folder / REJECTS[0])
+
+
+def assess(
+    inventory: str | Path,
+    scenario: str | Path,
+    out: str | Path,
+    *,
+    shakemap: str | Path | None = None,
+    slide_limit: float = SLIDE_LIMIT,
+    threads: int | None = None,
+    scheduler: str | None = None,
+    client: Any = None,
+    memory: float | str = MEMORY,
+    progress: bool | None = None,
+    say: Callable[[str], None] | None = None,
+) -> Assessment:
+    """Assess every piece of an inventory, and write the results to a folder.
+
+    Called again with the same inputs it goes on from what is complete, and the results are the same to the
+    last byte as if it had never been interrupted, however often and by whatever.
+
+    Parameters
+    ----------
+    inventory : str or Path
+        The table: .csv (UTF-8, or else cp932), .parquet or .xlsx (its first sheet); a row a piece.
+    scenario : str or Path
+        A scenario file, or a folder of them: one event each or, with ``[station]``, stations.
+    out : str or Path
+        Folder of the results; new, empty, or of the same assessment.
+    shakemap : str or Path, optional
+        CSV of lat, lon, intensity: JMA intensity of the ground where each piece stands.
+    slide_limit : float
+        Slide that counts as too far [m].
+    threads : int, optional
+        As many as there are cores by default.
+    scheduler : str, optional
+        Address of a Dask scheduler, whose workers simulate instead.
+    client : dask.distributed.Client, optional
+        The same, where there is a client already.
+    memory : float or str
+        Memory to stay below, in bytes or such as "2GB".
+    progress : bool, optional
+        Whether to draw bars on standard error; default on a terminal.
+    say : callable, optional
+        Told in a sentence where the cluster's dashboard is.
+
+    Raises
+    ------
+    InputError
+        An inventory, scenario or map that cannot be read; a folder that holds something else; a disk that is
+        full; a cluster that is gone.
+    """
+    began = time.perf_counter()
+    limit, room = within("Slide limit", slide_limit, 0.0, 1e3, "m"), memory_of(memory)
+    if scheduler is not None and client is not None:
+        raise InputError("A scheduler is given beside a client; it must be one of the two.")
+    arrow()
+    table, folder = Path(inventory), Path(out)
+    if not table.is_file():
+        raise InputError(f"The inventory is {str(table)!r}; it must be a file.")
+    grid = None if shakemap is None else Path(shakemap)
+    cities = read_cities(scenario, None if grid is None else read_shakemap(grid))
+    inputs = {
+        "inventory": digest_of(table),
+        "scenario": [city.digest for city in cities.all],
+        "shake map": None if grid is None else digest_of(grid),
+        "slide limit": limit,
+    }
+    with _full_disk(folder), claimed(folder, inputs) as work:
+        plan = digest_of_inputs(inputs)
+        with bar(_rows_about(table), "Reading", progress, "rows") as tell:
+            facts = make_plan(work, table, cities, room // 16, tell)
+        store = Store(work / "plan" / STORE, room // 16)
+        try:
+            ready = Work(store, cities, work / "units", plan, slide_limit=limit, room_for_floors=room // 8)
+            started = time.perf_counter()
+            _simulate(ready, threads, scheduler, client, progress, say)
+            simulating = time.perf_counter() - started
+        finally:
+            store.close()
+        told = _told(cities, limit, grid is not None, ready)
+        _write(folder, work, plan, facts, told, ready, progress)
+        summary = _sum_up(folder, work, facts, told)
+        asked = read_json(folder / MANIFEST) or {}
+        write_json(folder / MANIFEST, {"inputs": asked["inputs"], "plan": facts, "assessment": told})
+    return Assessment(folder, facts, summary, ready.runs, time.perf_counter() - began, simulating)
+
+
+def memory_of(given: float | str) -> int:
+    """Return a memory in bytes: a number, or a text such as "2GB" or "512 MiB".
+
+    Raises
+    ------
+    InputError
+        Something else, or less than 256 MiB.
+    """
+    if isinstance(given, str):
+        found = re.fullmatch(r"\s*([\d.]+)\s*([kmgt]?)(i?b)?\s*", given, re.IGNORECASE | re.ASCII)
+        if found is None or found[1].count(".") > 1 or found[1] == ".":
+            raise InputError(f"The memory is {given!r}; it must be written like 2GB.")
+        given = float(found[1]) * _UNITS[found[2].lower()]
+    return int(within("Memory", given, 2**28, 2**50, "bytes"))
+
+
+def digest_of_inputs(inputs: dict[str, Any]) -> str:
+    """Return what tells a plan from others."""
+    import hashlib
+    import json
+
+    return hashlib.sha256(json.dumps([inputs, stayput.__version__]).encode()).hexdigest()
+
+
+@contextmanager
+def _full_disk(folder: Path) -> Generator[None]:
+    """Turn what the system says of a disk into a sentence."""
+    import sqlite3
+
+    try:
+        yield
+    except (OSError, sqlite3.OperationalError) as error:
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        raise InputError(
+            f"The folder is {str(folder)!r}; it could not be written: {reason}. What is complete is kept, "
+            "and the same command goes on from it."
+        ) from error
+
+
+def _rows_about(table: Path) -> int:
+    """Return about how many rows a table has, for the bar."""
+    if table.suffix.lower() == ".parquet":
+        pa, pq = arrow(), parquet()
+
+        try:
+            return int(pq.read_metadata(table).num_rows)
+        except (OSError, pa.ArrowInvalid):
+            return 1
+    with table.open("rb") as file:
+        start = file.read(2**18)
+    lines = max(start.count(b"\n"), 1)
+    return max(1, round(lines * table.stat().st_size / max(len(start), 1)))
+
+
+def _simulate(
+    work: Work,
+    threads: int | None,
+    scheduler: str | None,
+    client: Any,
+    progress: bool | None,
+    say: Callable[[str], None] | None,
+) -> None:
+    if not work.left:
+        return
+    with (
+        bar(work.left, "Simulating", progress, "units") as tell,
+        _crew(work, threads, scheduler, client, say) as crew,
+    ):
+        work.run(crew, tell, time.monotonic)
+
+
+@contextmanager
+def _crew(
+    work: Work, threads: int | None, scheduler: str | None, client: Any, say: Callable[[str], None] | None
+) -> Generator[Threads | Cluster]:
+    if scheduler is None and client is None:
+        own = Threads(thread_count(threads), work.ground)
+        try:
+            yield own
+        finally:
+            own.close()
+        return
+    try:
+        from dask.distributed import Client
+    except ImportError:
+        raise InputError("A cluster needs Dask; install stayput[cluster].") from None
+    made = None
+    if client is None:
+        try:
+            client = made = Client(scheduler, timeout=CONNECTING, set_as_default=False)
+        except (OSError, TimeoutError, ValueError) as error:
+            raise InputError(f"The scheduler is {scheduler!r}; it could not be reached: {error}.") from None
+    try:
+        if say is not None:
+            say(f"Dashboard of the cluster: {client.dashboard_link}")
+        crew = Cluster(client, work.ground)
+        try:
+            yield crew
+        finally:
+            crew.close()
+    finally:
+        if made is not None:
+            made.close(timeout=5)
+
+
+def _told(cities: Cities, limit: float, mapped: bool, work: Work) -> dict[str, Any]:
+    return {
+        "version": stayput.__version__,
+        "slide limit": limit,
+        "shake map": mapped,
+        "scenarios": [
+            {
+                "name": city.name,
+                "digest": city.digest,
+                "suite": city.ground.name,
+                "synthetic": city.ground.synthetic,
+                "motions": one.motions,
+                "samples": one.samples,
+                "seed": one.seed,
+                "precision": one.precision,
+            }
+            for city, one in zip(cities.all, work.samplings, strict=True)
+        ],
+    }
+
+
+def _write(
+    folder: Path,
+    work: Path,
+    plan: str,
+    facts: dict[str, Any],
+    told: dict[str, Any],
+    ready: Work,
+    progress: bool | None,
+) -> None:
+    import json
+
+    flat = Flat(work / "units.flat")
+    flat.gather(work / "units", plan, facts["units"])
+    places = {city.name: n for n, city in enumerate(ready.cities.all)}
+    known: dict[str, float] = {}
+
+    def intensity(station: str, level: float | None) -> float:
+        if level is not None:
+            return level
+        if station not in known:
+            shaking = ready.cities.all[places[station]].scenario.shaking
+            ground = ready.ground(places[station])
+            scale = 1.0 if shaking.scale is None else shaking.scale
+            wanted = shaking.wanted_intensity
+            known[station] = (
+                ground.median_intensity(ground.factors(None, scale)) if wanted is None else float(wanted)
+            )
+        return known[station]
+
+    about = {"stayput": json.dumps({"inputs": plan, **told}, sort_keys=True)}
+    with bar(facts["pieces"] * len(ready.cities.events), "Writing", progress, "rows") as tell:
+        Writer(folder, work, flat, about, intensity).write(facts["parts"], tell)
+    flat.path.unlink()
+    for name in REJECTS:
+        with durable(folder / name) as file, (work / "plan" / name).open("rb") as source:
+            shutil.copyfileobj(source, file)
+
+
+def _sum_up(folder: Path, work: Path, facts: dict[str, Any], told: dict[str, Any]) -> Summary:
+    pa, pq = arrow(), parquet()
+
+    summary = summarise(folder / PIECES)
+    rows = summary.rows()
+    kinds: list[Any] = [pa.string(), pa.string(), pa.int32(), pa.int64(), pa.int64(), *[pa.float64()] * 6]
+    schema = pa.schema(list(zip(COLUMNS, kinds, strict=True)))
+    columns: list[Any] = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in COLUMNS]
+    with durable(folder / SUMMARY[0]) as file:
+        pq.write_table(pa.table(dict(zip(COLUMNS, columns, strict=True)), schema=schema), file)
+    with durable(folder / SUMMARY[1]) as file:
+        file.write(csv_text(list(COLUMNS), rows).encode())
+    first: list[Any] = []
+    for batch in pq.ParquetFile(folder / REJECTS[0]).iter_batches(20):
+        first = batch.to_pylist()
+        break
+    with durable(folder / REPORT) as file:
+        file.write(report_html(summary, facts, told, first).encode())
+    return summary
+
+
+__all__ = ["MANIFEST", "WORK", "Assessment", "assess", "memory_of"]

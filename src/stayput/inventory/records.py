@@ -1,0 +1,116 @@
+"""What became of a unit of work, in numbers of a fixed size, and files of them that cannot be half there."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.inventory.folder import durable
+from stayput.verify.verdict import EVENTS
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+RECORD = np.dtype(
+    [
+        ("unit", "<i8"),
+        ("motions", "<i4"),
+        ("runs", "<i4"),  # without those given up
+        ("missing", "<i4"),
+        ("fell", "<i4"),
+        ("chances", "<f8", (len(EVENTS), 3)),  # estimate, low, high of each event
+        ("slide", "<f8", (3,)),  # median, 90 % quantile, mean of those that stay upright [m]
+    ]
+)
+"""Outcome of a unit."""
+
+ESTIMATE, LOW, HIGH = range(3)
+MEDIAN, P90, MEAN = range(3)
+
+_SUM = 32  # bytes of SHA-256
+
+
+def write_records(folder: Path, records: NDArray[np.void], plan: str) -> Path:
+    """Write records to a file of their own, named by their content.
+
+    Parameters
+    ----------
+    folder : Path
+        Where.
+    records : ndarray of RECORD
+        The records.
+    plan : str
+        Digest of the plan that they belong to.
+    """
+    content = records.tobytes()
+    total = hashlib.sha256(plan.encode() + content).digest()
+    path = folder / f"{total.hex()[:24]}.units"
+    with durable(path) as file:
+        file.write(content + total)
+    return path
+
+
+def read_records(path: Path, plan: str) -> NDArray[np.void] | None:
+    """Return the records of a file, or None where it is not whole or belongs to another plan."""
+    content = path.read_bytes()
+    body, total = content[:-_SUM], content[-_SUM:]
+    if len(total) < _SUM or len(body) % RECORD.itemsize:
+        return None
+    if hashlib.sha256(plan.encode() + body).digest() != total:
+        return None
+    return np.frombuffer(body, RECORD)
+
+
+def all_records(folder: Path, plan: str) -> Iterator[NDArray[np.void]]:
+    """Give the records of all whole files of a folder; others are removed."""
+    for path in sorted(folder.glob("*.units")):
+        found = read_records(path, plan)
+        if found is None:
+            path.unlink()
+        else:
+            yield found
+
+
+class Flat:
+    """The records of all units in one file, by their numbers, read without holding them all.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+
+    def gather(self, folder: Path, plan: str, units: int) -> None:
+        """Write the file from the records of a folder, of which every unit has one."""
+        size = RECORD.itemsize
+        with durable(self.path) as file:
+            file.truncate(units * size)
+            for records in all_records(folder, plan):
+                ordered = records[np.argsort(records["unit"], kind="stable")]
+                cuts = np.flatnonzero(np.diff(ordered["unit"]) != 1) + 1
+                for part in np.split(ordered, cuts):
+                    file.seek(int(part["unit"][0]) * size)
+                    file.write(part.tobytes())
+
+    def of(self, units: NDArray[np.int64]) -> NDArray[np.void]:
+        """Return the records of some units, in increasing order of their numbers."""
+        found = np.empty(len(units), RECORD)
+        size = RECORD.itemsize
+        with self.path.open("rb", buffering=0) as file:
+            descriptor = file.fileno()
+            start = 0
+            cuts = np.flatnonzero(np.diff(units) != 1) + 1
+            for part in np.split(units, cuts):
+                content = os.pread(descriptor, len(part) * size, int(part[0]) * size)
+                found[start : start + len(part)] = np.frombuffer(content, RECORD)
+                start += len(part)
+        return found

@@ -1,0 +1,261 @@
+"""The results: one row a piece and event, in parts of Parquet that are whole or not there."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+from dataclasses import dataclass
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stayput.inventory.arrow import arrow, parquet
+from stayput.inventory.folder import durable, read_json, write_json
+from stayput.inventory.pieces import NO_MEASURE
+from stayput.inventory.plan import ROWS
+from stayput.inventory.records import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90, Flat
+from stayput.verify.ranking import severity
+from stayput.verify.verdict import EVENTS, OVERTURNED
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+PIECES = "pieces"
+GROUND = "intensity"
+_ENDS = (("", "probability:"), ("_low", "95 % interval from:"), ("_high", "95 % interval to:"))
+
+
+def schema(metadata: Mapping[str, str]) -> Any:
+    """Return the schema of the results; each field's metadata says its unit and meaning."""
+    pa = arrow()
+
+    def number(name: str, about: str, kind: Any = None) -> Any:
+        return pa.field(name, kind or pa.float64(), metadata={"about": about})
+
+    def chances(of: str) -> list[Any]:
+        return [
+            number(f"{event}{end}", f"{told} {event.replace('_', ' ')}{of}")
+            for event in EVENTS
+            for end, told in _ENDS
+        ]
+
+    slides = [
+        number("slide_median", "median of the peak slide [m], infinite where so many overturn"),
+        number("slide_p90", "90 % quantile of the peak slide [m], infinite where so many overturn"),
+        number("slide_mean", "expected peak slide of those that stay upright [m]"),
+    ]
+    option = pa.struct(
+        [
+            pa.field("name", pa.string()),
+            *(pa.field(one.name, one.type) for one in (*chances(""), *slides)),
+            pa.field("cost", pa.float64()),
+            pa.field("expected_loss", pa.float64()),
+        ]
+    )
+    fields = [
+        number("row", "row of the inventory, the header being row 1", pa.int64()),
+        number("id", "the piece", pa.string()),
+        number("event", "the earthquake", pa.string()),
+        number("station", "the scenario that was taken", pa.string()),
+        number(GROUND, "JMA intensity of the ground, median of the motions"),
+        number("building", "the building; null on the ground", pa.string()),
+        number("storey", "the storey; null on the ground", pa.int32()),
+        number("lat", "latitude [°]"),
+        number("lon", "longitude [°]"),
+        number("count", "pieces of this kind", pa.int32()),
+        number("value", "loss if one of them overturns"),
+        number("motions", "motions", pa.int32()),
+        number("runs", "simulations without a measure that were not given up", pa.int32()),
+        number("given_up", "simulations that were given up", pa.int32()),
+        *(one for one in chances(", without a measure") if not one.name.startswith("device_failed")),
+        *slides,
+        number("expected_loss", "count · value · probability of overturning, without a measure"),
+        number("best", "the measure that lowers the risk most; none where none does", pa.string()),
+        number("best_overturned", "probability of overturning with it"),
+        number("best_overturned_low", "95 % interval from"),
+        number("best_overturned_high", "95 % interval to"),
+        number("risk_reduction", "probability of overturning without a measure less that with the best"),
+        number("best_expected_loss", "count · value · probability of overturning with the best"),
+        number("best_by_cost", "the measure that is most worth its cost; none where none is", pa.string()),
+        number("best_by_cost_gain", "loss avoided less cost (with a value), or risk reduction per cost"),
+        pa.field("options", pa.list_(option), metadata={"about": "each set of measures, none first"}),
+    ]
+    return pa.schema(fields, metadata=dict(metadata))
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """What is best of a row's options: its place, and by cost its place and gain."""
+
+    best: int
+    by_cost: int | None
+    gain: float | None
+
+
+def choose(
+    records: NDArray[np.void], sizes: list[int], costs: list[float] | None, value: float | None
+) -> Choice:
+    """Choose among options, that without a measure first.
+
+    By risk: the order of `stayput.verify.ranking`; a measure that ranks no better than none is not taken.
+    By cost: with a value, the largest loss avoided less cost; else the largest fall of the probability of
+    overturning for its cost.
+
+    Parameters
+    ----------
+    records : ndarray of RECORD
+        Outcomes of the options.
+    sizes : list of int
+        Number of measures of each.
+    costs : list of float, optional
+        Cost of each but the first.
+    value : float, optional
+        Loss if a piece overturns.
+    """
+    shares = records["chances"][:, :, ESTIMATE]
+    ranks = [
+        severity({e: SimpleNamespace(estimate=p) for e, p in zip(EVENTS, row, strict=True)}, size)  # type: ignore[dict-item]
+        for row, size in zip(shares.tolist(), sizes, strict=True)
+    ]
+    best = min(range(len(ranks)), key=lambda n: (ranks[n], n))
+    if best and not ranks[best][:-1] < ranks[0][:-1]:
+        best = 0
+    if costs is None:
+        return Choice(best, None, None)
+    fallen = shares[:, EVENTS.index(OVERTURNED)]
+    avoided = fallen[0] - fallen[1:]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        cost = np.array(costs)
+        gains = np.where(avoided > 0.0, avoided / cost, 0.0) if value is None else value * avoided - cost
+    gains = np.nan_to_num(gains, nan=-np.inf)
+    place = int(np.argmax(gains))
+    if not gains[place] > 0.0:
+        return Choice(best, 0, 0.0)
+    return Choice(best, place + 1, float(gains[place]))
+
+
+class Writer:
+    """Writes the parts of the results.
+
+    Parameters
+    ----------
+    folder, work : Path
+        Where results go, and where the plan is.
+    flat : Flat
+        Outcomes of all units.
+    metadata : mapping
+        What every part says of the assessment.
+    intensities : callable
+        JMA intensity of the ground of a station, given that of the map.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        work: Path,
+        flat: Flat,
+        metadata: Mapping[str, str],
+        intensities: Callable[[str, float | None], float],
+    ) -> None:
+        self.folder, self.work, self.flat = folder / PIECES, work, flat
+        self.schema = schema(metadata)
+        self.intensities = intensities
+        self.folder.mkdir(exist_ok=True)
+        (work / "sums").mkdir(exist_ok=True)
+        self.options = [field.name for field in self.schema.field("options").type.value_type]
+
+    def write(self, parts: int, tell: Callable[[int], None]) -> None:
+        """Write all parts that are not whole; remove what does not belong there."""
+        names = [f"part-{number:06d}.parquet" for number in range(parts)]
+        for strange in {path.name for path in self.folder.iterdir()} - set(names):
+            (self.folder / strange).unlink()
+        for name in names:
+            tell(self._part(name))
+
+    def _part(self, name: str) -> int:
+        note = self.work / "sums" / f"{name}.json"
+        target = self.folder / name
+        said = read_json(note)
+        if said is not None and target.exists():
+            content = target.read_bytes()
+            if hashlib.sha256(content).hexdigest() == said.get("sha256"):
+                return int(said["rows"])
+        table = self._table(self.work / "plan" / ROWS / name)
+        content = _parquet(table)
+        with durable(target) as file:
+            file.write(content)
+        write_json(note, {"rows": table.num_rows, "sha256": hashlib.sha256(content).hexdigest()})
+        return table.num_rows
+
+    def _table(self, path: Path) -> Any:
+        pa, rows = arrow(), _listed(parquet().read_table(path))
+        wanted = np.unique(np.concatenate([row["units"] for row in rows]).astype(np.int64))
+        records = self.flat.of(wanted)
+        chosen: dict[Any, tuple[Choice, list[dict[str, Any]]]] = {}
+        lines: list[dict[str, Any]] = []
+        for row in rows:
+            key = (tuple(row["units"]), tuple(row["options"]), tuple(row["costs"] or ()), row["value"])
+            if key not in chosen:
+                mine = records[np.searchsorted(wanted, row["units"])]
+                sizes = [0 if name == NO_MEASURE else 1 + name.count("+") for name in row["options"]]
+                choice = choose(mine, sizes, row["costs"], row["value"])
+                chosen[key] = choice, [_numbers(record) for record in mine]
+            lines.append(self._line(row, *chosen[key]))
+        columns = {field.name: [line.get(field.name) for line in lines] for field in self.schema}
+        return pa.table(columns, schema=self.schema)
+
+    def _line(self, row: dict[str, Any], choice: Choice, found: list[dict[str, Any]]) -> dict[str, Any]:
+        count, value, costs = row["count"], row["value"], row["costs"]
+
+        def loss(of: dict[str, Any]) -> float | None:
+            return None if value is None else count * value * of[OVERTURNED]
+
+        without, best = found[0], found[choice.best]
+        kept = [name for name in self.schema.names if name in row and name != "options"]
+        line = {**without, **{name: row[name] for name in kept}}
+        line[GROUND] = self.intensities(row["station"], row["intensity"])
+        line["expected_loss"], line["best_expected_loss"] = loss(without), loss(best)
+        line["best"] = row["options"][choice.best]
+        for end in ("", "_low", "_high"):
+            line[f"best_overturned{end}"] = best[f"{OVERTURNED}{end}"]
+        line["risk_reduction"] = without[OVERTURNED] - best[OVERTURNED]
+        line["best_by_cost"] = None if choice.by_cost is None else row["options"][choice.by_cost]
+        line["best_by_cost_gain"] = choice.gain
+        line["options"] = [
+            {
+                **of,
+                "name": name,
+                "cost": None if costs is None else (costs[n - 1] if n else 0.0),
+                "expected_loss": loss(of),
+            }
+            for n, (name, of) in enumerate(zip(row["options"], found, strict=True))
+        ]
+        return line
+
+
+def _numbers(record: np.void) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "motions": int(record["motions"]),
+        "runs": int(record["runs"]),
+        "given_up": int(record["missing"]),
+    }
+    for event, row in zip(EVENTS, record["chances"].tolist(), strict=True):
+        found |= {event: row[ESTIMATE], f"{event}_low": row[LOW], f"{event}_high": row[HIGH]}
+    slide = record["slide"].tolist()
+    return found | {"slide_median": slide[MEDIAN], "slide_p90": slide[P90], "slide_mean": slide[MEAN]}
+
+
+def _listed(table: Any) -> list[dict[str, Any]]:
+    return table.to_pylist()
+
+
+def _parquet(table: Any) -> bytes:
+    pq = parquet()
+
+    buffer = io.BytesIO()
+    pq.write_table(table, buffer, compression="zstd", row_group_size=20_000)
+    return buffer.getvalue()

@@ -1,0 +1,159 @@
+"""Sums over the results, by event, building and storey, and the pieces at greatest risk."""
+
+from __future__ import annotations
+
+import heapq
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from stayput.inventory.arrow import parquet
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+WORST = 50
+"""Pieces that the report lists."""
+
+COLUMNS = (
+    "event",
+    "building",
+    "storey",
+    "rows",
+    "pieces",
+    "expected_overturned",
+    "share_overturned",
+    "expected_overturned_best",
+    "share_overturned_best",
+    "expected_loss",
+    "expected_loss_best",
+)
+"""Columns of the summary: pieces counts every piece of a row; ``best`` is with each row's best measure."""
+
+READ = (
+    "row",
+    "id",
+    "event",
+    "building",
+    "storey",
+    "count",
+    "overturned",
+    "overturned_low",
+    "overturned_high",
+    "best",
+    "best_overturned",
+    "expected_loss",
+    "best_expected_loss",
+)
+
+
+@dataclass(slots=True)
+class Total:
+    """Sums over rows."""
+
+    rows: int = 0
+    pieces: int = 0
+    fallen: float = 0.0
+    fallen_best: float = 0.0
+    loss: float | None = None
+    loss_best: float | None = None
+    unknown: int = 0
+
+    def add(self, row: dict[str, Any]) -> None:
+        """Add a row; one whose runs were all given up counts as unknown."""
+        self.rows += 1
+        self.pieces += row["count"]
+        if row["overturned"] != row["overturned"]:
+            self.unknown += row["count"]
+            return
+        self.fallen += row["count"] * row["overturned"]
+        self.fallen_best += row["count"] * row["best_overturned"]
+        if row["expected_loss"] is not None:
+            self.loss = (self.loss or 0.0) + row["expected_loss"]
+            self.loss_best = (self.loss_best or 0.0) + row["best_expected_loss"]
+
+    @property
+    def share(self) -> float:
+        """Expected share that overturns."""
+        known = self.pieces - self.unknown
+        return self.fallen / known if known else float("nan")
+
+    @property
+    def share_best(self) -> float:
+        """The same with the best measures."""
+        known = self.pieces - self.unknown
+        return self.fallen_best / known if known else float("nan")
+
+
+Place = tuple[str, str, int]
+"""Event, building ("" on the ground) and storey (0 on the ground)."""
+
+
+@dataclass(slots=True)
+class Summary:
+    """What the results come to.
+
+    Parameters
+    ----------
+    places : dict
+        Totals by event, building and storey.
+    events : dict
+        Totals by event.
+    worst : list
+        Rows of the greatest risk, the worst first.
+    """
+
+    places: dict[Place, Total] = field(default_factory=dict[Place, Total])
+    events: dict[str, Total] = field(default_factory=dict[str, Total])
+    worst: list[dict[str, Any]] = field(default_factory=list[dict[str, Any]])
+
+    def rows(self) -> list[list[Any]]:
+        """Return the rows of the summary, in the order of `COLUMNS`."""
+        return [
+            [
+                event,
+                building or None,
+                storey or None,
+                of.rows,
+                of.pieces,
+                of.fallen,
+                of.share,
+                of.fallen_best,
+                of.share_best,
+                of.loss,
+                of.loss_best,
+            ]
+            for (event, building, storey), of in sorted(self.places.items())
+        ]
+
+
+def _rows(folder: Path) -> Iterator[dict[str, Any]]:
+    pq = parquet()
+
+    for path in sorted(folder.glob("*.parquet")):
+        file: Any = pq.ParquetFile(path)
+        with file:
+            for batch in file.iter_batches(8192, columns=list(READ)):
+                yield from batch.to_pylist()
+
+
+def summarise(folder: Path) -> Summary:
+    """Return the summary of the parts of a folder, read a few rows at a time."""
+    found = Summary()
+    heap: list[tuple[tuple[float, float, float, int], int, dict[str, Any]]] = []
+    for number, row in enumerate(_rows(folder)):
+        place = row["event"], row["building"] or "", row["storey"] or 0
+        for total in (
+            found.places.setdefault(place, Total()),
+            found.events.setdefault(row["event"], Total()),
+        ):
+            total.add(row)
+        if row["overturned"] == row["overturned"]:
+            risk = row["expected_loss"] or 0.0, row["overturned"], row["overturned_high"]
+            entry = ((*risk, -number), number, row)
+            if len(heap) < WORST:
+                heapq.heappush(heap, entry)
+            else:
+                heapq.heappushpop(heap, entry)
+    found.worst = [row for _, _, row in sorted(heap, reverse=True)]
+    return found

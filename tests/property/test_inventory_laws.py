@@ -1,0 +1,119 @@
+"""What holds of every inventory: no row is lost, bad ones give a sentence, their order is nothing."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+import pyarrow.parquet as pq
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import stayput as sp
+from stayput.inventory import assess
+from stayput.inventory.cells import number_of, plain
+from stayput.inventory.city import read_cities
+from stayput.inventory.places import ShakeMap, distances
+from stayput.inventory.plan import make_plan
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "unit"))
+from inventories import city, pieces, table
+
+NAMES = ["id", "preset", "width", "height", "mass", "floor", "gap", "building", "storey", "measures", "count"]
+CELLS = st.one_of(
+    st.sampled_from(
+        ["", "chest", "bookcase", "0.4", "1.8", "-1", "vinyl", "office", "3", "wedge", "2 wood", "nan"]
+    ),
+    st.text(max_size=12),
+    st.floats().map(str),
+)
+
+
+@pytest.fixture(scope="module")
+def cities():
+    with tempfile.TemporaryDirectory() as folder:
+        yield read_cities(city(Path(folder)))
+
+
+def planned(cities, content: bytes):
+    with tempfile.TemporaryDirectory() as folder:
+        work, file = Path(folder), Path(folder) / "inventory.csv"
+        file.write_bytes(content)
+        facts = make_plan(work, file, cities, 2**20, lambda count: None)
+        rejects = pq.read_table(work / "plan" / "rejects.parquet").to_pylist()
+        parts = sorted((work / "plan" / "rows").iterdir())
+        rows = [row for part in parts for row in pq.read_table(part)["row"].to_pylist()]
+    return facts, rows, rejects
+
+
+@given(st.lists(st.lists(CELLS, min_size=len(NAMES), max_size=len(NAMES)), min_size=1, max_size=8))
+def test_each_row_is_a_piece_or_a_reject_or_empty(cities, rows):
+    import csv
+    import io
+
+    text = io.StringIO()
+    writer = csv.writer(text)
+    writer.writerow(NAMES)
+    writer.writerows(rows)
+    try:
+        content = text.getvalue().encode()
+        facts, good, rejects = planned(cities, content)
+    except sp.InputError:
+        return
+    except UnicodeEncodeError:
+        return
+    assert facts["rows"] == len(good) + len(rejects) + facts["empty rows"]
+    assert not {row["row"] for row in rejects} & set(good)
+    assert all(row["reason"].endswith(".") for row in rejects)
+
+
+@given(st.binary(max_size=400))
+def test_any_bytes_are_read_or_refused_in_a_sentence(cities, content):
+    try:
+        facts, good, rejects = planned(cities, b"id,preset,width\n" + content)
+    except sp.InputError:
+        return
+    assert facts["rows"] == len(good) + len(rejects) + facts["empty rows"]
+
+
+@given(st.one_of(st.text(), st.floats(), st.integers(), st.none()))
+def test_a_cell_is_a_finite_number_or_refused(cell):
+    try:
+        found = number_of("width", cell)
+    except sp.InputError:
+        return
+    assert found is None or abs(found) < float("inf")
+    assert (found is None) == (plain("width", cell) is None)
+
+
+@settings(max_examples=3)
+@given(st.permutations(pieces(12, 6)))
+def test_the_order_of_rows_changes_nothing_of_a_piece(rows):
+    with tempfile.TemporaryDirectory() as folder:
+        found = {}
+        for name, given_rows in (("sorted", sorted(rows)), ("mixed", rows)):
+            here = Path(folder) / name
+            here.mkdir()
+            done = assess(table(here, given_rows), city(here), here / "out", progress=False)
+            lines = done.pieces.to_table().drop_columns(["row"]).to_pylist()
+            found[name] = sorted(lines, key=lambda line: line["id"])
+            shutil.rmtree(here / "out" / "work")
+        assert found["sorted"] == found["mixed"] or repr(found["sorted"]) == repr(found["mixed"])
+
+
+@given(st.floats(-80, 80), st.floats(-180, 180), st.floats(-80, 80), st.floats(-180, 180))
+def test_distances_are_alike_both_ways(lat, lon, other_lat, other_lon):
+    there, back = distances(lat, lon, [other_lat], [other_lon]), distances(other_lat, other_lon, [lat], [lon])
+    assert there[0] == pytest.approx(back[0], abs=1e-9)
+    assert 0.0 <= there[0] <= 3.15
+
+
+@given(st.lists(st.floats(3, 7), min_size=6, max_size=6), st.floats(0, 2), st.floats(0, 1))
+def test_a_map_stays_between_its_values(values, lat, lon):
+    import numpy as np
+
+    grid = ShakeMap(np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0]), np.array(values).reshape(3, 2))
+    assert min(values) - 0.0501 <= grid.at(lat, lon) <= max(values) + 0.0501

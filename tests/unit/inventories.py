@@ -1,0 +1,83 @@
+"""Small inventories for the tests of them: three motions, two samples, a few pieces."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import subprocess
+import sys
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+CITY = """
+title = "test"
+[room]
+floor = "wood flooring"
+back_wall = { gap = 0.05 }
+ceiling = { height = 2.4 }
+[shaking]
+intensity = 6.0
+suite = { family = "crustal", count = 3, seed = 1 }
+[uncertainty]
+samples = 6
+seed = 1
+[buildings.office]
+storeys = 4
+structure = "steel"
+[[measures]]
+name = "wedge"
+type = "wedge_stopper"
+[[measures]]
+name = "sheet"
+type = "anti_slip_sheet"
+"""
+
+HEADER = "id,preset,width,height,mass,floor,gap,building,storey,measures,costs,count,value"
+
+RUN = """
+import sys, json
+from stayput.inventory import assess
+a = json.loads(sys.argv[1])
+assess(**a, progress=False)
+"""
+
+
+def city(folder: Path, text: str = CITY, name: str = "city.toml") -> Path:
+    file = folder / name
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def table(folder: Path, rows: list[str], header: str = HEADER, name: str = "inventory.csv") -> Path:
+    file = folder / name
+    file.write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
+    return file
+
+
+def pieces(count: int, different: int = 10) -> list[str]:
+    """Rows of which ``different`` are not alike."""
+    bodies = [f"{0.30 + 0.01 * n:.2f},1.8,{50 + n}" for n in range(different)]
+    return [f"p{n},,{bodies[n % different]},,,office,{1 + n % 4},,,{1 + n % 3},1000" for n in range(count)]
+
+
+def command(inventory: Path, scenario: Path, out: Path, **more: object) -> list[str]:
+    """The command line of a process that assesses."""
+    said = {"inventory": str(inventory), "scenario": str(scenario), "out": str(out), **more}
+    return [sys.executable, "-c", RUN, json.dumps(said)]
+
+
+def started(arguments: list[str]) -> subprocess.Popen[bytes]:
+    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+    return subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=environment)
+
+
+def digests(folder: Path) -> dict[str, str]:
+    """Digest of every file of the results, by its name."""
+    return {
+        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file() and not {"work", ".lock"} & set(path.relative_to(folder).parts)
+    }

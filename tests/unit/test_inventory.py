@@ -1,0 +1,328 @@
+"""Assessments of inventories: what rows come to, joins of places, summaries, the command."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import duckdb
+import numpy as np
+import pyarrow.parquet as pq
+import pytest
+import typer
+from inventories import CITY, HEADER, city, digests, pieces, table
+from typer.testing import CliRunner
+
+import stayput as sp
+from stayput.cli.assess import assess as command
+from stayput.inventory import assess
+from stayput.inventory.assess import memory_of
+from stayput.inventory.city import read_cities
+from stayput.inventory.places import read_shakemap
+from stayput.inventory.results import choose
+from stayput.inventory.units import _drawn, unit_rows
+from stayput.measures import MEASURES, hold
+from stayput.verify import verify
+from stayput.verify.draws import draws, rows_of
+from stayput.verify.options import Option
+
+ROWS = [
+    "shelf,bookcase,,,,,0.02,office,3,wedge;sheet+tension_pole,1000;5000,4,20000",
+    "chest,chest,,,,vinyl,0.1,2 wood,2,wedge,,1,",
+    "box,,0.4,1.2,50,0.5;0.4,,,,sheet,0,2,100",
+]
+
+
+def rows_of_results(done):
+    return done.pieces.to_table().to_pylist()
+
+
+@pytest.fixture(scope="module")
+def small(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("small")
+    bad = ["shelf,chest,,,,,,,,,,,", "bad,,-1,1,1,,,,,,,,"]
+    return assess(table(folder, ROWS + bad), city(folder), folder / "out", threads=2, progress=False)
+
+
+def test_a_row_says_what_a_verification_says(small):
+    row = rows_of_results(small)[0]
+    scenario = {
+        "furniture": {"preset": "bookcase"},
+        "room": {
+            "floor": "wood flooring",
+            "back_wall": {"gap": 0.02},
+            "ceiling": {"height": 2.4},
+        },
+        "shaking": {
+            "intensity": 6.0,
+            "suite": {"family": "crustal", "count": 3, "seed": 1},
+            "building": {"storeys": 4, "structure": "steel"},
+            "storey": 3,
+        },
+        "uncertainty": {"samples": 6, "seed": 1},
+        "measures": [
+            {"type": "wedge_stopper", "name": "wedge"},
+            {
+                "combine": [{"type": "anti_slip_sheet"}, {"type": "tension_pole"}],
+                "name": "sheet+tension_pole",
+            },
+        ],
+    }
+    verdict = verify(sp.Scenario.parse(scenario), levels=(), progress=False)
+    told = {one.option.name: one for one in verdict.options}
+    assert [option["name"] for option in row["options"]] == ["none", "wedge", "sheet+tension_pole"]
+    for option in row["options"]:
+        of = told[option["name"]]
+        for event, found in of.probabilities.items():
+            assert option[event] == found.estimate
+            assert (option[f"{event}_low"], option[f"{event}_high"]) == (found.low, found.high)
+        assert (option["slide_median"], option["slide_p90"]) == (of.slide.median, of.slide.p90), option[
+            "name"
+        ]
+    assert row["best"] == verdict.best.option.name
+    assert row["intensity"] == verdict.intensity == 6.0
+
+
+def test_rows_have_losses_and_what_is_best(small):
+    shelf, chest, box = rows_of_results(small)
+    assert shelf["expected_loss"] == 4 * 20000 * shelf["overturned"]
+    assert shelf["risk_reduction"] == shelf["overturned"] - shelf["best_overturned"]
+    assert chest["expected_loss"] is None
+    assert chest["best_by_cost"] is None
+    assert box["building"] is None
+    assert box["storey"] is None
+    assert chest["building"] == "2 wood"
+    assert [row["row"] for row in (shelf, chest, box)] == [2, 3, 4]
+
+
+def test_no_row_is_dropped(small):
+    told = small.rejects.to_pylist()
+    assert [row["row"] for row in told] == [5, 6]
+    assert "row 2" in told[0]["reason"]
+    assert "width is -1" in told[1]["reason"]
+    facts = small.facts
+    assert facts["rows"] == facts["pieces"] + facts["rejects"] + facts["empty rows"]
+    assert (small.folder / "rejects.csv").read_text().count("\n") == 3
+
+
+def test_duckdb_reads_the_results(small):
+    base = duckdb.connect()
+    found = base.execute(
+        f"SELECT id, overturned FROM '{small.folder}/pieces/*.parquet' ORDER BY row"
+    ).fetchall()
+    assert [name for name, _ in found] == ["shelf", "chest", "box"]
+    each = f"SELECT unnest(options, recursive := true) FROM '{small.folder}/pieces/*.parquet'"
+    assert base.execute(f"SELECT count(*) FROM ({each})").fetchone() == (7,)
+    total = base.execute(f"SELECT sum(pieces) FROM '{small.folder}/summary.parquet'").fetchone()
+    assert total == (7,)
+
+
+def test_parts_say_what_they_are(small):
+    schema = pq.read_schema(next((small.folder / "pieces").glob("*.parquet")))
+    told = json.loads(schema.metadata[b"stayput"])
+    assert told["version"] == sp.__version__
+    (scenario,) = told["scenarios"]
+    assert (scenario["seed"], scenario["motions"], scenario["samples"]) == (1, 3, 2)
+    assert scenario["suite"]
+    assert b"about" in schema.field("overturned").metadata
+
+
+def test_the_report_stands_alone(small):
+    page = (small.folder / "report.html").read_text()
+    assert "<svg" in page
+    assert "http" not in page.replace("http-equiv", "")
+    assert "shelf" in page
+    assert "row 2" in page
+
+
+def test_summaries_add_up(small):
+    rows = rows_of_results(small)
+    total = small.summary.events["city"]
+    assert total.pieces == 7
+    assert total.fallen == pytest.approx(sum(row["count"] * row["overturned"] for row in rows))
+    assert total.fallen == pytest.approx(sum(one.fallen for one in small.summary.places.values()))
+
+
+def test_pieces_that_are_alike_are_simulated_once(tmp_path):
+    done = assess(table(tmp_path, pieces(400)), city(tmp_path), tmp_path / "out", progress=False)
+    assert done.facts["choices"] == 1200
+    assert done.facts["units"] == 60  # 10 bodies, of which each meets 2 storeys; 3 options
+    assert done.runs == 60 * 6
+
+
+def test_neither_threads_nor_memory_nor_parts_change_a_bit(tmp_path, monkeypatch):
+    inventory, scenario = table(tmp_path, pieces(60)), city(tmp_path)
+    one = assess(inventory, scenario, tmp_path / "one", threads=1, progress=False)
+    monkeypatch.setattr("stayput.inventory.work.SECONDS", 0.001)
+    monkeypatch.setattr("stayput.inventory.work.KEEP_AFTER", 0.0)
+    other = assess(inventory, scenario, tmp_path / "other", threads=4, memory="256MB", progress=False)
+    assert digests(one.folder) == digests(other.folder)
+
+
+def test_the_same_command_again_does_nothing_anew(tmp_path):
+    inventory, scenario = table(tmp_path, pieces(20)), city(tmp_path)
+    first = assess(inventory, scenario, tmp_path / "out", progress=False)
+    before = digests(tmp_path / "out")
+    again = assess(inventory, scenario, tmp_path / "out", progress=False)
+    assert first.runs > 0
+    assert again.runs == 0
+    assert digests(tmp_path / "out") == before
+
+
+@pytest.mark.parametrize("what", ["inventory", "scenario", "slide limit", "version of stayput"])
+def test_another_assessment_is_not_mixed_in(tmp_path, monkeypatch, what):
+    inventory, scenario, more = table(tmp_path, pieces(3)), city(tmp_path), {}
+    assess(inventory, scenario, tmp_path / "out", progress=False)
+    before = digests(tmp_path / "out")
+    match what:
+        case "inventory":
+            table(tmp_path, pieces(4))
+        case "scenario":
+            city(tmp_path, CITY.replace("seed = 1", "seed = 2"))
+        case "slide limit":
+            more = {"slide_limit": 0.2}
+        case _:
+            monkeypatch.setattr(sp, "__version__", "0.0.0")
+    with pytest.raises(sp.InputError, match=f"another {what}"):
+        assess(inventory, scenario, tmp_path / "out", progress=False, **more)
+    assert digests(tmp_path / "out") == before
+
+
+def test_a_folder_of_something_else_is_left_alone(tmp_path):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "thesis.txt").write_text("x")
+    with pytest.raises(sp.InputError, match=r"thesis\.txt"):
+        assess(table(tmp_path, pieces(1)), city(tmp_path), tmp_path / "out", progress=False)
+    assert (tmp_path / "out" / "thesis.txt").exists()
+
+
+STATION = '\n[station]\nlat = {lat}\nlon = {lon}\nevent = "quake"\n'
+
+
+def test_each_piece_takes_the_nearest_station(tmp_path):
+    folder = tmp_path / "quake"
+    folder.mkdir()
+    city(folder, CITY + STATION.format(lat=35.0, lon=135.0), "a.toml")
+    city(folder, CITY.replace("6.0", "5.0") + STATION.format(lat=36.0, lon=135.0), "b.toml")
+    rows = ["p,chest,35.1,135.2", "q,chest,35.9,134.9", "r,chest,,"]
+    inventory = table(tmp_path, rows, "id,preset,lat,lon")
+    done = assess(inventory, folder, tmp_path / "out", progress=False)
+    found = [(row["id"], row["event"], row["station"], row["intensity"]) for row in rows_of_results(done)]
+    assert found == [("p", "quake", "a", 6.0), ("q", "quake", "b", 5.0)]
+    assert "lat is missing" in done.rejects.to_pylist()[0]["reason"]
+
+
+def test_scenarios_without_a_station_are_events_for_all(tmp_path):
+    folder = tmp_path / "events"
+    folder.mkdir()
+    city(folder, CITY, "a.toml")
+    city(folder, CITY.replace("6.0", "5.0"), "b.toml")
+    done = assess(table(tmp_path, pieces(5)), folder, tmp_path / "out", progress=False)
+    assert [row["event"] for row in rows_of_results(done)] == ["a", "b"] * 5
+    assert set(done.summary.events) == {"a", "b"}
+    city(folder, CITY + STATION.format(lat=35.0, lon=135.0), "c.toml")
+    with pytest.raises(sp.InputError, match=r"a\.toml has no \[station\]"):
+        read_cities(folder)
+
+
+GRID = ["35,135,5", "35,136,6", "36,135,6", "36,136,7"]
+
+
+def test_a_shake_map_is_bilinear_on_a_grid(tmp_path):
+    file = table(tmp_path, GRID, "lat,lon,intensity", "map.csv")
+    found = read_shakemap(file)
+    assert found.at(35.0, 135.0) == 5.0
+    assert found.at(35.5, 135.5) == 6.0
+    assert found.at(35.25, 135.25) == 5.5
+    assert found.at(36.0, 136.0) == 7.0
+    with pytest.raises(sp.InputError, match="lat on the shake map is 37"):
+        found.at(37.0, 135.5)
+
+
+def test_a_shake_map_of_any_places_gives_the_nearest(tmp_path):
+    file = table(tmp_path, [*GRID[:3], "35.5,135.6,6.66"], "lat,lon,intensity", "map.csv")
+    assert read_shakemap(file).at(35.5, 135.5) == 6.7
+
+
+def test_a_shake_map_says_how_strong_it_shakes(tmp_path):
+    grid = table(tmp_path, GRID, "lat,lon,intensity", "map.csv")
+    inventory = table(tmp_path, ["p,chest,35,135", "q,chest,35.5,135.5", "r,chest,1,1"], "id,preset,lat,lon")
+    done = assess(inventory, city(tmp_path), tmp_path / "out", shakemap=grid, progress=False)
+    assert [row["intensity"] for row in rows_of_results(done)] == [5.0, 6.0]
+    assert "shake map" in done.rejects.to_pylist()[0]["reason"]
+
+
+@pytest.mark.parametrize("kind", [None, *MEASURES])
+def test_draws_by_the_column_are_those_of_a_verification(kind):
+    body = sp.Body(0.4, 1.8, 120.0, (0.01, 0.05), inertia=40.0)
+    room = sp.Room(sp.Floor(0.4, 0.3, 0.5, 0.4, 0.9), sp.Wall(0.02), sp.Wall(1.0), sp.Ceiling(2.4))
+    measures = (MEASURES[kind](),) if kind else ()
+    hold(body, room, measures)
+    wanted = rows_of(Option("x", measures), body, room, draws(4, 5, 3), 9.81)
+    cases, elements = unit_rows(body, room, measures, _drawn(4, 5, 3, 0), 9.81)
+    for name in cases.dtype.names:
+        np.testing.assert_array_equal(cases[name], wanted.cases[name])
+    assert elements.tobytes() == wanted.elements.tobytes()
+
+
+def test_a_precision_stops_where_it_is_reached(tmp_path):
+    text = CITY.replace("samples = 6", "samples = 96\nprecision = 0.2").replace("count = 3", "count = 12")
+    rows = ["still,,3.0,0.5,100,,,,,,,,", "shaky,,0.35,1.8,100,,,,,,,,"]
+    scenario = city(tmp_path, text.split("[[measures]]")[0])
+    done = assess(table(tmp_path, rows), scenario, tmp_path / "out", progress=False)
+    still, shaky = rows_of_results(done)
+    assert still["runs"] == 48
+    assert shaky["runs"] >= 48
+    assert done.runs == still["runs"] + shaky["runs"]
+
+
+def test_costs_choose_what_is_worth_them():
+    from stayput.inventory.records import RECORD
+
+    records = np.zeros(3, RECORD)
+    records["chances"][:, 0, 0] = 0.5, 0.1, 0.05
+    sizes = [0, 1, 1]
+    assert choose(records, sizes, None, None).best == 2
+    chosen = choose(records, sizes, [100.0, 1000.0], 10_000.0)
+    assert (chosen.best, chosen.by_cost) == (2, 1)
+    assert chosen.gain == pytest.approx(3900.0)
+    assert choose(records, sizes, [1e6, 1e6], 10_000.0).by_cost == 0
+    assert choose(records, sizes, [100.0, 1000.0], None).by_cost == 1
+    records["chances"][1:, 0, 0] = 0.6
+    assert choose(records, sizes, [100.0, 1000.0], None).best == 0
+
+
+@pytest.mark.parametrize(("text", "found"), [("2GB", 2**31), ("512 MiB", 2**29), ("1e9", None), ("1", None)])
+def test_memory_is_read(text, found):
+    if found is None:
+        with pytest.raises(sp.InputError, match="emory"):
+            memory_of(text)
+    else:
+        assert memory_of(text) == found
+
+
+def test_the_command_prints_what_it_did(tmp_path):
+    app = typer.Typer()
+    app.command()(command)
+    inventory, scenario = table(tmp_path, ROWS, f"{HEADER},owner", "i.csv"), city(tmp_path)
+    inventory.write_text(inventory.read_text().replace(",20000", ",20000,me"))
+    out = tmp_path / "out"
+    arguments = [str(inventory), "--scenario", str(scenario), "--out", str(out)]
+    told = CliRunner().invoke(app, arguments)
+    assert told.exit_code == 0, told.output
+    assert "owner" in told.output
+    told = CliRunner().invoke(app, [*arguments, "--json"])
+    record = json.loads(told.output)
+    assert record["runs"] == 0
+    assert record["rejects"] == 2
+    assert math.isfinite(record["events"]["city"]["expected_overturned"])
+    assert Path(record["folder"]) == out
+
+
+def test_the_example_runs(tmp_path):
+    examples = Path(__file__).parents[2] / "examples"
+    text = (examples / "city.toml").read_text(encoding="utf-8")
+    scenario = city(tmp_path, text.replace("count = 10", "count = 2").replace("samples = 20", "samples = 2"))
+    done = assess(examples / "inventory.csv", scenario, tmp_path / "out", progress=False)
+    assert done.facts["rejects"] == 0

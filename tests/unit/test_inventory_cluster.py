@@ -1,0 +1,73 @@
+"""Assessments on Dask clusters of processes, while workers and schedulers are killed: the same bytes."""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import sys
+import threading
+
+import pytest
+from inventories import city, digests, pieces, table
+
+import stayput as sp
+from stayput.inventory import assess
+
+distributed = pytest.importorskip("dask.distributed", reason="Dask is not installed")
+
+
+@pytest.fixture(scope="module")
+def inputs(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("inputs")
+    return table(folder, pieces(120, 60)), city(folder)
+
+
+@pytest.fixture(scope="module")
+def expected(inputs, tmp_path_factory):
+    done = assess(*inputs, tmp_path_factory.mktemp("expected") / "out", progress=False)
+    return digests(done.folder)
+
+
+@pytest.fixture(scope="module")
+def client(expected):  # after it, so that the workers find compiled code
+    assert expected
+    with (
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1"
+        ) as cluster,
+        distributed.Client(cluster, set_as_default=False) as client,
+    ):
+        yield client
+
+
+@pytest.fixture
+def many_tasks(monkeypatch):
+    monkeypatch.setattr("stayput.inventory.work.SECONDS", 0.02)
+    monkeypatch.setattr("stayput.inventory.work.KEEP_AFTER", 0.0)
+
+
+def test_a_cluster_gives_the_same_bytes(inputs, expected, client, tmp_path):
+    said = []
+    done = assess(*inputs, tmp_path / "out", client=client, progress=False, say=said.append)
+    assert digests(done.folder) == expected
+    assert said
+    assert said[0].startswith("Dashboard of the cluster")
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.usefixtures("many_tasks")
+def test_killed_workers_lose_nothing(inputs, expected, client, tmp_path, seed):
+    rng = random.Random(seed)
+    victims = list(client.run(os.getpid).values())
+    timer = threading.Timer(rng.uniform(0.1, 1.0), os.kill, (rng.choice(victims), signal.SIGKILL))
+    timer.start()
+    done = assess(*inputs, tmp_path / "out", client=client, progress=False)
+    timer.join()
+    assert digests(done.folder) == expected
+
+
+def test_a_scheduler_that_is_not_there_is_refused(inputs, tmp_path, monkeypatch):
+    monkeypatch.setattr(sys.modules["stayput.inventory.assess"], "CONNECTING", 0.5)
+    with pytest.raises(sp.InputError, match="could not be reached"):
+        assess(*inputs, tmp_path / "out", scheduler="tcp://127.0.0.1:9", progress=False)

@@ -1,0 +1,204 @@
+"""Assessments that are killed, that meet a full disk, or whose files are broken: same bytes in the end.
+
+Processes are children of a server that has everything loaded, so that a run takes a moment.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import multiprocessing
+import os
+import random
+import shutil
+import signal
+import sys
+import time
+from pathlib import Path
+
+import pyarrow.parquet as pq
+import pytest
+from inventories import city, digests, pieces, table
+
+import stayput as sp
+from stayput.inventory import assess, folder, records, results
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="kill -9 is of POSIX")
+
+PIECES, DIFFERENT = 60, 30
+
+
+def slowly(inventory: Path, scenario: Path, out: Path) -> None:
+    """Assess in many small steps, each of which leaves files."""
+    from stayput.inventory import plan, work
+
+    plan.IN_A_PART, work.SECONDS, work.KEEP_AFTER = 20, 0.01, 0.0
+    assess(inventory, scenario, out, threads=2, progress=False)
+
+
+@pytest.fixture(scope="module")
+def inputs(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("inputs")
+    return table(folder, pieces(PIECES, DIFFERENT)), city(folder)
+
+
+@pytest.fixture(scope="module")
+def children(inputs, tmp_path_factory):
+    sys.path.insert(0, str(Path(__file__).parent))
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(["test_inventory_faults", "stayput.verify", "stayput.inventory.units"])
+    started = time.monotonic()
+    first = context.Process(target=slowly, args=(*inputs, tmp_path_factory.mktemp("first") / "out"))
+    first.start()
+    first.join()
+    assert first.exitcode == 0
+    started = time.monotonic()
+    second = context.Process(target=slowly, args=(*inputs, tmp_path_factory.mktemp("second") / "out"))
+    second.start()
+    second.join()
+    return context, time.monotonic() - started
+
+
+@pytest.fixture
+def small_parts(monkeypatch):
+    monkeypatch.setattr("stayput.inventory.plan.IN_A_PART", 20)
+    monkeypatch.setattr("stayput.inventory.work.SECONDS", 0.05)
+    monkeypatch.setattr("stayput.inventory.work.KEEP_AFTER", 0.0)
+
+
+@pytest.fixture(scope="module")
+def expected(inputs, tmp_path_factory):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("stayput.inventory.plan.IN_A_PART", 20)
+        done = assess(*inputs, tmp_path_factory.mktemp("expected") / "out", progress=False)
+    return digests(done.folder)
+
+
+def check(out: Path, expected: dict[str, str]) -> None:
+    """None lost, none twice, all bytes the same, nothing else in the folder."""
+    assert digests(out) == expected
+    rows = [
+        row for part in sorted((out / "pieces").iterdir()) for row in pq.read_table(part)["row"].to_pylist()
+    ]
+    assert rows == list(range(2, PIECES + 2))
+    assert not [path for path in out.rglob(".*") if path.name != ".lock"]
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_a_killed_command_goes_on(inputs, children, expected, small_parts, tmp_path, seed):
+    context, whole = children
+    rng = random.Random(seed)
+    out = tmp_path / "out"
+    for _ in range(2):
+        child = context.Process(target=slowly, args=(*inputs, out))
+        child.start()
+        time.sleep(rng.uniform(0.05, 0.9) * whole)
+        with contextlib.suppress(ProcessLookupError):  # it was done in time
+            os.kill(child.pid, rng.choice([signal.SIGKILL, signal.SIGKILL, signal.SIGINT]))
+        child.join()
+    assess(*inputs, out, progress=False)
+    check(out, expected)
+
+
+class Full:
+    """A disk that takes so many bytes."""
+
+    def __init__(self, room: int) -> None:
+        self.room = room
+
+    def wrap(self, file):
+        disk, write = self, file.write
+
+        class Limited:
+            def __getattr__(self, name):
+                return getattr(file, name)
+
+            def write(self, content):
+                disk.room -= len(content)
+                if disk.room < 0:
+                    write(content[: len(content) // 2])
+                    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+                return write(content)
+
+        return Limited()
+
+
+@pytest.mark.parametrize("room", [0, 500, 3000, 9000, 20_000, 40_000])
+def test_a_full_disk_is_said_and_gone_on_from(inputs, expected, small_parts, tmp_path, monkeypatch, room):
+    module = sys.modules["stayput.inventory.assess"]
+    disk, real = Full(room), folder.durable
+
+    @contextlib.contextmanager
+    def limited(path):
+        with real(path) as file:
+            yield disk.wrap(file)
+
+    with monkeypatch.context() as patch:
+        for where in (folder, records, results, module):
+            patch.setattr(where, "durable", limited)
+        with pytest.raises(sp.InputError, match="no space left"):
+            assess(*inputs, tmp_path / "out", progress=False)
+    assess(*inputs, tmp_path / "out", progress=False)
+    check(tmp_path / "out", expected)
+
+
+def mounted(folder: Path, size: str) -> bool:
+    folder.mkdir()
+    told = os.system(f"mount -t tmpfs -o size={size} tmpfs {folder} 2>/dev/null")
+    return told == 0
+
+
+@pytest.mark.parametrize("size", ["128k", "192k", "256k"])
+def test_a_disk_that_is_really_full(inputs, expected, small_parts, tmp_path, size):
+    disk = tmp_path / "disk"
+    if not mounted(disk, size):
+        pytest.skip("a small file system cannot be mounted here")
+    try:
+        with pytest.raises(sp.InputError, match=r"no space left|full"):
+            assess(*inputs, disk / "out", progress=False)
+        os.system(f"mount -o remount,size=64m {disk}")
+        assess(*inputs, disk / "out", progress=False)
+        check(disk / "out", expected)
+    finally:
+        os.system(f"umount {disk}")
+
+
+def _cut(path: Path) -> None:
+    path.write_bytes(path.read_bytes()[:-100])
+
+
+def _flip(path: Path) -> None:
+    content = bytearray(path.read_bytes())
+    content[len(content) // 2] ^= 1
+    path.write_bytes(content)
+
+
+def _empty(path: Path) -> None:
+    path.write_bytes(b"")
+
+
+def _of_another(path: Path) -> None:
+    shutil.copy(sorted(path.parent.iterdir())[-1], path)
+
+
+@pytest.mark.parametrize("breaks", [_cut, _flip, _empty, _of_another, Path.unlink])
+@pytest.mark.parametrize("what", ["pieces/part-000001.parquet", "work/units/*.units"])
+def test_a_broken_part_is_made_again(inputs, expected, small_parts, tmp_path, breaks, what):
+    out = tmp_path / "out"
+    first = assess(*inputs, out, progress=False)
+    breaks(sorted(out.glob(what))[0])
+    again = assess(*inputs, out, progress=False)
+    check(out, expected)
+    assert again.runs == 0 or "units" in what
+    assert again.runs <= first.runs
+
+
+def test_two_commands_are_not_in_one_folder(inputs, tmp_path):
+    import fcntl
+
+    out = tmp_path / "out"
+    assess(*inputs, out, progress=False)
+    with (out / ".lock").open("ab") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        with pytest.raises(sp.InputError, match="Another command"):
+            assess(*inputs, out, progress=False)

@@ -1,0 +1,228 @@
+"""Hostile tables: what is refused as a whole, and what is rejected row by row, each with its reason."""
+
+from __future__ import annotations
+
+import datetime
+import math
+
+import openpyxl
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+from inventories import HEADER, city, table
+
+import stayput as sp
+from stayput.inventory import assess
+from stayput.inventory.city import read_cities
+from stayput.inventory.header import header_of
+from stayput.inventory.plan import make_plan
+from stayput.inventory.tables import open_table
+
+GOOD = "good,chest,,,,,,,,,,,"
+
+
+def plan(folder, file):
+    """Facts and rejects of a table."""
+    work = folder / "plan"
+    work.mkdir()
+    facts = make_plan(work, file, read_cities(city(folder)), 2**24, lambda count: None)
+    return facts, pq.read_table(work / "plan" / "rejects.parquet").to_pylist()
+
+
+def row(**cells):
+    return ",".join(cells.get(name, "") for name in HEADER.split(","))
+
+
+# ruff: noqa: E501 - a case a line
+REJECTED = {
+    "no id": (row(preset="chest"), "id is missing"),
+    "unit in a cell": (row(id="x", width="40 cm", height="1", mass="1"), "width is '40 cm'; it must be a plain number in m, without its unit"),
+    "decimal comma": (row(id="x", width='"0,4"', height="1", mass="1"), "width is '0,4'; it must be a plain number"),
+    "thousands": (row(id="x", preset="chest", value='"90,000"'), "value is '90,000'"),
+    "negative size": (row(id="x", width="-0.4", height="1", mass="1"), "width is -0.4; it must be a number between 0.001 and 100 m"),
+    "zero mass": (row(id="x", width="0.4", height="1", mass="0"), "mass is 0.0"),
+    "NaN": (row(id="x", width="nan", height="1", mass="1"), "width is 'nan'"),
+    "infinity": (row(id="x", width="1e999", height="1", mass="1"), "width is inf"),
+    "hexadecimal": (row(id="x", width="0x1p-1", height="1", mass="1"), "width is '0x1p-1'"),
+    "underscore": (row(id="x", width="1_0", height="1", mass="1"), "width is '1_0'"),
+    "formula": (row(id="x", width="=1+1", height="1", mass="1"), "width is a formula"),
+    "command in an id": (row(id="=cmd|' /C calc'!A0", preset="chest"), "id is a formula"),
+    "no size": (row(id="x"), "width is missing"),
+    "no such preset": (row(id="x", preset="wardrob"), "did you mean 'wardrobe'"),
+    "no such floor": (row(id="x", preset="chest", floor="vynil"), "did you mean 'vinyl'"),
+    "friction": (row(id="x", preset="chest", floor="0.3;0.4"), "kinetic friction is 0.4"),
+    "negative gap": (row(id="x", preset="chest", gap="-0.1"), "gap is -0.1"),
+    "no such building": (row(id="x", preset="chest", building="tower", storey="1"), "building is 'tower'"),
+    "no such structure": (row(id="x", preset="chest", building="5 straw", storey="1"), "straw"),
+    "storeys": (row(id="x", preset="chest", building="0 RC", storey="1"), "building.storeys is 0"),
+    "storey above the roof": (row(id="x", preset="chest", building="office", storey="9"), "storey is 9; it must be between 1 and 5"),
+    "half a storey": (row(id="x", preset="chest", building="office", storey="1.5"), "whole number"),
+    "no storey": (row(id="x", preset="chest", building="office"), "storey is missing"),
+    "no building": (row(id="x", preset="chest", storey="2"), "building is missing"),
+    "no such measure": (row(id="x", preset="chest", measures="glue"), "measures has 'glue'"),
+    "measure twice": (row(id="x", preset="chest", measures="wedge;wedge"), "twice"),
+    "measures for one place": (row(id="x", preset="chest", measures="wedge_stopper+gel_mats"), "only one of them"),
+    "measure too tall": (row(id="x", width="1", height="2.39", mass="9", measures="tension_pole"), "ension pole"),
+    "taller than the room": (row(id="x", width="1", height="2.5", mass="9"), "inside the ceiling"),
+    "costs": (row(id="x", preset="chest", measures="wedge;sheet", costs="5"), "costs has 1 numbers"),
+    "negative cost": (row(id="x", preset="chest", measures="wedge", costs="-5"), "costs is -5"),
+    "no count": (row(id="x", preset="chest", count="0"), "count is 0"),
+    "negative value": (row(id="x", preset="chest", value="-1"), "value is -1"),
+    "duplicate": (row(id="good", preset="chest"), "which is that of row 2"),
+    "more cells": (GOOD.replace("good", "x") + ",1", "14 cells"),
+    "fewer cells": ("x,chest", "2 cells"),
+    "a million characters": (row(id="x", preset="c" * 10**6), "preset has 1000000 characters"),
+    "a million in an id": (row(id="c" * 10**6, preset="chest"), "id has 1000000 characters"),
+    "several lines": (row(id="x", preset='"chest\nchest"'), "several lines"),
+    "stray quote": ('x,"chest"z,,,,,,,,,,,', "cannot be read"),
+    "control character": (row(id="x\x07", preset="chest"), "control character"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", REJECTED)
+def test_a_bad_row_is_rejected_with_its_reason(tmp_path, name):
+    bad, reason = REJECTED[name]
+    facts, rejects = plan(tmp_path, table(tmp_path, [GOOD, bad, GOOD.replace("good", "last")]))
+    assert (facts["pieces"], facts["rejects"]) == (2, 1)
+    (told,) = rejects
+    assert told["row"] == 3
+    assert reason in told["reason"]
+    assert told["reason"].endswith(".")
+    assert len(told["reason"]) < 700
+    assert len(told["id"]) <= 200
+
+
+REFUSED = {
+    "merged header": ("Piece,,,Place,\nid,preset,width,building,storey\n", "header merged"),
+    "no header": ("p1,chest\n", "must name every column"),
+    "semicolons": ("id;preset\np;chest\n", "commas must be between"),
+    "tabs": ("id\tpreset\np\tchest\n", "commas must be between"),
+    "unit in a name": ("id,width (cm)\np,40\n", "did you mean 'width'"),
+    "misspelt": ("id,presett\np,chest\n", "did you mean 'preset'"),
+    "column twice": ("id,preset,preset\np,chest,chest\n", "there twice"),
+    "too many columns": (",".join(["id", *(f"c{n}" for n in range(300))]) + "\n", "301 columns"),
+    "empty": ("", "it is empty"),
+    "only a header": ("id,preset\n", "a row below its header"),
+    "open quote": ('id,preset\np,"chest\nq,chest\n', "row 2 of the inventory .line 2. a quote opens"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_a_bad_table_is_refused_whole(tmp_path, name):
+    content, reason = REFUSED[name]
+    file = tmp_path / "inventory.csv"
+    file.write_text(content)
+    with pytest.raises(sp.InputError, match=reason):
+        plan(tmp_path, file)
+
+
+@pytest.mark.parametrize(
+    ("encoding", "how"), [("utf-8", "UTF-8"), ("utf-8-sig", "UTF-8"), ("cp932", "cp932")]
+)
+def test_encodings_are_tried_in_turn(tmp_path, encoding, how):
+    file = tmp_path / "inventory.csv"
+    file.write_bytes("id,preset\n本棚,bookcase\n".encode(encoding))
+    with open_table(file) as read:
+        assert read.how == how
+        assert read.header == ["id", "preset"]
+        assert next(read.rows) == (2, ["本棚", "bookcase"])
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "euc_jp", "utf-32"])
+def test_other_encodings_are_refused(tmp_path, encoding):
+    file = tmp_path / "inventory.csv"
+    file.write_bytes("id,preset\n棚卸し食器棚,bookcase\n".encode(encoding) + b"\x85\xff\n")
+    with pytest.raises(sp.InputError, match="UTF-8 or cp932"), open_table(file):
+        pass
+
+
+def test_empty_rows_are_counted(tmp_path):
+    facts, rejects = plan(tmp_path, table(tmp_path, [GOOD, ",,,,,,,,,,,,", "", row(id="b", preset="chest")]))
+    assert facts["empty rows"] == 2
+    assert facts["pieces"] == 2
+    assert not rejects
+
+
+def test_columns_that_are_not_known_are_named():
+    assert header_of(["id", "owner", "room no."]).unused == ("owner", "room no.")
+
+
+def excel(folder, rows):
+    book = openpyxl.Workbook()
+    for cells in rows:
+        book.active.append(cells)
+    file = folder / "inventory.xlsx"
+    book.save(file)
+    return file
+
+
+def test_a_workbook_is_read_cell_by_cell(tmp_path):
+    rows = [
+        ["id", "preset", "width", "count", None],
+        [1, "chest", None, 2, None],
+        ["f", "chest", "=0.1+0.3", 1, None],
+        ["d", "chest", datetime.datetime(2024, 1, 1), 1, None],
+        ["b", "chest", True, 1, None],
+        [None, None, None, None, None],
+        ["w", "chest", 0.45, 1.0, "x"],
+        ["ok", "chest", 0.45, 1.0, None],
+    ]
+    facts, rejects = plan(tmp_path, excel(tmp_path, rows))
+    assert facts["pieces"] == 2
+    assert facts["empty rows"] == 1
+    assert "Sheet" in facts["read as"]
+    told = {row["row"]: row["reason"] for row in rejects}
+    assert "width is a formula" in told[3]
+    assert "a date" in told[4]
+    assert "true or false" in told[5]
+    assert "6 cells" in told[7] or "5 cells" in told[7] or "without a name" in told[7]
+
+
+def test_a_merged_header_of_a_workbook_is_refused(tmp_path):
+    with pytest.raises(sp.InputError, match="header merged"):
+        plan(tmp_path, excel(tmp_path, [["Piece", None, "Place"], ["id", "preset", "storey"]]))
+
+
+@pytest.mark.parametrize("suffix", [".xlsx", ".parquet"])
+def test_a_file_of_another_kind_is_refused(tmp_path, suffix):
+    file = tmp_path / f"inventory{suffix}"
+    file.write_bytes(b"PK\x03\x04 no such thing")
+    with pytest.raises(sp.InputError, match="it must be"):
+        plan(tmp_path, file)
+
+
+def test_other_names_are_refused(tmp_path):
+    file = tmp_path / "inventory.ods"
+    file.write_bytes(b"")
+    with pytest.raises(sp.InputError, match="must end in"):
+        assess(file, city(tmp_path), tmp_path / "out", progress=False)
+
+
+def test_parquet_is_read_with_its_types(tmp_path):
+    columns = {
+        "id": ["a", "b", None, "d"],
+        "width": [0.4, math.nan, 0.4, -1.0],
+        "height": [1.8, 1.8, 1.8, 1.8],
+        "mass": pa.array([100, 100, 100, 100], pa.int16()),
+        "floor": pa.array(["vinyl"] * 4).dictionary_encode(),
+    }
+    file = tmp_path / "inventory.parquet"
+    pq.write_table(pa.table(columns), file)
+    facts, rejects = plan(tmp_path, file)
+    assert facts["pieces"] == 1
+    assert [row["row"] for row in rejects] == [3, 4, 5]
+    assert "width is nan" in rejects[0]["reason"]
+
+
+def test_a_list_in_parquet_is_of_no_use(tmp_path):
+    file = tmp_path / "inventory.parquet"
+    pq.write_table(pa.table({"id": ["a"], "preset": ["chest"], "load": [[1.0, 2.0]]}), file)
+    facts, rejects = plan(tmp_path, file)
+    assert facts["pieces"] == 0
+    assert "neither text nor number" in rejects[0]["reason"]
+
+
+def test_rejects_cannot_be_taken_for_formulas(tmp_path):
+    bad = row(id="@SUM(1)", preset="nothing")
+    done = assess(table(tmp_path, [GOOD, bad]), city(tmp_path), tmp_path / "out", progress=False)
+    assert ",'@SUM(1)," in (done.folder / "rejects.csv").read_text()
