@@ -5,7 +5,7 @@ from pathlib import Path
 
 import stayput as sp
 from stayput.report.verdict.html import write_report
-from stayput.verify import verify
+from stayput.verification import verify
 
 scenario = sp.Scenario.parse(
     {

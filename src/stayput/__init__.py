@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from stayput.ensemble import overturning_map, simulate_many, sweep, trace_boundary
     from stayput.errors import InputError
     from stayput.fragility import FragilityCurve, Trials, fragility_curve, write_nrml, write_pelicun
+    from stayput.inventory import assess
     from stayput.measures import MEASURES, Measure, hold
     from stayput.motion import Motion, near_fault, pulse, read_motion, sine
     from stayput.motion.spectrum import ResponseSpectrum, response_spectrum
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from stayput.scenario import Scenario, read_scenario
     from stayput.simulation import Case, Event, EventKind, Mode, Outcome, Run, State, simulate
     from stayput.uncertainty import Lognormal, Normal, Uncertainty, Uniform
-    from stayput.verify import Verdict, verify
+    from stayput.verification import Verdict, verify
 
 __version__ = "0.1.0"
 
@@ -66,9 +67,10 @@ _HOMES = {
     "Trials": "fragility",
     "Uncertainty": "uncertainty",
     "Uniform": "uncertainty",
-    "Verdict": "verify",
+    "Verdict": "verification",
     "Wall": "room",
     "asce7": "motion.suites",
+    "assess": "inventory",
     "fragility_curve": "fragility",
     "hold": "measures",
     "japanese_design": "motion.suites",
@@ -86,7 +88,7 @@ _HOMES = {
     "sweep": "ensemble",
     "synthetic_suite": "motion.suites",
     "trace_boundary": "ensemble",
-    "verify": "verify",
+    "verify": "verification",
     "write_nrml": "fragility",
     "write_pelicun": "fragility",
 }
@@ -125,6 +127,7 @@ __all__ = [
     "Verdict",
     "Wall",
     "asce7",
+    "assess",
     "fragility_curve",
     "hold",
     "japanese_design",

@@ -21,7 +21,7 @@ DESK = {"width": 1280, "height": 900}
 FLAGS = ["--no-sandbox", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"]
 LOCALES = {"en": "en-GB", "ja": "ja-JP"}
 WAIT = 15_000
-COMPILING = 180_000
+COMPILING = 300_000
 FEW = 8
 
 

@@ -26,6 +26,10 @@ SCENE = {
 }
 
 
+COMPILING = 300.0
+"""How long an answer may take where the kernels are compiled first, on a slow machine [s]."""
+
+
 class Running(NamedTuple):
     """A server that runs."""
 
@@ -59,7 +63,7 @@ def server() -> Iterator[Running]:
 
 
 def client_of(server: Running) -> httpx.Client:
-    return httpx.Client(base_url=server.address, timeout=60.0, trust_env=False)
+    return httpx.Client(base_url=server.address, timeout=COMPILING, trust_env=False)
 
 
 @pytest.fixture

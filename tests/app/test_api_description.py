@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 import schemathesis
-from conftest import running
+from conftest import COMPILING, running
 from hypothesis import HealthCheck, settings
 
 from stayput.app.server import create_app
@@ -43,7 +43,7 @@ def served() -> Iterator[Running]:
     suppress_health_check=list(HealthCheck),
 )
 def test_no_input_makes_the_server_fail(case: schemathesis.Case, served: Running) -> None:
-    answer = case.call(base_url=served.address, timeout=60.0)
+    answer = case.call(base_url=served.address, timeout=COMPILING)
     assert answer.status_code < 500 or answer.status_code == 503, answer.text
     case.validate_response(
         answer,

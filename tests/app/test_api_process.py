@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import httpx
 import pytest
-from conftest import SCENE
+from conftest import COMPILING, SCENE
 from typer.testing import CliRunner
 
 from stayput.app.pages import page_files
@@ -52,7 +52,7 @@ def process(code: str = START) -> Generator[tuple[str, subprocess.Popen[str]]]:
 
 
 def client_at(address: str) -> httpx.Client:
-    return httpx.Client(base_url=address, trust_env=False, timeout=60.0)
+    return httpx.Client(base_url=address, trust_env=False, timeout=COMPILING)
 
 
 def memory(pid: int) -> float:
@@ -76,7 +76,7 @@ def test_memory_stays_flat() -> None:
     """`benchmarks/app.py` measures it over 1,000 requests."""
     with (
         process() as (address, started),
-        httpx.Client(base_url=address, trust_env=False, timeout=60.0) as client,
+        httpx.Client(base_url=address, trust_env=False, timeout=COMPILING) as client,
     ):
         while not client.get("/api/v1/ping").json()["ready"]:
             pass

@@ -23,9 +23,9 @@ from stayput.inventory.places import read_shakemap
 from stayput.inventory.results import choose
 from stayput.inventory.units import _drawn, unit_rows
 from stayput.measures import MEASURES, hold
-from stayput.verify import verify
-from stayput.verify.draws import draws, rows_of
-from stayput.verify.options import Option
+from stayput.verification import verify
+from stayput.verification.draws import draws, rows_of
+from stayput.verification.options import Option
 
 ROWS = [
     "shelf,bookcase,,,,,0.02,office,3,wedge;sheet+tension_pole,1000;5000,4,20000",

@@ -46,7 +46,9 @@ def inputs(tmp_path_factory):
 def children(inputs, tmp_path_factory):
     sys.path.insert(0, str(Path(__file__).parent))
     context = multiprocessing.get_context("forkserver")
-    context.set_forkserver_preload(["test_inventory_faults", "stayput.verify", "stayput.inventory.units"])
+    context.set_forkserver_preload(
+        ["test_inventory_faults", "stayput.verification", "stayput.inventory.units"]
+    )
     started = time.monotonic()
     first = context.Process(target=slowly, args=(*inputs, tmp_path_factory.mktemp("first") / "out"))
     first.start()

@@ -25,8 +25,8 @@ from stayput.report.verdict.tables import ranking, verdict_csv
 from stayput.room import SURFACES
 from stayput.simulation import Mode, Outcome
 from stayput.uncertainty import USUAL
-from stayput.verify import EVENTS
-from stayput.verify.words import headline
+from stayput.verification import EVENTS
+from stayput.verification.words import headline
 
 
 def fields(text):

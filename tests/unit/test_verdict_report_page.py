@@ -20,11 +20,11 @@ from stayput.report.verdict.replay import replay
 from stayput.report.verdict.scenes import scene, steps
 from stayput.report.verdict.tables import ranking
 from stayput.report.verdict.words import word
-from stayput.verify.draws import draws, rows_of
-from stayput.verify.hazard import Hazard
-from stayput.verify.runs import run_level
-from stayput.verify.verdict import Member
-from stayput.verify.words import headline
+from stayput.verification.draws import draws, rows_of
+from stayput.verification.hazard import Hazard
+from stayput.verification.runs import run_level
+from stayput.verification.verdict import Member
+from stayput.verification.words import headline
 
 VOID = {"meta", "input", "br", "line", "rect", "circle", "polyline", "polygon"}
 

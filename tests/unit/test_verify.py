@@ -10,14 +10,14 @@ import stayput as sp
 from stayput.fragility import JMA_INTENSITY, PGA
 from stayput.measures import MEASURES
 from stayput.scenario import Scenario
-from stayput.verify import LEVELS, options_of, verify
-from stayput.verify.draws import drawn_body, drawn_room, draws
-from stayput.verify.hazard import Hazard
-from stayput.verify.options import usual_options
-from stayput.verify.ranking import members
-from stayput.verify.runs import Runs
-from stayput.verify.verdict import DEVICE_FAILED, EVENTS, HIT_WALL, OVERTURNED, SLID, Quantiles
-from stayput.verify.words import headline, reason
+from stayput.verification import LEVELS, options_of, verify
+from stayput.verification.draws import drawn_body, drawn_room, draws
+from stayput.verification.hazard import Hazard
+from stayput.verification.options import usual_options
+from stayput.verification.ranking import members
+from stayput.verification.runs import Runs
+from stayput.verification.verdict import DEVICE_FAILED, EVENTS, HIT_WALL, OVERTURNED, SLID, Quantiles
+from stayput.verification.words import headline, reason
 
 ROOM = {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
 FEW = np.array([5.0, 5.75, 6.5])

@@ -7,9 +7,9 @@ import numpy as np
 import stayput as sp
 from stayput.fragility import INTENSITY_MEASURES, Trials, difference, fragility_curve, probability
 from stayput.measures import Belt, FeltGlides
-from stayput.verify.estimates import Estimates
-from stayput.verify.options import Option
-from stayput.verify.verdict import EVENTS, DeviceSummary, Member, OptionVerdict, Quantiles, Verdict
+from stayput.verification.estimates import Estimates
+from stayput.verification.options import Option
+from stayput.verification.verdict import EVENTS, DeviceSummary, Member, OptionVerdict, Quantiles, Verdict
 
 SCENARIO = {
     "title": "Study",

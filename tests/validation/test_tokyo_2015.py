@@ -20,7 +20,7 @@ from stayput.studies.tokyo.runs import facings, shares
 from stayput.studies.tokyo.study import tokyo
 from stayput.studies.tokyo.tables import MOST, claims
 from stayput.studies.tokyo.variations import PROBES, VARIATIONS, varied
-from stayput.verify.draws import drawn_body, drawn_room, draws
+from stayput.verification.draws import drawn_body, drawn_room, draws
 
 FOLDER = Path(__file__).parents[3] / "shared" / "motions"
 FILES = [FOLDER / f"jma_kobe_1995_{name}.AT2" for name in ("ns", "ew", "ud")]

@@ -27,14 +27,14 @@ from stayput.app.uploads import read_upload
 from stayput.app.verdict_replies import JobReply
 from stayput.app.verification import job_reply, runs_of, verified, with_options
 from stayput.report.verdict.tables import verdict_csv
-from stayput.verify.verify import LEVELS
+from stayput.verification.compare import LEVELS
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from stayput.app.jobs import Job
     from stayput.scenario import Scenario
-    from stayput.verify import Verdict
+    from stayput.verification import Verdict
 
 Name = Annotated[str, Path(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")]
 Language = Literal["en", "ja"]

@@ -16,7 +16,7 @@ from stayput.scenario.writing import scenario_toml
 if TYPE_CHECKING:
     from stayput.app.motions import Motions
     from stayput.scenario import Scenario
-    from stayput.verify import Verdict
+    from stayput.verification import Verdict
 
 _drawing = threading.Lock()  # Matplotlib draws on one thread at a time
 

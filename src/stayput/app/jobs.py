@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from stayput.app.limits import Limits
-    from stayput.verify import Verdict
+    from stayput.verification import Verdict
 
 State = Literal["waiting", "running", "done", "cancelled", "failed"]
 Told = "Callable[[int, int], None]"

@@ -32,7 +32,7 @@ from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.report.palette import MODE_COLOURS
 from stayput.room import SURFACES as FRICTIONS
 from stayput.room import Ceiling, Room, Wall
-from stayput.verify.options import USUAL
+from stayput.verification.options import USUAL
 
 if TYPE_CHECKING:
     from stayput.app.limits import Limits

@@ -16,7 +16,7 @@ from stayput.errors import InputError
 from stayput.measures import element_rows, hold
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.motion.suites import Suite
-from stayput.verify.hazard import Hazard
+from stayput.verification.hazard import Hazard
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

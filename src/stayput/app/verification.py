@@ -29,11 +29,11 @@ from stayput.app.verdict_replies import (
 from stayput.fragility import JMA_INTENSITY
 from stayput.measures import MEASURES
 from stayput.scenario import Scenario
-from stayput.verify import verify
-from stayput.verify.options import NOTHING, options_of, usual_options
-from stayput.verify.verdict import DEVICE_FAILED, HIT_WALL, OVERTURNED, SLID
-from stayput.verify.verify import LEVELS
-from stayput.verify.words import headline, reason
+from stayput.verification import verify
+from stayput.verification.compare import LEVELS
+from stayput.verification.options import NOTHING, options_of, usual_options
+from stayput.verification.verdict import DEVICE_FAILED, HIT_WALL, OVERTURNED, SLID
+from stayput.verification.words import headline, reason
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -44,8 +44,8 @@ if TYPE_CHECKING:
     from stayput.app.limits import Limits
     from stayput.fragility import Capacity, FragilityCurve, Probability
     from stayput.measures import Measure
-    from stayput.verify import Verdict
-    from stayput.verify.verdict import OptionVerdict, Quantiles
+    from stayput.verification import Verdict
+    from stayput.verification.verdict import OptionVerdict, Quantiles
 
 CURVE: NDArray[np.float64] = np.round(np.linspace(4.0, 7.0, 61), 3)
 """JMA intensities at which a curve is sent."""

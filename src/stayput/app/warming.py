@@ -7,7 +7,7 @@ from stayput.app.running import simulated
 from stayput.app.scenes import YOURS
 from stayput.app.size_map import size_map
 from stayput.scenario import Scenario
-from stayput.verify import verify
+from stayput.verification import verify
 
 
 def warm() -> None:

@@ -47,7 +47,7 @@ def fragility(
     asked = _only(read_scenario(scenario), measure)
 
     from stayput.report.verdict.exports import write_curves
-    from stayput.verify import verify
+    from stayput.verification import verify
 
     verdict = verify(asked, threads=threads)
     wanted: IntensityMeasure = INTENSITY_MEASURES[im]

@@ -11,7 +11,7 @@ import typer
 from stayput.cli.options import Threads  # noqa: TC001 - Typer reads the annotations
 
 if TYPE_CHECKING:
-    from stayput.verify import Verdict
+    from stayput.verification import Verdict
 
 
 def verify(
@@ -56,8 +56,8 @@ def _verified(path: Path, slide_limit: float | None, threads: int | None) -> Ver
 
     scenario = read_scenario(path)
 
-    from stayput.verify import SLIDE_LIMIT
-    from stayput.verify import verify as compare
+    from stayput.verification import SLIDE_LIMIT
+    from stayput.verification import verify as compare
 
     limit = SLIDE_LIMIT if slide_limit is None else slide_limit
     return compare(scenario, slide_limit=limit, threads=threads)
@@ -92,8 +92,8 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     from stayput.report.verdict import numbers
     from stayput.report.verdict.tables import SHARES, ranking
     from stayput.report.verdict.words import word
-    from stayput.verify import EVENTS
-    from stayput.verify.words import headline
+    from stayput.verification import EVENTS
+    from stayput.verification.words import headline
 
     def told(key: str, **values: object) -> str:
         return word(key, lang, **values)

@@ -26,7 +26,7 @@ from stayput.inventory.store import Store
 from stayput.inventory.summary import COLUMNS, summarise
 from stayput.inventory.work import Work
 from stayput.progress import bar
-from stayput.verify.verify import SLIDE_LIMIT
+from stayput.verification.compare import SLIDE_LIMIT
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator

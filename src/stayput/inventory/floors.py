@@ -1,7 +1,7 @@
 """The motions under the furniture of a building's storeys, computed once for all pieces there.
 
-They are those of `stayput.verify.hazard.Hazard`, storey by storey; a building answers for all its storeys at
-once.
+They are those of `stayput.verification.hazard.Hazard`, storey by storey; a building answers for all its
+storeys at once.
 """
 
 from __future__ import annotations

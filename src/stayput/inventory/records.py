@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.inventory.folder import durable
-from stayput.verify.verdict import EVENTS
+from stayput.verification.verdict import EVENTS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

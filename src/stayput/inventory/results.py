@@ -15,8 +15,8 @@ from stayput.inventory.folder import durable, read_json, write_json
 from stayput.inventory.pieces import NO_MEASURE
 from stayput.inventory.plan import ROWS
 from stayput.inventory.records import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90, Flat
-from stayput.verify.ranking import severity
-from stayput.verify.verdict import EVENTS, OVERTURNED
+from stayput.verification.ranking import severity
+from stayput.verification.verdict import EVENTS, OVERTURNED
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -101,7 +101,8 @@ def choose(
 ) -> Choice:
     """Choose among options, that without a measure first.
 
-    By risk: the order of `stayput.verify.ranking`; a measure that ranks no better than none is not taken.
+    By risk: the order of `stayput.verification.ranking`; a measure that ranks no better than none is not
+    taken.
     By cost: with a value, the largest loss avoided less cost; else the largest fall of the probability of
     overturning for its cost.
 

@@ -20,9 +20,9 @@ from stayput.measures import element_rows, hold
 from stayput.measures.results import failures_of
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.mechanics.restrained.runner import no_elements
-from stayput.verify.draws import QUANTITIES, Draw, drawn_body
-from stayput.verify.verdict import Quantiles
-from stayput.verify.verify import FIRST_SAMPLES
+from stayput.verification.compare import FIRST_SAMPLES
+from stayput.verification.draws import QUANTITIES, Draw, drawn_body
+from stayput.verification.verdict import Quantiles
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -72,7 +72,7 @@ class Sampling:
 
 @lru_cache(maxsize=64)
 def _drawn(motions: int, samples: int, seed: int, start: int) -> tuple[Columns, tuple[Draw, ...]]:
-    """Return the draws of `stayput.verify.draws.draws`, by the column and one by one."""
+    """Return the draws of `stayput.verification.draws.draws`, by the column and one by one."""
     from stayput.uncertainty import USUAL
 
     found = QUANTITIES.sample(samples, seed, motions=motions, start=start)
@@ -88,7 +88,7 @@ def unit_rows(
     drawn: tuple[Columns, tuple[Draw, ...]],
     gravity: float,
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
-    """Return the rows of CASE and ELEMENT of a unit under all draws: those of `stayput.verify.draws`.
+    """Return the rows of CASE and ELEMENT of a unit under all draws: those of `stayput.verification.draws`.
 
     Where measures leave mass and centre of gravity alone and bear no force, all rows are made at once.
     """

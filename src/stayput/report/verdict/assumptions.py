@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from stayput.room import Floor
     from stayput.scenario import Scenario
     from stayput.uncertainty import Marginal
-    from stayput.verify import Verdict
+    from stayput.verification import Verdict
 
 GIVEN, MODEL = "given", "model"
 """Tags beside those of `stayput.uncertainty.Confidence`: said by the user; a limit of the model."""

@@ -13,11 +13,11 @@ from stayput.fragility.curve import State
 from stayput.motion.intensity import CLASSES
 from stayput.report.verdict import svg
 from stayput.report.verdict.words import word
-from stayput.verify.words import class_label
+from stayput.verification.words import class_label
 
 if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve
-    from stayput.verify import OptionVerdict, Verdict
+    from stayput.verification import OptionVerdict, Verdict
 
 WIDTH, HEIGHT = 600.0, 400.0
 LEFT, RIGHT, TOP, BOTTOM = 58.0, 590.0, 34.0, 346.0

@@ -11,12 +11,12 @@ from stayput.measures import parameters
 from stayput.motion.intensity import intensity_class
 from stayput.report.verdict.assumptions import assumptions
 from stayput.scenario.writing import scenario_toml
-from stayput.verify.words import LANGUAGES, headline, reason
+from stayput.verification.words import LANGUAGES, headline, reason
 
 if TYPE_CHECKING:
     from stayput.fragility import Capacity, FragilityCurve, Probability
     from stayput.measures import Measure
-    from stayput.verify import OptionVerdict, Quantiles, Verdict
+    from stayput.verification import OptionVerdict, Quantiles, Verdict
 
 
 def verdict_json(verdict: Verdict) -> str:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from stayput.measures import Held, Measure
-    from stayput.verify import Verdict
+    from stayput.verification import Verdict
 
 HIGH = 250.0
 """Height of a drawing without its margins [px]."""

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.fragility import FragilityCurve, IntensityMeasure
-    from stayput.verify import Verdict
+    from stayput.verification import Verdict
 
 POINTS = 101
 """Points of a curve in the table."""

@@ -28,8 +28,8 @@ from stayput.report.verdict.scenes import scene
 from stayput.report.verdict.tables import SHARES, ranking
 from stayput.report.verdict.words import MODES, named, place, word
 from stayput.scenario.writing import scenario_toml
-from stayput.verify.verdict import OVERTURNED
-from stayput.verify.words import class_label, headline
+from stayput.verification.verdict import OVERTURNED
+from stayput.verification.words import class_label, headline
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
     from stayput.measures import Measure
     from stayput.report.verdict.pairs import Pair
-    from stayput.verify import DeviceSummary, OptionVerdict, Verdict
+    from stayput.verification import DeviceSummary, OptionVerdict, Verdict
 
 SUFFIXES = (".html",)
 """The kind of file that a report is written as."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from stayput.errors import InputError
-from stayput.verify.words import LANGUAGES
+from stayput.verification.words import LANGUAGES
 
 
 def check_language(language: str) -> str:

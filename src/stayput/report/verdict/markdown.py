@@ -11,14 +11,14 @@ from stayput.report.verdict.numbers import NO_NUMBER, interval, length, probabil
 from stayput.report.verdict.tables import SHARES, ranking
 from stayput.report.verdict.words import word
 from stayput.scenario.writing import scenario_toml
-from stayput.verify.words import headline
+from stayput.verification.words import headline
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from stayput.fragility import Probability
     from stayput.report.verdict.tables import Row
-    from stayput.verify import Verdict
+    from stayput.verification import Verdict
 
 
 def verdict_markdown(verdict: Verdict, language: str = "en") -> str:

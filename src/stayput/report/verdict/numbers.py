@@ -10,7 +10,7 @@ from stayput.report.verdict.words import word
 
 if TYPE_CHECKING:
     from stayput.fragility import Capacity, Difference, Probability
-    from stayput.verify import Quantiles
+    from stayput.verification import Quantiles
 
 NO_NUMBER = "–"
 """What stands where there is nothing to tell."""

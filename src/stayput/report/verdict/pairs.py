@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
     from stayput.simulation import Run
-    from stayput.verify import Option, Verdict
-    from stayput.verify.verdict import Member
+    from stayput.verification import Option, Verdict
+    from stayput.verification.verdict import Member
 
 BEFORE, AFTER, LONGEST = 2.0, 4.0, 60.0
 """What is shown before anything moves and after the last thing of note, and at most in all [s]."""

@@ -11,14 +11,14 @@ from stayput.measures.results import device_results
 from stayput.mechanics.runner import shaking
 from stayput.motion.suites import Suite
 from stayput.simulation import Case, run_of, trace_held
-from stayput.verify.draws import drawn_body, drawn_room, draws
-from stayput.verify.hazard import Hazard
+from stayput.verification.draws import drawn_body, drawn_room, draws
+from stayput.verification.hazard import Hazard
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.simulation import Run
-    from stayput.verify import Option, Verdict
-    from stayput.verify.verdict import Member
+    from stayput.verification import Option, Verdict
+    from stayput.verification.verdict import Member
 
 
 def replay(verdict: Verdict, option: Option, member: Member, ground: Suite) -> Run:

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 from stayput.report.verdict import numbers
 from stayput.report.verdict.data import number
-from stayput.verify import EVENTS
-from stayput.verify.verdict import DEVICE_FAILED
-from stayput.verify.words import reason
+from stayput.verification import EVENTS
+from stayput.verification.verdict import DEVICE_FAILED
+from stayput.verification.words import reason
 
 if TYPE_CHECKING:
     from stayput.fragility import Probability
-    from stayput.verify import OptionVerdict, Verdict
+    from stayput.verification import OptionVerdict, Verdict
 
 SHARES = (0.1, 0.5)
 """Shares of overturning whose intensities stand in the tables."""

@@ -7,7 +7,7 @@ and what the ceiling bears go over the usual ranges (defaults, low confidence): 
 from __future__ import annotations
 
 from stayput.measures import GelMats, TensionPole, WedgeStopper
-from stayput.verify import Option
+from stayput.verification import Option
 
 
 def _mats(side: float, thickness: float) -> Option:

@@ -10,9 +10,9 @@ import xarray as xr
 
 from stayput.estimates import GRAVITY
 from stayput.studies.tokyo.published import BODIES, FAR, LEVELS, ROOM, SOME
-from stayput.verify.draws import draws, rows_of
-from stayput.verify.hazard import Floors
-from stayput.verify.runs import run_level
+from stayput.verification.draws import draws, rows_of
+from stayput.verification.hazard import Floors
+from stayput.verification.runs import run_level
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from stayput.body import Body
     from stayput.motion import Motion
     from stayput.room import Room
-    from stayput.verify import Option
-    from stayput.verify.runs import Runs
+    from stayput.verification import Option
+    from stayput.verification.runs import Runs
 
 
 def facings(motion: Motion) -> dict[str, Motion]:

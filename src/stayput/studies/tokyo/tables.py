@@ -15,7 +15,7 @@ from stayput.studies.tokyo.published import LEVELS
 if TYPE_CHECKING:
     import xarray as xr
 
-    from stayput.verify import Option
+    from stayput.verification import Option
 
 MOST = 0.5
 """Share of the draws from which on a result counts as ours."""

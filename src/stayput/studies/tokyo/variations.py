@@ -12,7 +12,7 @@ from stayput.room import Floor, Room, Wall
 from stayput.studies.tokyo.devices import MATS, NOTHING, POLES, STOPPERS
 from stayput.studies.tokyo.published import BODIES, LEVELS, ROOM
 from stayput.studies.tokyo.runs import facings, runs_of
-from stayput.verify import Option
+from stayput.verification import Option
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

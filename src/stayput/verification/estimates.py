@@ -12,7 +12,7 @@ from stayput.fragility import PFA, PFV
 
 if TYPE_CHECKING:
     from stayput.body import Body
-    from stayput.verify.hazard import Floors
+    from stayput.verification.hazard import Floors
 
 
 @dataclass(frozen=True, slots=True)

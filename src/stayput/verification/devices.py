@@ -8,11 +8,11 @@ import numpy as np
 
 from stayput.fragility import probability
 from stayput.mechanics.restrained.columns import HOLDS
-from stayput.verify.verdict import DeviceSummary, Quantiles
+from stayput.verification.verdict import DeviceSummary, Quantiles
 
 if TYPE_CHECKING:
     from stayput.measures import Held
-    from stayput.verify.runs import Runs
+    from stayput.verification.runs import Runs
 
 
 def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
     from stayput.fragility import Capacity, Difference, FragilityCurve, IntensityMeasure, Probability
     from stayput.scenario import Scenario
-    from stayput.verify.estimates import Estimates
-    from stayput.verify.options import Option
+    from stayput.verification.estimates import Estimates
+    from stayput.verification.options import Option
 
 OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED = "overturned", "slid", "hit_wall", "device_failed"
 EVENTS = (OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED)
@@ -164,7 +164,7 @@ class Verdict:
 
     def sentence(self, language: str = "en") -> str:
         """Return the verdict in one sentence, in "en" or "ja"."""
-        from stayput.verify.words import headline
+        from stayput.verification.words import headline
 
         return headline(self, language)
 

@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.verify.verdict import DEVICE_FAILED, HIT_WALL, OVERTURNED, SLID, Member
+from stayput.verification.verdict import DEVICE_FAILED, HIT_WALL, OVERTURNED, SLID, Member
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from stayput.fragility import Probability
-    from stayput.verify.runs import Runs
+    from stayput.verification.runs import Runs
 
 ORDER = (OVERTURNED, SLID, DEVICE_FAILED, HIT_WALL)
 """What counts first, and what decides where that is equal."""

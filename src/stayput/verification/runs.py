@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.verify.draws import Rows
-    from stayput.verify.hazard import Floors
+    from stayput.verification.draws import Rows
+    from stayput.verification.hazard import Floors
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from stayput.verify.options import Option, options_of
-from stayput.verify.verdict import EVENTS, DeviceSummary, OptionVerdict, Quantiles, Verdict
-from stayput.verify.verify import LEVELS, SLIDE_LIMIT, verify
+from stayput.verification.compare import LEVELS, SLIDE_LIMIT, verify
+from stayput.verification.options import Option, options_of
+from stayput.verification.verdict import EVENTS, DeviceSummary, OptionVerdict, Quantiles, Verdict
 
 __all__ = [
     "EVENTS",

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from stayput.body import Body
     from stayput.measures import Held
     from stayput.room import Floor, Room
-    from stayput.verify.options import Option
+    from stayput.verification.options import Option
 
 QUANTITIES = Uncertainty(USUAL)
 """The quantities that are drawn."""

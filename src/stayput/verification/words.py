@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from stayput.fragility.probabilities import percent
 from stayput.motion.intensity import intensity_class
-from stayput.verify.verdict import DEVICE_FAILED, HIT_WALL, OVERTURNED, SLID
+from stayput.verification.verdict import DEVICE_FAILED, HIT_WALL, OVERTURNED, SLID
 
 if TYPE_CHECKING:
-    from stayput.verify.verdict import OptionVerdict, Verdict
+    from stayput.verification.verdict import OptionVerdict, Verdict
 
 LANGUAGES = ("en", "ja")
 

@@ -12,14 +12,14 @@ from stayput.errors import InputError
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability, samples_needed
 from stayput.measures import hold
 from stayput.progress import bar
-from stayput.verify.devices import device_summaries
-from stayput.verify.draws import draws, rows_of
-from stayput.verify.estimates import Estimates
-from stayput.verify.hazard import Hazard
-from stayput.verify.options import options_of
-from stayput.verify.ranking import members, severity
-from stayput.verify.runs import Runs, run_level
-from stayput.verify.verdict import (
+from stayput.verification.devices import device_summaries
+from stayput.verification.draws import draws, rows_of
+from stayput.verification.estimates import Estimates
+from stayput.verification.hazard import Hazard
+from stayput.verification.options import options_of
+from stayput.verification.ranking import members, severity
+from stayput.verification.runs import Runs, run_level
+from stayput.verification.verdict import (
     DEVICE_FAILED,
     HIT_WALL,
     OVERTURNED,
@@ -37,9 +37,9 @@ if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve, IntensityMeasure, Probability
     from stayput.measures import Held
     from stayput.scenario import Scenario
-    from stayput.verify.draws import Rows
-    from stayput.verify.hazard import Floors
-    from stayput.verify.options import Option
+    from stayput.verification.draws import Rows
+    from stayput.verification.hazard import Floors
+    from stayput.verification.options import Option
 
 LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
 """JMA intensities of the ground for the fragility curves: from 4 to 7."""
