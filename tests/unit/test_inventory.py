@@ -321,7 +321,7 @@ def test_the_command_prints_what_it_did(tmp_path):
 
 
 def test_the_example_runs(tmp_path):
-    examples = Path(__file__).parents[2] / "examples"
+    examples = Path(__file__).parents[2] / "examples" / "city"
     text = (examples / "city.toml").read_text(encoding="utf-8")
     scenario = city(tmp_path, text.replace("count = 10", "count = 2").replace("samples = 20", "samples = 2"))
     done = assess(examples / "inventory.csv", scenario, tmp_path / "out", progress=False)
