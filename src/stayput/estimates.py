@@ -10,9 +10,7 @@ import math
 from dataclasses import dataclass
 
 from stayput.errors import InputError, finite, within
-
-GRAVITY = 9.80665
-"""Standard gravity [m/s²]."""
+from stayput.motion.units import STANDARD_GRAVITY
 
 SCATTER = 0.5
 """ζ of Kaneko and Hayashi: standard deviation of ln A at overturning, for the scatter of records, furniture
@@ -25,7 +23,7 @@ def _ratio(width: float, height: float) -> float:
     return width / height
 
 
-def rocking_acceleration(width: float, height: float, gravity: float = GRAVITY) -> float:
+def rocking_acceleration(width: float, height: float, gravity: float = STANDARD_GRAVITY) -> float:
     """Return the floor's acceleration a₀ = (B/H) g at which rocking starts [m/s²].
 
     Statics, attributed to West (Milne 1885). A body whose friction is below B/H slides instead.
@@ -50,7 +48,7 @@ def rocking_acceleration(width: float, height: float, gravity: float = GRAVITY) 
     return _ratio(width, height) * gravity
 
 
-def ishiyama_velocity(width: float, height: float, gravity: float = GRAVITY) -> float:
+def ishiyama_velocity(width: float, height: float, gravity: float = STANDARD_GRAVITY) -> float:
     """Return the floor's velocity v₀ = 0.4 √(8gR(1 − cos α) / (3 cos²α)) needed to overturn [m/s].
 
     With R half the diagonal and tan α = B/H (Ishiyama 1982). Overturning needs both this velocity and
@@ -81,7 +79,9 @@ def ishiyama_velocity(width: float, height: float, gravity: float = GRAVITY) -> 
     return 0.4 * math.sqrt(8.0 * gravity * r * raised / (3.0 * math.cos(alpha) ** 2))
 
 
-def ishiyama_overturns(width: float, height: float, pga: float, pgv: float, gravity: float = GRAVITY) -> bool:
+def ishiyama_overturns(
+    width: float, height: float, pga: float, pgv: float, gravity: float = STANDARD_GRAVITY
+) -> bool:
     """Return whether overturning is possible: both peaks reach Ishiyama's limits.
 
     Parameters
@@ -139,7 +139,9 @@ def kaneko_hayashi_branch(width: float, height: float) -> float:
     return 1.56 / math.sqrt(height) * (1.0 + ratio) ** -1.5
 
 
-def kaneko_hayashi_median(width: float, height: float, frequency: float, gravity: float = GRAVITY) -> float:
+def kaneko_hayashi_median(
+    width: float, height: float, frequency: float, gravity: float = STANDARD_GRAVITY
+) -> float:
     """Return the peak acceleration A₅₀ at which half of such pieces overturn [m/s²].
 
     A₅₀ = g (B/H)(1 + B/H) up to Fb, and 2π Fe (B/√H)(1 + B/H)^2.5 above it (Kaneko and Hayashi 2004;
@@ -176,7 +178,7 @@ def kaneko_hayashi(
     height: float,
     pga: float,
     pgv: float,
-    gravity: float = GRAVITY,
+    gravity: float = STANDARD_GRAVITY,
     *,
     scatter: float = SCATTER,
 ) -> OverturningRatio:
@@ -211,7 +213,12 @@ def kaneko_hayashi(
 
 
 def tie_force(
-    width: float, height: float, mass: float, acceleration: float, tie_height: float, gravity: float = GRAVITY
+    width: float,
+    height: float,
+    mass: float,
+    acceleration: float,
+    tie_height: float,
+    gravity: float = STANDARD_GRAVITY,
 ) -> float:
     """Return the force F = m (a H − g B) / (2 z) of a level tie at height z that holds a body upright [N].
 

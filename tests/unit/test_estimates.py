@@ -9,7 +9,6 @@ import pytest
 
 from stayput import InputError
 from stayput.estimates import (
-    GRAVITY,
     ishiyama_overturns,
     ishiyama_velocity,
     kaneko_hayashi,
@@ -18,6 +17,7 @@ from stayput.estimates import (
     rocking_acceleration,
     tie_force,
 )
+from stayput.motion.units import STANDARD_GRAVITY
 
 SIZES = [(0.3, 1.8), (0.4, 1.8), (0.6, 1.9), (0.68, 1.82), (1.0, 2.0)]
 
@@ -43,7 +43,7 @@ def test_ishiyama_of_a_slender_body_goes_as_width_over_root_height() -> None:
     # α → 0: 0.4 √(8 g (H/2)(B/H)²/2 / 3) = 0.4 √(2g/3) B/√H
     for height in (2.0, 8.0, 50.0):
         width = 1e-2 * height
-        limit = 0.4 * math.sqrt(2.0 * GRAVITY / 3.0) * width / math.sqrt(height)
+        limit = 0.4 * math.sqrt(2.0 * STANDARD_GRAVITY / 3.0) * width / math.sqrt(height)
         assert ishiyama_velocity(width, height) == pytest.approx(limit, rel=2e-4)
 
 

@@ -6,7 +6,7 @@ import math
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from itertools import repeat
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -146,15 +146,3 @@ def spectra(
     rows = checked_periods(periods)
     with ThreadPoolExecutor(threads) as pool:
         return list(pool.map(response_spectrum, motions, *map(repeat, (rows, damping, component))))
-
-
-def geometric_mean(
-    motion: Motion, periods: ArrayLike = PERIODS, damping: float = DAMPING
-) -> NDArray[np.float64]:
-    """Return Sa [m/s²], shape (m,): the geometric mean of x and y, or x's where there is no y."""
-    rows = [
-        response_spectrum(motion, periods, damping, name).sa
-        for name in ("x", "y")
-        if name in motion.components
-    ]
-    return cast("NDArray[np.float64]", np.exp(np.mean(np.log(rows), axis=0)))

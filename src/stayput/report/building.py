@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING
 from matplotlib.ticker import MaxNLocator
 
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
-from stayput.report.figures import FONT, new_figure, saved, style
+from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
-from stayput.report.spectrum import plain_log
 from stayput.report.summary import motion_label
 
 if TYPE_CHECKING:

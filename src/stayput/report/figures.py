@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from stayput.files import PLOT_SUFFIXES, check_target, draft
 from stayput.report.palette import FAINT, INK, MUTED
@@ -44,3 +45,19 @@ def style(axis: Axes, *, zero: bool = True) -> None:
         axis.axhline(0.0, color=MUTED, linewidth=0.6)
     for side in ("top", "right"):
         axis.spines[side].set_visible(False)
+
+
+def _plainly(value: float, _: int | None = None) -> str:
+    return f"{value:g}"
+
+
+def plain_log(axis: Axes, *, x: bool = True, y: bool = True) -> None:
+    """Make axes logarithmic, with numbers instead of powers."""
+    if x:
+        axis.set_xscale("log")
+    if y:
+        axis.set_yscale("log")
+    for wanted, line in ((x, axis.xaxis), (y, axis.yaxis)):
+        if wanted:
+            line.set_major_formatter(FuncFormatter(_plainly))
+            line.set_minor_formatter(NullFormatter())

@@ -10,10 +10,9 @@ import numpy as np
 from stayput.errors import InputError
 from stayput.fragility.curve import State
 from stayput.motion.intensity import CLASSES
-from stayput.report.figures import FONT, new_figure, saved, style
+from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import FAINT, INK, MUTED
-from stayput.report.spectrum import plain_log
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

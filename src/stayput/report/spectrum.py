@@ -5,12 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from stayput.motion.frequency import fourier_amplitude, konno_ohmachi
 from stayput.motion.intensity import LONG_PERIOD_BOUNDS, LONG_PERIODS
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
-from stayput.report.figures import FONT, new_figure, saved, style
+from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
 from stayput.report.summary import motion_label
@@ -28,22 +27,6 @@ LINES = {"x": "-", "y": "--", "z": ":"}
 
 DIRECTIONS = {"x": "x, along the shaking", "y": "y, across", "z": "z, up"}
 """What the components are called."""
-
-
-def _plainly(value: float, _: int | None = None) -> str:
-    return f"{value:g}"
-
-
-def plain_log(axis: Axes, *, x: bool = True, y: bool = True) -> None:
-    """Make axes logarithmic, with numbers instead of powers."""
-    if x:
-        axis.set_xscale("log")
-    if y:
-        axis.set_yscale("log")
-    for wanted, line in ((x, axis.xaxis), (y, axis.yaxis)):
-        if wanted:
-            line.set_major_formatter(FuncFormatter(_plainly))
-            line.set_minor_formatter(NullFormatter())
 
 
 def plot_spectra(motion: Motion, path: str | Path | None = None, damping: float = DAMPING) -> Figure:

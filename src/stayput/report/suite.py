@@ -10,10 +10,9 @@ from matplotlib.ticker import LogLocator
 from stayput.motion.spectrum import DAMPING, PERIODS
 from stayput.motion.suites.families import FAMILIES
 from stayput.motion.suites.synthesis import synthetic_motion
-from stayput.report.figures import FONT, new_figure, saved, style
+from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
-from stayput.report.spectrum import plain_log
 
 if TYPE_CHECKING:
     from pathlib import Path

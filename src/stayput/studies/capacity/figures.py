@@ -8,9 +8,8 @@ import numpy as np
 from scipy.special import ndtr
 
 from stayput.estimates import SCATTER, kaneko_hayashi_median
-from stayput.report.figures import FONT, new_figure, style
+from stayput.report.figures import FONT, new_figure, plain_log, style
 from stayput.report.palette import INK, MUTED
-from stayput.report.spectrum import plain_log
 from stayput.studies.capacity.tables import BAND, stated
 
 if TYPE_CHECKING:

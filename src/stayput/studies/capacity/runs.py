@@ -10,10 +10,11 @@ import numpy as np
 from stayput.body import Body
 from stayput.cases import State, case_columns
 from stayput.ensemble.columns import run_columns
-from stayput.estimates import GRAVITY, kaneko_hayashi_median
+from stayput.estimates import kaneko_hayashi_median
 from stayput.fragility import IntensityMeasure, Trials, fragility_curve
 from stayput.furniture import FURNITURE
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
+from stayput.motion.units import STANDARD_GRAVITY
 from stayput.room import Floor, Room, Wall
 
 if TYPE_CHECKING:
@@ -136,7 +137,7 @@ def overturning(body: Body, room: Room, shakings: Shakings, factors: NDArray[np.
     size = body.width, body.height
     formula = np.array([kaneko_hayashi_median(*size, float(fe)) for fe in shakings.frequencies])
     shape = len(pga), len(factors)
-    cases = np.repeat(case_columns(body, room, State(), GRAVITY), shape[0] * shape[1])
+    cases = np.repeat(case_columns(body, room, State(), STANDARD_GRAVITY), shape[0] * shape[1])
     cases["scale"] = np.outer(formula / pga, factors).ravel()
     place = np.repeat(np.arange(shape[0]), shape[1])
     results, _ = run_columns(cases, None, shakings.motions, place, progress=False)

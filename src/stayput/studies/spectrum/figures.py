@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.collections import PolyCollection
-from matplotlib.ticker import FuncFormatter, NullFormatter
+from matplotlib.ticker import NullFormatter
 
 from stayput.motion.units import STANDARD_GRAVITY
-from stayput.report.figures import FONT, new_figure, style
+from stayput.report.figures import FONT, new_figure, plain_log, style
 from stayput.report.palette import ALARM, INK, MUTED
 from stayput.studies.spectrum.branches import falling_ranges, outer_edges, pulse_branches
 from stayput.studies.spectrum.runs import (
@@ -37,21 +37,9 @@ LINES = (("#0072b2", "-", "o"), ("#d55e00", "--", "s"), ("#009e73", "-.", "^"), 
 """Colour, line and marker of each slenderness, in turn."""
 
 
-def _plainly(value: float, _: int | None = None) -> str:
-    return f"{value:g}"
-
-
-def _plain_log(axis: Axes, x: bool = False) -> None:
-    """Make an axis logarithmic, with numbers instead of powers."""
-    (axis.set_xscale if x else axis.set_yscale)("log")
-    line = axis.xaxis if x else axis.yaxis
-    line.set_major_formatter(FuncFormatter(_plainly))
-    line.set_minor_formatter(NullFormatter())
-
-
 def _size_ticks(axis: Axes, period: NDArray[np.float64]) -> None:
     """Label 2π/p below and the diagonal 2R above."""
-    _plain_log(axis, x=True)
+    plain_log(axis, y=False)
     ticks = [t for t in (0.1, 0.2, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0) if period[0] <= t <= period[-1]]
     axis.set_xticks(ticks)
     axis.set_xlim(period[0], period[-1])
@@ -99,7 +87,7 @@ def pulse_figure(pulse: xr.Dataset) -> Figure:
         markersize=7.0,
         label="reference values",
     )
-    _plain_log(axis)
+    plain_log(axis, x=False)
     axis.set_yticks([1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 30.0])
     axis.set_ylim(0.9, top)
     axis.set_xlim(ratio[0], ratio[-1])
@@ -136,7 +124,7 @@ def record_figure(under: xr.Dataset, record: Motion) -> Figure:
         axis.plot(period, last[place], "_", color=INK, markersize=7.0, label="last edge: above it all fall")
         axis.axhline(1.0, color=MUTED, linewidth=1.2, linestyle=":", label="the record as it is")
         _size_ticks(axis, period)
-        _plain_log(axis)
+        plain_log(axis, x=False)
         axis.set_yticks((0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0))
         axis.set_ylim(_bottom(first, under), under.attrs["highest_amplitude"])
         alpha = float(of_alpha["slenderness"])

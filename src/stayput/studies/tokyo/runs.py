@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from stayput.estimates import GRAVITY
+from stayput.motion.units import STANDARD_GRAVITY
 from stayput.studies.tokyo.published import BODIES, FAR, LEVELS, ROOM, SOME
 from stayput.verification.draws import draws, rows_of
 from stayput.verification.hazard import Floors
@@ -45,7 +45,7 @@ def runs_of(
 ) -> list[Runs]:
     """Run all options at a level, under the same draws of what is not known."""
     drawn = draws(len(motions), samples, seed)
-    rows = [rows_of(option, body, room, drawn, GRAVITY) for option in options]
+    rows = [rows_of(option, body, room, drawn, STANDARD_GRAVITY) for option in options]
     return run_level(rows, Floors(tuple(motions), np.full(len(motions), level), {}))
 
 
