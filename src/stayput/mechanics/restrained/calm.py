@@ -1,74 +1,75 @@
-"""Elements to which nothing happens in a step: their margins are farther off than their forces can swing."""
+"""Lines to which nothing happens in a step: their margins are farther off than their forces can swing."""
 
 from __future__ import annotations
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.restrained.columns import NORMAL, OPEN, SLIP_MINUS, SLIP_PLUS, TANGENT
-from stayput.mechanics.restrained.lines import share, slips_by_friction
+from stayput.mechanics.restrained.columns import RUBBING, SLACK, SLIPPING
+from stayput.mechanics.restrained.laws import used_of
 
 PLACE_OFF, RATE_OFF = 4 / 27, 0.75
 """A cubic is off the straight line between its ends by no more than these times the rates' differences."""
 
 
 @inline
-def _swings(el, link, i, h):
+def _swings(line, h):
     """How far the forces of spring and of damper may be from straight lines between both ends [N/kg]."""
-    mean = (link.e[i] - link.e0[i]) / h
-    start, end = link.rate0[i] - mean, link.rate[i] - mean
+    mean = (line.e - line.e0) / h
+    start, end = line.rate0 - mean, line.rate - mean
     place = PLACE_OFF * h * (abs(start) + abs(end))
-    return el.stiffness[i] * place, el.damping[i] * (RATE_OFF * abs(start + end))
+    return line.stiffness * place, line.damping * (RATE_OFF * abs(start + end))
 
 
 @inline
-def _away_from_slack(el, link, i, e):
-    """Least distance of an open line from either slack, as a force of its spring."""
-    k, beyond = el.stiffness[i], e - link.plastic[i]
-    return min(k * (el.slack_plus[i] - beyond), k * (beyond + el.slack_minus[i]))
+def _away_from_slack(line, e):
+    """Least distance of a slack line from pulling and from pushing, as a force of its spring."""
+    beyond = line.stiffness * e
+    return min(line.high_at_0 - beyond, beyond - line.low_at_0)
 
 
 @inline
-def _most_used(el, link, i):
+def _most_used(line):
     """Largest part that a line can use of the strength where pull and shear act together, squared."""
-    F0, F1, swing = link.force0[i], link.force[i], link.swing[i]
-    if i == NORMAL:
-        return share(el, i, max(0.0, max(F0, F1) + swing))
-    return max(share(el, i, max(F0, F1) + swing), share(el, i, min(F0, F1) - swing))
+    high, low = max(line.force0, line.force) + line.swing, min(line.force0, line.force) - line.swing
+    if line.tangent == 0:
+        return used_of(line, max(0.0, high))
+    return max(used_of(line, high), used_of(line, low))
+
+
+@inline
+def _is_calm(line, h, pressing):
+    """Whether no margin of a line alone can be passed; the swings are set. ``pressing`` is the push's."""
+    state = line.state
+    if state in (SLIPPING, RUBBING):
+        line.swing = 0.0
+        return False
+    spring, damper = _swings(line, h)
+    if state == SLACK:
+        line.swing = 0.0
+        return min(_away_from_slack(line, line.e0), _away_from_slack(line, line.e)) > spring
+    line.swing = spring + damper
+    # friction's limit swings with the push
+    return min(line.low0, line.low1, line.high0, line.high1) > line.swing + line.high_rubs * pressing
 
 
 @inner
-def none_stirs(elements, links, h):
-    """Whether no margin of the elements can be passed in a step of which both ends have been measured.
+def none_stirs(work, h):
+    """Whether no margin can be passed in a step of which both ends have been measured.
 
-    The links keep by how much their forces may be larger inside than at both ends.
+    The rows keep by how much their forces may be larger inside than at both ends.
     """
     none = True
-    for n in range(elements.shape[0]):
-        el, link = elements[n], links[n]
-        calm = True
-        pressing = 0.0
-        for i in range(link.lines):
-            branch = link.branch[i]
-            if branch in (SLIP_PLUS, SLIP_MINUS):
-                link.swing[i] = 0.0
-                calm = False
-                continue
-            spring, damper = _swings(el, link, i, h)
-            if branch == OPEN:
-                link.swing[i] = 0.0
-                away = min(
-                    _away_from_slack(el, link, i, link.e0[i]), _away_from_slack(el, link, i, link.e[i])
-                )
-                calm = calm and away > spring
-                continue
-            swing = link.swing[i] = spring + damper
-            if i == NORMAL:
-                pressing = spring
-            elif slips_by_friction(el, i):
-                swing += el.friction * pressing
-            least = min(min(link.low0[i], link.low1[i]), min(link.high0[i], link.high1[i]))
-            calm = calm and least > swing
-        if calm and link.lines == 2 and el.interaction != 0:
-            calm = _most_used(el, link, NORMAL) + _most_used(el, link, TANGENT) < 1.0
-        link.calm = 1 if calm else 0
+    r = 0
+    while r < work.lines:
+        line = work.line[r]
+        calm = _is_calm(line, h, 0.0)
+        line.calm = calm
+        r += 1
+        if r < work.lines and work.line[r].tangent != 0:
+            beside = work.line[r]
+            calm = _is_calm(beside, h, line.swing) and calm
+            if calm and beside.joins != 0:
+                calm = _most_used(line) + _most_used(beside) < 1.0
+            line.calm = beside.calm = calm
+            r += 1
         none = none and calm
     return none

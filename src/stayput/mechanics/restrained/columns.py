@@ -78,50 +78,93 @@ LINK = np.dtype(
         ("z", "f8"),
         ("plastic", "f8", (2,)),  # [m]
         ("spent", "f8", (2,)),  # plastic elongation, summed [m]
-        ("e", "f8", (2,)),  # elongation at the place last measured, with its rate, force and push
+        ("e", "f8", (2,)),  # elongation where it was last measured, with its rate, force and push
         ("rate", "f8", (2,)),
         ("force", "f8", (2,)),
         ("push", "f8"),
         ("push_rate", "f8"),
-        ("e0", "f8", (2,)),  # the same at the start of the step
-        ("rate0", "f8", (2,)),
-        # on a fulcrum that sticks, see `fulcrum_step`: the point from there, the fulcrum from the anchor [m]
-        ("du", "f8"),
-        ("dv", "f8"),
-        ("dx", "f8"),
-        ("dz", "f8"),
-        ("p", "f8", (2,)),  # parts of the elongation that change as cos θ and as sin θ [m]
-        ("q", "f8", (2,)),
-        ("stiffness", "f8", (2,)),  # of the branch, with damping, force at e = 0 and coefficient of friction
-        ("damping", "f8", (2,)),
-        ("constant", "f8", (2,)),
-        ("rubs", "f8", (2,)),
-        ("force0", "f8", (2,)),
-        ("swing", "f8", (2,)),  # by which forces may be larger inside the step than at both ends [N/kg]
-        ("calm", "i8"),  # 1: no margin can be passed in the step
-        ("low0", "f8", (2,)),  # margins at the start and at the place last looked at; see `lines.margins`
-        ("high0", "f8", (2,)),
-        ("low1", "f8", (2,)),
-        ("high1", "f8", (2,)),
+    ],
+    align=True,
+)
+"""Where an element stands from one event to the next; room for the compiled functions."""
+
+# what a line's law is between two events
+TAUT, SLACK, SLIPPING, RUBBING = range(4)
+
+LINE = np.dtype(
+    [
+        ("element", "i8"),  # the element it is of
+        ("tangent", "i8"),  # 1: its tangent, whose row follows that of its normal line
+        ("axial", "i8"),
+        ("state", "i8"),
+        ("pushes", "i8"),  # 1: what it pushes is what its tangent's friction follows
+        ("joins", "i8"),  # 1: this tangent and its normal line break together
+        # where it is: e = a + n·(x, z) + p cos θ + q sin θ about the origin; AXIAL: from (x, z) to the point
+        ("nx", "f8"),
+        ("nz", "f8"),
+        ("a", "f8"),
+        ("p", "f8"),
+        ("q", "f8"),
+        ("u", "f8"),  # the point from the origin
+        ("v", "f8"),
+        ("x", "f8"),
+        ("z", "f8"),
+        # its force is constant + k e + c ė + rubs × push
+        ("constant", "f8"),
+        ("k", "f8"),
+        ("c", "f8"),
+        ("rubs", "f8"),
+        # its margins, see `laws`: of TAUT ones low + low_F F + low_rubs push, and the same for high
+        ("low_at_0", "f8"),
+        ("low_F", "f8"),
+        ("low_rubs", "f8"),
+        ("high_at_0", "f8"),
+        ("high_F", "f8"),
+        ("high_rubs", "f8"),
+        ("stiffness", "f8"),  # of the spring, the damper, whatever the branch
+        ("damping", "f8"),
+        ("per_plus", "f8"),  # 1/strength, where pull and shear act together
+        ("per_minus", "f8"),
+        # elongation, rate and force where last measured, and at the start of the step
+        ("e", "f8"),
+        ("rate", "f8"),
+        ("force", "f8"),
+        ("e0", "f8"),
+        ("rate0", "f8"),
+        ("force0", "f8"),
+        ("swing", "f8"),  # by which the force may be larger inside the step than at both ends [N/kg]
+        ("calm", "i8"),  # 1: no margin of its element can be passed in the step
+        # margins at the start of the step and where last measured, and the levels at which they end it
+        ("low0", "f8"),
+        ("high0", "f8"),
+        ("joint0", "f8"),
+        ("low1", "f8"),
+        ("high1", "f8"),
         ("joint1", "f8"),
-        ("low", "f8", (2,)),  # levels at which the margins end the present step
-        ("high", "f8", (2,)),
+        ("low", "f8"),
+        ("high", "f8"),
         ("joint", "f8"),
-        ("low_weight", "f8", (2,)),  # of the margins in the search for an event; 0: takes no part
-        ("high_weight", "f8", (2,)),
+        ("low_weight", "f8"),  # of the margins in the search for an event; 0: takes no part
+        ("high_weight", "f8"),
         ("joint_weight", "f8"),
     ],
     align=True,
 )
-"""Where an element stands; room for the compiled functions."""
+"""One line of an element that acts, from one event to the next: its law as numbers."""
 
 MOST_FACETS = 40
+MOST_ELEMENTS = 12
+MOST_LINES = 2 * MOST_ELEMENTS
 
 WORK = np.dtype(
     [
         ("stage", "f8", (7, 3)),  # accelerations of x, z and θ in the stages of a step
-        ("weight", "f8", (CONTACTS + 3,)),  # of gaps, the mode's two margins and a right angle; as in LINK
+        ("weight", "f8", (CONTACTS + 3,)),  # of gaps, the mode's two margins and a right angle; as in LINE
+        ("lines", "i8"),  # number of lines that act
+        ("line", LINE, (MOST_LINES,)),
+        ("level", "f8", (CONTACTS,)),  # gaps at which the open contacts close in the present step [m]
         ("gap", "f8", (CONTACTS,)),  # of the open contacts, where all margins were last looked at [m]
+        ("reach", "f8", (CONTACTS, 3)),  # gaps on a fulcrum: a + p cos θ + q sin θ [m]
         ("longest", "f8"),  # step that the last error allowed [s]
         ("still", "f8"),  # rate below which nothing moves after the present event [m/s]
         ("foot", "f8"),  # place of a fulcrum that sticks, along its plane [m]

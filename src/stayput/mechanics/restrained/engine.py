@@ -25,11 +25,7 @@ from stayput.mechanics.engine import COULOMB, carry_on, list_event, outcome_of, 
 from stayput.mechanics.geometry import note_peaks, slide_of, touching
 from stayput.mechanics.impact import closing
 from stayput.mechanics.motion import note_sample
-from stayput.mechanics.restrained.elements import (
-    none_left,
-    note_sample_forces,
-    set_up_elements,
-)
+from stayput.mechanics.restrained.elements import none_left, note_forces_of_links, set_up_elements
 from stayput.mechanics.restrained.holding import advance_held
 from stayput.mechanics.restrained.moving import STILL, advance_moving
 from stayput.mechanics.restrained.transitions import meet, mind_crowds, next_mode
@@ -149,7 +145,7 @@ def run_restrained_case(
         s.events += 1
         _list(events, case, s, work, dt, CLOSED, kind, closed, s.d)
     note_sample(history, case, s)
-    note_sample_forces(forces, links, s)
+    note_forces_of_links(forces, links, s)
     while s.kind != FAILED:
         kind, closed, d = s.kind, s.closed, s.d
         before = s.k * dt + s.tau

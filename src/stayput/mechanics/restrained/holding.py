@@ -15,7 +15,7 @@ from stayput.mechanics.columns import ENDED, LIMIT, PLANE
 from stayput.mechanics.flat import BLOCK
 from stayput.mechanics.motion import loads, note_sample
 from stayput.mechanics.restrained.columns import MOST_FACETS
-from stayput.mechanics.restrained.elements import note_sample_forces
+from stayput.mechanics.restrained.elements import note_forces_of_links
 
 PARALLEL = 1e-9
 """Edges of cones whose sine is smaller than this are taken as one."""
@@ -212,5 +212,5 @@ def advance_held(case, links, s, work, ax, az, dt, extremes, history, forces):
         s.k += 1
         s.tau = 0.0
         note_sample(history, case, s)
-        note_sample_forces(forces, links, s)
+        note_forces_of_links(forces, links, s)
     return ENDED

@@ -9,23 +9,18 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.columns import A_FLOOR, B_FLOOR, FLAT, FLIGHT, PLANE, STICK, WEDGE
+from stayput.mechanics.columns import A_FLOOR, B_FLOOR, FLAT, FLIGHT, PLANE, WEDGE
 from stayput.mechanics.contact import JAMMED, press_of_two, tabulate
 from stayput.mechanics.geometry import along, arm_at, given_or, own_friction
-from stayput.mechanics.restrained.elements import measure
+from stayput.mechanics.restrained.acting import measure_lines, pull
 
 
 @inline
-def on_fulcrum(con, case, stick, d, sin, cos, vx, vz, omega, A, Γ, fl):
-    """Tangential and normal acceleration of G, θ̈, and the margins, of a body on one corner."""
+def _on_corner(con, case, d, sin, cos, vx, vz, omega, A, Γ, fl):
+    """Tangential and normal acceleration of G, θ̈, and the margins, of a body that slips on one corner."""
     I = case.inertia
     sigma, kappa = arm_at(con, sin, cos)
     spin = omega * omega
-    if stick:
-        alpha = (fl - kappa * A - sigma * Γ) / (I + sigma * sigma + kappa * kappa)
-        along_plane, off_plane = kappa * alpha + sigma * spin, sigma * alpha - kappa * spin
-        N, T = Γ + off_plane, A + along_plane
-        return along_plane, off_plane, alpha, con.mu_static * N - T, con.mu_static * N + T
     mu_d = con.mu_kinetic * d
     k = sigma - mu_d * kappa
     M = I + k * sigma
@@ -96,15 +91,10 @@ def _on_two_planes(rows, contacts, case, s, sin, cos, vx, vz, omega, a, G, fl):
 
 
 @inline
-def accelerations(elements, links, contacts, rows, case, s, load, t):
-    """Accelerations of x, z and θ in the state and mode of s, a time t after the loads, and two margins.
-
-    The margins are forces [m/s²], but the second is a rate of slip [m/s] where there is one. The links keep
-    what was measured.
-    """
-    sin, cos, vx, vz, omega = s.sin, s.cos, s.vx, s.vz, s.omega
-    fx, fz, fl = measure(elements, links, sin, cos, s.x, s.z, vx, vz, omega)
+def _under(contacts, rows, case, s, load, t, fx, fz, fl):
+    """Accelerations of x, z and θ, and two margins, with this force of the lines and its moment about G."""
     a, G = load[0] + load[1] * t - fx, load[2] + load[3] * t - fz
+    sin, cos, vx, vz, omega = s.sin, s.cos, s.vx, s.vz, s.omega
     kind = s.kind
     if kind == FLIGHT:
         return -a, -G, fl / case.inertia, math.inf, math.inf
@@ -116,7 +106,24 @@ def accelerations(elements, links, contacts, rows, case, s, load, t):
         normal = alpha = 0.0
         tangential, f, g = _flat(contacts, case, s, float(s.d), sin, cos, vx, vz, A, Γ, fl)
     else:
-        tangential, normal, alpha, f, g = on_fulcrum(
-            con, case, kind == STICK, float(s.d), sin, cos, vx, vz, omega, A, Γ, fl
-        )
+        tangential, normal, alpha, f, g = _on_corner(con, case, float(s.d), sin, cos, vx, vz, omega, A, Γ, fl)
     return con.cos * tangential - con.sin * normal, con.sin * tangential + con.cos * normal, alpha, f, g
+
+
+@inline
+def accelerations(contacts, rows, case, s, work, load, t):
+    """Accelerations of x, z and θ in the state and mode of s, a time t after the loads, and two margins.
+
+    The margins are forces [m/s²], but the second is a rate of slip [m/s] where there is one. Not for a
+    fulcrum that sticks; see `fulcrum_step`.
+    """
+    fx, fz, fl = pull(work, s.sin, s.cos, True, s.x, s.z, s.vx, s.vz, s.omega)
+    return _under(contacts, rows, case, s, load, t, fx, fz, fl)
+
+
+@inner
+def measure_at(contacts, rows, case, s, work, load, t):
+    """As `accelerations`, with the least margin of the lines; their rows keep what was measured."""
+    fx, fz, fl, least = measure_lines(work, s.sin, s.cos, True, s.x, s.z, s.vx, s.vz, s.omega)
+    ax, az, alpha, f, g = _under(contacts, rows, case, s, load, t, fx, fz, fl)
+    return (ax, az, alpha), f, g, least

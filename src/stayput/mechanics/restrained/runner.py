@@ -59,8 +59,12 @@ def check_elements(elements: NDArray[np.void]) -> None:
     Raises
     ------
     InputError
-        A number that is NaN where it may not be, or out of its range.
+        Too many elements; a number that is NaN where it may not be, or out of its range.
     """
+    if elements.shape[-1] > el.MOST_ELEMENTS:
+        raise InputError(
+            f"The body has {elements.shape[-1]} elements; there may be {el.MOST_ELEMENTS} at most."
+        )
     rows = elements.ravel()
     rows = rows[rows["kind"] != el.NONE]
     _refuse(~np.isin(rows["kind"], (el.AXIAL, el.PLANAR)), rows["kind"], "kind", "1 (axial) or 2 (planar)")

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from stayput.compiled import inline, inner
 from stayput.mechanics.columns import FLAT, SLIP, STICK, WEDGE
-from stayput.mechanics.geometry import along, arm, sin_cos
+from stayput.mechanics.geometry import sin_cos
 from stayput.mechanics.modes import close_both, stay_on_plane
 from stayput.mechanics.restrained.dormand_prince import (
     PLACES,
@@ -18,8 +18,12 @@ from stayput.mechanics.restrained.dormand_prince import (
     STAGES,
     TIMES,
 )
-from stayput.mechanics.restrained.fulcrum_step import take_fulcrum_step
-from stayput.mechanics.restrained.rates import accelerations
+from stayput.mechanics.restrained.fulcrum_step import (
+    measure_on_fulcrum,
+    stand_on_fulcrum,
+    take_fulcrum_step,
+)
+from stayput.mechanics.restrained.rates import accelerations, measure_at
 from stayput.mechanics.roots import hermite, horner
 
 
@@ -32,23 +36,30 @@ def _weighed(stage, i, c):
     return place, rate
 
 
-@inner
-def take_step(elements, links, contacts, rows, case, s, work, base, load, y0, h):
-    """Set the state to that a time h after y0, whose accelerations are ``work.stage[0]``.
+@inline
+def take_step(contacts, rows, case, s, work, base, load, y0, k0, h):
+    """Set the state to that a time h after y0, with the accelerations k0.
 
     On a fulcrum that sticks only the tilt is integrated, on a flat base only the place.
 
     Returns
     -------
     tuple
-        The two margins at the end, and the error, of places and of h times their rates [m, rad].
+        At the end the accelerations, the contacts' two margins and the lines' least one; the error, of places
+        and of h times their rates [m, rad].
     """
     if s.kind == STICK:
-        return take_fulcrum_step(elements, links, contacts, case, s, work, base, load, y0, h)
+        return take_fulcrum_step(contacts[s.i], case, s, work, base, load, y0[5], k0[2], h)
+    return _take_free_step(contacts, rows, case, s, work, base, load, y0, k0, h)
+
+
+@inner
+def _take_free_step(contacts, rows, case, s, work, base, load, y0, k0, h):
     x0, z0, theta0, vx0, vz0, omega0 = y0
     stage = work.stage
+    stage[0, 0], stage[0, 1], stage[0, 2] = k0
     turns = s.kind != FLAT
-    f = g = 0.0
+    end, f, g, least = k0, 0.0, 0.0, 0.0
     for i in range(1, STAGES):
         t = h * TIMES[i]
         if turns:
@@ -59,18 +70,28 @@ def take_step(elements, links, contacts, rows, case, s, work, base, load, y0, h)
         s.x, s.vx = x0 + (t * vx0 + h * h * place), vx0 + h * rate
         place, rate = _weighed(stage, i, 1)
         s.z, s.vz = z0 + (t * vz0 + h * h * place), vz0 + h * rate
-        if i == STAGES - 1:
-            _meet_constraints(contacts, case, s)
-        stage[i, 0], stage[i, 1], stage[i, 2], f, g = accelerations(
-            elements, links, contacts, rows, case, s, load, t
-        )
+        if i < STAGES - 1:
+            stage[i, 0], stage[i, 1], stage[i, 2], _, _ = accelerations(
+                contacts, rows, case, s, work, load, t
+            )
+    meet_constraints(contacts, case, s, work)
+    end, f, g, least = measure_at(contacts, rows, case, s, work, load, h)
+    stage[STAGES - 1, 0], stage[STAGES - 1, 1], stage[STAGES - 1, 2] = end
     error = 0.0
     for c in range(3 if turns else 2):
         place = rate = 0.0
         for j in range(STAGES):
             place, rate = place + PLACES_WRONG[j] * stage[j, c], rate + RATES_WRONG[j] * stage[j, c]
         error = max(error, h * h * max(abs(place), abs(rate)))
-    return f, g, error
+    return end, f, g, least, error
+
+
+@inner
+def measure_here(contacts, rows, case, s, work, load, t):
+    """In the state of s: accelerations, the contacts' two margins and the lines' least one."""
+    if s.kind == STICK:
+        return measure_on_fulcrum(contacts[s.i], case, s, work, load, t)
+    return measure_at(contacts, rows, case, s, work, load, t)
 
 
 @inline
@@ -87,19 +108,14 @@ def state_of(s):
 
 
 @inner
-def _meet_constraints(contacts, case, s):
-    """Put a state back to the planes on which the mode's contacts slip."""
-    if s.kind == SLIP or s.kind == FLAT:
+def meet_constraints(contacts, case, s, work):
+    """Put a state back to the planes on which the mode's contacts slip, or to the place where one sticks."""
+    if s.kind == STICK:
+        stand_on_fulcrum(contacts[s.i], s, work.foot)
+    elif s.kind == SLIP or s.kind == FLAT:
         stay_on_plane(contacts[s.i], s)
     elif s.kind == WEDGE:
         close_both(contacts[s.i], contacts[s.j], case.inertia, s)
-
-
-@inner
-def place_of_foot(contacts, s):
-    """Place of the corner that sticks, along its plane [m]."""
-    con = contacts[s.i]
-    return along(con, s.x, s.z)[0] + arm(con, s)[0]
 
 
 @inline
