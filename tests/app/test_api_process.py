@@ -8,6 +8,7 @@ import socket
 import subprocess
 import sys
 import zipfile
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from importlib.util import find_spec
 from pathlib import Path
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
     from collections.abc import Generator
 
 ROOT = Path(__file__).parents[2]
+RECORD = "1\n-1\n0\n2\n" * 500
+GIVEN = {"unit": "gal", "dt": "0.01"}
 STATUS = Path("/proc/self/status")
 START = "from stayput.cli import main; main()"
 COLD = """
@@ -73,7 +76,7 @@ def test_it_prints_its_address_and_ends_on_an_interrupt() -> None:
 
 @pytest.mark.skipif(not STATUS.exists(), reason="this system does not tell memory in /proc")
 def test_memory_stays_flat() -> None:
-    """`benchmarks/app.py` measures it over 1,000 requests."""
+    """Over a thousand requests of all kinds, from four clients at once."""
     with (
         process() as (address, started),
         httpx.Client(base_url=address, trust_env=False, timeout=COMPILING) as client,
@@ -81,15 +84,31 @@ def test_memory_stays_flat() -> None:
         while not client.get("/api/v1/ping").json()["ready"]:
             pass
 
-        def some(count: int) -> float:
-            for number in range(count):
-                scene = {**SCENE, "shaking": {"builtin": "near-fault", "scale": 0.5 + 0.001 * number}}
-                body = {"scene": scene, "measures": [{"type": "belt"}]}
-                assert client.post("/api/v1/simulate", json=body).status_code == 200
+        def ask(number: int) -> None:
+            shaking = {"builtin": "near-fault", "scale": 0.3 + 0.0001 * number}
+            body = {"scene": {**SCENE, "shaking": shaking}, "measures": [{"type": "belt"}]}
+            match number % 10:
+                case 0:
+                    answer = client.post("/api/v1/motions", files={"file": ("a", RECORD)}, data=GIVEN)
+                case 1:
+                    answer = client.post("/api/v1/scenario/toml", json=body)
+                case 2:
+                    answer = client.get("/api/v1/presets")
+                case 3:
+                    answer = client.post("/api/v1/simulate", json={"scene": {}})
+                case 4 | 5 | 6 | 7:
+                    answer = client.get("/main.js")
+                case _:
+                    answer = client.post("/api/v1/simulate", json=body)
+            assert answer.status_code in ((422,) if number % 10 == 3 else (200, 201, 429))
+
+        def some(numbers: range) -> float:
+            with ThreadPoolExecutor(4) as pool:
+                list(pool.map(ask, numbers))
             return memory(started.pid)
 
-        before = some(40)
-        after = some(80)
+        before = some(range(200))
+        after = some(range(200, 1200))
     assert after - before < 20.0
 
 

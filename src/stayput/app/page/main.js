@@ -64,6 +64,7 @@ async function simulate() {
 function tellProblem(error) {
   problem = error;
   part("problem").hidden = !error;
+  part("see").dataset.old = String(Boolean(error));
   fill(part("problem"), error ? worded(error) : []);
 }
 

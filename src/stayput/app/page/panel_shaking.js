@@ -66,7 +66,7 @@ export function update() {
   fields.intensity.element.hidden = !own;
   part("scaling").hidden = !scene.record;
   part("kind").hidden = Boolean(scene.record);
-  part("meaning").hidden = !own;
+  part("meaning").hidden = part("meaning-source").hidden = !own;
   fill(part("meaning"), both(now.about), t("space"), both(now.furniture));
   fields.intensity.range.setAttribute("aria-valuetext", `${number(scene.intensity, 2)}, ${both(now.label)}`);
 }

@@ -2,6 +2,7 @@
 
 export const english = {
   space: " ",
+  colon: ": ",
   claim: "Will my furniture stay put in an earthquake?",
   language: "Language",
   steps: "Steps",
@@ -57,7 +58,9 @@ export const english = {
   memberHint:
     "Each one is different, even at one intensity. The animation shows this one; the chances below are worked out from many.",
   scaled: "Make the record as strong as the intensity above",
-  dropHere: "A record of your own: drop a file here, or choose one",
+  meaningSource: "Abridged from the explanation of the scale by the Japan Meteorological Agency (JMA).",
+  dropHere: "A record of your own: drop a file here, or",
+  chooseFile: "choose one",
   sending: "Sending and reading the record …",
   file_unit: "Unit",
   file_dt: "Time step [s]",

@@ -2,6 +2,7 @@
 
 export const japanese = {
   space: "",
+  colon: "：",
   claim: "地震のとき、家具は倒れずにいられるか",
   language: "言語",
   steps: "手順",
@@ -54,7 +55,9 @@ export const japanese = {
   memberHint:
     "同じ震度でも地震ごとに揺れ方が違います。アニメーションはこの地震のもので、下の確率は多くの地震から求めます。",
   scaled: "記録を上の震度に合わせて拡大・縮小する",
-  dropHere: "手持ちの地震記録：ここにファイルをドロップするか、選んでください",
+  meaningSource: "気象庁震度階級関連解説表を要約したものです。",
+  dropHere: "手持ちの地震記録：ここにファイルをドロップするか、",
+  chooseFile: "ファイルを選ぶ",
   sending: "記録を送って読み込んでいます…",
   file_unit: "単位",
   file_dt: "時間刻み [s]",
