@@ -9,13 +9,14 @@ KEY    := $(shell cat pyproject.toml requirements.lock 2>/dev/null | cksum | cut
 STAMP  := $(VENV)/.installed-$(KEY)
 ALL    := formats,app,cluster,inventory,test,docs,lint
 
-.PHONY: help install demo test lint bench docs lock clean
+.PHONY: help install demo test lint bench bench-app bench-inventory docs lock clean
 
 help:
 	@echo "make demo     a bookcase in a near-fault shake: table, picture, animation (out/)"
 	@echo "make test     every test"
 	@echo "make lint     ruff, formatting, types"
-	@echo "make bench    speed and accuracy beside MuJoCo"
+	@echo "make bench    speed and accuracy beside MuJoCo; ensembles, buildings, devices"
+	@echo "make bench-app, make bench-inventory   the server under load and the page in Chromium; tables of furniture"
 	@echo "make docs     documentation pages (docs/_build/html)"
 	@echo "make install  the core in $(VENV)    make lock  fresh requirements.lock    make clean"
 
@@ -38,6 +39,14 @@ bench: $(STAMP)-test
 	$(BIN)/python benchmarks/bench.py --plot out/work_precision.png $(BENCH_ARGS)
 	$(BIN)/python benchmarks/ensemble.py
 	$(BIN)/python benchmarks/building.py
+	$(BIN)/python benchmarks/devices.py
+
+bench-app: $(STAMP)-test
+	$(BIN)/python benchmarks/app.py $(BENCH_ARGS)
+	$(BIN)/python benchmarks/page.py
+
+bench-inventory: $(STAMP)-test
+	$(BIN)/python benchmarks/inventory.py $(BENCH_ARGS)
 
 docs: $(STAMP)-docs
 	$(BIN)/python -m sphinx -W --keep-going -q -b html -d docs/_build/doctrees docs docs/_build/html

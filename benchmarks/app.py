@@ -1,10 +1,13 @@
 """The app's server under load: pings beside heavy work, memory over many requests, times of single answers.
 
-The server is a process of its own; twenty clients ask at once, as fast as they are answered.
+The server is a process of its own on two cores, the clients are on the others; twenty clients ask at once.
+`python benchmarks/app.py [--seconds 10] [--cores 2]`
 """
 
 from __future__ import annotations
 
+import argparse
+import os
 import re
 import subprocess
 import sys
@@ -38,9 +41,13 @@ UPSTAIRS = {**SCENE, "shaking": {**SCENE["shaking"], "building": {"storeys": 20}
 
 
 @contextmanager
-def served() -> Generator[tuple[str, int]]:
-    """Give the address and the process number of a warm server."""
-    with subprocess.Popen([sys.executable, "-c", START], stdout=subprocess.PIPE, text=True) as started:
+def served(cores: set[int]) -> Generator[tuple[str, int]]:
+    """Give the address and the process number of a warm server on some of the cores."""
+    own = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, cores)  # a process begins on the cores of its parent
+    command = [sys.executable, "-c", START]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as started:
+        os.sched_setaffinity(0, own - cores or own)
         try:
             assert started.stdout is not None
             found = re.search(r"http://127\.0\.0\.1:\d+", started.stdout.readline())
@@ -51,6 +58,7 @@ def served() -> Generator[tuple[str, int]]:
             yield found[0], started.pid
         finally:
             started.terminate()
+            os.sched_setaffinity(0, own)
 
 
 def client_of(address: str) -> httpx.Client:
@@ -174,14 +182,18 @@ def over_requests(address: str, pid: int, count: int) -> Table:
     return table
 
 
-def main(seconds: float) -> None:
+def main() -> None:
     """Run everything."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seconds", type=float, default=10.0, help="how long pings are sent")
+    parser.add_argument("--cores", type=int, default=2, help="on how many cores the server is")
+    given = parser.parse_args()
     console = Console(width=100)
-    with served() as (address, pid):
+    with served(set(sorted(os.sched_getaffinity(0))[: given.cores])) as (address, pid):
         console.print(answers(address))
-        console.print(under_load(address, seconds))
+        console.print(under_load(address, given.seconds))
         console.print(over_requests(address, pid, 1000))
 
 
 if __name__ == "__main__":
-    main(float(sys.argv[1]) if len(sys.argv) > 1 else 10.0)
+    main()

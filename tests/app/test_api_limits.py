@@ -27,7 +27,7 @@ SINE = {"amplitude": 1.0, "frequency": 1.0}
 def refused(answer: httpx.Response, status: int, field: str | None = None) -> str:
     assert answer.status_code == status, answer.text
     problem = answer.json()
-    assert set(problem) == {"message", "field"}
+    assert set(problem) == {"message", "message_ja", "field"}
     assert problem["message"].endswith((".", "…"))
     if field is not None:
         assert problem["field"] == field

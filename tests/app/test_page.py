@@ -3,11 +3,12 @@
 # ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
+import json
 import re
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import PHONE, browser, opened  # noqa: F401
+from browsing import PHONE, Opened, browser, opened  # noqa: F401
 
 import stayput as sp
 from stayput.motion.writers import csv_text
@@ -218,6 +219,54 @@ def test_what_the_server_refuses_is_said(browser: Browser, server: Running) -> N
         it.page.get_by_label("Gap to the wall (cm)").fill("5")
         it.page.wait_for_selector("#problem:visible")
         assert "does not answer" in it.text("#problem")
+
+
+def test_what_is_refused_is_said_in_the_reader_s_language(browser: Browser, server: Running) -> None:
+    def shown(it: Opened, what: str) -> str:
+        text = it.text(what)
+        assert not re.search("[A-Za-z]{3,}", text), text
+        return text
+
+    with opened(browser, server, language="ja", allowed=("422", "Failed to load")) as it:
+        it.simulated(lambda: it.page.get_by_label("壁とのすき間 (cm)").fill("40"))
+        assert "0.15 m以下に" in shown(it, "#problem")
+        it.page.click("#languages [lang=en]")
+        assert "the gap must be at most 0.15 m" in it.text("#problem")
+        it.page.click("#languages [lang=ja]")
+        assert "0.15 m以下に" in shown(it, "#problem")
+        send = lambda data: it.page.set_input_files(  # noqa: E731
+            "#file", {"name": "1.txt", "mimeType": "text/plain", "buffer": data}
+        )
+        send(b"\x00")
+        it.page.wait_for_selector("#uploaded [role=alert]")
+        assert "テキスト" in shown(it, "#uploaded")
+        assert it.page.locator("#uploaded :is(input, select)").count() == 0  # no answer would help
+        send(b"1\n2\n" * 30)
+        it.page.wait_for_selector("#unit")
+        assert "単位" in it.text("#uploaded [role=alert]")
+        told = json.dumps({"message": "Nobody has put this into Japanese.", "field": None})
+        it.page.route("**/simulate", lambda route: route.fulfill(status=422, body=told))
+        it.page.get_by_label("壁とのすき間 (cm)").fill("5")
+        it.page.wait_for_selector("#problem small")
+        assert it.text("#problem").startswith("この条件では計算できません。")
+        assert it.page.get_attribute("#problem small", "lang") == "en"
+
+
+def test_a_record_that_the_server_forgets_is_missed(
+    browser: Browser, server: Running, tmp_path: Path
+) -> None:
+    file = tmp_path / "record.csv"
+    file.write_text(csv_text(sp.near_fault()), "utf-8")
+    with opened(browser, server, allowed=("422",)) as it:
+        asked, _ = it.simulated(lambda: it.page.set_input_files("#file", file))
+        it.page.wait_for_selector("#uploaded svg path")
+        name = asked["scene"]["shaking"]["record"]
+        assert it.page.request.delete(f"{server.address}/api/v1/motions/{name}").status == 204
+        it.page.get_by_label("Height (cm)").fill("170")
+        it.page.wait_for_selector("#uploaded [role=alert]")
+        assert "no longer on the server" in it.text("#uploaded")
+        it.page.wait_for_selector("#problem", state="hidden")  # the scene goes on without it
+        assert "computed one" in it.text("#summary")
 
 
 def test_a_record_is_chosen_scaled_and_left(browser: Browser, server: Running, tmp_path: Path) -> None:

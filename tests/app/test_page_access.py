@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
-from browsing import DESK, PHONE, browser, opened  # noqa: F401
+from browsing import COMPILING, DESK, PHONE, browser, opened  # noqa: F401
 
 if TYPE_CHECKING:
     from conftest import Running
@@ -47,8 +47,8 @@ def test_axe_finds_nothing_serious(
                 if summary.evaluate("one => !one.parentElement.open"):
                     summary.click()
             if size is DESK:
-                it.page.wait_for_selector("#understand[data-state=done]", timeout=60_000)
-                it.page.wait_for_selector("#map svg", timeout=60_000)
+                it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
+                it.page.wait_for_selector("#map svg", timeout=COMPILING)
             assert grave(it.page) == []
 
 

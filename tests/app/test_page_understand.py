@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import browser, opened  # noqa: F401
+from browsing import COMPILING, browser, opened  # noqa: F401
 
 from stayput.scenario import Scenario
 
@@ -25,12 +25,12 @@ if TYPE_CHECKING:
 def finished(it: Opened) -> dict:
     """Wait for all of the answers; return the verdict."""
     with it.page.expect_response(
-        lambda answer: "/jobs/" in answer.url and _ranked(answer), timeout=60_000
+        lambda answer: "/jobs/" in answer.url and _ranked(answer), timeout=COMPILING
     ) as found:
-        it.page.click("#verify")
-    it.page.wait_for_selector("#understand[data-state=done]", timeout=60_000)
-    it.page.wait_for_selector("#whatif[data-state=done]", timeout=60_000)
-    it.page.wait_for_selector("#map svg", timeout=60_000)
+        it.page.click("#verify", timeout=COMPILING)  # it is there once the first verification has ended
+    it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
+    it.page.wait_for_selector("#whatif[data-state=done]", timeout=COMPILING)
+    it.page.wait_for_selector("#map svg", timeout=COMPILING)
     return found.value.json()["result"]
 
 

@@ -1,6 +1,6 @@
 """The classes of JMA's intensity in plain words: what people meet, and what furniture does.
 
-The words are our own; the classes are those of the Japan Meteorological Agency.
+Abridged from the Japan Meteorological Agency's explanation of its scale (気象庁震度階級関連解説表, 2009).
 """
 
 from __future__ import annotations
@@ -11,19 +11,25 @@ LABELS_JA = {"5-lower": "5弱", "5-upper": "5強", "6-lower": "6弱", "6-upper":
 PEOPLE: dict[str, tuple[str, str]] = {
     "0": ("Nobody notices; only instruments do.", "人は気づかず、計器だけが感じる。"),
     "1": ("A few people who sit quietly indoors notice.", "屋内で静かにしている人の一部が気づく。"),
-    "2": ("Many people who sit quietly indoors notice.", "屋内で静かにしている人の多くが気づく。"),
-    "3": ("Most people indoors notice; it may alarm some.", "屋内のほとんどの人が気づき、驚く人もいる。"),
+    "2": (
+        "Most people who sit quietly indoors notice, and some sleepers wake.",
+        "屋内で静かにしている人の大半が気づき、眠っている人の一部が目を覚ます。",
+    ),
+    "3": (
+        "Almost all people indoors notice, as do some who walk; most sleepers wake.",
+        "屋内のほとんどの人と歩いている人の一部が気づく。眠っている人の大半が目を覚ます。",
+    ),
     "4": (
-        "Most people are startled; those who walk notice, and sleepers wake.",
-        "ほとんどの人が驚く。歩いていても気づき、眠っている人は目を覚ます。",
+        "Almost all people are startled; those who walk notice, and sleepers wake.",
+        "ほとんどの人が驚く。歩いている人も気づき、眠っている人は目を覚ます。",
     ),
     "5-lower": (
         "Most people are frightened and reach for something to hold on to.",
-        "多くの人が怖いと感じ、何かにつかまりたくなる。",
+        "大半の人が怖いと感じ、物につかまりたくなる。",
     ),
     "5-upper": (
-        "Walking is hard without holding on to something.",
-        "何かにつかまらないと歩きにくい。",
+        "Most people find it hard to walk without holding on to something.",
+        "大半の人が、物につかまらないと歩きにくい。",
     ),
     "6-lower": ("Standing is hard.", "立っているのが難しい。"),
     "6-upper": (

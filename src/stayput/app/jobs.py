@@ -175,6 +175,9 @@ class Jobs:
             job.message = str(error)
             self._end(job, "failed")
         except Exception:
+            if job.stop.is_set():  # the server ends, and with it what the job works with
+                self._end(job, "cancelled")
+                return
             _log.exception("A verification failed")
             job.message = "The verification failed; the server's log says why."
             self._end(job, "failed")

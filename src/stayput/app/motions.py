@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stayput.app.japanese import wording_of
 from stayput.app.refusals import RefusedError
 from stayput.app.replies import MotionReply, PreviewReply
 from stayput.app.running import class_of, intensity_of
@@ -97,7 +98,8 @@ class Motions:
             self._check_length(motion)
         except InputError as error:
             path.unlink(missing_ok=True)
-            raise RefusedError(422, self._without_path(str(error), path, label), "file") from None
+            told = self._without_path(str(error), path, label)
+            raise RefusedError(422, told, wording_of(told)[1] or "file") from None
         except BaseException:
             path.unlink(missing_ok=True)
             raise

@@ -7,8 +7,10 @@ import re
 
 from starlette.responses import Response
 
+from stayput.app.japanese import wording_of
+
 _PLACE = re.compile(
-    r"(?:In \[(?P<table>[a-z_.]+)\]|(?P<name>[a-z_]+(?:\.[a-z_]+|\[\d+\])*) (?:is|follows|has|gives))\b"
+    r"In \[(?P<table>[a-z_.]+)\]:|(?P<name>[a-z_]+(?:\.[a-z_]+|\[\d+\])*) (?:is|follows|has|gives)\b"
 )
 
 LONGEST = 600
@@ -49,9 +51,17 @@ def error_response(
     status: int, message: str, field: str | None = None, headers: dict[str, str] | None = None
 ) -> Response:
     """Return an error as JSON; in ASCII, since the message may quote half a character of the input."""
-    told = message if len(message) <= LONGEST else f"{message[:LONGEST]}…"
-    body = json.dumps({"message": told, "field": field and field[:LONGEST]}).encode("ascii")
-    return Response(body, status, headers, "application/json")
+    japanese, _ = wording_of(message)
+    told = {
+        "message": _short(message),
+        "message_ja": japanese and _short(japanese),
+        "field": field and field[:LONGEST],
+    }
+    return Response(json.dumps(told).encode("ascii"), status, headers, "application/json")
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
 
 
 def field_of(sentence: str, tables: tuple[str, ...]) -> str | None:

@@ -74,7 +74,7 @@ def refusal(error: InputError, own: bool = False) -> RefusedError:
     field = field_of(sentence, TABLES)
     if own and field is not None and field.startswith("scene.measures"):
         field = field.replace("scene.measures[0].combine", "measures").replace("scene.measures", "measures")
-        sentence = sentence.replace("measures[0].combine", "measures")
+        sentence = sentence.replace("measures[0].combine", "measures").removeprefix("In [measures]: ")
     return RefusedError(422, sentence, field)
 
 

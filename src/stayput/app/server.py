@@ -103,6 +103,8 @@ def _warm(service: Service) -> None:
     try:
         warm()
     except Exception:
+        if service.closed:  # the server ends before they were done
+            return
         _log.exception("The first runs, which compile, failed")
     gc.collect()
     gc.freeze()  # what was loaded stays: looking through it again would make pings wait

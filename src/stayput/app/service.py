@@ -50,6 +50,8 @@ class Service:
         Whether everything is compiled.
     uploading : bool
         Whether a file is being uploaded: one at a time.
+    closed : bool
+        Whether the server ends.
     """
 
     limits: Limits
@@ -59,9 +61,11 @@ class Service:
     jobs: Jobs
     ready: bool = False
     uploading: bool = False
+    closed: bool = False
 
     def close(self) -> None:
         """Stop all jobs, let the threads go, and remove the folder."""
+        self.closed = True
         self.jobs.close()
         self.workers.close()
         self.slow.close()

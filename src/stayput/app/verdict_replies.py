@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from stayput.app.fields import Reply, Words
+from stayput.app.fields import Problem, Reply, Words
 
 
 class ChanceReply(Reply):
@@ -126,13 +126,6 @@ class VerdictReply(Reply):
     estimates: EstimatesReply
 
 
-class ProblemOfJob(Reply):
-    """Why a job failed."""
-
-    message: str
-    field: str | None = None
-
-
 class JobReply(Reply):
     """A verification that is under way or done."""
 
@@ -142,5 +135,5 @@ class JobReply(Reply):
     total: int
     progress: float
     seconds: float
-    error: ProblemOfJob | None
+    error: Problem | None
     result: VerdictReply | None

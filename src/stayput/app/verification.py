@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.app.fields import Words
+from stayput.app.fields import Problem, Words
+from stayput.app.japanese import wording_of
 from stayput.app.refusals import RefusedError
 from stayput.app.running import class_of
 from stayput.app.scenes import YOURS
@@ -22,7 +23,6 @@ from stayput.app.verdict_replies import (
     JobReply,
     ObservedReply,
     OptionReply,
-    ProblemOfJob,
     QuantilesReply,
     VerdictReply,
 )
@@ -148,9 +148,13 @@ def job_reply(job: Job) -> JobReply:
         total=job.total,
         progress=1.0 if job.state == "done" else min(1.0, job.done / max(1, job.total)),
         seconds=round(job.seconds, 3),
-        error=None if job.message is None else ProblemOfJob(message=job.message, field=job.about),
+        error=None if job.message is None else _problem(job.message, job.about),
         result=None if verdict is None else verdict_reply(verdict),
     )
+
+
+def _problem(message: str, field: str | None) -> Problem:
+    return Problem(message=message, message_ja=wording_of(message)[0], field=field)
 
 
 def verdict_reply(verdict: Verdict) -> VerdictReply:

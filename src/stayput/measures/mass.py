@@ -90,7 +90,17 @@ class LowerShelves(Measure):
         return "on the shelves"
 
     def apply(self, body: Body, room: Room) -> Held:
-        """Return the body with a uniform mass moved from its upper half to its lower half."""
+        """Return the body with a uniform mass moved from its upper half to its lower half.
+
+        Raises
+        ------
+        InputError
+            The upper half of the piece has not so much mass.
+        """
         moved, half = self.share * body.mass, body.height / 2
-        lighter = with_mass(body, -moved, 1.5 * half, (body.width, half))
+        try:
+            lighter = with_mass(body, -moved, 1.5 * half, (body.width, half))
+        except InputError:  # what is left would have no inertia
+            told = f"{self.label[0]} share is {self.share:g}; so much is not in the upper half of this piece."
+            raise InputError(told) from None
         return Held(with_mass(lighter, moved, 0.5 * half, (body.width, half)), room, (), (self,))

@@ -2,11 +2,11 @@
 
 const BASE = new URL("api/v1/", document.baseURI);
 
-/** A refusal by the server: its sentence, the field it is about, and the HTTP status (0: no answer). */
+/** A refusal by the server: its sentence in English, in Japanese if it has one, the field, the HTTP status (0: no answer). */
 export class Refused extends Error {
-  constructor(message, field, status) {
+  constructor({ message = "", message_ja = null, field = null }, status) {
     super(message);
-    Object.assign(this, { field, status });
+    Object.assign(this, { japanese: message_ja, field, status });
   }
 }
 
@@ -16,11 +16,10 @@ async function ask(path, options = {}) {
     answer = await fetch(new URL(path, BASE), options);
   } catch (error) {
     if (error.name === "AbortError") throw error;
-    throw new Refused("", null, 0);
+    throw new Refused({}, 0);
   }
   if (answer.ok) return answer;
-  const { message, field } = await answer.json().catch(() => ({ message: answer.statusText }));
-  throw new Refused(message, field ?? null, answer.status);
+  throw new Refused(await answer.json().catch(() => ({ message: answer.statusText })), answer.status);
 }
 
 const json = async (path, options) => (await ask(path, options)).json();
@@ -43,12 +42,11 @@ export const runAsCsv = async (content, which) =>
 export const motion = (id) => json(`motions/${id}`);
 export const motionPreview = (id) => json(`motions/${id}/preview`);
 
-/** Sends a record; unit and step [s] only where its file does not say them. */
-export function upload(file, { unit, dt }, signal) {
+/** Sends a record; unit, time step dt [s] and the component only where its file does not say them. */
+export function upload(file, said, signal) {
   const form = new FormData();
   form.set("file", file);
-  if (unit) form.set("unit", unit);
-  if (dt) form.set("dt", String(dt));
+  for (const [name, value] of Object.entries(said)) if (value) form.set(name, value);
   return json("motions", { method: "POST", body: form, signal });
 }
 

@@ -9,7 +9,7 @@ const freshId = () => `field-${++made}`;
  * A slider with a number field beside it. Values are in SI; "factor" times them are shown in "unit".
  * Returns {element, set(value)}; "changed" is called with the value while the user moves it.
  */
-export function slider({ label, unit = "", low, high, step, factor = 1, hint = null, changed }) {
+export function slider({ label, unit = "", range: [low, high], step, factor = 1, hint = null, changed }) {
   const id = freshId(),
     decimals = Math.max(0, -Math.floor(Math.log10(step * factor) + 1e-9));
   const shown = { min: tidy(low * factor), max: tidy(high * factor), step: tidy(step * factor) };

@@ -1,20 +1,19 @@
 // "Keep it": the link, the scenario as TOML, the report, the data.
 
 import * as api from "./api.js";
-import { offer, part } from "./dom.js";
+import { fill, offer, part } from "./dom.js";
+import { worded } from "./refusals.js";
 import { spoken, t } from "./words.js";
 
-const say = (text) => {
-  part("kept").textContent = text;
-};
+const say = (...told) => fill(part("kept"), told);
 
-/** Wires the buttons; "asked" gives what the server is asked now, "refused" the words for an error. */
-export function wire(asked, refused) {
+/** Wires the buttons; "asked" gives what the server is asked now. */
+export function wire(asked) {
   const attempt = (work) => async () => {
     try {
       await work();
     } catch (error) {
-      say(refused(error));
+      say(...worded(error));
     }
   };
   part("copy").addEventListener(

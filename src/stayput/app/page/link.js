@@ -1,6 +1,6 @@
 // The scene in the page's address, so that a link shows it again.
 
-import { plain } from "./scene.js";
+import { clamp, plain, RANGES } from "./scene.js";
 
 const round = (value) => String(Number(value.toPrecision(6)));
 const NUMBERS = [
@@ -15,6 +15,7 @@ const NUMBERS = [
   "intensity",
   "member",
 ];
+const WHOLE = ["storeys", "storey", "member"];
 const NAMES = ["piece", "floor", "structure", "family"];
 const FLAGS = ["wall", "scaled"];
 
@@ -33,6 +34,15 @@ export function toHash(scene) {
   return pairs.toString();
 }
 
+const within = (value, name) => clamp(value, RANGES[name]);
+
+/** The value of a measure's parameter, or nothing where it makes no sense. */
+function allowed(about, text) {
+  if (about.choices?.length) return about.choices.includes(text) ? text : undefined;
+  const value = Number(text);
+  return Number.isFinite(value) ? clamp(value, [about.low, about.high]) : undefined;
+}
+
 function measured(text, presets) {
   const found = {},
     taken = new Set();
@@ -45,7 +55,8 @@ function measured(text, presets) {
     for (const pair of given) {
       const [name, value] = pair.split(":");
       const about = preset.parameters.find((one) => one.name === name);
-      if (about) found[type][name] = about.choices?.length ? value : Number(value);
+      const kept = about && allowed(about, value);
+      if (kept !== undefined) found[type][name] = kept;
     }
   }
   return found;
@@ -66,12 +77,14 @@ export function fromHash(hash, presets, start) {
     if (lists[name].some((one) => one.id === pairs.get(name))) scene[name] = pairs.get(name);
   for (const name of NUMBERS) {
     const value = Number(pairs.get(name) ?? NaN);
-    if (Number.isFinite(value) && value >= 0) scene[name] = value;
+    if (Number.isFinite(value)) scene[name] = WHOLE.includes(name) ? Math.round(within(value, name)) : within(value, name);
   }
   for (const name of FLAGS) if (pairs.has(name)) scene[name] = pairs.get(name) === "1";
   const loads = pairs.get("shelves")?.split(",").map(Number) ?? [];
   scene.shelves =
-    loads.length && loads.every((load) => Number.isFinite(load) && load >= 0) ? loads.slice(0, 12) : null;
+    loads.length && loads.every(Number.isFinite)
+      ? loads.slice(0, 12).map((load) => within(load, "load"))
+      : null;
   scene.measures = pairs.has("measures") ? measured(pairs.get("measures"), presets) : {};
   scene.record = null;
   return { scene, record: pairs.get("record") };

@@ -1,7 +1,7 @@
 // The page: the scene is set, sent, seen, understood, kept. This file says what follows from what.
 
 import * as api from "./api.js";
-import { beforeNextFrame, part, settled } from "./dom.js";
+import { beforeNextFrame, fill, part, settled } from "./dom.js";
 import { readInks } from "./inks.js";
 import * as keep from "./keep.js";
 import { fromHash, toHash } from "./link.js";
@@ -9,6 +9,7 @@ import * as measures from "./panel_measures.js";
 import * as piece from "./panel_piece.js";
 import * as room from "./panel_room.js";
 import * as shaking from "./panel_shaking.js";
+import { lacksRecord, worded } from "./refusals.js";
 import { shake } from "./runs.js";
 import { change, current, forServer, fromServer, watch } from "./scene.js";
 import * as screens from "./screens.js";
@@ -22,21 +23,12 @@ const PANELS = [piece, room, shaking, measures];
 const SLOW = 1500;
 let presets = null,
   shown = null,
+  problem = null,
   flying = false,
   stale = false;
 
 /** What the server is asked: the scene, and the measures that can be put there. */
 const asked = () => ({ scene: forServer(current()), measures: measures.inPlace(current()) });
-
-/** An error in words that the reader understands. */
-function refused(error) {
-  if (error.status === 0) return t("noServer");
-  if (error.status === 404 && current().record) return t("recordGone");
-  if (error.status === 413) return t("tooLarge");
-  if (error.status === 429 || error.status === 503) return t("busy");
-  if (!(error instanceof api.Refused)) console.error(error);
-  return `${t("refused")} ${error.message}`;
-}
 
 /** Simulates the scene now; while one answer is awaited only the newest scene waits for the next. */
 async function simulate() {
@@ -51,12 +43,11 @@ async function simulate() {
   const scene = current();
   try {
     shown = { result: shake(await api.simulate(asked())), scene };
-    part("problem").hidden = true;
+    tellProblem(null);
     display();
   } catch (error) {
-    part("problem").hidden = false;
-    part("problem").textContent = refused(error);
-    if (error.status === 404 && scene.record) {
+    tellProblem(error);
+    if (scene.record && lacksRecord(error)) {
       change({ record: null, scaled: false });
       upload.lost();
     }
@@ -67,6 +58,14 @@ async function simulate() {
   part("see").removeAttribute("aria-busy");
   document.documentElement.dataset.drawn = String(performance.now());
   if (stale) simulate();
+}
+
+/** Says why there is no picture of the scene, or that there is one. */
+function tellProblem(error) {
+  problem = error;
+  part("problem").hidden = !error;
+  part("see").dataset.old = String(Boolean(error));
+  fill(part("problem"), error ? worded(error) : []);
 }
 
 function display() {
@@ -106,10 +105,11 @@ function summary(scene, motion) {
 function again() {
   readInks();
   for (const panel of PANELS) panel.build(presets);
-  upload.update();
+  upload.again();
   understand.again(presets);
   see.again(presets);
   if (shown) display();
+  tellProblem(problem);
 }
 
 const changed = beforeNextFrame(() => {
@@ -130,20 +130,19 @@ async function begin() {
     if (presets) again();
   });
   see.wire();
-  upload.wire(refused);
-  keep.wire(asked, refused);
+  upload.wire();
+  keep.wire(asked);
   part("sizes").addEventListener("rebuild", () => piece.build(presets));
   try {
     presets = await api.presets();
   } catch (error) {
-    part("problem").hidden = false;
-    part("problem").textContent = refused(error);
+    tellProblem(error);
     return;
   }
   await take(location.hash);
   for (const panel of PANELS) panel.build(presets);
   see.name(presets);
-  understand.build(presets, asked, refused);
+  understand.build(presets, asked);
   watch(() => {
     changed();
     address();

@@ -77,8 +77,7 @@ function field(kind, about) {
   const one = slider({
     label,
     unit: about.unit,
-    low,
-    high,
+    range: [low, high],
     step,
     hint: t(`confidence_${about.confidence}`),
     changed: (value) => give(kind, about.name, about.whole ? Math.round(value) : value),

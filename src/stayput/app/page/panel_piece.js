@@ -3,7 +3,7 @@
 import { slider } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { details, pathOf } from "./furniture.js";
-import { balance, change, current, fromPreset } from "./scene.js";
+import { balance, change, current, fromPreset, RANGES } from "./scene.js";
 import { both, length, number, t } from "./words.js";
 
 let fields = {},
@@ -31,13 +31,12 @@ export function build(presets) {
   fill(part("presets"), known.map(card));
   const scene = current();
   fields = {
-    height: size("height", 0.3, 2.6),
-    width: size("width", 0.15, 1.2),
+    height: size("height"),
+    width: size("width"),
     mass: slider({
       label: t(scene.shelves ? "carcass" : "mass"),
       unit: "kg",
-      low: 1,
-      high: 800,
+      range: RANGES.mass,
       step: 1,
       changed: (mass) => change({ mass }),
     }),
@@ -47,12 +46,11 @@ export function build(presets) {
   update();
 }
 
-const size = (key, low, high) =>
+const size = (key) =>
   slider({
     label: t(key),
     unit: "cm",
-    low,
-    high,
+    range: RANGES[key],
     step: 0.01,
     factor: 100,
     hint: key === "width" ? t("widthHint") : null,
@@ -63,8 +61,7 @@ function centre() {
   fields.centre = slider({
     label: t("centre"),
     unit: "%",
-    low: 0.2,
-    high: 0.8,
+    range: RANGES.centre,
     step: 0.01,
     factor: 100,
     hint: t("centreHint"),
@@ -79,8 +76,7 @@ function shelves(scene) {
     slider({
       label: t("shelf", { n: i + 1 }),
       unit: "kg",
-      low: 0,
-      high: 80,
+      range: RANGES.load,
       step: 1,
       changed: (load) => change({ shelves: current().shelves.map((old, j) => (i === j ? load : old)) }),
     }),

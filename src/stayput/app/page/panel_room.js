@@ -2,7 +2,7 @@
 
 import { choice, oneOf, slider, toggle } from "./controls.js";
 import { fill, part } from "./dom.js";
-import { change, current } from "./scene.js";
+import { change, current, RANGES } from "./scene.js";
 import { both, number, t } from "./words.js";
 
 let fields = {};
@@ -10,7 +10,7 @@ let fields = {};
 /** Builds the panel; called again for another language. */
 export function build(presets) {
   const named = (list) => list.map((one) => ({ id: one.id, label: both(one.label) }));
-  const most = Math.min(60, presets.limits?.storeys ?? 60);
+  const most = Math.min(RANGES.storeys[1], presets.limits?.storeys ?? Infinity);
   fields = {
     floor: choice({
       label: t("floor"),
@@ -24,8 +24,7 @@ export function build(presets) {
     gap: slider({
       label: t("gap"),
       unit: "cm",
-      low: 0,
-      high: 0.5,
+      range: RANGES.gap,
       step: 0.005,
       factor: 100,
       changed: (gap) => change({ gap }),
@@ -33,8 +32,7 @@ export function build(presets) {
     ceiling: slider({
       label: t("ceiling"),
       unit: "cm",
-      low: 1.8,
-      high: 3.5,
+      range: RANGES.ceiling,
       step: 0.05,
       factor: 100,
       changed: (ceiling) => change({ ceiling }),
@@ -49,15 +47,13 @@ export function build(presets) {
     }),
     storeys: slider({
       label: t("storeys"),
-      low: 1,
-      high: most,
+      range: [1, most],
       step: 1,
       changed: (storeys) => change({ storeys: Math.round(storeys) }),
     }),
     storey: slider({
       label: t("storey"),
-      low: 1,
-      high: most,
+      range: [1, most],
       step: 1,
       changed: (storey) => change({ storey: Math.round(storey) }),
     }),

@@ -2,7 +2,7 @@
 
 import { choice, oneOf, slider, toggle } from "./controls.js";
 import { fill, part } from "./dom.js";
-import { change, current } from "./scene.js";
+import { change, current, RANGES } from "./scene.js";
 import { both, number, t } from "./words.js";
 
 let fields = {},
@@ -21,8 +21,7 @@ export function build(presets) {
   fields = {
     intensity: slider({
       label: t("intensity"),
-      low: 3.5,
-      high: 7,
+      range: RANGES.intensity,
       step: 0.05,
       changed: (intensity) => change({ intensity }),
     }),
@@ -33,8 +32,7 @@ export function build(presets) {
     }),
     member: slider({
       label: t("member"),
-      low: 1,
-      high: 40,
+      range: RANGES.member,
       step: 1,
       hint: t("memberHint"),
       changed: (member) => change({ member: Math.round(member) }),
@@ -68,7 +66,7 @@ export function update() {
   fields.intensity.element.hidden = !own;
   part("scaling").hidden = !scene.record;
   part("kind").hidden = Boolean(scene.record);
-  part("meaning").hidden = !own;
+  part("meaning").hidden = part("meaning-source").hidden = !own;
   fill(part("meaning"), both(now.about), t("space"), both(now.furniture));
   fields.intensity.range.setAttribute("aria-valuetext", `${number(scene.intensity, 2)}, ${both(now.label)}`);
 }

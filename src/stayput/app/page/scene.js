@@ -23,6 +23,24 @@ export const plain = {
   measures: {},
 };
 
+/** What the fields allow: lengths in m, masses in kg. */
+export const RANGES = {
+  width: [0.15, 1.2],
+  height: [0.3, 2.6],
+  mass: [1, 800],
+  load: [0, 80],
+  centre: [0.2, 0.8],
+  gap: [0, 0.5],
+  ceiling: [1.8, 3.5],
+  storeys: [0, 60],
+  storey: [1, 60],
+  intensity: [3.5, 7],
+  member: [1, 40],
+};
+
+/** A value within a range. */
+export const clamp = (value, [low, high]) => Math.min(high, Math.max(low, value));
+
 let scene = structuredClone(plain);
 const listeners = new Set();
 

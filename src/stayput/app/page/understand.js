@@ -7,6 +7,7 @@ import { fill, part, settled } from "./dom.js";
 import * as fragility from "./fragility.js";
 import * as keep from "./keep.js";
 import * as ranking from "./ranking.js";
+import { worded } from "./refusals.js";
 import { change, current } from "./scene.js";
 import * as sizemap from "./sizemap.js";
 import { line } from "./verification.js";
@@ -17,7 +18,7 @@ import { number, t } from "./words.js";
 const SETTLED = 900;
 const jobs = line();
 let question = null,
-  refused = String,
+  problem = null,
   found = null,
   base = null,
   map = null,
@@ -25,10 +26,9 @@ let question = null,
   round = 0,
   mapped = "without";
 
-/** Builds what is asked here; "asked" gives the scene and its measures, "words" an error's words. */
-export function build(presets, asked, words) {
+/** Builds what is asked here; "asked" gives the scene and its measures. */
+export function build(presets, asked) {
   question = asked;
-  refused = words;
   whatif.build(presets, elsewhere);
   choose();
   part("cancel").addEventListener("click", () => {
@@ -89,8 +89,8 @@ async function work() {
     display();
   } catch (error) {
     if (mine !== round) return;
+    problem = error;
     state("refused");
-    part("verdict").textContent = refused(error);
   }
 }
 
@@ -119,7 +119,7 @@ async function drawMap() {
     map = answer;
     showMap();
   } catch (error) {
-    if (error.name !== "AbortError" && mine === round) part("map").textContent = refused(error);
+    if (error.name !== "AbortError" && mine === round) fill(part("map"), worded(error));
   }
 }
 
@@ -153,6 +153,7 @@ function state(name) {
   part("progress").hidden = part("cancel").hidden = name !== "running";
   part("verify").hidden = name === "running";
   part("state").textContent = name === "done" ? "" : t(`state_${name}`);
+  if (name === "refused") fill(part("verdict"), worded(problem));
 }
 
 function progress(share) {

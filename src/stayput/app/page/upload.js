@@ -2,19 +2,21 @@
 
 import * as api from "./api.js";
 import { el, fill, part, svg } from "./dom.js";
+import { worded } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { number, t } from "./words.js";
 
 const UNITS = ["m/s²", "gal", "g"];
 let waiting = null,
-  preview = null;
+  preview = null,
+  trouble = null;
 
 /** Wires the file field and the place to drop a file on. */
-export function wire(refused) {
+export function wire() {
   const drop = part("drop"),
     field = part("file");
   const take = (file) => {
-    if (file) send(file, {}, refused);
+    if (file) send(file, {});
   };
   field.addEventListener("change", () => {
     take(field.files[0]);
@@ -33,48 +35,58 @@ export function wire(refused) {
   for (const name of ["dragover", "drop"]) addEventListener(name, (event) => event.preventDefault());
 }
 
-async function send(file, said, refused) {
+async function send(file, said) {
   waiting?.abort();
   waiting = new AbortController();
-  fill(part("uploaded"), el("p", { role: "status", text: t("sending") }));
+  tell(() => [el("p", { role: "status", text: t("sending") })]);
   try {
-    use(await api.upload(file, said, waiting.signal));
+    const motion = await api.upload(file, said, waiting.signal);
+    trouble = null;
+    use(motion);
   } catch (error) {
     if (error.name === "AbortError") return;
-    fill(part("uploaded"), el("p", { class: "refusal", role: "alert", text: refused(error) }));
-    if (error.status === 422) part("uploaded").append(asking(file, refused));
+    tell(() => [refusal(worded(error, "unreadable")), asking(file, said, error.field)]);
   }
 }
 
-function asking(file, refused) {
-  const unit = el("select", { id: "unit" }, ...UNITS.map((one) => el("option", { value: one, text: one })));
-  const step = el("input", {
-    id: "step",
-    type: "number",
-    min: "0.0001",
-    max: "1",
-    step: "any",
-    placeholder: "0.01",
-  });
-  const again = el("button", {
-    type: "button",
-    text: t("sendAgain"),
-    onclick: () => send(file, { unit: unit.value, dt: step.value }, refused),
-  });
+/** Shows something in the place of the record, until the scene changes with a record in it. */
+function tell(made) {
+  trouble = made;
+  again();
+}
+
+/** Writes the words again, for another language. */
+export function again() {
+  if (trouble) fill(part("uploaded"), trouble().filter(Boolean));
+  else update();
+}
+
+const refusal = (words) => el("p", { class: "refusal", role: "alert" }, ...words);
+
+/** Asks for what a file does not say: its unit and step, or which of its channels is wanted. */
+function asking(file, said, field) {
+  const unit = () =>
+    el("select", { id: "unit" }, ...UNITS.map((one) => el("option", { value: one, text: one })));
+  const dt = () => el("input", { id: "step", type: "number", min: "0.0001", max: "1", step: "any" });
+  const component = () => el("input", { id: "component", type: "text" });
+  const asked = { unit: { unit, dt }, dt: { dt }, component: { component } }[field];
+  if (!asked) return null;
+  const fields = Object.entries(asked).map(([name, make]) => [name, make()]);
+  const values = () => Object.fromEntries(fields.map(([name, one]) => [name, one.value.trim()]));
   return el(
     "div",
     { class: "row" },
-    el("label", { for: "unit", text: t("unit") }),
-    unit,
-    el("label", { for: "step", text: t("step") }),
-    step,
-    again,
+    ...fields.flatMap(([name, one]) => [el("label", { for: one.id, text: t(`file_${name}`) }), one]),
+    el("button", {
+      type: "button",
+      text: t("sendAgain"),
+      onclick: () => send(file, { ...said, ...values() }),
+    }),
   );
 }
 
 /** Says that the server no longer has the record. */
-export const lost = () =>
-  fill(part("uploaded"), el("p", { class: "refusal", role: "alert", text: t("recordGone") }));
+export const lost = () => tell(() => [refusal([t("recordGone")])]);
 
 /** Takes a record that is on the server into the scene. */
 export async function use(motion) {
@@ -88,7 +100,9 @@ export async function use(motion) {
 export function update() {
   const { record } = current(),
     place = part("uploaded");
-  if (!record) return place.querySelector(".refusal, [role=status]") ? undefined : fill(place);
+  if (trouble && !record) return;
+  trouble = null;
+  if (!record) return fill(place);
   const { motion } = record,
     strength = motion.intensity === null ? "" : `, ${t("jma")} ${number(motion.intensity, 1)}`;
   fill(
@@ -103,10 +117,7 @@ export function update() {
     el("button", {
       type: "button",
       text: t("withoutRecord"),
-      onclick: () => {
-        fill(place);
-        change({ record: null, scaled: false });
-      },
+      onclick: () => change({ record: null, scaled: false }),
     }),
   );
 }

@@ -43,7 +43,7 @@ function also(one, title, verdict) {
   for (const device of one.devices)
     if (device.failed.estimate >= LIKELY)
       told.push(t("alsoFails", { device: both(device.label), share: percent(device.failed.estimate) }));
-  return told.length ? el("li", { text: `${title}: ${told.join(t("space"))}` }) : null;
+  return told.length ? el("li", { text: `${title}${t("colon")}${told.join(t("space"))}` }) : null;
 }
 
 function tens(share, title) {

@@ -36,8 +36,7 @@ export function line() {
     for (let job = begun, wait = LOOK; ; job = await api.job(id), wait = Math.min(LONGEST, wait * 1.2)) {
       if (mine !== turn) return null;
       if (job.state === "done") return job;
-      if (job.state === "failed")
-        throw new api.Refused(job.error?.message ?? "", job.error?.field ?? null, 422);
+      if (job.state === "failed") throw new api.Refused(job.error ?? {}, 422);
       if (job.state === "cancelled") return null;
       told(job);
       await pause(wait);

@@ -2,6 +2,7 @@
 
 import { el, fill, part } from "./dom.js";
 import { change, current, forServer } from "./scene.js";
+import { worded } from "./refusals.js";
 import { line } from "./verification.js";
 import { without, yours } from "./verdict.js";
 import { both, number, percent, t } from "./words.js";
@@ -78,7 +79,7 @@ export const stop = () => {
 
 function say() {
   if (failed || answer) part("whatif").dataset.state = "done";
-  if (failed) part("whatif").textContent = failed.message || t("noServer");
+  if (failed) fill(part("whatif"), worded(failed));
   if (!answer) return;
   const { there, here, storey, storeys } = answer;
   const before = without(here).overturned.estimate,

@@ -2,6 +2,7 @@
 
 export const japanese = {
   space: "",
+  colon: "：",
   claim: "地震のとき、家具は倒れずにいられるか",
   language: "言語",
   steps: "手順",
@@ -54,10 +55,13 @@ export const japanese = {
   memberHint:
     "同じ震度でも地震ごとに揺れ方が違います。アニメーションはこの地震のもので、下の確率は多くの地震から求めます。",
   scaled: "記録を上の震度に合わせて拡大・縮小する",
-  dropHere: "手持ちの地震記録：ここにファイルをドロップするか、選んでください",
+  meaningSource: "気象庁震度階級関連解説表を要約したものです。",
+  dropHere: "手持ちの地震記録：ここにファイルをドロップするか、",
+  chooseFile: "ファイルを選ぶ",
   sending: "記録を送って読み込んでいます…",
-  unit: "単位",
-  step: "時間刻み [s]",
+  file_unit: "単位",
+  file_dt: "時間刻み [s]",
+  file_component: "チャンネル",
   sendAgain: "もう一度送る",
   withoutRecord: "この記録を使わない",
   recordAlt: "記録の加速度の時間変化",
@@ -187,7 +191,11 @@ export const japanese = {
   warming: "サーバーが準備をしています。まもなく最初の図が出ます。",
   noServer: "サーバーから応答がありません。stayput app は動いていますか。",
   recordGone: "記録はサーバーに残っていません。もう一度ここにドロップしてください。",
+  gone: "結果はサーバーに残っていません。もう一度計算してください。",
+  tooSlow: "通信に時間がかかりすぎました。もう一度お試しください。",
+  broken: "うまくいきませんでした。もう一度お試しください。",
+  unreadable: "このファイルは使えません。",
   tooLarge: "ファイルが大きすぎます。",
   busy: "サーバーが混み合っています。少し待ってからもう一度お試しください。",
-  refused: "この条件では計算できません：",
+  refused: "この条件では計算できません。",
 };

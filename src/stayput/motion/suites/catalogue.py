@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError
 from stayput.motion.suites.families import FAMILIES, KINDS, MIX
+from stayput.motion.suites.kept import KeptMotions
 from stayput.motion.suites.suite import Suite
-from stayput.motion.suites.synthesis import synthetic_motion, whole
+from stayput.motion.suites.synthesis import whole
 from stayput.motion.suites.target import DEFAULT_BAND
 
 if TYPE_CHECKING:
@@ -18,10 +18,7 @@ if TYPE_CHECKING:
 MIXED = "mixed"
 """Name of the suite of all families."""
 
-_KEPT = 1024
-"""Motions that are kept in memory; three components of 60 s take 144 kB."""
-
-_kept_motion = lru_cache(maxsize=_KEPT)(synthetic_motion)
+_kept = KeptMotions()
 
 
 def mixed_order(count: int) -> list[str]:
@@ -77,7 +74,7 @@ def synthetic_suite(
     motions: list[Motion] = []
     for one in families:
         seen[one] += 1
-        motions.append(_kept_motion(one, seen[one], number))
+        motions.append(_kept.get(one, seen[one], number))
     label = MIXED if family == MIXED else KINDS[family].label
     suite = Suite(tuple(motions), f"synthetic {label} suite, seed {number}")
     if target is None:

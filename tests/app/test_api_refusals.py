@@ -1,0 +1,138 @@
+"""Refusals that somebody meets on the page: each has its sentence in Japanese, made from the English one."""
+
+from __future__ import annotations
+
+import ast
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from conftest import SCENE, client_of, running
+
+import stayput
+from stayput.app.japanese import WORDINGS, wording_of
+from stayput.app.limits import Limits
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    import httpx
+
+FEW = replace(Limits(), duration=30.0, samples_of_motion=2000, numbers=8000, runs=1000)
+"""A server that allows little, so that small files are too large for it."""
+
+ROOM = {**SCENE["room"], "ceiling": {"height": 3.5}}
+
+MEASURES: dict[str, tuple[dict[str, Any], list[dict[str, Any]]]] = {
+    "gap": ({"room": {**ROOM, "left_wall": {"gap": 0.4}}}, [{"type": "l_bracket"}]),
+    "setback": ({}, [{"type": "belt", "setback": 0.4}]),
+    "setback of a pole": ({}, [{"type": "tension_pole", "setback": 0.4}]),
+    "angle": ({}, [{"type": "chain", "angle": 1.4, "setback": 0.3}]),
+    "preload": ({}, [{"type": "tension_pole", "strength": 100.0}]),
+    "space": ({"room": {**ROOM, "ceiling": {"height": 5.0}}}, [{"type": "tension_pole"}]),
+    "height": ({}, [{"type": "ballast", "height": 1.9}]),
+    "share": (
+        {"furniture": {"width": 0.3, "height": 2.4, "mass": 100.0, "cg_offset": [0.0, -0.4]}},
+        [{"type": "lower_shelves", "share": 0.45}],
+    ),
+    "friction of a measure": ({}, [{"type": "anti_slip_sheet", "static_friction": 0.1}]),
+    "friction of an edge": ({}, [{"type": "wedge_stopper", "static_friction": 0.1}]),
+}
+
+TIMES = "".join(f"{0.01 * i:.2f},{i % 7 - 3}\n" for i in range(100))
+UNIT = {"unit": "m/s²"}
+FILES_REFUSED: dict[str, tuple[str | bytes, dict[str, str], str]] = {
+    "no format": ("hello\n", {}, "file"),
+    "binary": (b"\x00\x01\x02", {}, "file"),
+    "empty": ("  \n", {}, "file"),
+    "no unit": (TIMES, {}, "unit"),
+    "another unit": ("# unit: gal\n" + TIMES, {"unit": "g"}, "unit"),
+    "no step": ("1\n-1\n0\n" * 9, UNIT, "dt"),
+    "another step": (TIMES, {**UNIT, "dt": "0.5"}, "dt"),
+    "a step that cannot be": ("1\n-1\n" * 9, {**UNIT, "dt": "1e6"}, "dt"),
+    "irregular": ("0.0,1\n0.5,1\n0.51,1\n", UNIT, "file"),
+    "a word": ("0.0,nan\n0.01,1\n", UNIT, "file"),
+    "columns": ("1,2,3,4,5\n" * 9, UNIT, "file"),
+    "rows": ("0.0,1\n0.01,1,1\n", UNIT, "file"),
+    "a long line": ("1" * 5_000_000, UNIT, "file"),
+    "too large": ("0.0,1\n0.01,1e30\n", UNIT, "unit"),
+    "too long": ("".join(f"{i * 0.5},1\n" for i in range(200)), UNIT, "file"),
+    "many samples": ("".join(f"{i * 0.005:.3f},1\n" for i in range(3000)), UNIT, "file"),
+    "many numbers": ("1," * 10_000, UNIT, "file"),
+}
+
+
+@pytest.fixture(scope="module")
+def strict() -> Iterator[httpx.Client]:
+    with running(FEW) as found, client_of(found) as client:
+        yield client
+
+
+def in_japanese(answer: httpx.Response) -> str:
+    assert answer.status_code == 422, answer.text[:300]
+    problem = answer.json()
+    told = problem["message_ja"]
+    assert told, problem["message"]
+    assert told.endswith("。") or "：" in told
+    plain = re.sub("「.*?」|m/s²|gal", "", told)
+    assert not re.search("[A-Za-z]{2,}|[{}]", plain), told
+    return told
+
+
+@pytest.mark.parametrize("name", MEASURES)
+def test_measures_that_do_not_fit(client: httpx.Client, name: str) -> None:
+    changed, measures = MEASURES[name]
+    asked = {"scene": {**SCENE, "room": ROOM, **changed}, "measures": measures}
+    answer = client.post("/api/v1/simulate", json=asked)
+    in_japanese(answer)
+    assert answer.json()["field"] == "measures"
+
+
+@pytest.mark.parametrize("name", FILES_REFUSED)
+def test_files_that_cannot_be_used(strict: httpx.Client, name: str) -> None:
+    data, said, field = FILES_REFUSED[name]
+    content = data.encode() if isinstance(data, str) else data
+    answer = strict.post("/api/v1/motions", files={"file": ("a.csv", content)}, data=said)
+    in_japanese(answer)
+    assert answer.json()["field"] == field
+
+
+def test_a_verification_that_is_too_much(strict: httpx.Client) -> None:
+    in_japanese(strict.post("/api/v1/verify", json={"scene": SCENE}))
+
+
+def test_values_and_names_are_in_the_sentence() -> None:
+    told, _ = wording_of("L-brackets in studs stands 0.4 m from the wall; the gap must be at most 0.15 m.")
+    assert (
+        told
+        == "家具と壁のすき間が0.4 mあります。「L型金具（下地に固定）」を使うには0.15 m以下にしてください。"
+    )
+    assert wording_of("Something else.") == (None, None)
+
+
+def sentences() -> str:
+    """All texts of the package's sources, with <> for what varies in them."""
+    found: list[str] = []
+    for file in Path(stayput.__file__).parent.rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+            if isinstance(node, ast.JoinedStr):
+                found.append("".join(map(_text, node.values)))
+            elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+                found.append(node.value)
+    return "\n".join(found)
+
+
+def _text(node: ast.expr) -> str:
+    return str(node.value) if isinstance(node, ast.Constant) else "<>"
+
+
+def test_every_wording_is_of_a_sentence_that_there_is() -> None:
+    there = sentences().replace("'<>'", "<>")
+    for one in WORDINGS:
+        assert set(re.findall(r"\{(\w+)\}", one.japanese)) <= set(one.pattern.groupindex), one.japanese
+        if one.english.startswith(("dt is", "Motion x at")):  # made of pieces; met by the files above
+            continue
+        wanted = re.sub("'?<[a-z]+>'?", "<>", one.english)
+        assert wanted in there, one.english
