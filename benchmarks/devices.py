@@ -1,4 +1,8 @@
-"""Speed of bodies that devices hold, beside the bare ones: the mixed cases of `workload`, on one core."""
+"""Speed of bodies that devices hold, beside the bare ones: the mixed cases of `workload`, on one core.
+
+A body that a device holds moves on where a bare one rests or has fallen, so a case and a step are compared. A
+second table makes each device stiffer and softer, with the same strength, preload and ratio of damping.
+"""
 
 from __future__ import annotations
 
@@ -79,22 +83,46 @@ def best(run: Measured, repeats: int = 3) -> tuple[float, NDArray[np.void]]:
     return shortest, results
 
 
+def stiffer(elements: NDArray[np.void], factor: float) -> NDArray[np.void]:
+    """Return devices with other springs, whose forces at rest and damping ratios are the same."""
+    rows = elements.copy()
+    rows["stiffness"] *= factor
+    rows["damping"] *= math.sqrt(factor)
+    preload = np.isfinite(rows["slack_minus"]) & (rows["slack_minus"] < 0.0)
+    rows["slack_minus"][preload] /= factor
+    return rows
+
+
 def main() -> None:
     drawn = workload.mixed(COUNT)
     cases, motion = workload.columns(drawn), workload.record()
     floor = shaking(motion.x, None, motion.dt, 0)
     b, h = np.array([case.width for case in drawn]), np.array([case.height for case in drawn])
+
+    def run(elements: NDArray[np.void]) -> tuple[float, NDArray[np.void]]:
+        return best(lambda: run_restrained_cases(cases, elements, floor)[0])
+
     bare, results = best(lambda: run_cases(cases, floor))
-    print("device    cases/s  × bare  steps  events  overturned  failed devices")
-    print(f"{'none':8} {COUNT / bare:8.0f} {1.0:7.1f} {results['steps'].mean():6.0f} "
+    step = bare / results["steps"].sum()
+    print("device    cases/s   × bare, a case   a step    steps  events  overturned  failed devices")
+    print(f"{'none':8} {COUNT / bare:8.0f} {1.0:16.1f} {1.0:8.1f} {results['steps'].mean():8.0f} "
           f"{results['events'].mean():7.1f} {np.mean(results['outcome'] == 4):11.3f}")  # fmt: skip
-    for make in (bracket, pads, pole):
-        elements = make(b, h)
-        took, results = best(lambda elements=elements: run_restrained_cases(cases, elements, floor)[0])
+    devices = {make.__name__: make(b, h) for make in (bracket, pads, pole)}
+    for name, elements in devices.items():
+        took, results = run(elements)
         gone = run_restrained_cases(cases, elements, floor)[1]["failure"] != el.HOLDS
-        print(f"{make.__name__:8} {COUNT / took:8.0f} {took / bare:7.1f} {results['steps'].mean():6.0f} "
-              f"{results['events'].mean():7.1f} {np.mean(results['outcome'] == 4):11.3f} "
-              f"{gone.mean():15.3f}")  # fmt: skip
+        print(f"{name:8} {COUNT / took:8.0f} {took / bare:16.1f} {took / results['steps'].sum() / step:8.1f} "
+              f"{results['steps'].mean():8.0f} {results['events'].mean():7.1f} "
+              f"{np.mean(results['outcome'] == 4):11.3f} {gone.mean():15.3f}")  # fmt: skip
+
+    factors = (0.01, 0.1, 1.0, 10.0, 100.0)
+    print("\n× bare, a case, where the springs are stiffer by")
+    print(f"{'device':8}" + "".join(f"{factor:9g}" for factor in factors) + "   most/least")
+    for name, elements in devices.items():
+        ratios = [run(stiffer(elements, factor))[0] / bare for factor in factors]
+        print(
+            f"{name:8}" + "".join(f"{ratio:9.1f}" for ratio in ratios) + f"{max(ratios) / min(ratios):12.1f}"
+        )
 
 
 if __name__ == "__main__":
