@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.cli.compiling import compiling
 from stayput.cli.options import Threads  # noqa: TC001 - Typer reads the annotations
 
 if TYPE_CHECKING:
@@ -60,7 +61,8 @@ def _verified(path: Path, slide_limit: float | None, threads: int | None) -> Ver
     from stayput.verification import verify as compare
 
     limit = SLIDE_LIMIT if slide_limit is None else slide_limit
-    return compare(scenario, slide_limit=limit, threads=threads)
+    with compiling():
+        return compare(scenario, slide_limit=limit, threads=threads)
 
 
 def _write(
