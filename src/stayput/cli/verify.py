@@ -92,9 +92,10 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     from rich.table import Table
 
     from stayput.report.verdict import numbers
-    from stayput.report.verdict.tables import SHARES, ranking
+    from stayput.report.verdict.tables import SHARES, ranking, simulations
     from stayput.report.verdict.words import word
     from stayput.verification import EVENTS
+    from stayput.verification.verdict import OVERTURNED
     from stayput.verification.words import headline
 
     def told(key: str, **values: object) -> str:
@@ -127,13 +128,13 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     console.print(told("brief told"))
     colon = told("colon")
     for row in rows:
-        console.print(f"{row.option.rank}. {row.label}{colon}{row.reason}", soft_wrap=True)
+        ends = numbers.interval(row.option.probabilities[OVERTURNED], lang)
+        label = row.label + told("aside", told=ends) if ends else row.label
+        console.print(f"{row.option.rank}. {label}{colon}{row.reason}", soft_wrap=True)
     if verdict.motions == 1:
         console.print(told("one motion"))
     if not verdict.precise:
         console.print(told("not precise"))
-    console.print(
-        told("simulations told", runs=f"{verdict.runs:,}", motions=verdict.motions, samples=verdict.samples)
-    )
+    console.print(simulations(verdict, lang))
     for path in written:
         console.print(f"Wrote {path}", soft_wrap=True)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from stayput.verification import OptionVerdict, Verdict
 
 WIDTH, HEIGHT = 600.0, 400.0
-LEFT, RIGHT, TOP, BOTTOM = 58.0, 590.0, 34.0, 346.0
+LEFT, RIGHT, TOP, BOTTOM = 74.0, 590.0, 34.0, 346.0
 LOOKS = 11
 """Looks of lines that the page's style has: the first is that of no measure, the second of the best."""
 
