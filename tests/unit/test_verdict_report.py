@@ -14,10 +14,11 @@ import verdict_cases
 import stayput as sp
 from stayput.fragility import INTENSITY_MEASURES
 from stayput.furniture import FURNITURE
-from stayput.measures import MEASURES
+from stayput.measures import MEASURES, Belt
 from stayput.motion.suites import FAMILIES, synthetic_suite
 from stayput.report.verdict import words
 from stayput.report.verdict.assumptions import QUANTITIES, assumptions
+from stayput.report.verdict.curves import legend
 from stayput.report.verdict.data import verdict_data, verdict_json
 from stayput.report.verdict.exports import write_curves
 from stayput.report.verdict.markdown import verdict_markdown
@@ -27,7 +28,8 @@ from stayput.room import SURFACES
 from stayput.simulation import Mode, Outcome
 from stayput.uncertainty import USUAL
 from stayput.verification import EVENTS, Quantiles
-from stayput.verification.words import headline
+from stayput.verification.options import Option
+from stayput.verification.words import headline, title
 
 
 def fields(text):
@@ -135,6 +137,21 @@ def test_motions_of_suites_have_names_in_both_languages():
         assert "synthetic" not in words.motion_named(name, "ja")
         assert not set(words.motion_named(name, "ja")) & set(string.ascii_letters)
     assert words.motion_named("El Centro 1940", "ja") == "El Centro 1940"
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_two_of_one_measure_are_told_apart(language):
+    one = verdict_cases.made()
+    strong = replace(one.best, option=Option("strong belt", (Belt(strength=4000.0),)), rank=2)
+    two = replace(one, options=(one.best, strong, *one.options[1:]))
+    label = one.best.option.label(language)
+    assert title(one.best.option, one, language) == label
+    titles = {title(each.option, two, language) for each in two.options}
+    assert len(titles) == 4
+    assert "strong belt" in next(told for told in titles if "strong" in told)
+    assert {entry.label for entry in legend(two, language)} == titles
+    assert "(belt)" in headline(two, language) or "（belt）" in headline(two, language)
+    assert "(belt)" not in headline(one, language)
 
 
 def test_forces_in_words():

@@ -239,7 +239,9 @@ def test_ticks_are_round_and_inside():
 def test_a_history_has_a_tick_on_each_side_of_nothing(most):
     x = svg.Axis(0.0, 1.0, 0.0, 1.0)
     line = np.linspace(0.0, 1.0, 9), np.linspace(0.0, most, 9), 0
-    told = re.findall(r"<text[^>]*>([^<]+)<", "".join(_panel(x, (0.0, 90.0), [line], "Tilt", "run", math.inf)))
+    told = re.findall(
+        r"<text[^>]*>([^<]+)<", "".join(_panel(x, (0.0, 90.0), [line], "Tilt", "run", math.inf))
+    )
     values = [float(text.replace("−", "-")) for text in told[1:]]
     assert min(values) < 0.0 < max(values)
     assert len(values) <= 5

@@ -96,7 +96,7 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     from stayput.report.verdict.words import word
     from stayput.verification import EVENTS
     from stayput.verification.verdict import OVERTURNED
-    from stayput.verification.words import headline
+    from stayput.verification.words import headline, title
 
     def told(key: str, **values: object) -> str:
         return word(key, lang, **values)
@@ -129,7 +129,7 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     colon = told("colon")
     for row in rows:
         ends = numbers.interval(row.option.probabilities[OVERTURNED], lang)
-        label = row.label + told("aside", told=ends) if ends else row.label
+        label = title(row.option.option, verdict, lang) + (told("aside", told=ends) if ends else "")
         console.print(f"{row.option.rank}. {label}{colon}{row.reason}", soft_wrap=True)
     if verdict.motions == 1:
         console.print(told("one motion"))

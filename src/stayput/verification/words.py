@@ -10,6 +10,7 @@ from stayput.motion.intensity import intensity_class
 from stayput.verification.verdict import DEVICE_FAILED, HIT_WALL, OVERTURNED, SLID
 
 if TYPE_CHECKING:
+    from stayput.verification.options import Option
     from stayput.verification.verdict import OptionVerdict, Verdict
 
 LANGUAGES = ("en", "ja")
@@ -45,6 +46,15 @@ def _centimetres(length: float) -> str:
     return f"{100.0 * length:.0f} cm" if length >= 0.095 else f"{100.0 * length:.1f} cm"
 
 
+def title(option: Option, verdict: Verdict, language: str) -> str:
+    """Return what an option is called; with the user's name for it where another has the same measures."""
+    label = option.label(language)
+    alike = sum(one.option.label(language) == label for one in verdict.options)
+    if alike == 1:
+        return label
+    return f"{label} ({option.name})" if language == "en" else f"{label}（{option.name}）"
+
+
 def headline(verdict: Verdict, language: str) -> str:
     """Return the verdict in one sentence."""
     without, best = verdict.without, verdict.best
@@ -56,12 +66,12 @@ def headline(verdict: Verdict, language: str) -> str:
     strength = class_label(verdict.intensity, language)
     if best.option.measures and best.probabilities[OVERTURNED].estimate < falls - 0.005:
         held = best.probabilities[OVERTURNED].estimate
+        label = title(best.option, verdict, language)
         if language == "en":
             return (
                 f"In shaking of JMA intensity {strength} the {name} overturns {_of_the_cases(falls)}; "
-                f"with {_lowered(best, language)}, {_of_the_cases(held).removesuffix(' of the cases')}."
+                f"with {_lowered(label)}, {_of_the_cases(held).removesuffix(' of the cases')}."
             )
-        label = best.option.label(language)
         told = f"{strength}の揺れで、この家具は{_percent(falls, language)}の場合に転倒します。"
         if held == 0.0:
             return f"{told}{label}があれば、計算した場合のいずれでも転倒しません。"
@@ -79,8 +89,7 @@ def headline(verdict: Verdict, language: str) -> str:
     return f"{told}比較した対策では明らかには減りません。"
 
 
-def _lowered(option: OptionVerdict, language: str) -> str:
-    label = option.option.label(language)
+def _lowered(label: str) -> str:
     return label[:1].lower() + label[1:] if not label[:2].isupper() and label[1:2] != "-" else label
 
 

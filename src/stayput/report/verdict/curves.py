@@ -13,7 +13,7 @@ from stayput.fragility.curve import State
 from stayput.motion.intensity import CLASSES
 from stayput.report.verdict import svg
 from stayput.report.verdict.words import word
-from stayput.verification.words import class_label
+from stayput.verification.words import class_label, title
 
 if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve
@@ -47,7 +47,7 @@ def legend(verdict: Verdict, language: str) -> list[Entry]:
     """Return the legend, the best option first."""
     seen = looks(verdict)
     return [
-        Entry(seen[one.option.name], one.option.label(language), _note(one, language))
+        Entry(seen[one.option.name], title(one.option, verdict, language), _note(one, language))
         for one in verdict.options
         if one.curves
     ]

@@ -29,7 +29,7 @@ from stayput.report.verdict.tables import DEVICE_COLUMNS, SHARES, device_rows, r
 from stayput.report.verdict.words import MODES, motion_named, place, word
 from stayput.scenario.writing import scenario_toml
 from stayput.verification.verdict import OVERTURNED
-from stayput.verification.words import class_label, headline
+from stayput.verification.words import class_label, headline, title
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -128,7 +128,8 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "curves": Markup(curves_svg(verdict, language)) if verdict.best.curves else None,
         "legend": legend(verdict, language),
         "pairs": [
-            _pair(pair, drawn, len(ground), language) for pair, drawn in zip(pairs, scenes, strict=True)
+            _pair(verdict, pair, drawn, len(ground), language)
+            for pair, drawn in zip(pairs, scenes, strict=True)
         ],
         "modes": [(colour, MODES[mode][place(language)]) for mode, colour in MODE_COLOURS.items()],
         "scenes": Markup(_script_data(scenes)),
@@ -166,7 +167,7 @@ def _script_data(values: object) -> str:
 
 
 def _drawn(verdict: Verdict, one: OptionVerdict, language: str) -> dict[str, Any]:
-    label = one.option.label(language)
+    label = title(one.option, verdict, language)
     return {
         "label": label,
         "drawing": Markup(drawing_svg(verdict, one.option.measures, language, label)),
@@ -175,9 +176,12 @@ def _drawn(verdict: Verdict, one: OptionVerdict, language: str) -> dict[str, Any
     }
 
 
-def _pair(pair: Pair, drawn: dict[str, Any], count: int, language: str) -> dict[str, Any]:
-    colon = word("colon", language)
-    outcomes = [f"{side.option.label(language)}{colon}{side.outcome(language)}" for side in pair.sides]
+def _pair(verdict: Verdict, pair: Pair, drawn: dict[str, Any], count: int, language: str) -> dict[str, Any]:
+    sides = [
+        {"label": title(side.option, verdict, language), "outcome": side.outcome(language)}
+        for side in pair.sides
+    ]
+    outcomes = [f"{side['label']}{word('colon', language)}{side['outcome']}" for side in sides]
     said = f"{pair.kind} told" if len(pair.sides) > 1 else f"{pair.kind} bare told"
     return {
         "title": word(pair.kind, language),
@@ -194,9 +198,7 @@ def _pair(pair: Pair, drawn: dict[str, Any], count: int, language: str) -> dict[
             duration=f"{pair.motion.duration:g}",
         ),
         "moved": _moved(drawn, language),
-        "sides": [
-            {"label": side.option.label(language), "outcome": side.outcome(language)} for side in pair.sides
-        ],
+        "sides": sides,
         "chart": Markup(histories_svg(pair, language, word("listed", language).join(outcomes))),
     }
 

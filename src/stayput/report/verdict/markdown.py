@@ -12,7 +12,7 @@ from stayput.report.verdict.numbers import NO_NUMBER, length, with_interval
 from stayput.report.verdict.tables import DEVICE_COLUMNS, SHARES, device_rows, ranking, simulations
 from stayput.report.verdict.words import word
 from stayput.scenario.writing import scenario_toml
-from stayput.verification.words import headline
+from stayput.verification.words import headline, title
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -50,7 +50,9 @@ def _lines(verdict: Verdict, language: str) -> Iterator[str]:
         _columns(verdict, language), (_cells(row, language) for row in ranking(verdict, language))
     )
     devices = [
-        (one.option.label(language), *row) for one in verdict.options for row in device_rows(one, language)
+        (title(one.option, verdict, language), *row)
+        for one in verdict.options
+        for row in device_rows(one, language)
     ]
     if devices:
         yield f"\n## {told('devices')}\n"
