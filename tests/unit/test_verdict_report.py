@@ -29,7 +29,7 @@ from stayput.simulation import Mode, Outcome
 from stayput.uncertainty import USUAL
 from stayput.verification import EVENTS, Quantiles
 from stayput.verification.options import Option
-from stayput.verification.words import headline, title
+from stayput.verification.words import headline, reason, title
 
 
 def fields(text):
@@ -137,6 +137,25 @@ def test_motions_of_suites_have_names_in_both_languages():
         assert "synthetic" not in words.motion_named(name, "ja")
         assert not set(words.motion_named(name, "ja")) & set(string.ascii_letters)
     assert words.motion_named("El Centro 1940", "ja") == "El Centro 1940"
+
+
+@pytest.mark.parametrize(
+    ("estimate", "ends", "said", "chance"),
+    [
+        (-0.5, (-0.7, -0.3), ("instead of", "減ります"), False),
+        (-0.5, (-0.9, 0.1), ("which may be chance", "偶然の差"), True),
+        (-0.02, (-0.1, 0.05), ("about as often", "明らかな差がありません"), True),
+        (0.3, (0.1, 0.5), ("more often", "増えて"), False),
+    ],
+)
+def test_a_difference_that_may_be_chance_is_told_as_one(estimate, ends, said, chance):
+    verdict = verdict_cases.made()
+    change = replace(verdict.best.change, estimate=estimate, low=ends[0], high=ends[1])
+    best = replace(verdict.best, change=change)
+    told = replace(verdict, options=(best, *verdict.options[1:]))
+    for language, word in zip(("en", "ja"), said, strict=True):
+        assert word in reason(best, told, language)
+        assert ("chance" in headline(told, language) or "偶然" in headline(told, language)) == chance
 
 
 @pytest.mark.parametrize("language", ["en", "ja"])

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
 LANGUAGES = ("en", "ja")
 
+ALIKE = 0.05
+"""Shares that differ by less than this, and not clearly, are called about the same."""
+
 _CLASSES_JA = {"5-lower": "5弱", "5-upper": "5強", "6-lower": "6弱", "6-upper": "6強"}
 
 EVENT_LABELS = {
@@ -67,15 +70,18 @@ def headline(verdict: Verdict, language: str) -> str:
     if best.option.measures and best.probabilities[OVERTURNED].estimate < falls - 0.005:
         held = best.probabilities[OVERTURNED].estimate
         label = title(best.option, verdict, language)
+        unclear = best.change is not None and not best.change.clear
         if language == "en":
+            chance = ", which may be chance: the runs are too few" if unclear else ""
             return (
                 f"In shaking of JMA intensity {strength} the {name} overturns {_of_the_cases(falls)}; "
-                f"with {_lowered(label)}, {_of_the_cases(held).removesuffix(' of the cases')}."
+                f"with {_lowered(label)}, {_of_the_cases(held).removesuffix(' of the cases')}{chance}."
             )
+        chance = "計算数が少なく、偶然の差かもしれません。" if unclear else ""
         told = f"{strength}の揺れで、この家具は{_percent(falls, language)}の場合に転倒します。"
         if held == 0.0:
-            return f"{told}{label}があれば、計算した場合のいずれでも転倒しません。"
-        return f"{told}{label}があれば{_percent(held, language)}です。"
+            return f"{told}{label}があれば、計算した場合のいずれでも転倒しません。{chance}"
+        return f"{told}{label}があれば{_percent(held, language)}です。{chance}"
     if language == "en":
         if falls < 0.005:
             return f"In shaking of JMA intensity {strength} the {name} stays upright without any measure."
@@ -108,11 +114,18 @@ def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
             if english
             else f"{_percent(falls, language)}の場合に転倒します"
         )
-    elif not option.change.clear:
+    elif not option.change.clear and not abs(option.change.estimate) >= ALIKE:  # nor where it is unknown
         parts.append(
             "it overturns about as often as without a measure"
             if english
             else "転倒する割合は対策なしと明らかな差がありません"
+        )
+    elif not option.change.clear:
+        bare, held = _percent(falls, language), _percent(shares[OVERTURNED], language)
+        parts.append(
+            f"it overturns {_of_the_cases(shares[OVERTURNED])} instead of {bare}, which may be chance"
+            if english
+            else f"転倒は対策なしの{bare}に対し{held}ですが、偶然の差かもしれません"
         )
     elif option.change.estimate < 0.0:
         parts.append(
