@@ -12,7 +12,7 @@ ALL    := formats,app,cluster,inventory,test,docs,lint
 .PHONY: help install demo test lint bench bench-app bench-inventory docs lock clean
 
 help:
-	@echo "make demo     a bookcase in a near-fault shake: table, picture, animation (out/)"
+	@echo "make demo     which measure keeps a bookcase standing: the verdict, a report (out/)"
 	@echo "make test     every test"
 	@echo "make lint     ruff, formatting, types"
 	@echo "make bench    speed and accuracy beside MuJoCo; ensembles, buildings, devices"
@@ -24,7 +24,7 @@ install: $(STAMP)-core
 
 demo: $(STAMP)-core
 	@mkdir -p out
-	$(BIN)/stayput simulate examples/bookcase.toml --plot out/bookcase.png --animate out/bookcase.html
+	$(BIN)/stayput verify examples/bookcase.toml --report out/bookcase.html
 
 test: $(STAMP)-test
 	$(BIN)/python -m pytest -n auto $(PYTEST_ARGS)

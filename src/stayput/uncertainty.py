@@ -6,6 +6,7 @@ It stands apart from the statistics of the results: scenarios state it, and simu
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
 from enum import StrEnum
 from types import MappingProxyType
@@ -14,6 +15,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from stayput.errors import InputError, finite, within
+from stayput.randomness import random_bits, uniforms
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -30,7 +32,7 @@ class Confidence(StrEnum):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Marginal:
+class Marginal(ABC):
     """A quantity that is not known exactly; independent of the others.
 
     Parameters
@@ -44,9 +46,9 @@ class Marginal:
     unit: str = ""
     confidence: Confidence = Confidence.LOW
 
+    @abstractmethod
     def quantile(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the values below which shares u inside (0, 1) lie."""
-        raise NotImplementedError
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,11 +224,6 @@ class Uncertainty:
 _BITS = 32
 
 
-def _raw(seed: int, stream: int, quantity: int, n: int) -> NDArray[np.uint64]:
-    """Return 64 random bits a number; NumPy promises those of PCG64 for good, unlike its distributions'."""
-    return np.random.PCG64(np.random.SeedSequence((seed, stream, quantity))).random_raw(n)
-
-
 def _sobol(n: int, d: int, seed: int, streams: int, start: int) -> NDArray[np.float64]:
     """Return Sobol's points, each stream's coordinates with a random digital shift, shape (streams, n, d).
 
@@ -237,9 +234,8 @@ def _sobol(n: int, d: int, seed: int, streams: int, start: int) -> NDArray[np.fl
 
     engine = qmc.Sobol(d, scramble=False, bits=_BITS)
     places = np.ldexp(engine.random_base2(max(start + n - 1, 1).bit_length())[start : start + n], _BITS)
-    shift = np.array(
-        [[_raw(seed, m, j, 1)[0] >> np.uint64(64 - _BITS) for j in range(d)] for m in range(streams)]
-    )
+    raw = [[random_bits(seed, m, j).random_raw() for j in range(d)] for m in range(streams)]
+    shift = np.array(raw, np.uint64) >> np.uint64(64 - _BITS)
     moved = places.astype(np.uint64)[np.newaxis] ^ shift[:, np.newaxis]
     return np.ldexp(moved.astype(np.float64) + 0.5, -_BITS)
 
@@ -249,9 +245,8 @@ def _latin_hypercube(n: int, d: int, seed: int, streams: int, start: int) -> NDA
     shares = np.empty((streams, n, d))
     for m in range(streams):
         for j in range(d):
-            bits = _raw(seed, m, j, 2 * n)
-            inside = ((bits[n:] >> np.uint64(11)).astype(np.float64) + 0.5) * 2.0**-53
-            shares[m, :, j] = (np.argsort(bits[:n], kind="stable") + inside) / n
+            raw = random_bits(seed, m, j).random_raw(2 * n)
+            shares[m, :, j] = (np.argsort(raw[:n], kind="stable") + uniforms(raw[n:])) / n
     return shares
 
 

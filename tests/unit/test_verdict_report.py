@@ -6,6 +6,7 @@ import json
 import math
 import string
 import tomllib
+from dataclasses import replace
 
 import pytest
 import verdict_cases
@@ -13,20 +14,22 @@ import verdict_cases
 import stayput as sp
 from stayput.fragility import INTENSITY_MEASURES
 from stayput.furniture import FURNITURE
-from stayput.measures import MEASURES
-from stayput.motion.suites import FAMILIES
+from stayput.measures import MEASURES, Belt
+from stayput.motion.suites import FAMILIES, synthetic_suite
 from stayput.report.verdict import words
 from stayput.report.verdict.assumptions import QUANTITIES, assumptions
+from stayput.report.verdict.curves import legend
 from stayput.report.verdict.data import verdict_data, verdict_json
 from stayput.report.verdict.exports import write_curves
 from stayput.report.verdict.markdown import verdict_markdown
-from stayput.report.verdict.numbers import capacity, capacity_interval, change, length, share
-from stayput.report.verdict.tables import ranking, verdict_csv
+from stayput.report.verdict.numbers import capacity, capacity_interval, change, force, length, share
+from stayput.report.verdict.tables import device_rows, ranking, verdict_csv
 from stayput.room import SURFACES
 from stayput.simulation import Mode, Outcome
 from stayput.uncertainty import USUAL
-from stayput.verification import EVENTS
-from stayput.verification.words import headline
+from stayput.verification import EVENTS, Quantiles
+from stayput.verification.options import Option
+from stayput.verification.words import headline, reason, title
 
 
 def fields(text):
@@ -62,6 +65,8 @@ def test_json_holds_the_verdicts_numbers():
             assert told["probabilities"][event]["low"] == found.low
         assert [curve["measure"] for curve in told["curves"]] == ["JMA", "PGA", "PGV", "PFA", "PFV"]
     assert data["options"][0]["devices"][0]["peak_force_n"] == {"median": 900.0, "p90": 1800.0}
+    assert data["options"][0]["devices"][0]["utilisation"] == {"median": 0.45, "p90": 0.9}
+    assert data["options"][0]["devices"][0]["failure_time_s"] == 12.3
     assert data["options"][1]["peak_slide_m"] == {"median": 0.03, "p90": None}
     again = sp.Scenario.parse(tomllib.loads(data["scenario_toml"]))
     assert again == verdict.scenario
@@ -106,6 +111,71 @@ def test_markdown_of_nothing_known_says_so(language):
     assert words.word("unknown", language) in text
     assert words.word("not precise", language) in text
     assert "nan" not in text
+
+
+@pytest.mark.parametrize(("language", "moment"), [("en", "12.3 s"), ("ja", "12.3 秒")])
+def test_a_device_is_told_with_its_load_its_margin_and_when_it_failed(language, moment):
+    verdict = verdict_cases.made()
+    (row,) = device_rows(verdict.best, language)
+    device = verdict.best.devices[0]
+    assert share(device.failed.estimate, language) in row[1]
+    assert row[2] == moment
+    assert [part in row[3] for part in ("900 N", "1.8 kN")] == [True, True]
+    assert [share(part, language) in row[4] for part in (0.45, 0.9)] == [True, True]
+    unhurt = replace(device, failure_time=math.nan, used=Quantiles(0.0, 0.0))
+    assert device_rows(replace(verdict.best, devices=(unhurt,)), language)[0][2::2] == ("–", "–")
+    text = verdict_markdown(verdict, language)
+    assert all(cell in text for cell in row)
+    assert words.word("estimates", language) in text
+
+
+def test_motions_of_suites_have_names_in_both_languages():
+    for family in FAMILIES:
+        name = synthetic_suite(family, 1)[0].name
+        assert words.motion_named(name, "en") == name
+        assert words.motion_named(name, "ja").startswith("合成地震動（")
+        assert "synthetic" not in words.motion_named(name, "ja")
+        assert not set(words.motion_named(name, "ja")) & set(string.ascii_letters)
+    assert words.motion_named("El Centro 1940", "ja") == "El Centro 1940"
+
+
+@pytest.mark.parametrize(
+    ("estimate", "ends", "said", "chance"),
+    [
+        (-0.5, (-0.7, -0.3), ("instead of", "減ります"), False),
+        (-0.5, (-0.9, 0.1), ("which may be chance", "偶然の差"), True),
+        (-0.02, (-0.1, 0.05), ("about as often", "明らかな差がありません"), True),
+        (0.3, (0.1, 0.5), ("more often", "増えて"), False),
+    ],
+)
+def test_a_difference_that_may_be_chance_is_told_as_one(estimate, ends, said, chance):
+    verdict = verdict_cases.made()
+    change = replace(verdict.best.change, estimate=estimate, low=ends[0], high=ends[1])
+    best = replace(verdict.best, change=change)
+    told = replace(verdict, options=(best, *verdict.options[1:]))
+    for language, word in zip(("en", "ja"), said, strict=True):
+        assert word in reason(best, told, language)
+        assert ("chance" in headline(told, language) or "偶然" in headline(told, language)) == chance
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_two_of_one_measure_are_told_apart(language):
+    one = verdict_cases.made()
+    strong = replace(one.best, option=Option("strong belt", (Belt(strength=4000.0),)), rank=2)
+    two = replace(one, options=(one.best, strong, *one.options[1:]))
+    label = one.best.option.label(language)
+    assert title(one.best.option, one, language) == label
+    titles = {title(each.option, two, language) for each in two.options}
+    assert len(titles) == 4
+    assert "strong belt" in next(told for told in titles if "strong" in told)
+    assert {entry.label for entry in legend(two, language)} == titles
+    assert "(belt)" in headline(two, language) or "（belt）" in headline(two, language)
+    assert "(belt)" not in headline(one, language)
+
+
+def test_forces_in_words():
+    told = {3.14159: "3.14 N", 811.4: "811 N", 999.0: "1.0 kN", 2000.0: "2.0 kN", 12345.0: "12 kN"}
+    assert {value: force(value, "en") for value in told} == told
 
 
 def test_hostile_names_mean_nothing_to_markdown():

@@ -13,6 +13,7 @@ import verdict_cases
 
 import stayput as sp
 from stayput.report.verdict import svg
+from stayput.report.verdict.histories import _panel
 from stayput.report.verdict.html import report_html, write_report
 from stayput.report.verdict.numbers import interval, share
 from stayput.report.verdict.pairs import pairs_of
@@ -196,14 +197,16 @@ def test_a_replay_meets_the_draw_of_its_member():
     assert [device.kind for device in held.devices] == ["belt"]
 
 
-def test_a_replay_is_the_run_that_was_counted():
-    verdict = verdict_cases.made()
+@pytest.mark.parametrize("initial", [{}, {"tilt": 0.03}])
+def test_a_replay_is_the_run_that_was_counted(initial):
+    verdict = verdict_cases.made({**verdict_cases.SCENARIO, "initial": initial})
     scenario = verdict.scenario
     ground = scenario.shaking.ground(scenario.folder)
     floors = Hazard(ground, vertical=True).as_given(scenario.shaking.scale)
     body, room = scenario.furniture.body(), scenario.room.room()
     drawn = draws(1, 3, verdict.seed)
-    rows = [rows_of(one.option, body, room, drawn, scenario.gravity) for one in verdict.options]
+    start = scenario.initial.state()
+    rows = [rows_of(one.option, body, room, drawn, scenario.gravity, start) for one in verdict.options]
     for one, runs in zip(verdict.options, run_level(rows, floors), strict=True):
         for sample in range(3):
             run = replay(verdict, one.option, Member(0, sample), ground)
@@ -230,6 +233,18 @@ def test_thinning_keeps_every_peak():
 def test_ticks_are_round_and_inside():
     assert svg.ticks(4.0, 7.05, 7) == pytest.approx([4.0, 4.5, 5.0, 5.5, 6.0, 6.5, 7.0])
     assert all(-0.3 <= tick <= 0.3 for tick in svg.ticks(-0.3, 0.3, 4))
+
+
+@pytest.mark.parametrize("most", np.geomspace(0.11, 9.7, 20))
+def test_a_history_has_a_tick_on_each_side_of_nothing(most):
+    x = svg.Axis(0.0, 1.0, 0.0, 1.0)
+    line = np.linspace(0.0, 1.0, 9), np.linspace(0.0, most, 9), 0
+    told = re.findall(
+        r"<text[^>]*>([^<]+)<", "".join(_panel(x, (0.0, 90.0), [line], "Tilt", "run", math.inf))
+    )
+    values = [float(text.replace("−", "-")) for text in told[1:]]
+    assert min(values) < 0.0 < max(values)
+    assert len(values) <= 5
 
 
 def test_a_report_is_written_whole_or_refused(tmp_path):

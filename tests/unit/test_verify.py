@@ -9,6 +9,7 @@ import pytest
 import stayput as sp
 from stayput.fragility import JMA_INTENSITY, PGA
 from stayput.measures import MEASURES
+from stayput.report.verdict.replay import replay
 from stayput.scenario import Scenario
 from stayput.verification import LEVELS, options_of, verify
 from stayput.verification.draws import drawn_body, drawn_room, draws
@@ -16,7 +17,7 @@ from stayput.verification.hazard import Hazard
 from stayput.verification.options import usual_options
 from stayput.verification.ranking import members
 from stayput.verification.runs import Runs
-from stayput.verification.verdict import DEVICE_FAILED, EVENTS, HIT_WALL, OVERTURNED, SLID, Quantiles
+from stayput.verification.verdict import DEVICE_FAILED, EVENTS, HIT_WALL, OVERTURNED, SLID, Member, Quantiles
 from stayput.verification.words import headline, reason
 
 ROOM = {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
@@ -72,6 +73,24 @@ def test_devices_are_those_of_the_measures(verdict):
     assert all(0.0 < device.peak.median < 1e5 for device in bracket.devices)
     assert all(one.devices == () for one in verdict.options if one is not bracket)
     assert verdict.without.probabilities[DEVICE_FAILED].estimate == 0.0
+    assert all(0.0 < device.used.median <= device.used.p90 for device in bracket.devices)
+
+
+def test_a_device_s_failures_and_margins_are_those_of_its_runs():
+    weak = scenario(measures=[{"type": "belt", "strength": 700.0}])
+    found = verify(weak, levels=())
+    belt = next(one for one in found.options if one.option.measures)
+    ground = weak.shaking.ground(weak.folder)
+    members = [Member(m, s) for m in range(found.motions) for s in range(found.samples)]
+    results = [replay(found, belt.option, member, ground).devices[0] for member in members]
+    (told,) = belt.devices
+    times = [one.failure_time for one in results if one.failed]
+    assert 0 < len(times) < len(results)
+    assert told.failed.fell == len(times)
+    assert told.failure_time == np.median(times)
+    nowhere = np.zeros(len(results), bool)
+    assert told.used == Quantiles.of(np.array([one.utilisation for one in results]), nowhere)
+    assert told.used.p90 >= 1.0
 
 
 def test_curves_against_every_measure_of_the_shaking(verdict):
@@ -200,7 +219,8 @@ def test_quantiles_count_a_fall_as_infinite():
 def test_members_are_the_median_and_the_worst():
     tilt = np.array([[0.1, 0.3], [0.2, 0.0]])
     none = np.zeros((2, 2), bool)
-    runs = Runs(none, none, none, none, 0.0 * tilt, tilt, np.empty((2, 2, 0)), 0.0 * tilt)
+    nothing = np.empty((2, 2, 0))
+    runs = Runs(none, none, none, none, 0.0 * tilt, tilt, nothing, nothing, 0.0 * tilt)
     typical, worst = members(runs)
     assert (worst.motion, worst.sample) == (0, 1)
     assert (typical.motion, typical.sample) == (0, 0)

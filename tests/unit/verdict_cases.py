@@ -59,7 +59,9 @@ def option(name, measures, rank, share, *, bare, middle=6.0, slide=0.03, devices
 def made(scenario=None, **changes):
     """Return a verdict of three options: belts, nothing, felt glides."""
     bare = shares(0.6)
-    belt = DeviceSummary("belt", "", probability(shares(0.1)), Quantiles(900.0, 1800.0))
+    belt = DeviceSummary(
+        "belt", "", probability(shares(0.1)), 12.3, Quantiles(900.0, 1800.0), Quantiles(0.45, 0.9)
+    )
     options = (
         option("belt", (Belt(),), 1, 0.1, bare=bare, middle=None, slide=0.004, devices=(belt,)),
         option("none", (), 2, 0.6, bare=bare),

@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 
 EXAMPLE: dict[str, Any] = {
     "furniture": {"preset": "bookcase"},
-    "room": {"floor": "wood flooring", "back_wall": {"gap": 0.02}},
+    "room": {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
     "shaking": {"builtin": "near-fault"},
 }
-"""What is simulated when nothing is said: a full bookcase with its back to a wall."""
+"""What is simulated when nothing is said: a full bookcase with its back to a wall, under one motion."""
 
 
 def body_table(text: str) -> dict[str, Any]:

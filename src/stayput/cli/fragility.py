@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.cli.compiling import compiling
 from stayput.cli.options import Threads  # noqa: TC001 - Typer reads the annotations
 
 if TYPE_CHECKING:
@@ -49,7 +50,8 @@ def fragility(
     from stayput.report.verdict.exports import write_curves
     from stayput.verification import verify
 
-    verdict = verify(asked, threads=threads)
+    with compiling():
+        verdict = verify(asked, threads=threads)
     wanted: IntensityMeasure = INTENSITY_MEASURES[im]
     curves: list[FragilityCurve] = [one.curves[wanted] for one in verdict.options]
     files, left_out = write_curves(verdict, wanted, out)

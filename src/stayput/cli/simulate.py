@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.cli.compiling import compiling
 from stayput.cli.options import Component, TimeStep, Unit  # noqa: TC001 - Typer reads the annotations
 
 if TYPE_CHECKING:
@@ -17,9 +18,6 @@ if TYPE_CHECKING:
     from stayput.report.animation import Progress
     from stayput.scenario import Scenario
     from stayput.simulation import Run
-
-COLD_START_SECONDS = 25
-"""About how long the first run on a machine compiles [s]."""
 
 
 def simulate(
@@ -148,13 +146,8 @@ def _check_targets(plot: Path | None, animate: Path | None) -> None:
 
 
 def _run(scenario: Scenario, measures: tuple[Measure, ...]) -> Run:
-    from stayput.compiled import told_of_compilation
-
-    def tell() -> None:
-        typer.echo(f"Compiling the mechanics once (about {COLD_START_SECONDS} s) ...", err=True)
-
     case = scenario.case(measures)
-    with told_of_compilation(tell):
+    with compiling():
         return case.run()
 
 

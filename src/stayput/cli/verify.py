@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.cli.compiling import compiling
 from stayput.cli.options import Threads  # noqa: TC001 - Typer reads the annotations
 
 if TYPE_CHECKING:
@@ -60,7 +61,8 @@ def _verified(path: Path, slide_limit: float | None, threads: int | None) -> Ver
     from stayput.verification import verify as compare
 
     limit = SLIDE_LIMIT if slide_limit is None else slide_limit
-    return compare(scenario, slide_limit=limit, threads=threads)
+    with compiling():
+        return compare(scenario, slide_limit=limit, threads=threads)
 
 
 def _write(
@@ -90,10 +92,11 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     from rich.table import Table
 
     from stayput.report.verdict import numbers
-    from stayput.report.verdict.tables import SHARES, ranking
+    from stayput.report.verdict.tables import SHARES, ranking, simulations
     from stayput.report.verdict.words import word
     from stayput.verification import EVENTS
-    from stayput.verification.words import headline
+    from stayput.verification.verdict import OVERTURNED
+    from stayput.verification.words import headline, title
 
     def told(key: str, **values: object) -> str:
         return word(key, lang, **values)
@@ -125,13 +128,13 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     console.print(told("brief told"))
     colon = told("colon")
     for row in rows:
-        console.print(f"{row.option.rank}. {row.label}{colon}{row.reason}", soft_wrap=True)
+        ends = numbers.interval(row.option.probabilities[OVERTURNED], lang)
+        label = title(row.option.option, verdict, lang) + (told("aside", told=ends) if ends else "")
+        console.print(f"{row.option.rank}. {label}{colon}{row.reason}", soft_wrap=True)
     if verdict.motions == 1:
         console.print(told("one motion"))
     if not verdict.precise:
         console.print(told("not precise"))
-    console.print(
-        told("simulations told", runs=f"{verdict.runs:,}", motions=verdict.motions, samples=verdict.samples)
-    )
+    console.print(simulations(verdict, lang))
     for path in written:
         console.print(f"Wrote {path}", soft_wrap=True)

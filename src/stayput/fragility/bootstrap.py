@@ -13,6 +13,7 @@ from stayput.errors import InputError, within
 from stayput.fragility.curve import State
 from stayput.fragility.probabilities import CONFIDENCE
 from stayput.fragility.probit import fit, separated
+from stayput.randomness import random_bits, uniforms
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -74,8 +75,7 @@ def bootstrap(curve: FragilityCurve, replicates: int = 500, seed: int = 1) -> Bo
         )
     count = int(within("Replicates", replicates, 20, 100_000))
     motions = int(trials.motion.max()) + 1
-    raw = np.random.PCG64(np.random.SeedSequence(seed)).random_raw(count * motions)
-    drawn = ((raw >> np.uint64(11)).astype(np.float64) * 2.0**-53 * motions).astype(np.intp)
+    drawn = (uniforms(random_bits(seed).random_raw(count * motions)) * motions).astype(np.intp)
     rows = np.repeat(np.arange(count), motions)
     times = np.bincount(rows * motions + drawn, minlength=count * motions).reshape(count, motions)
     u = curve.measure.coordinate(trials.im)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
@@ -42,7 +43,7 @@ class Held:
 
 
 @dataclass(frozen=True, slots=True)
-class Measure:
+class Measure(ABC):
     """An earthquake-proof measure: something that holds furniture, or makes it stand better.
 
     Its fields are its parameters, in SI units; `stayput.measures.parameters` tells what is known of each.
@@ -73,6 +74,7 @@ class Measure:
         """Return the place where only one measure can be, or None if it takes up none."""
         return None
 
+    @abstractmethod
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body and the room with the measure in place.
 
@@ -81,7 +83,6 @@ class Measure:
         InputError
             It cannot be put there: no wall, no ceiling, no room for it.
         """
-        raise NotImplementedError
 
 
 UNDER_THE_BASE = "under the base"

@@ -31,12 +31,16 @@ def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:
         device = runs.devices[:, :, number]
         along = np.maximum(device["peak_pull"], device["peak_push"])
         force = runs.masses * np.hypot(along, device["peak_shear"])
+        failed = device["failure"] != HOLDS
+        times = device["failure_time"][failed & ~runs.missing]
         found.append(
             DeviceSummary(
                 kind=element.kind,
                 name=f"{element.kind} {element.place}".strip(),
-                failed=probability(device["failure"] != HOLDS, runs.missing),
+                failed=probability(failed, runs.missing),
+                failure_time=float(np.median(times)) if times.size else np.nan,
                 peak=Quantiles.of(force, nowhere),
+                used=Quantiles.of(runs.used[:, :, number], nowhere),
             )
         )
     return tuple(found)

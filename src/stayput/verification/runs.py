@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.ensemble.columns import run_columns
-from stayput.measures.results import failures_of
+from stayput.measures.results import failures_of, utilisation
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.mechanics.restrained.runner import no_elements
 
@@ -33,6 +33,8 @@ class Runs:
         Peak slide [m] and tilt [rad].
     devices : ndarray of DEVICE, shape (motions, samples, elements)
         What became of each device, per unit mass.
+    used : ndarray, shape (motions, samples, elements)
+        Utilisation of each device: its largest peak force over its strength.
     masses : ndarray, shape (motions, samples)
         Mass of the body [kg].
     """
@@ -44,6 +46,7 @@ class Runs:
     slide: NDArray[np.float64]
     tilt: NDArray[np.float64]
     devices: NDArray[np.void]
+    used: NDArray[np.float64]
     masses: NDArray[np.float64]
 
     @classmethod
@@ -112,6 +115,7 @@ def _runs(
 ) -> Runs:
     shape = (motions, len(results) // motions)
     count = rows.elements.shape[1]
+    used = utilisation(rows.elements, devices[:, :count])
     return Runs(
         overturned=(results["outcome"] == OVERTURNED_OUTCOME).reshape(shape),
         missing=(results["outcome"] == FAILED_OUTCOME).reshape(shape),
@@ -120,5 +124,6 @@ def _runs(
         slide=results["peak_slide"].reshape(shape),
         tilt=results["peak_tilt"].reshape(shape),
         devices=devices[:, :count].reshape((*shape, count)),
+        used=used.reshape((*shape, count)),
         masses=rows.masses.reshape(shape),
     )

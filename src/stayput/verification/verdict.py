@@ -52,14 +52,21 @@ class DeviceSummary:
         Which of the measure's devices it is.
     failed : Probability
         Share of the runs in which it failed.
+    failure_time : float
+        Median time of failure of those runs [s]; nan where it never failed.
     peak : Quantiles
         Largest force, of pull or push and shear together [N].
+    used : Quantiles
+        Largest force over strength: below 1 there was a margin, where it failed it is at least 1; 0 for a
+        device without a strength to reach.
     """
 
     kind: str
     name: str
     failed: Probability
+    failure_time: float
     peak: Quantiles
+    used: Quantiles
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,9 +10,13 @@ from stayput.motion.intensity import intensity_class
 from stayput.verification.verdict import DEVICE_FAILED, HIT_WALL, OVERTURNED, SLID
 
 if TYPE_CHECKING:
+    from stayput.verification.options import Option
     from stayput.verification.verdict import OptionVerdict, Verdict
 
 LANGUAGES = ("en", "ja")
+
+ALIKE = 0.05
+"""Shares that differ by less than this, and not clearly, are called about the same."""
 
 _CLASSES_JA = {"5-lower": "5弱", "5-upper": "5強", "6-lower": "6弱", "6-upper": "6強"}
 
@@ -45,6 +49,15 @@ def _centimetres(length: float) -> str:
     return f"{100.0 * length:.0f} cm" if length >= 0.095 else f"{100.0 * length:.1f} cm"
 
 
+def title(option: Option, verdict: Verdict, language: str) -> str:
+    """Return what an option is called; with the user's name for it where another has the same measures."""
+    label = option.label(language)
+    alike = sum(one.option.label(language) == label for one in verdict.options)
+    if alike == 1:
+        return label
+    return f"{label} ({option.name})" if language == "en" else f"{label}（{option.name}）"
+
+
 def headline(verdict: Verdict, language: str) -> str:
     """Return the verdict in one sentence."""
     without, best = verdict.without, verdict.best
@@ -56,16 +69,19 @@ def headline(verdict: Verdict, language: str) -> str:
     strength = class_label(verdict.intensity, language)
     if best.option.measures and best.probabilities[OVERTURNED].estimate < falls - 0.005:
         held = best.probabilities[OVERTURNED].estimate
+        label = title(best.option, verdict, language)
+        unclear = best.change is not None and not best.change.clear
         if language == "en":
+            chance = ", which may be chance: the runs are too few" if unclear else ""
             return (
                 f"In shaking of JMA intensity {strength} the {name} overturns {_of_the_cases(falls)}; "
-                f"with {_lowered(best, language)}, {_of_the_cases(held).removesuffix(' of the cases')}."
+                f"with {_lowered(label)}, {_of_the_cases(held).removesuffix(' of the cases')}{chance}."
             )
-        label = best.option.label(language)
+        chance = "計算数が少なく、偶然の差かもしれません。" if unclear else ""
         told = f"{strength}の揺れで、この家具は{_percent(falls, language)}の場合に転倒します。"
         if held == 0.0:
-            return f"{told}{label}があれば、計算した場合のいずれでも転倒しません。"
-        return f"{told}{label}があれば{_percent(held, language)}です。"
+            return f"{told}{label}があれば、計算した場合のいずれでも転倒しません。{chance}"
+        return f"{told}{label}があれば{_percent(held, language)}です。{chance}"
     if language == "en":
         if falls < 0.005:
             return f"In shaking of JMA intensity {strength} the {name} stays upright without any measure."
@@ -79,8 +95,7 @@ def headline(verdict: Verdict, language: str) -> str:
     return f"{told}比較した対策では明らかには減りません。"
 
 
-def _lowered(option: OptionVerdict, language: str) -> str:
-    label = option.option.label(language)
+def _lowered(label: str) -> str:
     return label[:1].lower() + label[1:] if not label[:2].isupper() and label[1:2] != "-" else label
 
 
@@ -99,11 +114,18 @@ def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
             if english
             else f"{_percent(falls, language)}の場合に転倒します"
         )
-    elif not option.change.clear:
+    elif not option.change.clear and not abs(option.change.estimate) >= ALIKE:  # nor where it is unknown
         parts.append(
             "it overturns about as often as without a measure"
             if english
             else "転倒する割合は対策なしと明らかな差がありません"
+        )
+    elif not option.change.clear:
+        bare, held = _percent(falls, language), _percent(shares[OVERTURNED], language)
+        parts.append(
+            f"it overturns {_of_the_cases(shares[OVERTURNED])} instead of {bare}, which may be chance"
+            if english
+            else f"転倒は対策なしの{bare}に対し{held}ですが、偶然の差かもしれません"
         )
     elif option.change.estimate < 0.0:
         parts.append(

@@ -1,8 +1,4 @@
-"""Random numbers whose bits depend on the seed alone, not on the version of a library.
-
-NumPy promises the raw bits of PCG64 and of a seed sequence for good, but not those of its distributions;
-so the distributions are here.
-"""
+"""Random numbers of several distributions, whose bits depend on the seed alone."""
 
 from __future__ import annotations
 
@@ -11,6 +7,8 @@ from statistics import NormalDist
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from stayput.randomness import random_bits, uniforms
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -29,11 +27,11 @@ class Draws:
     """
 
     def __init__(self, *key: int) -> None:
-        self._bits = np.random.PCG64(np.random.SeedSequence((len(key), *key)))
+        self._bits = random_bits(len(key), *key)
 
     def _uniforms(self, n: int) -> NDArray[np.float64]:
         """Return numbers inside (0, 1), of 53 bits, shape (n,)."""
-        return ((self._bits.random_raw(n) >> np.uint64(11)).astype(np.float64) + 0.5) * 2.0**-53
+        return uniforms(self._bits.random_raw(n))
 
     def uniform(self, low: float, high: float) -> float:
         """Return a number from low to high, all equally likely."""

@@ -13,14 +13,14 @@ from stayput.fragility.curve import State
 from stayput.motion.intensity import CLASSES
 from stayput.report.verdict import svg
 from stayput.report.verdict.words import word
-from stayput.verification.words import class_label
+from stayput.verification.words import class_label, title
 
 if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve
     from stayput.verification import OptionVerdict, Verdict
 
 WIDTH, HEIGHT = 600.0, 400.0
-LEFT, RIGHT, TOP, BOTTOM = 58.0, 590.0, 34.0, 346.0
+LEFT, RIGHT, TOP, BOTTOM = 74.0, 590.0, 34.0, 346.0
 LOOKS = 11
 """Looks of lines that the page's style has: the first is that of no measure, the second of the best."""
 
@@ -47,7 +47,7 @@ def legend(verdict: Verdict, language: str) -> list[Entry]:
     """Return the legend, the best option first."""
     seen = looks(verdict)
     return [
-        Entry(seen[one.option.name], one.option.label(language), _note(one, language))
+        Entry(seen[one.option.name], title(one.option, verdict, language), _note(one, language))
         for one in verdict.options
         if one.curves
     ]

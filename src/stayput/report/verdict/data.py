@@ -89,7 +89,9 @@ def _option(one: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
                 "type": device.kind,
                 "name": device.name,
                 "failed": _probability(device.failed),
+                "failure_time_s": number(device.failure_time),
                 "peak_force_n": _quantiles(device.peak),
+                "utilisation": _quantiles(device.used),
             }
             for device in one.devices
         ],

@@ -68,7 +68,7 @@ def _panel(
     most = 1.08 * (min(peak, limit) or 1.0)
     y = svg.Axis(-most, most, bottom, top)
     parts = [svg.label(LEFT, top - 8.0, name, "name", "start")]
-    for value in svg.ticks(-most, most, 4):
+    for value in svg.ticks(-most, most, 5):  # one at least on each side of 0
         level = y.place(value)
         parts.append(svg.line(LEFT, level, RIGHT, level, "grid"))
         parts.append(svg.label(LEFT - 7.0, level + 4.5, f"{value:.4g}".replace("-", "−"), anchor="end"))

@@ -12,7 +12,6 @@ from markupsafe import Markup
 
 import stayput
 from stayput.files import check_target, draft
-from stayput.fragility import JMA_INTENSITY
 from stayput.measures import parameters
 from stayput.report.film import DRIFT_CORNER
 from stayput.report.palette import MODE_COLOURS
@@ -21,15 +20,16 @@ from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.curves import curves_svg, legend, looks
 from stayput.report.verdict.drawing import drawing_svg
+from stayput.report.verdict.estimates import estimate_rows
 from stayput.report.verdict.histories import histories_svg
 from stayput.report.verdict.languages import check_language
 from stayput.report.verdict.pairs import pairs_of
 from stayput.report.verdict.scenes import scene
-from stayput.report.verdict.tables import SHARES, ranking
-from stayput.report.verdict.words import MODES, named, place, word
+from stayput.report.verdict.tables import DEVICE_COLUMNS, SHARES, device_rows, ranking, simulations
+from stayput.report.verdict.words import MODES, motion_named, place, word
 from stayput.scenario.writing import scenario_toml
 from stayput.verification.verdict import OVERTURNED
-from stayput.verification.words import class_label, headline
+from stayput.verification.words import class_label, headline, title
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
     from stayput.measures import Measure
     from stayput.report.verdict.pairs import Pair
-    from stayput.verification import DeviceSummary, OptionVerdict, Verdict
+    from stayput.verification import OptionVerdict, Verdict
 
 SUFFIXES = (".html",)
 """The kind of file that a report is written as."""
@@ -117,6 +117,8 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
             "instrumental",
             **{"class": class_label(verdict.intensity, language), "value": f"{verdict.intensity:.2f}"},
         ),
+        "simulations": simulations(verdict, language),
+        "device_columns": [told(key) for key in DEVICE_COLUMNS],
         "limit": numbers.length(verdict.slide_limit, language),
         "shares": [f"{100.0 * share:g}" for share in SHARES],
         "rows": ranking(verdict, language),
@@ -126,12 +128,13 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "curves": Markup(curves_svg(verdict, language)) if verdict.best.curves else None,
         "legend": legend(verdict, language),
         "pairs": [
-            _pair(pair, drawn, len(ground), language) for pair, drawn in zip(pairs, scenes, strict=True)
+            _pair(verdict, pair, drawn, len(ground), language)
+            for pair, drawn in zip(pairs, scenes, strict=True)
         ],
         "modes": [(colour, MODES[mode][place(language)]) for mode, colour in MODE_COLOURS.items()],
         "scenes": Markup(_script_data(scenes)),
         "details": [_detail(one, verdict, language) for one in verdict.options if one.option.measures],
-        "estimates": _estimates(verdict, language),
+        "estimates": estimate_rows(verdict, language),
         "assumptions": [(a.what(language), a.value(language), a.confidence) for a in assumptions(verdict)],
         "toml": scenario_toml(scenario),
         "reads_files": scenario.shaking.record is not None or isinstance(scenario.shaking.suite, str),
@@ -164,7 +167,7 @@ def _script_data(values: object) -> str:
 
 
 def _drawn(verdict: Verdict, one: OptionVerdict, language: str) -> dict[str, Any]:
-    label = one.option.label(language)
+    label = title(one.option, verdict, language)
     return {
         "label": label,
         "drawing": Markup(drawing_svg(verdict, one.option.measures, language, label)),
@@ -173,9 +176,12 @@ def _drawn(verdict: Verdict, one: OptionVerdict, language: str) -> dict[str, Any
     }
 
 
-def _pair(pair: Pair, drawn: dict[str, Any], count: int, language: str) -> dict[str, Any]:
-    colon = word("colon", language)
-    outcomes = [f"{side.option.label(language)}{colon}{side.outcome(language)}" for side in pair.sides]
+def _pair(verdict: Verdict, pair: Pair, drawn: dict[str, Any], count: int, language: str) -> dict[str, Any]:
+    sides = [
+        {"label": title(side.option, verdict, language), "outcome": side.outcome(language)}
+        for side in pair.sides
+    ]
+    outcomes = [f"{side['label']}{word('colon', language)}{side['outcome']}" for side in sides]
     said = f"{pair.kind} told" if len(pair.sides) > 1 else f"{pair.kind} bare told"
     return {
         "title": word(pair.kind, language),
@@ -185,16 +191,14 @@ def _pair(pair: Pair, drawn: dict[str, Any], count: int, language: str) -> dict[
             language,
             number=pair.member.motion + 1,
             count=count,
-            name=motion_label(pair.motion),
+            name=motion_named(motion_label(pair.motion), language),
             peak=f"{pair.motion.pga:.1f}",
             start=f"{pair.start:.1f}",
             end=f"{pair.end:.1f}",
             duration=f"{pair.motion.duration:g}",
         ),
         "moved": _moved(drawn, language),
-        "sides": [
-            {"label": side.option.label(language), "outcome": side.outcome(language)} for side in pair.sides
-        ],
+        "sides": sides,
         "chart": Markup(histories_svg(pair, language, word("listed", language).join(outcomes))),
     }
 
@@ -211,27 +215,14 @@ def _moved(drawn: dict[str, Any], language: str) -> str:
 def _detail(one: OptionVerdict, verdict: Verdict, language: str) -> dict[str, Any]:
     which = place(language)
     measures: Sequence[Measure] = one.option.measures
-    names = {measure.kind: measure.label[which] for measure in measures}
     return {
         **_drawn(verdict, one, language),
         "rank": one.rank,
         "about": [measure.about[which] for measure in measures],
         "change": numbers.change(one.change, language),
-        "devices": [
-            (_device(device, names, language), device.failed, numbers.forces(device.peak, language))
-            for device in one.devices
-        ],
+        "devices": device_rows(one, language),
         "parameters": [(measure.label[which], _parameters(measure, language)) for measure in measures],
     }
-
-
-def _device(device: DeviceSummary, names: dict[str, str], language: str) -> str:
-    """Return what a device is called, with its place where its measure has several."""
-    name = names.get(device.kind, device.kind)
-    if device.name in ("", device.kind):
-        return name
-    where = device.name.removeprefix(device.kind).strip()
-    return name + word("aside", language, told=named(where, language))
 
 
 def _parameters(measure: Measure, language: str) -> list[tuple[str, str, str]]:
@@ -244,39 +235,3 @@ def _parameters(measure: Measure, language: str) -> list[tuple[str, str, str]]:
         name = about.label[place(language)]
         found.append((name, f"{shown} {about.unit}".rstrip(), about.confidence.value if usual else "given"))
     return found
-
-
-def _estimates(verdict: Verdict, language: str) -> list[tuple[str, str, str]]:
-    """Return each formula, what it says, and the simulation beside it."""
-    found = verdict.estimates
-    simulated = numbers.probability(verdict.without.probabilities[OVERTURNED], language)
-    capacity = verdict.without.curves[JMA_INTENSITY].capacity(0.5) if verdict.without.curves else None
-    rocking, _ = numbers.angles(verdict.without.tilt, language)
-
-    def told(key: str, **values: object) -> str:
-        return word(key, language, **values)
-
-    median = numbers.capacity(capacity, language)
-    colon = told("colon")
-    beside = f"{told('overturned')}{colon}{simulated}"
-    return [
-        (
-            told("west"),
-            told("west told", value=f"{found.rocking_acceleration:.2f}"),
-            f"{told('tilt')}{colon}{rocking}",
-        ),
-        (
-            told("ishiyama"),
-            told(
-                "ishiyama told",
-                value=f"{100.0 * found.overturning_velocity:.0f}",
-                share=numbers.share(found.possible, language),
-            ),
-            beside,
-        ),
-        (
-            told("kaneko"),
-            told("kaneko told", share=numbers.share(found.overturning_ratio, language)),
-            f"{beside}{told('listed')}{told('capacity short', share='50')}{colon}{median}",
-        ),
-    ]

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 
 import stayput
 from stayput.report.verdict.assumptions import assumptions
-from stayput.report.verdict.numbers import NO_NUMBER, interval, length, probability
-from stayput.report.verdict.tables import SHARES, ranking
+from stayput.report.verdict.estimates import estimate_rows
+from stayput.report.verdict.numbers import NO_NUMBER, length, with_interval
+from stayput.report.verdict.tables import DEVICE_COLUMNS, SHARES, device_rows, ranking, simulations
 from stayput.report.verdict.words import word
 from stayput.scenario.writing import scenario_toml
-from stayput.verification.words import headline
+from stayput.verification.words import headline, title
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from stayput.fragility import Probability
     from stayput.report.verdict.tables import Row
     from stayput.verification import Verdict
 
@@ -40,7 +40,7 @@ def _lines(verdict: Verdict, language: str) -> Iterator[str]:
 
     yield f"# {_plain(verdict.scenario.title or told('report'))}"
     yield f"\n**{_plain(headline(verdict, language))}**\n"
-    yield told("simulations told", runs=f"{verdict.runs:,}", motions=verdict.motions, samples=verdict.samples)
+    yield simulations(verdict, language)
     if verdict.motions == 1:
         yield f"\n{told('one motion')}"
     if not verdict.precise:
@@ -49,6 +49,17 @@ def _lines(verdict: Verdict, language: str) -> Iterator[str]:
     yield from _table(
         _columns(verdict, language), (_cells(row, language) for row in ranking(verdict, language))
     )
+    devices = [
+        (title(one.option, verdict, language), *row)
+        for one in verdict.options
+        for row in device_rows(one, language)
+    ]
+    if devices:
+        yield f"\n## {told('devices')}\n"
+        yield from _table((told("measure"), *(told(key) for key in DEVICE_COLUMNS)), devices)
+    yield f"\n## {told('estimates')}\n"
+    yield f"{told('estimates told')}\n"
+    yield from _table((told("formula"), told("says"), told("beside")), estimate_rows(verdict, language))
     yield f"\n## {told('assumptions')}\n"
     heading = (told("assumption"), told("value"), told("confidence"))
     yield from _table(
@@ -79,15 +90,10 @@ def _columns(verdict: Verdict, language: str) -> tuple[str, ...]:
 
 
 def _cells(row: Row, language: str) -> tuple[str, ...]:
-    shares = tuple(NO_NUMBER if found is None else _share(found, language) for _, found in row.shares)
+    shares = tuple(NO_NUMBER if found is None else with_interval(found, language) for _, found in row.shares)
     label = f"{row.label} ({row.name})" if row.name else row.label
     capacities = (f"{middle} ({ends})" if ends else middle for middle, ends in row.capacities)
     return str(row.option.rank), label, *shares, ", ".join(row.slide), *capacities, row.reason
-
-
-def _share(found: Probability, language: str) -> str:
-    ends = interval(found, language)
-    return f"{probability(found, language)} ({ends})" if ends else probability(found, language)
 
 
 def _table(heading: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:

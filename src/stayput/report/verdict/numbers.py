@@ -34,13 +34,19 @@ def interval(found: Probability, language: str) -> str:
     return f"{low} to {high}" if language == "en" else f"{low}〜{high}"
 
 
+def with_interval(found: Probability, language: str) -> str:
+    """Return a probability with its interval: "12 % (7 to 20 %)"."""
+    told, ends = probability(found, language), interval(found, language)
+    return told + word("aside", language, told=ends) if ends else told
+
+
 def change(found: Difference | None, language: str) -> str:
     """Return a difference of probabilities: "−35 points (−48 to −20)"."""
     if found is None or found.pairs == 0:
         return NO_NUMBER
     ends = word("between", language, low=percent(found.low), high=percent(found.high))
-    joint = " " if language == "en" else ""
-    told = f"{percent(found.estimate)}{joint}{word('points', language)}"
+    joint, sign = " " if language == "en" else "", "+" if found.estimate > 0.0 else ""
+    told = f"{sign}{percent(found.estimate)}{joint}{word('points', language)}"
     return told + word("aside", language, told=ends)
 
 
@@ -64,7 +70,19 @@ def force(newtons: float, language: str) -> str:
     """Return a force: "350 N", "1.2 kN"."""
     if not math.isfinite(newtons):
         return word("unknown", language)
-    return f"{newtons / 1000.0:.2g} kN" if newtons >= 995.0 else f"{newtons:.3g} N"
+    if newtons >= 9950.0:
+        return f"{newtons / 1000.0:.0f} kN"
+    return f"{newtons / 1000.0:.1f} kN" if newtons >= 995.0 else f"{newtons:.3g} N"
+
+
+def used(found: Quantiles, language: str) -> tuple[str, ...]:
+    """Return median and 90 % quantile of a utilisation; nothing where there is no strength to reach."""
+    return tuple(share(value, language) for value in (found.median, found.p90)) if found.p90 > 0.0 else ()
+
+
+def moment(seconds: float, language: str) -> str:
+    """Return a time: "12.3 s"."""
+    return word("seconds", language, value=f"{seconds:.1f}") if math.isfinite(seconds) else NO_NUMBER
 
 
 def lengths(found: Quantiles, language: str) -> tuple[str, str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from stayput.cases import State, case_columns
+from stayput.cases import case_columns
 from stayput.measures import element_rows, hold
 from stayput.measures.results import device_results
 from stayput.mechanics.runner import shaking
@@ -67,9 +67,10 @@ def replay_under(verdict: Verdict, option: Option, member: Member, motion: Motio
     body = drawn_body(scenario.furniture.body(), drawn)
     stated = hold(body, scenario.room.room(), option.measures)
     held = replace(stated, room=drawn_room(stated.room, drawn))
-    case = case_columns(held.body, held.room, State(), scenario.gravity)
+    initial = scenario.initial.state()
+    case = case_columns(held.body, held.room, initial, scenario.gravity)
     case["scale"] = scale
     elements = element_rows(stated, drawn.strength)
     traced, devices, forces = trace_held(case[0], elements, shaking(motion.x, motion.z, motion.dt, 0))
-    asked = Case(held.body, held.room, motion.scaled(scale), gravity=scenario.gravity)
+    asked = Case(held.body, held.room, motion.scaled(scale), initial=initial, gravity=scenario.gravity)
     return run_of(asked, traced, held, device_results(held, elements, devices, forces))

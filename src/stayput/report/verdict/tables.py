@@ -1,4 +1,4 @@
-"""The ranking as rows: for CSV, and as texts for Markdown, HTML and the terminal."""
+"""The ranking and the devices as rows: for CSV, and as texts for Markdown, HTML and the terminal."""
 
 from __future__ import annotations
 
@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 
 from stayput.report.verdict import numbers
 from stayput.report.verdict.data import number
+from stayput.report.verdict.words import named, place, word
 from stayput.verification import EVENTS
 from stayput.verification.verdict import DEVICE_FAILED
 from stayput.verification.words import reason
 
 if TYPE_CHECKING:
     from stayput.fragility import Probability
-    from stayput.verification import OptionVerdict, Verdict
+    from stayput.verification import DeviceSummary, OptionVerdict, Verdict
 
 SHARES = (0.1, 0.5)
 """Shares of overturning whose intensities stand in the tables."""
@@ -85,6 +86,55 @@ def _row(one: OptionVerdict, verdict: Verdict, language: str) -> Row:
             (numbers.capacity(c, language), numbers.capacity_interval(c, language)) for c in found
         ),
     )
+
+
+DEVICE_COLUMNS = ("device", "failed", "failure time", "peak force", "used")
+"""Keys of the headings of `device_rows`."""
+
+
+def device_rows(one: OptionVerdict, language: str) -> list[tuple[str, ...]]:
+    """Return what became of each device of an option, as texts.
+
+    Parameters
+    ----------
+    one : OptionVerdict
+        The option.
+    language : str
+        "en" or "ja".
+
+    Returns
+    -------
+    list of tuple
+        Name, share of failures with its interval, median time of failure, and median and 90 % of the peak
+        force and of the part of the strength that was used.
+    """
+    names = {measure.kind: measure.label[place(language)] for measure in one.option.measures}
+    listed = word("listed", language)
+    return [
+        (
+            _device_name(device, names, language),
+            numbers.with_interval(device.failed, language),
+            numbers.moment(device.failure_time, language),
+            listed.join(numbers.forces(device.peak, language)),
+            listed.join(numbers.used(device.used, language)) or numbers.NO_NUMBER,
+        )
+        for device in one.devices
+    ]
+
+
+def _device_name(device: DeviceSummary, names: dict[str, str], language: str) -> str:
+    """Return what a device is called, with its place where its measure has several."""
+    name = names.get(device.kind, device.kind)
+    if device.name in ("", device.kind):
+        return name
+    where = device.name.removeprefix(device.kind).strip()
+    return name + word("aside", language, told=named(where, language))
+
+
+def simulations(verdict: Verdict, language: str) -> str:
+    """Return how many simulations there were, in words."""
+    runs = f"{verdict.runs:,}"
+    return word("simulations told", language, runs=runs, motions=verdict.motions, samples=verdict.samples)
 
 
 def verdict_csv(verdict: Verdict) -> str:

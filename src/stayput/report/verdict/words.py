@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from stayput.simulation import Mode, Outcome
 
 WORDS: dict[str, tuple[str, str]] = {
@@ -15,7 +17,10 @@ WORDS: dict[str, tuple[str, str]] = {
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
     "simulations told": (
-        "{runs} in all: {motions} motions × {samples} draws of what is not known, for each measure and level",
+        (
+            "{runs} in all: motions × draws of what is not known, {motions} × {samples} for each measure and "
+            "level"
+        ),
         "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各対策・各レベルで計算",
     ),
     "motions": ("Motions", "地震動"),
@@ -37,11 +42,12 @@ WORDS: dict[str, tuple[str, str]] = {
         (
             "Shares of all runs with their 95 % intervals. All measures met the same motions and the "
             "same draws. Ranked by overturning; where that is equal, by sliding, failing devices, "
-            "and hits on a wall."
+            "and hits on a wall. “Unsure”: the runs are too few to say it with 95 % confidence."
         ),
         (
             "全計算に対する割合と95%区間です。どの対策にも同じ地震動と同じ標本を用いています。"
             "順位は転倒の少なさで決め、同じなら移動、器具の破損、壁への衝突の順に比べます。"
+            "「不確実」は、計算数が少なく95%の信頼度では言えないものです。"
         ),
     ),
     "colon": (": ", "："),
@@ -69,11 +75,14 @@ WORDS: dict[str, tuple[str, str]] = {
     "brief told": (
         (
             "Shares of all runs. Slide: median of the peak. I10, I50: JMA intensity at which 10, 50 % "
-            "overturn; ?: unsure."
+            "overturn; ?: unsure. In brackets: the 95 % interval of overturning."
         ),
-        "全計算に対する割合。移動量：最大値の中央値。I10、I50：10%、50%が転倒する計測震度。?は不確実。",
+        (
+            "全計算に対する割合。移動量：最大値の中央値。I10、I50：10%、50%が転倒する計測震度。?は不確実。"
+            "かっこ内：転倒の95%区間。"
+        ),
     ),
-    "capacity short": ("Intensity: {share} % overturn", "{share}%転倒の計測震度"),
+    "capacity short": ("{share} % overturn at intensity", "{share}%転倒の計測震度"),
     "change": ("Against no measure", "対策なしとの差"),
     "points": ("points", "ポイント"),
     "why": ("Why", "理由"),
@@ -211,7 +220,11 @@ WORDS: dict[str, tuple[str, str]] = {
     "scale told": ("Drawn to scale, seen from the side", "縮尺どおり、横から見た図"),
     "device": ("Device", "器具"),
     "failed": ("Failed", "破損・脱落"),
+    "failure time": ("Fails at, median", "破損の時刻（中央値）"),
+    "seconds": ("{value} s", "{value} 秒"),
     "peak force": ("Peak force: median, 90 %", "最大の力：中央値、90%値"),
+    "used": ("Of its strength: median, 90 %", "強度に対する割合：中央値、90%値"),
+    "devices": ("Loads in the devices", "器具にかかる力"),
     "parameter": ("Parameter", "項目"),
     "value": ("Value", "値"),
     "confidence": ("How well founded", "確からしさ"),
@@ -317,11 +330,16 @@ NAMES: dict[str, str] = {
     "subduction": "海溝型地震",
     "near-fault": "断層近傍",
     "basin": "堆積盆地の長周期地震動",
+    "long-period basin": "堆積盆地の長周期地震動",
+    "synthetic near-fault motion": "断層近傍の合成地震動",
     "sine": "正弦波",
     "front": "前面側",
     "back": "背面側",
 }
 """Names of presets, families of motions and places in Japanese; in English they are what they are."""
+
+_MEMBER = re.compile(r"synthetic (.+) (\d+)")
+"""What a motion of a synthetic suite is called: its kind of earthquake and its number."""
 
 HARDLY = ("hardly moves (tilt {tilt}, slide {slide})", "ほとんど動きません（傾き{tilt}、移動{slide}）")
 """What became of a run in which nothing to speak of happened."""
@@ -345,6 +363,14 @@ def word(key: str, language: str, **values: object) -> str:
 def named(name: str, language: str) -> str:
     """Return a preset's name in a language; a name of the user's own stays as it is."""
     return name if language == "en" else NAMES.get(name, name)
+
+
+def motion_named(name: str, language: str) -> str:
+    """Return a motion's name in a language; a record's stays as it is."""
+    member = None if language == "en" else _MEMBER.fullmatch(name)
+    if member is None:
+        return named(name, language)
+    return f"合成地震動（{named(member[1], language)}）{member[2]}"
 
 
 def place(language: str) -> int:
