@@ -21,7 +21,7 @@ from stayput.mechanics.columns import (
     TURNED_OVER,
 )
 from stayput.mechanics.contact import STUCK
-from stayput.mechanics.engine import COULOMB, carry_on, list_event, outcome_of, run_case, start
+from stayput.mechanics.engine import carry_on, list_event, outcome_of, run_case, start
 from stayput.mechanics.geometry import note_peaks, slide_of, touching
 from stayput.mechanics.impact import closing
 from stayput.mechanics.motion import note_sample
@@ -78,6 +78,7 @@ def run_restrained_case(
     az,
     dt,
     extremes,
+    law,
     tolerance,
     max_step,
     max_events,
@@ -97,6 +98,8 @@ def run_restrained_case(
     ----------
     elements : ELEMENT[n]
         The devices.
+    law : int
+        COULOMB; for the first kernel, which carries on without devices.
     tolerance : float
         Largest error of a step [m, rad].
     works : WORK[2]
@@ -124,7 +127,7 @@ def run_restrained_case(
             az,
             dt,
             extremes,
-            COULOMB,
+            law,
             TOLERANCE_ALONE,
             max_step,
             max_events,
@@ -158,7 +161,7 @@ def run_restrained_case(
                 az,
                 dt,
                 extremes,
-                COULOMB,
+                law,
                 TOLERANCE_ALONE,
                 max_step,
                 max_events,
@@ -224,6 +227,7 @@ def run_restrained_batch(
     az,
     dt,
     extremes,
+    law,
     tolerance,
     max_step,
     max_events,
@@ -248,6 +252,7 @@ def run_restrained_batch(
             az,
             dt,
             extremes,
+            law,
             tolerance,
             max_step,
             max_events,

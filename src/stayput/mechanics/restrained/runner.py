@@ -9,6 +9,7 @@ import numpy as np
 
 from stayput.errors import InputError
 from stayput.mechanics import columns as col
+from stayput.mechanics.engine import COULOMB
 from stayput.mechanics.restrained import columns as el
 from stayput.mechanics.restrained.engine import UNNAMED, run_restrained_batch, run_restrained_case
 from stayput.mechanics.runner import LISTED_EVENTS, MAX_EVENTS, Shaking, Traced, traced_events
@@ -106,10 +107,12 @@ def _room(count: int) -> tuple[NDArray[np.void], ...]:
     )
 
 
-def _loads(motion: Shaking) -> tuple[NDArray[np.float64], NDArray[np.float64], float, tuple[object, ...]]:
-    if motion.law != 0:
+def _loads(
+    motion: Shaking,
+) -> tuple[NDArray[np.float64], NDArray[np.float64], float, tuple[object, ...], int]:
+    if motion.law != COULOMB:
         raise InputError("Contact is 'paper'; measures with force elements need 'coulomb'.")
-    return motion.along, motion.up, motion.dt, motion.bounds
+    return motion.along, motion.up, motion.dt, motion.bounds, motion.law
 
 
 def trace_restrained(
