@@ -1,1 +1,1 @@
-"""How a body moves: small compiled functions, scalars in and out (`engine.run_case` ties them together)."""
+"""How a body moves: small compiled functions, scalars in and out (`engine.run_batch` ties them together)."""

@@ -141,7 +141,7 @@ def list_event(events, case, s, dt, why, kind, closed):
 
 
 @inner
-def outcome_of(s):
+def _outcome_of(s):
     """What became of the body, as the user knows it."""
     if s.kind == FAILED:
         return FAILED_OUTCOME
@@ -152,6 +152,16 @@ def outcome_of(s):
     if s.moved & ~MOVED_SLIDING:
         return ROCKED
     return SLID if s.moved else RESTED
+
+
+@inner
+def note_result(result, case, s, dt):
+    """Write down what became of a case that has come to its end."""
+    result.outcome, result.end = _outcome_of(s), s.k * dt + s.tau
+    result.residual_slide, result.residual_tilt = slide_of(case, s)[0], s.theta
+    result.peak_slide, result.peak_tilt = s.peak_slide, s.peak_tilt
+    result.floor_impacts, result.wall_impacts = s.floor_impacts, s.wall_impacts
+    result.events, result.steps = s.events, s.steps
 
 
 @inner
@@ -192,11 +202,11 @@ def _meet(rows, contacts, touch, case, s, law):
         land(rows, contacts, s.closed, touch & ~s.closed, case, s)
 
 
-@entry
+@inner
 def carry_on(
     case, ax, az, dt, extremes, law, tolerance, max_step, max_events, contacts, rows, s, history, events
 ):
-    """Run a case on from the mode that its state is in, to the end; arguments and result of `run_case`."""
+    """Run a case on from the mode that its state is in, to its end; arguments as of `run_batch`."""
     lifts = law == COULOMB
     last = ax.shape[0] - 1
     while s.kind != FAILED:
@@ -224,44 +234,13 @@ def carry_on(
                 why = CLOSED
             _next_mode(rows, contacts, touch, s.settle if s.hit else STUCK, case, s, ax, az, dt, law)
         list_event(events, case, s, dt, why, kind, closed)
-    return outcome_of(s), s.k * dt + s.tau, slide_of(case, s)[0]
 
 
-@entry
+@inner
 def run_case(
     case, ax, az, dt, extremes, law, tolerance, max_step, max_events, contacts, rows, s, history, events
 ):
-    """Run one case; the state ``s`` holds what became of it.
-
-    Parameters
-    ----------
-    case : CASE record
-    ax, az : float64[n]
-        Floor acceleration at the samples, + right and + up [m/s²].
-    dt : float
-        Time between samples [s].
-    extremes : tuple of four float64 arrays
-        Smallest and largest ax and az over blocks of samples.
-    law : int
-        COULOMB or PAPER.
-    tolerance, max_step : float
-        Largest last term of the tilt's series in a step [rad]; longest step [s].
-    max_events : int
-        Events after which the run is given up (FAILED).
-    contacts, rows : float64 arrays
-        Room for the contact tables.
-    s : STATE record
-        Set to the final state.
-    history : float64[n or 0, HISTORY]
-        Filled at the samples reached; may be empty.
-    events : float64[m, EVENT]
-        Filled with the first m events; may be empty.
-
-    Returns
-    -------
-    tuple
-        Outcome, time of the end [s], slide at the end [m].
-    """
+    """Run one case from rest, or its initial state, to its end; arguments as of `run_batch`."""
     start(case, contacts, s)
     touch = touching(contacts, s) | s.closed
     s.hit = closing(contacts, touch & ~s.closed, s)
@@ -272,7 +251,7 @@ def run_case(
         s.events += 1
         list_event(events, case, s, dt, CLOSED, kind, closed)
     note_sample(history, case, s)
-    return carry_on(
+    carry_on(
         case, ax, az, dt, extremes, law, tolerance, max_step, max_events, contacts, rows, s, history, events
     )
 
@@ -295,10 +274,36 @@ def run_batch(
     events,
     results,
 ):
-    """Run a column of cases one after another; as `run_case`, with empty tables for history and events."""
+    """Run a column of cases one after another: the one way in, so that the mechanics is compiled once.
+
+    Parameters
+    ----------
+    cases : CASE[m]
+        The cases; a single one where history or events are kept.
+    ax, az : float64[n]
+        Floor acceleration at the samples, + right and + up [m/s²].
+    dt : float
+        Time between samples [s].
+    extremes : tuple of four float64 arrays
+        Smallest and largest ax and az over blocks of samples.
+    law : int
+        COULOMB or PAPER.
+    tolerance, max_step : float
+        Largest last term of the tilt's series in a step [rad]; longest step [s].
+    max_events : int
+        Events after which a run is given up (FAILED).
+    contacts, rows, states : CONTACT[8], ROW[8], STATE[1]
+        Room for the contact tables and the state.
+    history : float64[n or 0, HISTORY]
+        Filled at the samples reached; may be empty.
+    events : float64[k, EVENT]
+        Filled with the first k events; may be empty.
+    results : RESULT[m]
+        Set to what became of the cases.
+    """
+    s = states[0]
     for n in range(cases.shape[0]):
-        s = states[0]
-        outcome, end, slide = run_case(
+        run_case(
             cases[n],
             ax,
             az,
@@ -314,8 +319,4 @@ def run_batch(
             history,
             events,
         )
-        result = results[n]
-        result.outcome, result.end, result.residual_slide, result.residual_tilt = outcome, end, slide, s.theta
-        result.peak_slide, result.peak_tilt = s.peak_slide, s.peak_tilt
-        result.floor_impacts, result.wall_impacts = s.floor_impacts, s.wall_impacts
-        result.events, result.steps = s.events, s.steps
+        note_result(results[n], cases[n], s, dt)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.mechanics import columns as col
-from stayput.mechanics.engine import run_batch, run_case
+from stayput.mechanics.engine import run_batch
 from stayput.mechanics.flat import BLOCK, block_extremes
 
 if TYPE_CHECKING:
@@ -120,32 +120,36 @@ def trace(
     tolerance, max_step : float
         Largest last term of the series in a step [rad], longest step [s].
     """
+    cases = np.array([case])
     loads = motion.along, motion.up, motion.dt, motion.bounds, motion.law
-    state = np.zeros(1, col.STATE)[0]
-    room = _room_for_contacts()
+    room = *_room_for_contacts(), np.zeros(1, col.STATE)
     history = np.zeros((len(motion.along), col.HISTORY))
     listed = np.zeros((LISTED_EVENTS, col.EVENT))
+    results = np.zeros(1, col.RESULT)
     while True:
-        result = run_case(case, *loads, tolerance, max_step, MAX_EVENTS, *room, state, history, listed)
-        count = int(state["events"])
-        if count <= len(listed):
+        run_batch(cases, *loads, tolerance, max_step, MAX_EVENTS, *room, history, listed, results)
+        if results["events"][0] <= len(listed):
             break
-        listed = np.zeros((count, col.EVENT))
+        listed = np.zeros((results["events"][0], col.EVENT))
         history[:] = 0.0
-    outcome, end, slide = result
+    return traced(results[0], history, listed)
+
+
+def traced(result: np.void, history: NDArray[np.float64], listed: NDArray[np.float64]) -> Traced:
+    """Return a run in numbers, from its row of results, its history and its list of events."""
     reached = int(history[:, col.H_REACHED].sum())
     return Traced(
-        outcome=int(outcome),
-        end=float(end),
-        peak_slide=float(state["peak_slide"]),
-        peak_tilt=float(state["peak_tilt"]),
-        slide=float(slide),
-        tilt=float(state["theta"]),
-        floor_impacts=int(state["floor_impacts"]),
-        wall_impacts=int(state["wall_impacts"]),
-        steps=int(state["steps"]),
+        outcome=int(result["outcome"]),
+        end=float(result["end"]),
+        peak_slide=float(result["peak_slide"]),
+        peak_tilt=float(result["peak_tilt"]),
+        slide=float(result["residual_slide"]),
+        tilt=float(result["residual_tilt"]),
+        floor_impacts=int(result["floor_impacts"]),
+        wall_impacts=int(result["wall_impacts"]),
+        steps=int(result["steps"]),
         history=history[:reached],
-        events=traced_events(listed[:count]),
+        events=traced_events(listed[: int(result["events"])]),
     )
 
 

@@ -21,8 +21,8 @@ from stayput.mechanics.columns import (
     TURNED_OVER,
 )
 from stayput.mechanics.contact import STUCK
-from stayput.mechanics.engine import carry_on, list_event, outcome_of, run_case, start
-from stayput.mechanics.geometry import note_peaks, slide_of, touching
+from stayput.mechanics.engine import carry_on, list_event, note_result, run_case, start
+from stayput.mechanics.geometry import note_peaks, touching
 from stayput.mechanics.impact import closing
 from stayput.mechanics.motion import note_sample
 from stayput.mechanics.restrained.elements import none_left, note_forces_of_links, set_up_elements
@@ -70,8 +70,8 @@ def _forget(work, dt):
     work.crowded = work.failed = work.facets = 0
 
 
-@entry
-def run_restrained_case(
+@inner
+def _run_restrained_case(
     case,
     elements,
     ax,
@@ -92,36 +92,13 @@ def run_restrained_case(
     forces,
     events,
 ):
-    """Run one case with elements; as `stayput.mechanics.engine.run_case`, under its coulomb law.
-
-    Parameters
-    ----------
-    elements : ELEMENT[n]
-        The devices.
-    law : int
-        COULOMB; for the first kernel, which carries on without devices.
-    tolerance : float
-        Largest error of a step [m, rad].
-    works : WORK[2]
-        Room for what the kernel remembers.
-    links : LINK[n]
-        Room for where the elements stand.
-    devices : DEVICE[n]
-        Set to what became of the elements.
-    forces : float64[samples or 0, n, FORCES]
-        Filled with the forces at the samples reached [N/kg]; may be empty.
-
-    Returns
-    -------
-    tuple
-        Outcome, time of the end [s], slide at the end [m].
-    """
+    """Run one case with elements to its end; arguments as of `run_restrained_batch`."""
     work, spare = works[0], works[1]
     start(case, contacts, s)
     _forget(work, dt)
     set_up_elements(elements, links, devices, case, s)
     if none_left(links):
-        return run_case(
+        run_case(
             case,
             ax,
             az,
@@ -137,6 +114,7 @@ def run_restrained_case(
             history,
             events,
         )
+        return
     last = ax.shape[0] - 1
     touch = touching(contacts, s) | s.closed
     s.hit = closing(contacts, touch & ~s.closed, s)
@@ -216,7 +194,6 @@ def run_restrained_case(
     for n in range(devices.shape[0]):
         for i in range(2):
             devices[n].plastic[i] = links[n].plastic[i]
-    return outcome_of(s), s.k * dt + s.tau, slide_of(case, s)[0]
 
 
 @entry
@@ -242,10 +219,28 @@ def run_restrained_batch(
     results,
     devices,
 ):
-    """Run a column of cases, each with its row of elements, as `run_restrained_case`; nothing is listed."""
+    """Run a column of cases, each with its row of elements; as `run_batch` of the first kernel.
+
+    Parameters
+    ----------
+    elements : ELEMENT[m, e]
+        The devices.
+    law : int
+        COULOMB; for the first kernel, which carries on without devices.
+    tolerance : float
+        Largest error of a step [m, rad].
+    works : WORK[2]
+        Room for what the kernel remembers.
+    links : LINK[e]
+        Room for where the elements stand.
+    forces : float64[samples or 0, e, FORCES]
+        Filled with the forces at the samples reached [N/kg]; may be empty.
+    devices : DEVICE[m, e]
+        Set to what became of the elements.
+    """
+    s = states[0]
     for n in range(cases.shape[0]):
-        s = states[0]
-        outcome, end, slide = run_restrained_case(
+        _run_restrained_case(
             cases[n],
             elements[n],
             ax,
@@ -266,8 +261,4 @@ def run_restrained_batch(
             forces,
             events,
         )
-        result = results[n]
-        result.outcome, result.end, result.residual_slide, result.residual_tilt = outcome, end, slide, s.theta
-        result.peak_slide, result.peak_tilt = s.peak_slide, s.peak_tilt
-        result.floor_impacts, result.wall_impacts = s.floor_impacts, s.wall_impacts
-        result.events, result.steps = s.events, s.steps
+        note_result(results[n], cases[n], s, dt)

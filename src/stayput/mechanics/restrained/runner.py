@@ -11,8 +11,8 @@ from stayput.errors import InputError
 from stayput.mechanics import columns as col
 from stayput.mechanics.engine import COULOMB
 from stayput.mechanics.restrained import columns as el
-from stayput.mechanics.restrained.engine import UNNAMED, run_restrained_batch, run_restrained_case
-from stayput.mechanics.runner import LISTED_EVENTS, MAX_EVENTS, Shaking, Traced, traced_events
+from stayput.mechanics.restrained.engine import UNNAMED, run_restrained_batch
+from stayput.mechanics.runner import LISTED_EVENTS, MAX_EVENTS, Shaking, Traced, traced
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -142,52 +142,40 @@ def trace_restrained(
         Elements out of range, or another contact law.
     """
     check_elements(elements)
+    cases, rows_of_elements = np.array([case]), elements[np.newaxis]
     loads = _loads(motion)
-    state = np.zeros(1, col.STATE)[0]
     contacts, rows, works, links = _room(len(elements))
-    devices = np.zeros(len(elements), el.DEVICE)
+    states, results = np.zeros(1, col.STATE), np.zeros(1, col.RESULT)
+    devices = np.zeros(rows_of_elements.shape, el.DEVICE)
     samples = len(motion.along)
     listed = np.zeros((LISTED_EVENTS, col.EVENT))
     while True:
         history = np.zeros((samples, col.HISTORY))
         forces = np.zeros((samples, len(elements), el.FORCES))
-        outcome, end, slide = run_restrained_case(
-            case,
-            elements,
+        run_restrained_batch(
+            cases,
+            rows_of_elements,
             *loads,
             tolerance,
             max_step,
             MAX_EVENTS,
             contacts,
             rows,
-            state,
+            states,
             works,
             links,
-            devices,
             history,
             forces,
             listed,
+            results,
+            devices,
         )
-        count = int(state["events"])
-        if count <= len(listed):
+        if results["events"][0] <= len(listed):
             break
-        listed = np.zeros((count, col.EVENT))
-    reached = int(history[:, col.H_REACHED].sum())
-    named = listed[:count][listed[:count, col.E_KIND] != UNNAMED]
-    run = Traced(
-        outcome=int(outcome),
-        end=float(end),
-        peak_slide=float(state["peak_slide"]),
-        peak_tilt=float(state["peak_tilt"]),
-        slide=float(slide),
-        tilt=float(state["theta"]),
-        floor_impacts=int(state["floor_impacts"]),
-        wall_impacts=int(state["wall_impacts"]),
-        steps=int(state["steps"]),
-        history=history[:reached],
-        events=traced_events(named),
-    )
-    return TracedDevices(run, devices, forces[:reached])
+        listed = np.zeros((results["events"][0], col.EVENT))
+    named = listed[: results["events"][0]]
+    run = traced(results[0], history, named[named[:, col.E_KIND] != UNNAMED])
+    return TracedDevices(run, devices[0], forces[: len(run.history)])
 
 
 def run_restrained_cases(
