@@ -200,6 +200,13 @@ def test_a_folder_of_something_else_is_left_alone(tmp_path):
 STATION = '\n[station]\nlat = {lat}\nlon = {lon}\nevent = "quake"\n'
 
 
+def test_a_file_is_no_folder_for_results(tmp_path):
+    (tmp_path / "notes.txt").write_text("mine")
+    with pytest.raises(sp.InputError, match=r"it must be a folder, and '.*notes\.txt' is a file"):
+        assess(table(tmp_path, ROWS), city(tmp_path), tmp_path / "notes.txt" / "deep" / "out", progress=False)
+    assert (tmp_path / "notes.txt").read_text() == "mine"
+
+
 def test_each_piece_takes_the_nearest_station(tmp_path):
     folder = tmp_path / "quake"
     folder.mkdir()

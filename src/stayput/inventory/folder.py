@@ -85,7 +85,7 @@ def sweep(folder: Path) -> None:
 
 @contextmanager
 def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Path]:
-    """Make the folder, or take it up again; nobody else works in it meanwhile.
+    """Make the folder, with those that it lies in, or take it up again; nobody else works in it meanwhile.
 
     Parameters
     ----------
@@ -99,11 +99,12 @@ def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Path]:
     InputError
         It holds something else, an assessment of other inputs, or another process is at work in it.
     """
-    if folder.exists() and not folder.is_dir():
-        raise InputError(f"The folder is {str(folder)!r}; it must be a folder, and that is a file.")
-    if not folder.parent.is_dir():
-        raise InputError(f"The folder is {str(folder)!r}; the folder that it lies in must exist.")
-    folder.mkdir(exist_ok=True)
+    for path in (folder, *folder.parents):
+        if path.exists() and not path.is_dir():
+            raise InputError(
+                f"The folder is {str(folder)!r}; it must be a folder, and {str(path)!r} is a file."
+            )
+    folder.mkdir(parents=True, exist_ok=True)
     with _locked(folder):
         asked = {"format": FORMAT, "version of stayput": stayput.__version__, **inputs}
         path = folder / MANIFEST
