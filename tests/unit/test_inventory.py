@@ -11,7 +11,7 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 import typer
-from inventories import CITY, HEADER, city, digests, pieces, table
+from inventories import CITY, HEADER, city, digests, pieces, rows_of_results, table
 from typer.testing import CliRunner
 
 import stayput as sp
@@ -19,7 +19,6 @@ from stayput.cli.assess import assess as command
 from stayput.inventory import assess
 from stayput.inventory.assess import memory_of
 from stayput.inventory.city import read_cities
-from stayput.inventory.places import read_shakemap
 from stayput.inventory.results import choose
 from stayput.inventory.units import _drawn, unit_rows
 from stayput.measures import MEASURES, hold
@@ -32,10 +31,6 @@ ROWS = [
     "chest,chest,,,,vinyl,0.1,2 wood,2,wedge,,1,",
     "box,,0.4,1.2,50,0.5;0.4,,,,sheet,0,2,100",
 ]
-
-
-def rows_of_results(done):
-    return done.pieces.to_table().to_pylist()
 
 
 @pytest.fixture(scope="module")
@@ -224,33 +219,6 @@ def test_scenarios_without_a_station_are_events_for_all(tmp_path):
     city(folder, CITY + STATION.format(lat=35.0, lon=135.0), "c.toml")
     with pytest.raises(sp.InputError, match=r"a\.toml has no \[station\]"):
         read_cities(folder)
-
-
-GRID = ["35,135,5", "35,136,6", "36,135,6", "36,136,7"]
-
-
-def test_a_shake_map_is_bilinear_on_a_grid(tmp_path):
-    file = table(tmp_path, GRID, "lat,lon,intensity", "map.csv")
-    found = read_shakemap(file)
-    assert found.at(35.0, 135.0) == 5.0
-    assert found.at(35.5, 135.5) == 6.0
-    assert found.at(35.25, 135.25) == 5.5
-    assert found.at(36.0, 136.0) == 7.0
-    with pytest.raises(sp.InputError, match="lat on the shake map is 37"):
-        found.at(37.0, 135.5)
-
-
-def test_a_shake_map_of_any_places_gives_the_nearest(tmp_path):
-    file = table(tmp_path, [*GRID[:3], "35.5,135.6,6.66"], "lat,lon,intensity", "map.csv")
-    assert read_shakemap(file).at(35.5, 135.5) == 6.7
-
-
-def test_a_shake_map_says_how_strong_it_shakes(tmp_path):
-    grid = table(tmp_path, GRID, "lat,lon,intensity", "map.csv")
-    inventory = table(tmp_path, ["p,chest,35,135", "q,chest,35.5,135.5", "r,chest,1,1"], "id,preset,lat,lon")
-    done = assess(inventory, city(tmp_path), tmp_path / "out", shakemap=grid, progress=False)
-    assert [row["intensity"] for row in rows_of_results(done)] == [5.0, 6.0]
-    assert "shake map" in done.rejects.to_pylist()[0]["reason"]
 
 
 @pytest.mark.parametrize("kind", [None, *MEASURES])

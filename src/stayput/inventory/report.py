@@ -9,7 +9,6 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from stayput.fragility.probabilities import percent
-from stayput.inventory.header import COLUMNS
 from stayput.report.palette import INK, PAPER, rgb
 from stayput.report.verdict.svg import element, label
 
@@ -140,8 +139,6 @@ def report_html(
     rejects : sequence
         The first rows that were not assessed.
     """
-    from stayput.inventory.places import STEP
-
     maps: list[dict[str, Any]] = []
     for event in summary.events:
         mine = {(b, s): total for (e, b, s), total in summary.places.items() if e == event}
@@ -172,6 +169,4 @@ def report_html(
         told=told,
         rejects=rejects[:REJECTS_SHOWN],
         ramp=[(share, colour(share), _ink(colour(share))) for share in (0.0, 0.25, 0.5, 0.75, 1.0)],
-        columns=COLUMNS,
-        step=STEP,
     )
