@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from xml.etree import ElementTree
 
 import duckdb
 import numpy as np
@@ -19,7 +20,9 @@ from stayput.cli.assess import assess as command
 from stayput.inventory import assess
 from stayput.inventory.assess import memory_of
 from stayput.inventory.city import read_cities
+from stayput.inventory.report import storey_map
 from stayput.inventory.results import choose
+from stayput.inventory.summary import Total
 from stayput.inventory.units import _drawn, unit_rows
 from stayput.measures import MEASURES, hold
 from stayput.verification import verify
@@ -129,6 +132,25 @@ def test_the_report_stands_alone(small):
     assert "http" not in page.replace("http-equiv", "")
     assert "shelf" in page
     assert "row 2" in page
+
+
+def test_a_map_shows_every_storey_and_whole_names():
+    long = "a & b <of a very long name>"
+    total = Total(rows=1, pieces=4, fallen=1.0, fallen_best=0.5)
+    places = {("10 RC", 7): total, ("2 wood", 2): total, (long, 1): total, ("", 0): total}
+    page = ElementTree.fromstring(storey_map(places, False, "a map"))
+    texts = [one for one in page.iter("text") if one.get("class") == "axis"]
+    storeys = [one.text for one in texts if one.get("text-anchor") == "end"]
+    assert storeys == [*(f"{n}F" for n in range(7, 0, -1)), "ground"]
+    names = ["".join(one.itertext()) for one in texts if one.get("text-anchor") == "start"]
+    assert names == ["no building", "2 wood", "10 RC", f"{long}{long[:21]}…"]
+    assert [one.text for one in page.iter("text") if one.get("class") == "share"] == ["25"] * 4
+
+
+def test_the_report_says_what_is_best_and_how_strong_it_shakes(small):
+    page = (small.folder / "report.html").read_text()
+    assert "Best for its cost" in page
+    assert "the ground at JMA intensity 6.00" in page
 
 
 def test_summaries_add_up(small):

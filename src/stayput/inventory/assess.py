@@ -282,6 +282,7 @@ def _crew(
 
 
 def _told(cities: Cities, limit: float, work: Work) -> dict[str, Any]:
+    strengths = _strengths(work)
     return {
         "version": stayput.__version__,
         "slide limit": limit,
@@ -292,6 +293,7 @@ def _told(cities: Cities, limit: float, work: Work) -> dict[str, Any]:
                 "digest": city.digest,
                 "suite": city.ground.name,
                 "synthetic": city.ground.synthetic,
+                "intensity": None if cities.shakemap is not None else strengths(city.name, None)[0],
                 "motions": one.motions,
                 "samples": one.samples,
                 "seed": one.seed,
