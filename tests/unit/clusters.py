@@ -36,9 +36,16 @@ def two_processes() -> Generator[Any]:
 
 
 def _alive(client: Any) -> dict[str, int]:
-    """Addresses and process ids of the workers, as their nannies know them."""
-    nannies = client.cluster.workers.values()
-    return {nanny.worker_address: pid for nanny in nannies if (pid := nanny.pid) is not None}
+    """Addresses and process ids of the workers, as their nannies know them.
+
+    One that is only starting is left out: a nanny whose worker is killed then gives up.
+    """
+    processes = [nanny.process for nanny in client.cluster.workers.values() if nanny.process is not None]
+    return {
+        process.worker_address: pid
+        for process in processes
+        if process.status.name == "running" and (pid := process.pid) is not None
+    }
 
 
 def workers(client: Any) -> dict[str, int]:

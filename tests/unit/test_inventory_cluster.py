@@ -12,6 +12,7 @@ from inventories import city, digests, pieces, table
 
 import stayput as sp
 from stayput.inventory import assess
+from stayput.inventory.crews import Cluster
 
 pytest.importorskip("dask.distributed", reason="Dask is not installed")
 
@@ -69,6 +70,16 @@ def test_workers_killed_at_work_lose_nothing(inputs, expected, client, tmp_path)
     done = assess(*inputs, tmp_path / "out", client=client, progress=False)
     death.result()
     assert digests(done.folder) == expected
+
+
+def test_a_client_that_lost_its_scheduler_is_said(client, monkeypatch):
+    from dask.distributed import Client
+
+    monkeypatch.setattr("stayput.inventory.crews.LOOK_AGAIN", 0.0)
+    with Client(client.cluster, set_as_default=False) as lost:
+        crew = Cluster(lost, None)
+    with pytest.raises(sp.InputError, match="the same command goes on from it"):
+        crew.width()
 
 
 def test_a_scheduler_that_is_not_there_is_refused(inputs, tmp_path, monkeypatch):

@@ -104,6 +104,23 @@ def test_workers_of_the_command_line_come_and_go(inputs, expected, command_line,
     assert digests(tmp_path / "out") == expected
 
 
+def test_a_cluster_without_workers_is_said_and_waited_for(
+    inputs, expected, command_line, tmp_path, monkeypatch
+):
+    monkeypatch.setattr("stayput.inventory.crews.LOOK_AGAIN", 0.1)
+    monkeypatch.setattr("stayput.inventory.crews.PATIENCE", 0.0)
+    said = []
+
+    def say(text):
+        said.append(text)
+        if "no worker" in text:
+            command_line.worker()
+
+    assess(*inputs, tmp_path / "out", scheduler=command_line.address, progress=False, say=say)
+    assert sum("no worker" in text for text in said) == 1
+    assert digests(tmp_path / "out") == expected
+
+
 def test_a_killed_scheduler_is_said_and_gone_on_from(inputs, expected, command_line, tmp_path):
     command_line.worker()
     said = {"inventory": str(inputs[0]), "scenario": str(inputs[1]), "out": str(tmp_path / "out")}

@@ -132,7 +132,7 @@ def assess(
     progress : bool, optional
         Whether to draw bars on standard error; default on a terminal.
     say : callable, optional
-        Told in a sentence where the cluster's dashboard is.
+        Told in a sentence where the cluster's dashboard is, and when it has no worker.
 
     Raises
     ------
@@ -271,7 +271,7 @@ def _crew(
     try:
         if say is not None:
             say(f"Dashboard of the cluster: {client.dashboard_link}")
-        crew = Cluster(client, work.ground)
+        crew = Cluster(client, work.ground, say)
         try:
             yield crew
         finally:
