@@ -24,9 +24,11 @@ _KILLER = ThreadPoolExecutor(1)
 @contextlib.contextmanager
 def two_processes() -> Generator[Any]:
     """A client of a cluster of two worker processes of one thread, each watched by a nanny."""
+    import dask
     from dask.distributed import Client, LocalCluster
 
     with (
+        dask.config.set({"distributed.deploy.lost-worker-timeout": WAIT}),  # else given up after 15 s
         LocalCluster(
             n_workers=WORKERS, threads_per_worker=1, dashboard_address=None, host="127.0.0.1"
         ) as cluster,
