@@ -1,6 +1,6 @@
 """Inventories: throughput beside the bare kernel's, threads and processes, memory, the gain of doing once.
 
-``python benchmarks/inventory.py [PART ...]``: speed, kinds, processes, large, memory; all by default.
+``python benchmarks/inventory.py [PART ...]``: speed, many, kinds, processes, large, memory; all by default.
 Every part runs in a process of its own, so that its memory is its own. ``--json FILE`` keeps the numbers.
 """
 
@@ -13,7 +13,8 @@ import subprocess
 import sys
 import tempfile
 import time
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -134,14 +135,31 @@ def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
         return cases.size, time.perf_counter() - began, time.process_time() - spent
 
 
-def speed(folder: Path) -> list[dict[str, Any]]:
-    """Throughput of the simulation beside the bare kernel's, at several threads, in turns."""
+def assessed(folder: Path, scenario: Path, table: Path, threads: int) -> dict[str, float]:
+    """Runs a second of an assessment, while it simulates and as a whole, and CPU time of a run."""
     from stayput.inventory import assess
 
+    began = time.process_time()
+    done = assess(table, scenario, folder, threads=threads, progress=False)
+    spent = time.process_time() - began
+    return {
+        "simulating": done.runs / done.simulating,
+        "whole": done.runs / done.seconds,
+        "CPU ms a run": 1e3 * spent / done.runs,
+    }
+
+
+def warm(folder: Path) -> None:
+    from stayput.inventory import assess
+
+    assess(different(folder, 20), city(folder, 40), folder / "warm", progress=False)
+
+
+def speed(folder: Path) -> list[dict[str, Any]]:
+    """Throughput of the simulation beside the bare kernel's, at several threads, in turns."""
+    warm(folder)
     scenario, table = city(folder, 160), different(folder, 200)
-    assess(different(folder, 20), scenario, folder / "warm", progress=False)
-    table = different(folder, 200)
-    found = []
+    found: list[dict[str, Any]] = []
     for threads in (1, 2, 4):
         best = {"bare": 0.0, "simulating": 0.0, "whole": 0.0}
         cpu = {"bare": 1e9, "whole": 1e9}
@@ -149,13 +167,26 @@ def speed(folder: Path) -> list[dict[str, Any]]:
             runs, seconds, spent = bare(scenario, table, threads)
             best["bare"] = max(best["bare"], runs / seconds)
             cpu["bare"] = min(cpu["bare"], 1e3 * spent / runs)
-            began = time.process_time()
-            done = assess(table, scenario, folder / f"{threads}-{turn}", threads=threads, progress=False)
-            best["simulating"] = max(best["simulating"], done.runs / done.simulating)
-            best["whole"] = max(best["whole"], done.runs / done.seconds)
-            cpu["whole"] = min(cpu["whole"], 1e3 * (time.process_time() - began) / runs)
+            done = assessed(folder / f"{threads}-{turn}", scenario, table, threads)
+            best |= {name: max(best[name], done[name]) for name in ("simulating", "whole")}
+            cpu["whole"] = min(cpu["whole"], done["CPU ms a run"])
         told = {f"CPU ms a run, {name}": value for name, value in cpu.items()}
         found.append({"threads": threads, "runs": runs, **best, **told, "load": load()})
+    return found
+
+
+def many(folder: Path) -> list[dict[str, Any]]:
+    """The same of many bodies, both at once on two threads each: what else runs is the same for both."""
+    warm(folder)
+    found: list[dict[str, Any]] = []
+    for bodies, draws in ((10_000, 1), (2_500, 4)):
+        scenario, table = city(folder, 40 * draws), different(folder, bodies)
+        with ProcessPoolExecutor(2, get_context("spawn")) as pool:
+            alone = pool.submit(bare, scenario, table, 2)
+            whole = pool.submit(assessed, folder / f"many-{draws}", scenario, table, 2)
+            (runs, seconds, spent), done = alone.result(), whole.result()
+        told = {"bodies": bodies, "draws": draws, "runs": runs, "bare": runs / seconds, **done}
+        found.append({**told, "CPU ms a run, bare": 1e3 * spent / runs, "load": load()})
     return found
 
 
@@ -257,6 +288,7 @@ def memory(folder: Path, kind: str, rows: int) -> list[dict[str, Any]]:
 
 PARTS: dict[str, list[tuple[Any, ...]]] = {
     "speed": [("speed",)],
+    "many": [("many",)],
     "kinds": [("kinds",)],
     "processes": [("processes",)],
     "large": [("large",)],
@@ -273,9 +305,9 @@ def alone(arguments: list[str]) -> None:
         if name == "memory":
             rows = memory(Path(folder), rest[0], int(rest[1]))
         else:
-            rows = {"speed": speed, "kinds": kinds, "processes": processes, "large": large}[name](
-                Path(folder)
-            )
+            rows = {"speed": speed, "many": many, "kinds": kinds, "processes": processes, "large": large}[
+                name
+            ](Path(folder))
     print(json.dumps(rows))
 
 

@@ -7,10 +7,12 @@ import json
 import os
 import subprocess
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from stayput.inventory import Assessment
 
 CITY = """
 title = "test"
@@ -61,6 +63,11 @@ def pieces(count: int, different: int = 10) -> list[str]:
     """Rows of which ``different`` are not alike."""
     bodies = [f"{0.30 + 0.01 * n:.2f},1.8,{50 + n}" for n in range(different)]
     return [f"p{n},,{bodies[n % different]},,,office,{1 + n % 4},,,{1 + n % 3},1000" for n in range(count)]
+
+
+def rows_of_results(done: Assessment) -> list[dict[str, Any]]:
+    """All rows of the results."""
+    return done.pieces.to_table().to_pylist()
 
 
 def command(inventory: Path, scenario: Path, out: Path, **more: object) -> list[str]:

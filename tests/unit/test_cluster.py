@@ -1,16 +1,12 @@
 """The same work on a Dask cluster of processes, and after one of them was killed."""
 
-import os
-import signal
-import threading
-import time
-
 import numpy as np
 import pytest
+from clusters import killed_when, two_processes, workers
 
 import stayput as sp
 
-distributed = pytest.importorskip("dask.distributed", reason="Dask is not installed")
+pytest.importorskip("dask.distributed", reason="Dask is not installed")
 
 CASE = sp.Case(sp.Body(0.4, 1.8), sp.Room(right_wall=sp.Wall(0.1)), sp.near_fault())
 AXES = {
@@ -24,12 +20,7 @@ AXES = {
 @pytest.fixture(scope="module")
 def client():
     sp.sweep(CASE, {"motion.scale": [1.0]})  # so that the workers find compiled code
-    with (
-        distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1"
-        ) as cluster,
-        distributed.Client(cluster) as client,
-    ):
+    with two_processes() as client:
         yield client
 
 
@@ -43,20 +34,10 @@ def test_a_cluster_gives_the_same_bits(client, expected):
 
 
 def test_a_killed_worker_loses_nothing(client, expected):
-    before = client.run(os.getpid)
-    victim = next(iter(before.values()))
-    killed = []
-
-    def kill():
-        os.kill(victim, signal.SIGKILL)
-        killed.append(time.monotonic())
-
-    timer = threading.Timer(0.2, kill)
-    timer.start()
+    address, victim = next(iter(workers(client).items()))
+    death = killed_when(client, victim, lambda: bool(client.processing([address])[address]))
     found = sp.sweep(CASE, AXES, client=client, chunk=40)
-    finished = time.monotonic()
-    timer.join()
-    assert killed[0] < finished  # it was killed while there was work
+    death.result()
     assert found.identical(expected)
 
 

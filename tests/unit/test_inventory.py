@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from xml.etree import ElementTree
 
 import duckdb
 import numpy as np
 import pyarrow.parquet as pq
 import pytest
 import typer
-from inventories import CITY, HEADER, city, digests, pieces, table
+from inventories import CITY, HEADER, city, digests, pieces, rows_of_results, table
 from typer.testing import CliRunner
 
 import stayput as sp
@@ -19,8 +20,9 @@ from stayput.cli.assess import assess as command
 from stayput.inventory import assess
 from stayput.inventory.assess import memory_of
 from stayput.inventory.city import read_cities
-from stayput.inventory.places import read_shakemap
+from stayput.inventory.report import storey_map
 from stayput.inventory.results import choose
+from stayput.inventory.summary import Total
 from stayput.inventory.units import _drawn, unit_rows
 from stayput.measures import MEASURES, hold
 from stayput.verification import verify
@@ -32,10 +34,6 @@ ROWS = [
     "chest,chest,,,,vinyl,0.1,2 wood,2,wedge,,1,",
     "box,,0.4,1.2,50,0.5;0.4,,,,sheet,0,2,100",
 ]
-
-
-def rows_of_results(done):
-    return done.pieces.to_table().to_pylist()
 
 
 @pytest.fixture(scope="module")
@@ -136,6 +134,25 @@ def test_the_report_stands_alone(small):
     assert "row 2" in page
 
 
+def test_a_map_shows_every_storey_and_whole_names():
+    long = "a & b <of a very long name>"
+    total = Total(rows=1, pieces=4, fallen=1.0, fallen_best=0.5)
+    places = {("10 RC", 7): total, ("2 wood", 2): total, (long, 1): total, ("", 0): total}
+    page = ElementTree.fromstring(storey_map(places, False, "a map"))
+    texts = [one for one in page.iter("text") if one.get("class") == "axis"]
+    storeys = [one.text for one in texts if one.get("text-anchor") == "end"]
+    assert storeys == [*(f"{n}F" for n in range(7, 0, -1)), "ground"]
+    names = ["".join(one.itertext()) for one in texts if one.get("text-anchor") == "start"]
+    assert names == ["no building", "2 wood", "10 RC", f"{long}{long[:21]}…"]
+    assert [one.text for one in page.iter("text") if one.get("class") == "share"] == ["25"] * 4
+
+
+def test_the_report_says_what_is_best_and_how_strong_it_shakes(small):
+    page = (small.folder / "report.html").read_text()
+    assert "Best for its cost" in page
+    assert "the ground at JMA intensity 6.00" in page
+
+
 def test_summaries_add_up(small):
     rows = rows_of_results(small)
     total = small.summary.events["city"]
@@ -231,33 +248,6 @@ def test_scenarios_without_a_station_are_events_for_all(tmp_path):
     city(folder, CITY + STATION.format(lat=35.0, lon=135.0), "c.toml")
     with pytest.raises(sp.InputError, match=r"a\.toml has no \[station\]"):
         read_cities(folder)
-
-
-GRID = ["35,135,5", "35,136,6", "36,135,6", "36,136,7"]
-
-
-def test_a_shake_map_is_bilinear_on_a_grid(tmp_path):
-    file = table(tmp_path, GRID, "lat,lon,intensity", "map.csv")
-    found = read_shakemap(file)
-    assert found.at(35.0, 135.0) == 5.0
-    assert found.at(35.5, 135.5) == 6.0
-    assert found.at(35.25, 135.25) == 5.5
-    assert found.at(36.0, 136.0) == 7.0
-    with pytest.raises(sp.InputError, match="lat on the shake map is 37"):
-        found.at(37.0, 135.5)
-
-
-def test_a_shake_map_of_any_places_gives_the_nearest(tmp_path):
-    file = table(tmp_path, [*GRID[:3], "35.5,135.6,6.66"], "lat,lon,intensity", "map.csv")
-    assert read_shakemap(file).at(35.5, 135.5) == 6.7
-
-
-def test_a_shake_map_says_how_strong_it_shakes(tmp_path):
-    grid = table(tmp_path, GRID, "lat,lon,intensity", "map.csv")
-    inventory = table(tmp_path, ["p,chest,35,135", "q,chest,35.5,135.5", "r,chest,1,1"], "id,preset,lat,lon")
-    done = assess(inventory, city(tmp_path), tmp_path / "out", shakemap=grid, progress=False)
-    assert [row["intensity"] for row in rows_of_results(done)] == [5.0, 6.0]
-    assert "shake map" in done.rejects.to_pylist()[0]["reason"]
 
 
 @pytest.mark.parametrize("kind", [None, *MEASURES])

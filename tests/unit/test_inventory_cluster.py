@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import os
 import random
-import signal
 import sys
-import threading
+import time
 
 import pytest
+from clusters import killed_when, two_processes, workers
 from inventories import city, digests, pieces, table
 
 import stayput as sp
 from stayput.inventory import assess
+from stayput.inventory.crews import Cluster
 
-distributed = pytest.importorskip("dask.distributed", reason="Dask is not installed")
+pytest.importorskip("dask.distributed", reason="Dask is not installed")
 
 
 @pytest.fixture(scope="module")
@@ -32,12 +32,7 @@ def expected(inputs, tmp_path_factory):
 @pytest.fixture(scope="module")
 def client(expected):  # after it, so that the workers find compiled code
     assert expected
-    with (
-        distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1"
-        ) as cluster,
-        distributed.Client(cluster, set_as_default=False) as client,
-    ):
+    with two_processes() as client:
         yield client
 
 
@@ -59,12 +54,32 @@ def test_a_cluster_gives_the_same_bytes(inputs, expected, client, tmp_path):
 @pytest.mark.usefixtures("many_tasks")
 def test_killed_workers_lose_nothing(inputs, expected, client, tmp_path, seed):
     rng = random.Random(seed)
-    victims = list(client.run(os.getpid).values())
-    timer = threading.Timer(rng.uniform(0.1, 1.0), os.kill, (rng.choice(victims), signal.SIGKILL))
-    timer.start()
+    victim = rng.choice(list(workers(client).values()))
+    at = time.monotonic() + rng.uniform(0.1, 1.0)
+    death = killed_when(client, victim, lambda: time.monotonic() > at)
     done = assess(*inputs, tmp_path / "out", client=client, progress=False)
-    timer.join()
+    death.result()
     assert digests(done.folder) == expected
+
+
+@pytest.mark.usefixtures("many_tasks")
+def test_workers_killed_at_work_lose_nothing(inputs, expected, client, tmp_path):
+    kept = tmp_path / "out" / "work" / "units"
+    victim = next(iter(workers(client).values()))
+    death = killed_when(client, victim, lambda: len(list(kept.glob("*.units"))) > 1)
+    done = assess(*inputs, tmp_path / "out", client=client, progress=False)
+    death.result()
+    assert digests(done.folder) == expected
+
+
+def test_a_client_that_lost_its_scheduler_is_said(client, monkeypatch):
+    from dask.distributed import Client
+
+    monkeypatch.setattr("stayput.inventory.crews.LOOK_AGAIN", 0.0)
+    with Client(client.cluster, set_as_default=False) as lost:
+        crew = Cluster(lost, None)
+    with pytest.raises(sp.InputError, match="the same command goes on from it"):
+        crew.width()
 
 
 def test_a_scheduler_that_is_not_there_is_refused(inputs, tmp_path, monkeypatch):

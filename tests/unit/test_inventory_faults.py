@@ -162,7 +162,7 @@ def test_a_disk_that_is_really_full(inputs, expected, small_parts, tmp_path, siz
         assess(*inputs, disk / "out", progress=False)
         check(disk / "out", expected)
     finally:
-        os.system(f"umount {disk}")
+        os.system(f"umount --lazy {disk}")
 
 
 def _cut(path: Path) -> None:
@@ -193,6 +193,19 @@ def test_a_broken_part_is_made_again(inputs, expected, small_parts, tmp_path, br
     check(out, expected)
     assert again.runs == 0 or "units" in what
     assert again.runs <= first.runs
+
+
+PLAN = ["plan.sqlite", "rows/part-000001.parquet", "rejects.parquet", "rejects.csv", "sums.json"]
+
+
+@pytest.mark.parametrize("breaks", [_cut, _flip, _empty, Path.unlink])
+@pytest.mark.parametrize("what", PLAN)
+def test_a_broken_plan_is_made_again(inputs, expected, small_parts, tmp_path, breaks, what):
+    out = tmp_path / "out"
+    assess(*inputs, out, progress=False)
+    breaks(out / "work" / "plan" / what)
+    assert assess(*inputs, out, progress=False).runs == 0
+    check(out, expected)
 
 
 def test_two_commands_are_not_in_one_folder(inputs, tmp_path):

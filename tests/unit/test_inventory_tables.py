@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import datetime
 import math
+import zipfile
+from decimal import Decimal
 
 import openpyxl
 import pyarrow as pa
@@ -75,6 +77,10 @@ REJECTED = {
     "a million in an id": (row(id="c" * 10**6, preset="chest"), "id has 1000000 characters"),
     "several lines": (row(id="x", preset='"chest\nchest"'), "several lines"),
     "stray quote": ('x,"chest"z,,,,,,,,,,,', "cannot be read"),
+    "invisible character": (row(id="x\u200b", preset="chest"), "an invisible one"),
+    "turned letters": (row(id="x\u202ey", preset="chest"), "an invisible one"),
+    "full-width digits": (row(id="x", width="０．４", height="1", mass="1"), "width is '０．４'; it must be a plain number"),
+    "not available": (row(id="x", width="#N/A", height="1", mass="1"), "width is '#N/A'; it must be a plain number"),
     "control character": (row(id="x\x07", preset="chest"), "control character"),
 }  # fmt: skip
 
@@ -98,6 +104,9 @@ REFUSED = {
     "semicolons": ("id;preset\np;chest\n", "commas must be between"),
     "tabs": ("id\tpreset\np\tchest\n", "commas must be between"),
     "unit in a name": ("id,width (cm)\np,40\n", "did you mean 'width'"),
+    "unit after a name": ("id,preset,width_cm\np,chest,40\n", "did you mean 'width'"),
+    "unit after a blank": ("id,preset,Mass kg\np,chest,40\n", "did you mean 'mass'"),
+    "endless cell": ("id,preset\np," + "c" * (2**24 + 1) + "\n", "goes beyond 16,777,216 characters"),
     "misspelt": ("id,presett\np,chest\n", "did you mean 'preset'"),
     "column twice": ("id,preset,preset\np,chest,chest\n", "there twice"),
     "too many columns": (",".join(["id", *(f"c{n}" for n in range(300))]) + "\n", "301 columns"),
@@ -178,6 +187,45 @@ def test_a_workbook_is_read_cell_by_cell(tmp_path):
     assert "6 cells" in told[7] or "5 cells" in told[7] or "without a name" in told[7]
 
 
+@pytest.mark.parametrize(
+    ("number_format", "unit"), [('0" cm"', "cm"), ("0\\c\\m", "cm"), ('0.0"kg"', "kg"), ("0%", "%")]
+)
+def test_a_unit_in_the_format_of_a_number_is_seen(tmp_path, number_format, unit):
+    file = excel(
+        tmp_path, [["id", "preset", "width", "value"], ["a", "chest", 0.4, 9], ["b", "chest", 0.4, 9]]
+    )
+    book = openpyxl.load_workbook(file)
+    book.active["C2"].number_format, book.active["D3"].number_format = number_format, '"¥"#,##0'
+    book.save(file)
+    facts, (told,) = plan(tmp_path, file)
+    assert facts["pieces"] == 1
+    assert f"width is a number that is shown in {unit}" in told["reason"]
+
+
+def edited(file, sheet):
+    """Give a workbook another first sheet."""
+    with zipfile.ZipFile(file) as book:
+        parts = {name: book.read(name) for name in book.namelist()}
+    with zipfile.ZipFile(file, "w") as book:
+        for name, content in parts.items():
+            book.writestr(name, sheet(content) if name.endswith("sheet1.xml") else content)
+
+
+@pytest.mark.parametrize(
+    "sheet",
+    [
+        lambda content: content[:-40],
+        lambda content: b"",
+        lambda content: content.replace(b"<c ", b'<c t="s" ', 1).replace(b"<is>", b"<v>999</v><is>", 1),
+    ],
+)
+def test_a_broken_sheet_is_refused(tmp_path, sheet):
+    file = excel(tmp_path, [["id", "preset"], *([f"p{n}", "chest"] for n in range(50))])
+    edited(file, sheet)
+    with pytest.raises(sp.InputError, match=r"must be (whole, and is broken|an Excel workbook)"):
+        plan(tmp_path, file)
+
+
 def test_a_merged_header_of_a_workbook_is_refused(tmp_path):
     with pytest.raises(sp.InputError, match="header merged"):
         plan(tmp_path, excel(tmp_path, [["Piece", None, "Place"], ["id", "preset", "storey"]]))
@@ -212,6 +260,23 @@ def test_parquet_is_read_with_its_types(tmp_path):
     assert facts["pieces"] == 1
     assert [row["row"] for row in rejects] == [3, 4, 5]
     assert "width is nan" in rejects[0]["reason"]
+
+
+def test_decimals_of_parquet_are_numbers(tmp_path):
+    file = tmp_path / "inventory.parquet"
+    pq.write_table(pa.table({"id": ["a"], "preset": ["chest"], "width": [Decimal("0.45")]}), file)
+    facts, rejects = plan(tmp_path, file)
+    assert facts["pieces"] == 1, rejects
+
+
+def test_a_broken_page_of_parquet_is_refused(tmp_path):
+    file = tmp_path / "inventory.parquet"
+    pq.write_table(pa.table({"id": [f"p{n}" for n in range(9000)], "preset": ["chest"] * 9000}), file)
+    content = bytearray(file.read_bytes())
+    content[1000:1050] = b"\xff" * 50
+    file.write_bytes(content)
+    with pytest.raises(sp.InputError, match=r"could not be read|is broken"):
+        plan(tmp_path, file)
 
 
 def test_a_list_in_parquet_is_of_no_use(tmp_path):

@@ -23,7 +23,8 @@ def assess(
         Path, typer.Option(metavar="DIR", help="Folder of the results; the same command goes on in it.")
     ],
     shakemap: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="CSV of lat, lon, intensity (JMA) of the ground.")
+        Path | None,
+        typer.Option(metavar="FILE", help="CSV of lat, lon and intensity (JMA), or sa_0.3 (at 0.3 s) [g]."),
     ] = None,
     slide_limit: Annotated[float, typer.Option(help="Slide that counts as too far [m].")] = 0.10,
     threads: Annotated[int | None, typer.Option(help="Threads; default one for each core.")] = None,

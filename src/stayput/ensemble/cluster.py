@@ -43,7 +43,7 @@ def run_on_cluster(
     ahead = AHEAD * max(1, sum(client.nthreads().values()))
     try:
         first = [future for _ in range(ahead) if (future := hand_in()) is not None]
-        finished: Any = as_completed(first)
+        finished: Any = as_completed(first, loop=client.loop)
         for future in finished:
             results = future.result()
             done(under_way.pop(future), results)

@@ -7,6 +7,7 @@ import shutil
 import time
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -116,7 +117,8 @@ def assess(
     out : str or Path
         Folder of the results; new, empty, or of the same assessment.
     shakemap : str or Path, optional
-        CSV of lat, lon, intensity: JMA intensity of the ground where each piece stands.
+        CSV of lat, lon and intensity (JMA's), or sa_0.3 (Sa at 0.3 s, 5 % damping [g]; any period): how
+        strongly the ground shakes where each piece stands.
     slide_limit : float
         Slide that counts as too far [m].
     threads : int, optional
@@ -130,7 +132,7 @@ def assess(
     progress : bool, optional
         Whether to draw bars on standard error; default on a terminal.
     say : callable, optional
-        Told in a sentence where the cluster's dashboard is.
+        Told in a sentence where the cluster's dashboard is, and when it has no worker.
 
     Raises
     ------
@@ -166,7 +168,7 @@ def assess(
             simulating = time.perf_counter() - started
         finally:
             store.close()
-        told = _told(cities, limit, grid is not None, ready)
+        told = _told(cities, limit, ready)
         _write(folder, work, plan, facts, told, ready, progress)
         summary = _sum_up(folder, work, facts, told)
         asked = read_json(folder / MANIFEST) or {}
@@ -269,7 +271,7 @@ def _crew(
     try:
         if say is not None:
             say(f"Dashboard of the cluster: {client.dashboard_link}")
-        crew = Cluster(client, work.ground)
+        crew = Cluster(client, work.ground, say)
         try:
             yield crew
         finally:
@@ -279,17 +281,19 @@ def _crew(
             made.close(timeout=5)
 
 
-def _told(cities: Cities, limit: float, mapped: bool, work: Work) -> dict[str, Any]:
+def _told(cities: Cities, limit: float, work: Work) -> dict[str, Any]:
+    strengths = _strengths(work)
     return {
         "version": stayput.__version__,
         "slide limit": limit,
-        "shake map": mapped,
+        "shake map": None if cities.shakemap is None else cities.strength.about,
         "scenarios": [
             {
                 "name": city.name,
                 "digest": city.digest,
                 "suite": city.ground.name,
                 "synthetic": city.ground.synthetic,
+                "intensity": None if cities.shakemap is not None else strengths(city.name, None)[0],
                 "motions": one.motions,
                 "samples": one.samples,
                 "seed": one.seed,
@@ -313,29 +317,31 @@ def _write(
 
     flat = Flat(work / "units.flat")
     flat.gather(work / "units", plan, facts["units"])
-    places = {city.name: n for n, city in enumerate(ready.cities.all)}
-    known: dict[str, float] = {}
-
-    def intensity(station: str, level: float | None) -> float:
-        if level is not None:
-            return level
-        if station not in known:
-            shaking = ready.cities.all[places[station]].scenario.shaking
-            ground = ready.ground(places[station])
-            scale = 1.0 if shaking.scale is None else shaking.scale
-            wanted = shaking.wanted_intensity
-            known[station] = (
-                ground.median_intensity(ground.factors(None, scale)) if wanted is None else float(wanted)
-            )
-        return known[station]
-
     about = {"stayput": json.dumps({"inputs": plan, **told}, sort_keys=True)}
     with bar(facts["pieces"] * len(ready.cities.events), "Writing", progress, "rows") as tell:
-        Writer(folder, work, flat, about, intensity).write(facts["parts"], tell)
+        Writer(folder, work, flat, about, _strengths(ready)).write(facts["parts"], tell)
     flat.path.unlink()
     for name in REJECTS:
         with durable(folder / name) as file, (work / "plan" / name).open("rb") as source:
             shutil.copyfileobj(source, file)
+
+
+def _strengths(work: Work) -> Callable[[str, float | None], tuple[float, float | None]]:
+    """Return what tells JMA's intensity, and Sa [g] from a map, of the ground of a scenario."""
+    places = {city.name: n for n, city in enumerate(work.cities.all)}
+    period = work.cities.strength.period
+
+    @lru_cache(maxsize=10_000)
+    def found(station: str, level: float | None) -> tuple[float, float | None]:
+        ground, shaking = work.ground(places[station]), work.cities.all[places[station]].scenario.shaking
+        wanted = shaking.wanted_intensity if level is None else level
+        if period is None and wanted is not None:
+            return float(wanted), None
+        factors = ground.factors(wanted, 1.0 if shaking.scale is None else shaking.scale)
+        sa = None if period is None or level is None else 10.0**level
+        return ground.median_intensity(factors), sa
+
+    return found
 
 
 def _sum_up(folder: Path, work: Path, facts: dict[str, Any], told: dict[str, Any]) -> Summary:

@@ -15,7 +15,9 @@ LONGEST = 1000
 SHOWN = 40
 """Characters of a cell that a sentence shows."""
 
-_CONTROL = re.compile(r"[\x00-\x1f\x7f]")
+_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ufeff]")
+"""What nobody sees, and what turns the order of other letters."""
+
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 
 
@@ -56,7 +58,7 @@ def plain(name: str, cell: Cell) -> str | float | int | None:
     if "\n" in text or "\r" in text:
         raise InputError(f"{name} goes over several lines; it must be one line (is a quote missing?).")
     if _CONTROL.search(text) is not None:
-        raise InputError(f"{name} has a control character; it must be plain text.")
+        raise InputError(f"{name} has a control character or an invisible one; it must be plain text.")
     if text.startswith("="):
         raise InputError(f"{name} is a formula; it must be a plain text or number.")
     return text or None

@@ -14,6 +14,7 @@ from pydantic import ValidationError
 
 from stayput.errors import InputError
 from stayput.inventory.places import distances
+from stayput.inventory.strength import JMA
 from stayput.scenario import Scenario
 from stayput.scenario.fields import Table, Text, between
 from stayput.scenario.messages import sentence_of
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from stayput.inventory.places import ShakeMap
+    from stayput.inventory.strength import Strength
     from stayput.motion.suites import Suite
     from stayput.scenario.building import BuildingTable
 
@@ -128,12 +130,17 @@ class Cities:
         return found
 
     @property
+    def strength(self) -> Strength:
+        """What says how strong the ground shakes: the map's measure, else JMA's intensity."""
+        return JMA if self.shakemap is None else self.shakemap.strength
+
+    @property
     def needs_places(self) -> bool:
         """Whether each piece needs a latitude and a longitude."""
         return self.shakemap is not None or any(event.lats for event in self.events)
 
     def met(self, lat: float | None, lon: float | None) -> list[tuple[Event, int, float | None]]:
-        """Return what a piece meets: each event, its scenario there, and an intensity from a map.
+        """Return what a piece meets: each event, its scenario there, and a level from a map.
 
         Raises
         ------

@@ -5,13 +5,14 @@ from __future__ import annotations
 import time
 from collections import OrderedDict
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import stayput
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Generator, Iterator
 
     from stayput.inventory.floors import Floor, Ground
     from stayput.inventory.work import Done, Shaken, Task
@@ -24,6 +25,12 @@ TRIES = 10
 
 LOOK_AGAIN = 2.0
 """Seconds after which the number of workers is asked for anew."""
+
+POLL = 0.01
+"""Seconds between looks whether a task is done; a task takes about one."""
+
+PATIENCE = 10.0
+"""Seconds without any worker after which it is said that one is waited for."""
 
 
 class Threads:
@@ -114,26 +121,68 @@ class Cluster:
         The way to them.
     ground : callable
         Gives the motions of a scenario.
+    say : callable, optional
+        Told when there is no worker.
     """
 
-    def __init__(self, client: Any, ground: Callable[[int], Ground]) -> None:
+    def __init__(
+        self, client: Any, ground: Callable[[int], Ground], say: Callable[[str], None] | None = None
+    ) -> None:
         from dask.distributed import as_completed
 
-        self.client, self.ground = client, ground
+        self.client, self.ground, self.say = client, ground, say
         self.grounds: dict[int, Any] = {}
         self.floors: OrderedDict[Shaken, Any] = OrderedDict()
         self.tasks: dict[Any, Task] = {}
         self.tries: dict[Task, int] = {}
         self.finished: Any = as_completed(loop=client.loop)
         self.seen_at, self.threads = 0.0, 1
+        self.alone_since: float | None = None
 
     def width(self) -> int:
-        """Return the number of the workers' threads, as it was a moment ago."""
+        """Return the number of the workers' threads, as it was a moment ago; 1 where there is none.
+
+        Raises
+        ------
+        InputError
+            The scheduler is gone.
+        """
         if time.monotonic() - self.seen_at > LOOK_AGAIN:
-            workers = self.client.scheduler_info(n_workers=-1)["workers"].values()
+            with self._reached():
+                workers = self.client.scheduler_info(n_workers=-1)["workers"].values()
             self.threads = max(1, sum(worker["nthreads"] for worker in workers))
             self.seen_at = time.monotonic()
+            self._miss(bool(workers))
         return self.threads
+
+    def _miss(self, there: bool) -> None:
+        """Say once that there is no worker; one may come at any time, so that it is no error."""
+        if there:
+            self.alone_since = None
+        elif self.alone_since is None:
+            self.alone_since = self.seen_at
+        elif self.say is not None and self.seen_at - self.alone_since > PATIENCE:
+            self.say("The cluster has no worker; waiting for one.")
+            self.alone_since = float("inf")
+
+    @contextmanager
+    def _reached(self) -> Generator[None]:
+        """Turn what a client says of a scheduler that is gone into a sentence."""
+        from concurrent.futures import CancelledError
+
+        from distributed.client import FutureCancelledError
+        from distributed.comm.core import CommClosedError
+
+        gone = CancelledError, FutureCancelledError, CommClosedError, TimeoutError, OSError
+        try:
+            yield
+        except Exception as error:
+            if not isinstance(error, gone) and self.client.status == "running":
+                raise
+            raise InputError(
+                f"The cluster is gone ({type(error).__name__}); what is complete is kept, and the same "
+                "command goes on from it."
+            ) from error
 
     def waiting(self) -> int:
         """Return how many tasks are not done."""
@@ -141,9 +190,9 @@ class Cluster:
 
     def hand_in(self, task: Task) -> None:
         """Take a task."""
-        future = self.client.submit(
-            run_task, task, self._floors(task.shaken), stayput.__version__, pure=False
-        )
+        with self._reached():
+            floors = self._floors(task.shaken)
+            future = self.client.submit(run_task, task, floors, stayput.__version__, pure=False)
         self.tasks[future] = task
         self.finished.add(future)
 
@@ -166,25 +215,19 @@ class Cluster:
         InputError
             The scheduler is gone, or a task ends every worker that it is given to.
         """
-        from concurrent.futures import CancelledError
-
-        from distributed.client import FutureCancelledError
-        from distributed.comm.core import CommClosedError
         from distributed.scheduler import KilledWorker
 
-        try:
-            future = next(self.finished)
-            task = self.tasks.pop(future)
+        while not self.finished.has_ready():
+            time.sleep(POLL)
+            self.width()
+        future = next(self.finished)
+        task = self.tasks.pop(future)
+        with self._reached():
             try:
                 found: Done | None = future.result()
             except KilledWorker:
                 found = None
             future.release()
-        except (CancelledError, FutureCancelledError, CommClosedError, TimeoutError, OSError) as error:
-            raise InputError(
-                f"The cluster is gone ({type(error).__name__}); what is complete is kept, and the same "
-                "command goes on from it."
-            ) from error
         if found is not None:
             self.tries.pop(task, None)
             yield found

@@ -11,14 +11,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.inventory.strength import JMA
 from stayput.mechanics.runner import Shaking, shaking
-from stayput.motion.intensity import factor_to_intensity
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
+    from stayput.inventory.strength import Strength
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
     from stayput.scenario.building import BuildingTable
@@ -26,36 +27,43 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ground:
-    """Motions of the ground, and the factors that bring each to JMA intensity 0.
+    """Motions of the ground, and the factors that bring each to level 0.
 
     Parameters
     ----------
     motions : Suite
         The motions.
-    to_zero : ndarray, shape (motions,)
-        The factors.
     vertical : bool
         Whether the vertical motion acts on the furniture.
+    strength : Strength
+        What levels mean.
+    to_zero : ndarray, shape (motions,)
+        The factors.
+    to_jma_zero : ndarray, shape (motions,)
+        The same of JMA's intensity.
     """
 
     motions: Suite
-    to_zero: NDArray[np.float64]
     vertical: bool
+    strength: Strength
+    to_zero: NDArray[np.float64]
+    to_jma_zero: NDArray[np.float64]
 
     @classmethod
-    def of(cls, motions: Suite, vertical: bool) -> Ground:
+    def of(cls, motions: Suite, vertical: bool, strength: Strength = JMA) -> Ground:
         """Return the ground with these motions."""
-        return cls(motions, np.array([factor_to_intensity(motion, 0.0) for motion in motions]), vertical)
+        jma = JMA.to_zero(motions)
+        return cls(motions, vertical, strength, jma if strength == JMA else strength.to_zero(motions), jma)
 
-    def factors(self, intensity: float | None, scale: float) -> NDArray[np.float64]:
-        """Return the factors to an intensity, or the scale for each motion where there is none."""
-        if intensity is None:
+    def factors(self, level: float | None, scale: float) -> NDArray[np.float64]:
+        """Return the factors to a level, or the scale for each motion where there is none."""
+        if level is None:
             return np.full(len(self.motions), scale)
-        return 10.0 ** (0.5 * intensity) * self.to_zero
+        return 10.0 ** (level / self.strength.growth) * self.to_zero
 
     def median_intensity(self, factors: NDArray[np.float64]) -> float:
         """Return the median JMA intensity of the motions times factors."""
-        return float(np.median(2.0 * np.log10(np.abs(factors) / self.to_zero)))
+        return float(np.median(2.0 * np.log10(np.abs(factors) / self.to_jma_zero)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

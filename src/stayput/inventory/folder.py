@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Generator, Mapping
     from pathlib import Path
 
-FORMAT = 1
+FORMAT = 2
 """Changes with the files' layout or meaning."""
 
 MANIFEST = "manifest.json"

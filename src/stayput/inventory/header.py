@@ -42,6 +42,8 @@ MOST = 200
 LIKENESS = 0.8
 """From this likeness on a column counts as a misspelt one."""
 
+_UNIT = re.compile(r"_(?:in_)?(?:mm|cm|m|inch|inches|in|ft|g|kg|t|lb|lbs|deg|yen|usd|eur)$")
+
 
 @dataclass(frozen=True, slots=True)
 class Header:
@@ -109,7 +111,7 @@ def header_of(cells: Sequence[Cell]) -> Header:
             raise InputError(f"The column {shown(name)} is there twice; each must be there once.")
         if name in COLUMNS or not name:
             continue
-        base = re.split(r"\s*[\[(（]", name)[0].strip().replace(" ", "_").replace("-", "_")
+        base = _UNIT.split(re.split(r"\s*[\[(（]", name)[0].strip().replace(" ", "_").replace("-", "_"))[0]
         near = [base] if base in COLUMNS else get_close_matches(base, COLUMNS, 1, LIKENESS)
         if near:
             raise InputError(

@@ -66,8 +66,8 @@ class Meeting:
         The event.
     station : int
         Place of the scenario among all.
-    intensity : float, optional
-        JMA intensity from a map.
+    level : float, optional
+        How strong a map says that the ground shakes; see `stayput.inventory.strength`.
     ground : str
         What tells the shaking of its building from others.
     storey : int
@@ -82,7 +82,7 @@ class Meeting:
 
     event: str
     station: int
-    intensity: float | None
+    level: float | None
     ground: str
     storey: int
     building: str | None
@@ -164,16 +164,14 @@ class Reader:
         body = self.bodies.of(*self._with(cells, OF_THE_BODY, body_of))
         costs = numbers_of("costs", cells.get("costs"))
         met: list[Meeting] = []
-        for event, station, intensity in self.cities.met(lat, lon):
+        for event, station, level in self.cities.met(lat, lon):
             label, building, storey = self._building(cells, station)
             thing, options = self._room(cells, body, station)
             if costs and len(costs) != len(options) - 1:
                 told = f"costs has {len(costs)} numbers and measures has {len(options) - 1}"
                 raise InputError(f"{told}; they must be as many.")
-            ground = self.grounds.of(
-                (station, intensity, label), partial(ground_spec, station, intensity, building)
-            )
-            met.append(Meeting(event.name, station, intensity, ground, storey, label, thing, options))
+            ground = self.grounds.of((station, level, label), partial(ground_spec, station, level, building))
+            met.append(Meeting(event.name, station, level, ground, storey, label, thing, options))
         for cost in costs:
             within("costs", cost, 0.0, 1e15)
         return Piece(row, piece, count or 1, value, lat, lon, costs, tuple(met))

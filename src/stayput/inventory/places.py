@@ -1,4 +1,4 @@
-"""Where pieces stand: the nearest station, and the intensity of a map."""
+"""Where pieces stand: the nearest station, and how strong a shake map says that the ground shakes there."""
 
 from __future__ import annotations
 
@@ -9,16 +9,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.errors import InputError, within
+from stayput.inventory.strength import Strength
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from numpy.typing import ArrayLike, NDArray
 
-STEP = 0.1
-"""Step to which intensities from a map are rounded: that in which JMA announces them."""
-
-NAMES = ("lat", "lon", "intensity")
+PLACE = ("lat", "lon")
+LIMITS = ((-90.0, 90.0, "°"), (-180.0, 360.0, "°"))
 
 
 def distances(lat: float, lon: float, lats: ArrayLike, lons: ArrayLike) -> NDArray[np.float64]:
@@ -39,22 +38,25 @@ def distances(lat: float, lon: float, lats: ArrayLike, lons: ArrayLike) -> NDArr
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ShakeMap:
-    """JMA intensities of the ground at places.
+    """How strongly the ground shakes at places.
 
     Parameters
     ----------
+    strength : Strength
+        What is told.
     lats, lons : ndarray
         Of a grid its latitudes and longitudes, both increasing; else of each place [°].
-    intensities : ndarray
-        Shape (lats, lons) on a grid, else (places,).
+    levels : ndarray
+        Its levels; shape (lats, lons) on a grid, else (places,).
     """
 
+    strength: Strength
     lats: NDArray[np.float64]
     lons: NDArray[np.float64]
-    intensities: NDArray[np.float64]
+    levels: NDArray[np.float64]
 
     def at(self, lat: float, lon: float) -> float:
-        """Return the intensity at a place, rounded to `STEP`: bilinear on a grid, else of the nearest place.
+        """Return the level at a place, rounded: bilinear on a grid, else of the nearest place.
 
         Raises
         ------
@@ -63,15 +65,15 @@ class ShakeMap:
         """
         for name, value, of in (("lat", lat, self.lats), ("lon", lon, self.lons)):
             within(f"{name} on the shake map", value, float(of.min()), float(of.max()), "°")
-        if self.intensities.ndim == 1:
-            found = float(self.intensities[np.argmin(distances(lat, lon, self.lats, self.lons))])
+        if self.levels.ndim == 1:
+            found = float(self.levels[np.argmin(distances(lat, lon, self.lats, self.lons))])
         else:
             found = self._bilinear(lat, lon)
-        return round(round(found / STEP) * STEP, 1)
+        return self.strength.rounded(found)
 
     def _bilinear(self, lat: float, lon: float) -> float:
         (i, u), (j, v) = _cell(self.lats, lat), _cell(self.lons, lon)
-        (a, b), (c, d) = self.intensities[i : i + 2, j : j + 2]
+        (a, b), (c, d) = self.levels[i : i + 2, j : j + 2]
         return float((1 - u) * ((1 - v) * a + v * b) + u * ((1 - v) * c + v * d))
 
 
@@ -81,26 +83,31 @@ def _cell(values: NDArray[np.float64], at: float) -> tuple[int, float]:
 
 
 def read_shakemap(path: Path) -> ShakeMap:
-    """Read a shake map: a CSV file of lat, lon and intensity, on a regular grid or at any places.
+    """Read a shake map: CSV of lat, lon and intensity or Sa, on a regular grid or at any places.
 
     Raises
     ------
     InputError
-        A file that cannot be read, another header, a value out of range, or no row.
+        A file that cannot be read, another header, a value out of range, a place twice, or no row.
     """
-    rows: list[tuple[float, ...]] = []
+    rows: dict[tuple[float, float], tuple[int, float]] = {}
     try:
         with path.open(encoding="utf-8-sig", newline="") as file:
             reader: Any = csv.reader(file)
             nothing: list[str] = []
             first: list[str] = next(reader, nothing)
             header = [name.strip().lower() for name in first]
-            if sorted(header) != sorted(NAMES):
-                raise InputError(f"The shake map has the columns {header}; they must be lat, lon, intensity.")
-            places = [header.index(name) for name in NAMES]
+            strength, column = _strength(header)
+            columns = [header.index(name) for name in (*PLACE, column)]
             for number, row in enumerate(reader, 2):
                 if any(cell.strip() for cell in row):
-                    rows.append(_checked(number, row, places))
+                    lat, lon, value = _checked(number, row, columns, column, strength)
+                    before, _ = rows.setdefault((lat, lon), (number, strength.level(value)))
+                    if before != number:
+                        raise InputError(
+                            f"Row {number} of the shake map is at {lat:g}°, {lon:g}°, as row {before} is; "
+                            "each place must be there once."
+                        )
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
         raise InputError(f"The shake map is {str(path)!r}; it could not be read: {reason}.") from None
@@ -108,20 +115,32 @@ def read_shakemap(path: Path) -> ShakeMap:
         raise InputError(f"The shake map is {str(path)!r}; it must be CSV, a text in UTF-8.") from None
     if not rows:
         raise InputError(f"The shake map is {str(path)!r}; it must have at least one place.")
-    lat, lon, values = np.array(rows).T
+    lat, lon = np.array(list(rows)).T
+    levels = np.array([level for _, level in rows.values()])
     lats, lons = np.unique(lat), np.unique(lon)
     if min(len(lats), len(lons)) < 2 or len(lats) * len(lons) != len(rows):
-        return ShakeMap(lat, lon, values)
-    grid = np.full((len(lats), len(lons)), np.nan)
-    grid[np.searchsorted(lats, lat), np.searchsorted(lons, lon)] = values
-    return ShakeMap(lat, lon, values) if np.isnan(grid).any() else ShakeMap(lats, lons, grid)
+        return ShakeMap(strength, lat, lon, levels)
+    grid = np.empty((len(lats), len(lons)))
+    grid[np.searchsorted(lats, lat), np.searchsorted(lons, lon)] = levels
+    return ShakeMap(strength, lats, lons, grid)
 
 
-def _checked(number: int, row: list[str], places: list[int]) -> tuple[float, ...]:
-    limits = ((-90.0, 90.0), (-180.0, 360.0), (-3.0, 9.0))
-    if len(row) != len(NAMES):
-        raise InputError(f"Row {number} of the shake map has {len(row)} cells; it must have {len(NAMES)}.")
+def _strength(header: list[str]) -> tuple[Strength, str]:
+    told = [(found, name) for name in header if (found := Strength.of(name)) is not None]
+    if len(told) != 1 or sorted(header) != sorted((*PLACE, told[0][1])):
+        raise InputError(
+            f"The shake map has the columns {', '.join(header) or 'of an empty file'}; they must be lat, lon "
+            "and one of intensity (JMA's) and sa_T, Sa [g] at 5 % damping at a period T [s], such as sa_0.3."
+        )
+    return told[0]
+
+
+def _checked(
+    number: int, row: list[str], columns: list[int], name: str, strength: Strength
+) -> tuple[float, ...]:
+    if len(row) != len(columns):
+        raise InputError(f"Row {number} of the shake map has {len(row)} cells; it must have {len(columns)}.")
     return tuple(
-        within(f"{name} in row {number} of the shake map", row[place], *limit)  # type: ignore[arg-type]
-        for name, place, limit in zip(NAMES, places, limits, strict=True)
+        within(f"{told} in row {number} of the shake map", row[place], *limits)  # type: ignore[arg-type]
+        for told, place, limits in zip((*PLACE, name), columns, (*LIMITS, strength.limits), strict=True)
     )

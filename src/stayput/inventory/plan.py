@@ -7,12 +7,13 @@ import io
 import os
 import secrets
 import shutil
-from typing import TYPE_CHECKING, Any
+from contextlib import closing
+from typing import TYPE_CHECKING, Any, Self
 
 from stayput.errors import InputError
 from stayput.inventory.arrow import arrow, parquet
 from stayput.inventory.cells import Unusable
-from stayput.inventory.folder import sync_folder
+from stayput.inventory.folder import digest_of, read_json, sync_folder, write_json
 from stayput.inventory.header import header_of
 from stayput.inventory.pieces import Reader
 from stayput.inventory.store import Store
@@ -31,7 +32,7 @@ IN_A_PART = 20_000
 """Rows of the inventory in a part of the results."""
 
 REJECTS = ("rejects.parquet", "rejects.csv")
-ROWS, STORE = "rows", "plan.sqlite"
+ROWS, STORE, SUMS = "rows", "plan.sqlite", "sums.json"
 
 _TELL = 2000  # rows between words of progress
 
@@ -50,7 +51,7 @@ def schema() -> Any:
             ("lon", pa.float64()),
             ("event", pa.string()),
             ("station", pa.string()),
-            ("intensity", pa.float64()),
+            ("level", pa.float64()),
             ("building", pa.string()),
             ("storey", pa.int32()),
             ("options", pa.list_(pa.string())),
@@ -67,7 +68,8 @@ class Rejects:
         pa, pq = arrow(), parquet()
 
         self.schema = pa.schema([("row", pa.int64()), ("id", pa.string()), ("reason", pa.string())])
-        self.parquet: Any = pq.ParquetWriter(folder / REJECTS[0], self.schema, compression="zstd")
+        self.file = (folder / REJECTS[0]).open("wb")
+        self.parquet: Any = pq.ParquetWriter(self.file, self.schema, compression="zstd")
         self.text = (folder / REJECTS[1]).open("w", encoding="utf-8", newline="")
         self.lines = csv.writer(self.text)
         self.lines.writerow(self.schema.names)
@@ -93,11 +95,18 @@ class Rejects:
         self.lines.writerows([(row, _harmless(name), reason) for row, name, reason in self.waiting])
         self.waiting.clear()
 
-    def close(self) -> None:
-        """Write the rest."""
-        self.flush()
-        self.parquet.close()
-        self.text.close()
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
+        """Write the rest, unless it is given up; close the files in any case."""
+        try:
+            if kind is None:
+                self.flush()
+            self.parquet.close()
+        finally:
+            self.file.close()
+            self.text.close()
 
 
 def _harmless(text: str) -> str:
@@ -111,7 +120,8 @@ def make_plan(
 ) -> dict[str, Any]:
     """Read and check the whole inventory, once; return what is known of the plan.
 
-    A plan that is there already is whole, since it took its name at the end, and is taken.
+    A plan that is there already is taken if it is whole; a broken one is made again, with the same numbers,
+    so that what was simulated of it still holds.
 
     Parameters
     ----------
@@ -132,12 +142,17 @@ def make_plan(
         A table that cannot be read, a wrong header, or no row.
     """
     place = work / "plan"
+    if place.exists() and not _is_whole(place):
+        broken = _draft_of(place)
+        place.replace(broken)
+        shutil.rmtree(broken)
     if not place.exists():
-        draft = work / f".plan-{secrets.token_hex(4)}"
+        draft = _draft_of(place)
         draft.mkdir()
         try:
             (draft / ROWS).mkdir()
             _fill(draft, inventory, cities, cache, tell)
+            write_json(draft / SUMS, _sums(draft))
             for path in draft.rglob("*"):
                 if path.is_file():
                     with path.open("rb+") as file:
@@ -147,15 +162,27 @@ def make_plan(
         finally:
             if draft.exists():
                 shutil.rmtree(draft)
-    store = Store(place / STORE)
-    facts = store.facts()
-    store.close()
-    return facts
+    with closing(Store(place / STORE)) as store:
+        return store.facts()
+
+
+def _draft_of(place: Path) -> Path:
+    """Return a name beside a folder that is swept up if it is left behind."""
+    return place.with_name(f".{place.name}-{secrets.token_hex(4)}")
+
+
+def _sums(place: Path) -> dict[str, str]:
+    """Return the digests of all files of a plan but that of the digests."""
+    files = (path for path in sorted(place.rglob("*")) if path.is_file())
+    return {path.relative_to(place).as_posix(): digest_of(path) for path in files if path.name != SUMS}
+
+
+def _is_whole(place: Path) -> bool:
+    return read_json(place / SUMS) == _sums(place)
 
 
 def _fill(folder: Path, inventory: Path, cities: Cities, cache: int, tell: Callable[[int], None]) -> None:
-    reader, store, rejects = Reader(cities), Store(folder / STORE, cache), Rejects(folder)
-    store.begin()
+    reader = Reader(cities)
     seen = empty = parts = pieces = choices = 0
     waiting: list[tuple[Piece, list[list[int]]]] = []
 
@@ -166,8 +193,9 @@ def _fill(folder: Path, inventory: Path, cities: Cities, cache: int, tell: Calla
             parts += 1
             waiting.clear()
 
-    try:
-        with open_table(inventory) as table:
+    with closing(Store(folder / STORE, cache)) as store:
+        store.begin()
+        with Rejects(folder) as rejects, open_table(inventory) as table:
             header = header_of(table.header)
             for number, cells in table.rows:
                 seen += 1
@@ -184,9 +212,7 @@ def _fill(folder: Path, inventory: Path, cities: Cities, cache: int, tell: Calla
                     waiting.append((found, units))
                     if len(waiting) >= IN_A_PART:
                         flush()
-            how = table.how
-        flush()
-        rejects.close()
+            flush()
         if seen == empty:
             raise InputError(f"The inventory is {str(inventory)!r}; it must have a row below its header.")
         store.finish(
@@ -198,12 +224,10 @@ def _fill(folder: Path, inventory: Path, cities: Cities, cache: int, tell: Calla
                 "parts": parts,
                 "units": store.next_unit,
                 "choices": choices,
-                "read as": how,
+                "read as": table.how,
                 "columns not used": list(header.unused),
             }
         )
-    finally:
-        store.close()
 
 
 def _checked(
@@ -245,7 +269,7 @@ def _write_rows(path: Path, rows: list[tuple[Piece, list[list[int]]]], cities: C
             piece.lon,
             met.event,
             cities.all[met.station].name,
-            met.intensity,
+            met.level,
             met.building,
             None if met.building is None else met.storey,
             [option.name for option in met.options],

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from stayput.fragility.probabilities import percent
-from stayput.inventory.header import COLUMNS
 from stayput.report.palette import INK, PAPER, rgb
 from stayput.report.verdict.svg import element, label
 
@@ -65,8 +65,8 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str) -
     fallen: dict[str, float] = {}
     for (building, _), total in totals.items():
         fallen[building] = fallen.get(building, 0.0) + total.fallen
-    buildings = sorted(sorted(fallen, key=lambda one: -fallen[one])[:MOST_BUILDINGS])
-    storeys = sorted({storey for building, storey in totals if building in buildings}, reverse=True)
+    buildings = sorted(sorted(fallen, key=lambda one: -fallen[one])[:MOST_BUILDINGS], key=_by_number)
+    storeys = _storeys({storey for building, storey in totals if building in buildings})
     longest = min(max(len(building or "no building") for building in buildings), LONGEST_NAME)
     height = TOP + ROW * len(storeys) + 24.0 + SLANT * longest
     width = LEFT + CELL * len(buildings) + 1.2 * SLANT * longest
@@ -84,10 +84,11 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str) -
     for i, building in enumerate(buildings):
         x = LEFT + CELL * (i + 0.5)
         text = building if len(building) <= LONGEST_NAME else f"{building[: LONGEST_NAME - 1]}…"
+        whole = element("title", Markup.escape(building)) if text != building else ""
         parts.append(
             element(
                 "text",
-                Markup.escape(text or "no building"),
+                whole + str(Markup.escape(text or "no building")),
                 x=x,
                 y=y,
                 class_="axis",
@@ -100,6 +101,18 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str) -
     return element(
         "svg", title + "".join(parts), viewBox=box, width=width, height=height, role="img", aria_label=name
     )
+
+
+def _by_number(name: str) -> list[tuple[bool, int, str]]:
+    """Return what sorts names with the numbers in them by size: 2 wood before 10 RC."""
+    parts = re.findall(r"\d+|\D+", name)
+    return [(not part.isdecimal(), int(part) if part.isdecimal() else 0, part) for part in parts]
+
+
+def _storeys(there: set[int]) -> list[int]:
+    """Return the storeys of a map from the top: none is left out between, or heights would mislead."""
+    above = range(max(there), 0, -1)
+    return [*above, 0] if 0 in there else list(above)
 
 
 def _map_cell(x: float, y: float, total: Total, best: bool, where: str) -> str:
@@ -140,8 +153,6 @@ def report_html(
     rejects : sequence
         The first rows that were not assessed.
     """
-    from stayput.inventory.places import STEP
-
     maps: list[dict[str, Any]] = []
     for event in summary.events:
         mine = {(b, s): total for (e, b, s), total in summary.places.items() if e == event}
@@ -168,10 +179,9 @@ def report_html(
     return page.render(
         maps=maps,
         worst=summary.worst,
+        by_cost=any(row["best_by_cost"] is not None for row in summary.worst),
         facts=facts,
         told=told,
         rejects=rejects[:REJECTS_SHOWN],
         ramp=[(share, colour(share), _ink(colour(share))) for share in (0.0, 0.25, 0.5, 0.75, 1.0)],
-        columns=COLUMNS,
-        step=STEP,
     )

@@ -25,7 +25,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 PIECES = "pieces"
-GROUND = "intensity"
+GROUND = ("intensity", "sa")
+"""How strongly the ground shakes."""
+
 _ENDS = (("", "probability:"), ("_low", "95 % interval from:"), ("_high", "95 % interval to:"))
 
 
@@ -61,7 +63,8 @@ def schema(metadata: Mapping[str, str]) -> Any:
         number("id", "the piece", pa.string()),
         number("event", "the earthquake", pa.string()),
         number("station", "the scenario that was taken", pa.string()),
-        number(GROUND, "JMA intensity of the ground, median of the motions"),
+        number(GROUND[0], "JMA intensity of the ground, median of the motions"),
+        number(GROUND[1], "Sa of the ground [g] that a shake map tells; null without such a map"),
         number("building", "the building; null on the ground", pa.string()),
         number("storey", "the storey; null on the ground", pa.int32()),
         number("lat", "latitude [°]"),
@@ -150,8 +153,8 @@ class Writer:
         Outcomes of all units.
     metadata : mapping
         What every part says of the assessment.
-    intensities : callable
-        JMA intensity of the ground of a station, given that of the map.
+    strengths : callable
+        The numbers of `GROUND` of a scenario and a level from a map.
     """
 
     def __init__(
@@ -160,11 +163,11 @@ class Writer:
         work: Path,
         flat: Flat,
         metadata: Mapping[str, str],
-        intensities: Callable[[str, float | None], float],
+        strengths: Callable[[str, float | None], tuple[float, float | None]],
     ) -> None:
         self.folder, self.work, self.flat = folder / PIECES, work, flat
         self.schema = schema(metadata)
-        self.intensities = intensities
+        self.strengths = strengths
         self.folder.mkdir(exist_ok=True)
         (work / "sums").mkdir(exist_ok=True)
         self.options = [field.name for field in self.schema.field("options").type.value_type]
@@ -218,7 +221,7 @@ class Writer:
         without, best = found[0], found[choice.best]
         kept = [name for name in self.schema.names if name in row and name != "options"]
         line = {**without, **{name: row[name] for name in kept}}
-        line[GROUND] = self.intensities(row["station"], row["intensity"])
+        line |= dict(zip(GROUND, self.strengths(row["station"], row["level"]), strict=True))
         line["expected_loss"], line["best_expected_loss"] = loss(without), loss(best)
         line["best"] = row["options"][choice.best]
         for end in ("", "_low", "_high"):

@@ -15,16 +15,16 @@ if TYPE_CHECKING:
     from stayput.room import Room
 
 
-def ground_spec(station: int, intensity: float | None, building: BuildingTable | None) -> str:
-    """Return what tells the shaking of a building from others: scenario, intensity, building."""
+def ground_spec(station: int, level: float | None, building: BuildingTable | None) -> str:
+    """Return what tells the shaking of a building from others: scenario, level from a map, building."""
     table = None if building is None else building.model_dump(exclude_defaults=True)
-    return json.dumps([station, intensity, table], sort_keys=True)
+    return json.dumps([station, level, table], sort_keys=True)
 
 
 def ground_of(spec: str) -> tuple[int, float | None, BuildingTable | None]:
-    """Return the scenario, the intensity and the building of a spec; the inverse of `ground_spec`."""
-    station, intensity, table = json.loads(spec)
-    return station, intensity, None if table is None else BuildingTable.model_validate(table)
+    """Return the scenario, the level and the building of a spec; the inverse of `ground_spec`."""
+    station, level, table = json.loads(spec)
+    return station, level, None if table is None else BuildingTable.model_validate(table)
 
 
 def thing_spec(body: Body, room: Room) -> str:

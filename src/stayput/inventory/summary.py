@@ -42,6 +42,9 @@ READ = (
     "overturned_high",
     "best",
     "best_overturned",
+    "best_overturned_low",
+    "best_overturned_high",
+    "best_by_cost",
     "expected_loss",
     "best_expected_loss",
 )

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import codecs
 import csv
+import re
 import zipfile
-from contextlib import contextmanager
-from dataclasses import dataclass
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, replace
 from datetime import date, time
+from decimal import Decimal
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, cast
 
 from stayput.errors import InputError
@@ -32,6 +35,11 @@ LARGEST_SHEET = 2**33
 
 BATCH = 8192
 """Rows of a Parquet file that are read at a time."""
+
+UNITS_SHOWN = frozenset(("mm", "cm", "m", "㎜", "㎝", "in", "ft", "g", "kg", "㎏", "t", "lb", "lbs", "°"))
+"""Units in formats of a workbook's numbers with which a number is not taken."""
+
+_LITERAL = re.compile(r'"([^"]*)"|\\(.)')
 
 Row = tuple[int, "list[Cell] | InputError"]
 """Number of a row, the header being row 1, and its cells or why it cannot be read."""
@@ -72,14 +80,32 @@ def open_table(path: Path) -> Generator[Table]:
     }
     if path.suffix.lower() not in openers:
         raise InputError(f"The inventory is {str(path)!r}; its name must end in {', '.join(openers)}.")
+    with ExitStack() as stack:
+        with _readable(path):
+            table = stack.enter_context(openers[path.suffix.lower()](path))
+        yield replace(table, rows=_guarded(path, table.rows))
+
+
+def _guarded(path: Path, rows: Iterator[Row]) -> Iterator[Row]:
+    with _readable(path):
+        yield from rows
+
+
+@contextmanager
+def _readable(path: Path) -> Generator[None]:
+    """Turn what a system or a library says of a broken file into a sentence."""
     try:
-        with openers[path.suffix.lower()](path) as table:
-            yield table
+        yield
+    except InputError:
+        raise
     except OSError as error:
-        if error.filename is not None and str(error.filename) != str(path):
-            raise
-        reason = (error.strerror or str(error)).lower()
+        reason = (error.strerror or str(error)).lower().rstrip(".")
         raise InputError(f"The inventory is {str(path)!r}; it could not be read: {reason}.") from None
+    except Exception as error:  # of a broken file libraries say this or that
+        told = " ".join(str(error).split())[:200].rstrip(".")
+        raise InputError(
+            f"The inventory is {str(path)!r}; it must be whole, and is broken: {told}."
+        ) from error
 
 
 def _encoding(path: Path) -> str:
@@ -126,10 +152,13 @@ def _csv_rows(reader: Any) -> Iterator[Row]:
         except StopIteration:
             return
         except csv.Error as error:
-            if "unexpected end" in str(error) or "field limit" in str(error):
+            where = f"In row {number} of the inventory (line {line})"
+            if "unexpected end" in str(error):
+                raise InputError(f"{where} a quote opens that does not close; it must close.") from None
+            if "field limit" in str(error):
                 raise InputError(
-                    f"In row {number} of the inventory (line {line}) a quote opens that does not close; "
-                    "it must close."
+                    f"{where} a cell goes beyond {LARGEST_CELL:,} characters; it must be shorter "
+                    "(is a quote not closed?)."
                 ) from None
             yield number, InputError(f"The row cannot be read: {str(error).rstrip('.')}.")
             continue
@@ -166,6 +195,8 @@ def _cell(value: Any) -> Cell:
             return Unusable("true or false")
         case int() | float():
             return value
+        case Decimal():
+            return float(value)
         case date() | time():
             return Unusable("a date")
         case _:
@@ -175,16 +206,21 @@ def _cell(value: Any) -> Cell:
 @contextmanager
 def _excel(path: Path) -> Generator[Table]:
     import openpyxl
-    from openpyxl.utils.exceptions import InvalidFileException
 
     wrong = InputError(f"The inventory is {str(path)!r}; it must be an Excel workbook.")
     try:
         with zipfile.ZipFile(path) as packed:
-            if sum(part.file_size for part in packed.infolist()) > LARGEST_SHEET:
-                raise InputError(f"The inventory is {str(path)!r}; unpacked it must be below 8 GiB.")
+            size = sum(part.file_size for part in packed.infolist())
+    except zipfile.BadZipFile:
+        raise wrong from None
+    if size > LARGEST_SHEET:
+        raise InputError(f"The inventory is {str(path)!r}; unpacked it must be below 8 GiB.")
+    try:
         book: Any = openpyxl.load_workbook(path, read_only=True, data_only=False, keep_links=False)
-    except (zipfile.BadZipFile, InvalidFileException, KeyError, ValueError) as error:
-        raise (error if isinstance(error, InputError) else wrong) from None
+    except OSError:
+        raise
+    except Exception:  # of a file that is no workbook it says this or that
+        raise wrong from None
     try:
         sheets: list[Any] = book.worksheets
         if not sheets:
@@ -217,4 +253,15 @@ def _excel_cell(cell: Any) -> Cell:
         return Unusable("a formula")
     if cell.data_type == "e":
         return Unusable(f"an error of the spreadsheet ({cell.value})")
+    if cell.data_type == "n" and cell.value is not None and (unit := _unit_shown(cell.number_format)):
+        return Unusable(f"a number that is shown in {unit}")
     return _cell(cell.value)
+
+
+@lru_cache(maxsize=1000)
+def _unit_shown(number_format: str) -> str | None:
+    """Return the unit that a number format adds: the number may be in that unit, and nobody sees it."""
+    if "%" in number_format:
+        return "%"
+    told = "".join(quoted or single for quoted, single in _LITERAL.findall(number_format)).strip()
+    return told if told.lower() in UNITS_SHOWN else None

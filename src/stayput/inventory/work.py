@@ -190,7 +190,8 @@ class Work:
         """Return the motions of a scenario."""
         if station not in self.grounds:
             city = self.cities.all[station]
-            self.grounds[station] = Ground.of(city.ground, bool(city.scenario.shaking.vertical))
+            vertical = bool(city.scenario.shaking.vertical)
+            self.grounds[station] = Ground.of(city.ground, vertical, self.cities.strength)
         return self.grounds[station]
 
     def tasks(self, width: Callable[[], int]) -> Generator[Task]:
@@ -198,8 +199,8 @@ class Work:
         for spec, sites in self.store.grounds():
             station, level, building = ground_of(spec)
             ground, shaking = self.ground(station), self.cities.all[station].scenario.shaking
-            intensity = shaking.wanted_intensity if level is None else level
-            factors = ground.factors(intensity, 1.0 if shaking.scale is None else shaking.scale)
+            wanted = shaking.wanted_intensity if level is None else level
+            factors = ground.factors(wanted, 1.0 if shaking.scale is None else shaking.scale)
             for some in self._storeys_at_a_time(ground, sites):
                 shaken = Shaken(station, building, tuple(storey for _, storey in some), factors)
                 for site, storey in some:
