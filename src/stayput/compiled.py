@@ -15,10 +15,12 @@ from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 from numba import njit
 from numba.core.event import Event, Listener
 from numba.core.event import install_listener as _install_listener  # pyright: ignore[reportUnknownVariableType]
+from numba.core.types import unliteral  # pyright: ignore[reportUnknownVariableType]
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable
 
+_without_value: Any = unliteral
 compile_with: Any = njit  # Numba's type stubs leave out some of the options
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -31,12 +33,24 @@ WITHIN = SETTINGS | {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 
 def inner(function: Callable[P, T]) -> Callable[P, T]:
     """Compile a function that only compiled functions call."""
-    return compile_with(**WITHIN)(function)
+    return _whatever_the_constants(compile_with(**WITHIN)(function))
 
 
 def inline(function: Callable[P, T]) -> Callable[P, T]:
     """Compile a small function into its callers: one of those that every step of every case passes."""
-    return compile_with(**WITHIN, forceinline=True)(function)
+    return _whatever_the_constants(compile_with(**WITHIN, forceinline=True)(function))
+
+
+def _whatever_the_constants(compiled: Any) -> Any:
+    """Compile a function once for all constants that it is called with, not anew for each: a cold start."""
+    template = getattr(compiled, "get_call_template", None)  # not where NUMBA_DISABLE_JIT is set
+    if template is not None:
+
+        def template_of(args: Any, kws: Any) -> Any:
+            return template(tuple(_without_value(kind) for kind in args), kws)
+
+        compiled.get_call_template = template_of
+    return compiled
 
 
 def entry(function: Callable[P, T]) -> Callable[P, T]:

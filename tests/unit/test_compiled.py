@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from numba import njit
 
 import stayput.compiled as compiled
 
@@ -69,3 +70,16 @@ def test_code_that_cannot_be_dropped_is_no_failure(run, tmp_path, monkeypatch):
     monkeypatch.setattr(Path, "unlink", refuse)
     compiled._forget_outdated(index.parent, [tmp_path / "small"])
     assert index.exists()
+
+
+def test_constants_do_not_compile_a_function_anew():
+    @compiled.inner
+    def raised(x, power):
+        return x**power
+
+    @njit
+    def both(x):
+        return raised(x, 2) + raised(x, 3) + raised(x, int(x))
+
+    assert both(2.0) == 16.0
+    assert len(raised.signatures) == 1
