@@ -20,7 +20,7 @@ from numba.core.types import unliteral  # pyright: ignore[reportUnknownVariableT
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable
 
-_without_value: Any = unliteral
+_without_value: Any = unliteral  # pyright: ignore[reportUnknownVariableType]
 compile_with: Any = njit  # Numba's type stubs leave out some of the options
 P = ParamSpec("P")
 T = TypeVar("T")
