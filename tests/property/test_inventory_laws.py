@@ -17,8 +17,8 @@ from stayput.inventory import assess
 from stayput.inventory.cells import number_of, plain
 from stayput.inventory.city import read_cities
 from stayput.inventory.places import ShakeMap, distances
-from stayput.inventory.strength import JMA, Strength
 from stayput.inventory.plan import make_plan
+from stayput.inventory.strength import JMA, Strength
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "unit"))
 from inventories import city, pieces, table
