@@ -18,6 +18,7 @@ from stayput.inventory.cells import number_of, plain
 from stayput.inventory.city import read_cities
 from stayput.inventory.places import ShakeMap, distances
 from stayput.inventory.plan import make_plan
+from stayput.inventory.strength import JMA, Strength
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "unit"))
 from inventories import city, pieces, table
@@ -111,9 +112,12 @@ def test_distances_are_alike_both_ways(lat, lon, other_lat, other_lon):
     assert 0.0 <= there[0] <= 3.15
 
 
-@given(st.lists(st.floats(3, 7), min_size=6, max_size=6), st.floats(0, 2), st.floats(0, 1))
-def test_a_map_stays_between_its_values(values, lat, lon):
+@pytest.mark.parametrize("strength", [JMA, Strength(0.3)])
+@given(values=st.lists(st.floats(0.001, 7), min_size=6, max_size=6), lat=st.floats(0, 2), lon=st.floats(0, 1))
+def test_a_map_stays_between_its_values(strength, values, lat, lon):
     import numpy as np
 
-    grid = ShakeMap(np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0]), np.array(values).reshape(3, 2))
-    assert min(values) - 0.0501 <= grid.at(lat, lon) <= max(values) + 0.0501
+    levels = np.array([strength.level(value) for value in values])
+    grid = ShakeMap(strength, np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0]), levels.reshape(3, 2))
+    half = 0.501 / strength.steps
+    assert levels.min() - half <= grid.at(lat, lon) <= levels.max() + half
