@@ -1,7 +1,8 @@
 """Inventories: throughput beside the bare kernel's, threads and processes, memory, the gain of doing once.
 
-``python benchmarks/inventory.py [PART ...]``: speed, many, kinds, processes, large, memory; all by default.
-Every part runs in a process of its own, so that its memory is its own. ``--json FILE`` keeps the numbers.
+``python benchmarks/inventory.py [PART ...]``: speed, many, whole, kinds, processes, large, memory; all by
+default. Every part runs in a process of its own, so that its memory is its own. ``--json FILE`` keeps the
+numbers.
 """
 
 from __future__ import annotations
@@ -190,6 +191,22 @@ def many(folder: Path) -> list[dict[str, Any]]:
     return found
 
 
+def whole(folder: Path) -> list[dict[str, Any]]:
+    """100,000 bodies that all differ; the kernel alone on some of them before and after."""
+    warm(folder)
+    (folder / "some").mkdir()
+    scenario, some, table = city(folder, 40), different(folder / "some", 5_000), different(folder, 100_000)
+
+    def alone() -> float:
+        runs, seconds, _ = bare(scenario, some, 4)
+        return runs / seconds
+
+    before, done, after = alone(), assessed(folder / "whole", scenario, table, 4), alone()
+    return [
+        {"bodies": 100_000, "before": before, "after": after, **done, "MiB": peak_memory(), "load": load()}
+    ]
+
+
 def kinds(folder: Path) -> list[dict[str, Any]]:
     """Time of a run of a full bookcase by what holds it, on one thread, the best of three."""
     import stayput as sp
@@ -289,6 +306,7 @@ def memory(folder: Path, kind: str, rows: int) -> list[dict[str, Any]]:
 PARTS: dict[str, list[tuple[Any, ...]]] = {
     "speed": [("speed",)],
     "many": [("many",)],
+    "whole": [("whole",)],
     "kinds": [("kinds",)],
     "processes": [("processes",)],
     "large": [("large",)],
@@ -305,9 +323,8 @@ def alone(arguments: list[str]) -> None:
         if name == "memory":
             rows = memory(Path(folder), rest[0], int(rest[1]))
         else:
-            rows = {"speed": speed, "many": many, "kinds": kinds, "processes": processes, "large": large}[
-                name
-            ](Path(folder))
+            parts = (speed, many, whole, kinds, processes, large)
+            rows = next(part for part in parts if part.__name__ == name)(Path(folder))
     print(json.dumps(rows))
 
 
