@@ -307,12 +307,17 @@ def test_a_real_process_refuses_with_2_and_leaves_nothing(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["room.toml"]
 
 
+def hears_interrupts():
+    """Undo that a shell has what runs in its background, as the tests may, ignore interrupts."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 @pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
 def test_ctrl_c_exits_with_130_and_leaves_nothing(tmp_path):
     file = tmp_path / "a.gif"
     running = subprocess.Popen(
         [*PROGRAM, "simulate", "--animate", str(file), "--speed", "0.02"],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=hears_interrupts,
     )  # fmt: skip
     deadline = time.monotonic() + 90.0
     while not list(tmp_path.iterdir()) and time.monotonic() < deadline:

@@ -229,6 +229,11 @@ def test_a_bar_shows_rate_and_time_left_on_a_terminal_only(monkeypatch, capsys):
     assert "cases/s" in shown
 
 
+def hears_interrupts():
+    """Undo that a shell has what runs in its background, as the tests may, ignore interrupts."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 @pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
 def test_ctrl_c_stops_soon():
     program = """
@@ -239,8 +244,9 @@ print("ready", flush=True)
 sp.sweep(case, {"motion.scale": np.linspace(0.5, 1.5, 1_000_000)}, threads=2)
 """
     running = subprocess.Popen(
-        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
+        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        preexec_fn=hears_interrupts,
+    )  # fmt: skip
     try:
         assert running.stdout.readline() == "ready\n"
         time.sleep(1.0)
