@@ -10,6 +10,7 @@ import time
 import numpy as np
 import pytest
 import xarray as xr
+from interrupts import hears_interrupts
 from numba import njit
 from typer.testing import CliRunner
 
@@ -305,11 +306,6 @@ def test_a_real_process_refuses_with_2_and_leaves_nothing(tmp_path):
     assert result.stderr.startswith("furniture.preset is \"bokcase\" (did you mean 'bookcase'?)")
     assert "Traceback" not in result.stderr
     assert [path.name for path in tmp_path.iterdir()] == ["room.toml"]
-
-
-def hears_interrupts():
-    """Undo that a shell has what runs in its background, as the tests may, ignore interrupts."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 @pytest.mark.skipif(os.name == "nt", reason="POSIX signals")

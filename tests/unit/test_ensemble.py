@@ -11,6 +11,7 @@ import time
 
 import numpy as np
 import pytest
+from interrupts import hears_interrupts
 
 import stayput as sp
 from stayput.ensemble.grid import Grid
@@ -227,11 +228,6 @@ def test_a_bar_shows_rate_and_time_left_on_a_terminal_only(monkeypatch, capsys):
     shown = capsys.readouterr().err
     assert "10/10" in shown
     assert "cases/s" in shown
-
-
-def hears_interrupts():
-    """Undo that a shell has what runs in its background, as the tests may, ignore interrupts."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 @pytest.mark.skipif(os.name == "nt", reason="POSIX signals")

@@ -1,4 +1,6 @@
-// Round numbers along an axis.
+// What stands along an axis: round numbers, classes of the scale, titles.
+
+import { svg } from "./dom.js";
 
 /** Round values between two ends, about so many of them. */
 export function ticks(low, high, wanted) {
@@ -20,3 +22,15 @@ export const shortClass = (name, narrow) => {
 
 /** A tick's number, as short as it can be. */
 export const label = (value) => String(Number(value.toPrecision(6))).replace("-", "\u2212");
+
+/** The titles of a picture's axes: about `middle` at its foot, `height` down, and about `centre` at its left. */
+export const titles = (middle, height, centre, across, up) => [
+  svg("text", { x: middle, y: height - 6, "text-anchor": "middle", text: across }),
+  svg("text", {
+    x: 14,
+    y: centre,
+    "text-anchor": "middle",
+    transform: `rotate(-90 14 ${centre})`,
+    text: up,
+  }),
+];

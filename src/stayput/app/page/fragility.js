@@ -1,6 +1,6 @@
 // The chance of overturning against intensity: curves with bands, what was observed, and "you are here".
 
-import { label, shortClass } from "./axes.js";
+import { label, shortClass, titles } from "./axes.js";
 import { el, fill, part, svg, widthFor } from "./dom.js";
 import { classesKnown } from "./panel_shaking.js";
 import { without, yours } from "./verdict.js";
@@ -52,14 +52,7 @@ export function show(verdict) {
       "text-anchor": here > 6 ? "end" : "start",
       text: t("here"),
     }),
-    svg("text", { x: (LEFT + W - RIGHT) / 2, y: H - 6, "text-anchor": "middle", text: t("intensityAxis") }),
-    svg("text", {
-      x: 14,
-      y: (TOP + H - FOOT) / 2,
-      "text-anchor": "middle",
-      transform: `rotate(-90 14 ${(TOP + H - FOOT) / 2})`,
-      text: t("chanceAxis"),
-    }),
+    ...titles((LEFT + W - RIGHT) / 2, H, (TOP + H - FOOT) / 2, t("intensityAxis"), t("chanceAxis")),
   );
   const key = el(
     "ul",

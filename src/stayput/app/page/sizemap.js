@@ -1,7 +1,7 @@
 // The map of size against intensity: what share of the motions turns such a piece over, and the user's
 // own on it.
 
-import { label, shortClass, ticks } from "./axes.js";
+import { label, shortClass, ticks, titles } from "./axes.js";
 import { el, fill, part, svg, widthFor } from "./dom.js";
 import { classesKnown } from "./panel_shaking.js";
 import { both, length, number, percent, t } from "./words.js";
@@ -77,14 +77,7 @@ export function show(answer, ceiling) {
       "text-anchor": hx > W / 2 ? "end" : "start",
       text: t("yourPiece"),
     }),
-    svg("text", { x: (LEFT + W - RIGHT) / 2, y: H - 6, "text-anchor": "middle", text: t("intensityAxis") }),
-    svg("text", {
-      x: 14,
-      y: (TOP + H - FOOT) / 2,
-      "text-anchor": "middle",
-      transform: `rotate(-90 14 ${(TOP + H - FOOT) / 2})`,
-      text: t(map.axis === "width" ? "depthAxis" : "heightAxis"),
-    }),
+    ...titles((LEFT + W - RIGHT) / 2, H, (TOP + H - FOOT) / 2, t("intensityAxis"), t(map.axis === "width" ? "depthAxis" : "heightAxis")),
   );
   fill(
     part("map"),

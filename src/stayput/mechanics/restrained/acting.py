@@ -10,7 +10,7 @@ from stayput.mechanics.restrained.laws import force_of, margins_of, place_of, pu
 from stayput.mechanics.roots import falls_inside
 
 SLACK_FORCE = 1e-8
-"""A line whose force starts at a limit has passed it when it is this far beyond [m/s²]."""
+"""A force of a line or contact that starts at its limit has passed it when it is this far beyond [m/s²]."""
 
 
 @inline
@@ -54,25 +54,26 @@ def measure_lines(work, sin, cos, moves, x, z, vx, vz, omega):
 
 
 @inline
-def _level(margin, slack):
+def level_of(margin, slack):
+    """Value at which a margin counts as passed in a step that starts with it; see `roots.closed_level`."""
     return 0.0 if margin > slack else min(margin, 0.0) - slack
 
 
 @inline
-def begin_step(work, patience):
+def begin_step(work):
     """Keep what was last measured as the start of a step, and set the levels that end it.
 
     A margin that starts at its limit must pass it by a slack; see `roots.closed_level`.
     """
-    slack = patience * SLACK_FORCE
+    slack = work.patience * SLACK_FORCE
     for r in range(work.lines):
         line = work.line[r]
         line.e0, line.rate0, line.force0 = line.e, line.rate, line.force
         low, high = line.low1, line.high1
         line.low0, line.high0 = low, high
-        line.low, line.high = _level(low, slack), _level(high, slack)
+        line.low, line.high = level_of(low, slack), level_of(high, slack)
         if line.joins != 0:
-            line.joint0, line.joint = line.joint1, _level(line.joint1, slack)
+            line.joint0, line.joint = line.joint1, level_of(line.joint1, slack)
 
 
 @inline

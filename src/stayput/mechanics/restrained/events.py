@@ -37,12 +37,6 @@ F_WEIGHT, G_WEIGHT, TURN_WEIGHT = CONTACTS, CONTACTS + 1, CONTACTS + 2
 
 
 @inline
-def level_of(margin, slack):
-    """Value at which a margin counts as passed in a step that starts with it; see `roots.closed_level`."""
-    return 0.0 if margin > slack else min(margin, 0.0) - slack
-
-
-@inline
 def _gap(contacts, s, work, c):
     """Distance of a contact's corner from its plane [m]."""
     if s.kind == STICK:

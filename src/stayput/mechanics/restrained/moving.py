@@ -8,14 +8,19 @@ from stayput.compiled import inline, inner
 from stayput.mechanics.columns import CLOSED, ENDED, FLIGHT, LIMIT, STICK, TURNED_OVER
 from stayput.mechanics.geometry import HALF_TURN, note_peaks
 from stayput.mechanics.motion import loads, note_sample, pass_time
-from stayput.mechanics.restrained.acting import begin_step, note_forces_within, note_sample_forces
+from stayput.mechanics.restrained.acting import (
+    SLACK_FORCE,
+    begin_step,
+    level_of,
+    note_forces_within,
+    note_sample_forces,
+)
 from stayput.mechanics.restrained.calm import none_stirs
 from stayput.mechanics.restrained.events import (
     first_event,
     gaps_stay,
     go_to,
     least_of_all,
-    level_of,
     note_gaps,
     set_gap_levels,
     swing_of,
@@ -30,8 +35,8 @@ from stayput.mechanics.restrained.step import (
 )
 from stayput.mechanics.roots import hermite, horner
 
-SLACK_FORCE, SLACK_SLIP = 1e-8, 5e-11
-"""A margin of the contacts that starts at its limit has passed it when it is this far beyond [m/s², m/s]."""
+SLACK_SLIP = 5e-11
+"""A rate of slip that starts at its limit has passed it when it is this far beyond [m/s]; see SLACK_FORCE."""
 
 STILL = 1e-9
 """A corner that slips, and a body that moves, no faster than this stands still [m/s]."""
@@ -127,7 +132,7 @@ def advance_moving(
         load = loads(case, ax, az, per_second, s.k, s.tau)
         levels = level_of(f0, slack_f), level_of(g0, slack_g)
         set_gap_levels(s, work)
-        begin_step(work, work.patience)
+        begin_step(work)
         whole = min(dt - s.tau, max_step)
         if abs(s.omega) * whole > LARGEST_TURN:
             whole = LARGEST_TURN / abs(s.omega)

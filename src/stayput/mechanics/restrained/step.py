@@ -59,7 +59,6 @@ def _take_free_step(contacts, rows, case, s, work, base, load, y0, k0, h):
     stage = work.stage
     stage[0, 0], stage[0, 1], stage[0, 2] = k0
     turns = s.kind != FLAT
-    end, f, g, least = k0, 0.0, 0.0, 0.0
     for i in range(1, STAGES):
         t = h * TIMES[i]
         if turns:
