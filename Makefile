@@ -2,22 +2,31 @@
 
 PYTHON ?= python3
 VENV   ?= .venv
+MINUTES ?= 10
 BIN    := $(VENV)/bin
 PIP    := $(BIN)/python -m pip --disable-pip-version-check
+# The first pip that installs dependency groups (PEP 735).
+PIP_WITH_GROUPS := pip>=25.1
 # A stamp names what was installed and from which versions, so a second run installs nothing.
 KEY    := $(shell cat pyproject.toml requirements.lock 2>/dev/null | cksum | cut -d ' ' -f 1)
 STAMP  := $(VENV)/.installed-$(KEY)
-ALL    := formats,app,cluster,inventory,test,docs,lint
+EXTRAS := formats,app,inventory
+# Runs a command while no other make does: two at once would write the same files of .venv.
+ALONE  := $(PYTHON) -c 'import fcntl, subprocess, sys; file = open("Makefile"); \
+  fcntl.flock(file, fcntl.LOCK_EX); sys.exit(subprocess.call(sys.argv[1:]))'
 
-.PHONY: help install demo test lint bench bench-app bench-inventory docs lock clean
+.PHONY: help install demo test coverage soak lint bench bench-app bench-inventory docs lock release-notes clean
 
 help:
 	@echo "make demo     which measure keeps a bookcase standing: the verdict, a report (out/)"
 	@echo "make test     every test"
+	@echo "make soak     input made to break what reads it, for MINUTES=10 or as long as asked"
+	@echo "make coverage every test, and which lines of Python and of the page they run (out/coverage)"
 	@echo "make lint     ruff, formatting, types"
 	@echo "make bench    speed and accuracy beside MuJoCo; ensembles, buildings, devices"
 	@echo "make bench-app, make bench-inventory   the server under load and the page in Chromium; tables of furniture"
 	@echo "make docs     documentation pages (docs/_build/html)"
+	@echo "make release-notes   the newest version's part of CHANGELOG.md, or that of VERSION=0.1.0"
 	@echo "make install  the core in $(VENV)    make lock  fresh requirements.lock    make clean"
 
 install: $(STAMP)-core
@@ -27,7 +36,24 @@ demo: $(STAMP)-core
 	$(BIN)/stayput verify examples/bookcase.toml --report out/bookcase.html
 
 test: $(STAMP)-test
-	$(BIN)/python -m pytest -n auto $(PYTEST_ARGS)
+	@$(BIN)/python tests/app/chromium.py
+	$(BIN)/python -m pytest -n auto --dist worksteal $(PYTEST_ARGS)
+
+# The page's own coverage is written by the tests that open it, and counted afterwards.
+coverage: $(STAMP)-test
+	@$(BIN)/python tests/app/chromium.py
+	@rm -rf out/coverage && mkdir -p out/coverage/page
+	PAGE_COVERAGE="$(CURDIR)/out/coverage/page" $(BIN)/python -m pytest -n auto --dist worksteal --cov --cov-report=term:skip-covered \
+	  --cov-report=html $(PYTEST_ARGS)
+	$(BIN)/python tests/app/page_coverage.py out/coverage/page
+
+# Each round tries other examples; the round in which the time ends is finished.
+soak: $(STAMP)-test
+	@end=$$(( $$(date +%s) + 60 * $(MINUTES) )); round=0; \
+	while [ $$(date +%s) -lt $$end ]; do \
+	  round=$$(( round + 1 )); echo "Round $$round"; \
+	  HYPOTHESIS_PROFILE=soak $(BIN)/python -m pytest tests/property -m hostile -n auto -x -q $(PYTEST_ARGS) || exit 1; \
+	done; echo "$$round rounds: nothing found"
 
 lint: $(STAMP)-lint
 	$(BIN)/ruff check .
@@ -59,25 +85,35 @@ $(VENV)/bin/python:
 	  || { echo "$$($(PYTHON) --version) is too old; stayput needs 3.11 or newer: make PYTHON=python3.12" >&2; exit 1; }
 	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null \
 	  || { echo "$(PYTHON) cannot make virtual environments; install its venv package (Debian, Ubuntu: apt install python3-venv)." >&2; exit 1; }
-	$(PYTHON) -m venv $(VENV)
+	@$(ALONE) sh -c 'test -x $@ || $(PYTHON) -m venv $(VENV)'
 
+# The pip that comes with Python may be older; users of the core (`make demo`) need no newer one.
+$(VENV)/.pip: | $(VENV)/bin/python
+	@$(ALONE) sh -c 'test -e $@ || { $(PIP) install --quiet --upgrade "$(PIP_WITH_GROUPS)" && touch $@; }'
+
+$(STAMP)-core: WHAT := -e .
+$(STAMP)-test: WHAT := -e '.[$(EXTRAS)]' --group test
+$(STAMP)-lint: WHAT := -e '.[$(EXTRAS)]' --group test --group lint
+$(STAMP)-docs: WHAT := -e '.[$(EXTRAS)]' --group docs
+$(STAMP)-test $(STAMP)-lint $(STAMP)-docs: | $(VENV)/.pip
 # Byte-compiling in parallel afterwards takes half as long as pip's own.
-$(STAMP)-core: EXTRAS :=
-$(STAMP)-test: EXTRAS := [formats,app,inventory,test]
-$(STAMP)-lint: EXTRAS := [formats,app,inventory,test,lint]
-$(STAMP)-docs: EXTRAS := [formats,app,inventory,docs]
 $(STAMP)-core $(STAMP)-test $(STAMP)-lint $(STAMP)-docs: | $(VENV)/bin/python
-	$(PIP) install --quiet --no-compile -c requirements.lock -e '.$(EXTRAS)'
+	@$(ALONE) sh -c "test -e $@ || { echo Installing into $(VENV) ...; \
+	  $(PIP) install --quiet --no-compile -c requirements.lock $(WHAT) && touch $@; }"
 	-@$(BIN)/python -m compileall -q -j 0 -x '/tests?/' $(VENV)/lib >/dev/null 2>&1
-	@touch $@
 
 lock:
 	@set -e; dir=$$(mktemp -d); trap 'rm -rf "$$dir"' EXIT; \
 	$(PYTHON) -m venv "$$dir"; \
-	"$$dir"/bin/python -m pip --disable-pip-version-check install --quiet '.[$(ALL)]'; \
-	"$$dir"/bin/python -m pip list --format=freeze --exclude pip --exclude setuptools --exclude stayput \
+	pip="$$dir/bin/python -m pip --disable-pip-version-check"; \
+	$$pip install --quiet --upgrade "$(PIP_WITH_GROUPS)"; \
+	$$pip install --quiet '.[$(EXTRAS),cluster]' --group test --group docs --group lint; \
+	$$pip list --format=freeze --exclude pip --exclude setuptools --exclude stayput \
 	  | LC_ALL=C sort -f > requirements.lock
 	@echo "requirements.lock: $$(wc -l < requirements.lock) packages"
+
+release-notes:
+	@$(PYTHON) docs/release_notes.py $(VERSION)
 
 clean:
 	rm -rf out build dist docs/_build docs/gallery docs/generated .pytest_cache .ruff_cache .hypothesis

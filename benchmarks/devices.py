@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 import workload
-from stayput.mechanics.restrained import columns as el
-from stayput.mechanics.restrained.runner import no_elements, run_restrained_cases
+from stayput.mechanics.devices import columns as el
+from stayput.mechanics.devices.runner import no_elements, run_cases_with_devices
 from stayput.mechanics.runner import run_cases, shaking
 
 if TYPE_CHECKING:
@@ -100,7 +100,7 @@ def main() -> None:
     b, h = np.array([case.width for case in drawn]), np.array([case.height for case in drawn])
 
     def run(elements: NDArray[np.void]) -> tuple[float, NDArray[np.void]]:
-        return best(lambda: run_restrained_cases(cases, elements, floor)[0])
+        return best(lambda: run_cases_with_devices(cases, elements, floor)[0])
 
     bare, results = best(lambda: run_cases(cases, floor))
     step = bare / results["steps"].sum()
@@ -110,7 +110,7 @@ def main() -> None:
     devices = {make.__name__: make(b, h) for make in (bracket, pads, pole)}
     for name, elements in devices.items():
         took, results = run(elements)
-        gone = run_restrained_cases(cases, elements, floor)[1]["failure"] != el.HOLDS
+        gone = run_cases_with_devices(cases, elements, floor)[1]["failure"] != el.HOLDS
         print(f"{name:8} {COUNT / took:8.0f} {took / bare:16.1f} {took / results['steps'].sum() / step:8.1f} "
               f"{results['steps'].mean():8.0f} {results['events'].mean():7.1f} "
               f"{np.mean(results['outcome'] == 4):11.3f} {gone.mean():15.3f}")  # fmt: skip

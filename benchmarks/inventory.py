@@ -99,30 +99,30 @@ def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
     """Runs, seconds and CPU seconds of the kernel alone: rows and motions ready, blocks over threads."""
     from stayput.ensemble.columns import run_rows
     from stayput.inventory.city import read_cities
-    from stayput.inventory.floors import Ground, floors_of
     from stayput.inventory.header import header_of
-    from stayput.inventory.pieces import Reader
-    from stayput.inventory.specs import thing_of
+    from stayput.inventory.items import RowReader
+    from stayput.inventory.store import thing_of
     from stayput.inventory.tables import open_table
-    from stayput.inventory.units import _drawn, unit_rows
-    from stayput.inventory.work import sampling_of
+    from stayput.montecarlo.hazard import Ground, PreparedFloor
+    from stayput.montecarlo.sampling import Settings, draws, rows_of
 
     cities = read_cities(scenario)
-    reader, sampling = Reader(cities), sampling_of(cities, 0, 0.1)
-    ground = Ground.of(cities.all[0].ground, True)
-    level = cities.all[0].scenario.shaking.wanted_intensity
-    floor = floors_of(ground, None, [1], ground.factors(level, 1.0))[1]
-    drawn = _drawn(sampling.motions, sampling.samples, sampling.seed, 0)
+    city = cities.all[0]
+    reader, settings = RowReader(cities), Settings.of(city.scenario, len(city.ground), 0.1)
+    ground = Ground(city.ground)
+    level = city.scenario.shaking.wanted_intensity
+    floor = PreparedFloor.of(ground.acting, ground.factors(level, 1.0))
+    drawn = draws(settings.motions, settings.samples, settings.seed)
     rows = []
     with open_table(table) as read:
         header = header_of(read.header)
         for number, cells in read.rows:
-            (met,) = reader.piece(number, header.cells(cells)).met
-            rows.append(unit_rows(*thing_of(met.thing), (), drawn, sampling.gravity))
-    cases = np.stack([row[0].reshape(sampling.motions, -1) for row in rows])
-    elements = np.stack([row[1].reshape(sampling.motions, cases.shape[2], -1) for row in rows])
+            (exposure,) = reader.item(number, header.cells(cells)).exposures
+            rows.append(rows_of(*thing_of(exposure.thing), (), drawn, settings.gravity))
+    cases = np.stack([row.cases.reshape(settings.motions, -1) for row in rows])
+    elements = np.stack([row.elements.reshape(settings.motions, cases.shape[2], -1) for row in rows])
     pieces = []
-    for motion in range(sampling.motions):
+    for motion in range(settings.motions):
         mine = np.ascontiguousarray(cases[:, motion]).ravel()
         mine["scale"] = floor.scales[motion]
         ties = np.ascontiguousarray(elements[:, motion]).reshape(len(mine), -1)
@@ -211,15 +211,16 @@ def kinds(folder: Path) -> list[dict[str, Any]]:
     """Time of a run of a full bookcase by what holds it, on one thread, the best of three."""
     import stayput as sp
     from stayput.inventory.city import read_cities
-    from stayput.inventory.floors import Ground, floors_of
-    from stayput.inventory.specs import measures_spec, thing_spec
+    from stayput.inventory.store import measures_spec, thing_spec
     from stayput.inventory.units import evaluate
-    from stayput.inventory.work import sampling_of
     from stayput.measures import MEASURES
+    from stayput.montecarlo.hazard import Ground, PreparedFloor
+    from stayput.montecarlo.sampling import Settings
 
-    cities = read_cities(city(folder, 160))
-    ground = Ground.of(cities.all[0].ground, True)
-    floor = floors_of(ground, None, [1], ground.factors(6.25, 1.0))[1]
+    stated = read_cities(city(folder, 160)).all[0]
+    ground = Ground(stated.ground)
+    floor = PreparedFloor.of(ground.acting, ground.factors(6.25, 1.0))
+    settings = Settings.of(stated.scenario, len(stated.ground), 0.1)
     room = sp.Room(left_wall=sp.Wall(0.05), ceiling=sp.Ceiling(2.4))
     unit = [(0, thing_spec(sp.Body(0.3, 1.8, 200.0), room))]
     found = []
@@ -228,7 +229,7 @@ def kinds(folder: Path) -> list[dict[str, Any]]:
         times: list[float] = []
         for _ in range(3):
             began = time.process_time()
-            _, runs, _ = evaluate(unit, spec, floor, sampling_of(cities, 0, 0.1))
+            _, runs, _ = evaluate(unit, spec, floor, settings)
             times.append(1e3 * (time.process_time() - began) / runs)
         found.append({"measure": kind or "none", "CPU ms a run": min(times), "load": load()})
     return found

@@ -12,7 +12,7 @@ import numpy as np
 
 import stayput as sp
 from stayput.cases import State, case_columns
-from stayput.ensemble.tasks import cores as cores
+from stayput.execution import cores as cores
 from stayput.mechanics.runner import run_cases, shaking
 from stayput.motion.units import STANDARD_GRAVITY
 

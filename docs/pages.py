@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import building_pages
+import calibration_pages
 import measure_pages
 import motion_pages
 import study_pages
@@ -175,3 +176,4 @@ def write(folder: Path) -> None:
     suite_pages.write(folder)
     building_pages.write(folder)
     measure_pages.write(folder)
+    calibration_pages.write(folder)

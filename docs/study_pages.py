@@ -1,29 +1,34 @@
-"""Run the studies; write their figures and texts for the pages about the paper and about tested measures."""
+"""Run the studies; write texts, figures and tables of the pages about the paper and tested measures."""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
+
+import study_numbers
 
 import stayput as sp
 import workload
 from stayput import studies
+from stayput.studies.study import table_as_markdown
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from stayput.studies import Study
 
+TEXTS = Path(__file__).parent / "studies"
+"""What was done and found, study by study; ``{{name}}`` stands for a number of the run."""
 
-def run() -> list[Study]:
-    """Run all studies; those of a record with JMA Kobe NS where the file is at hand."""
+
+Runs = list[tuple["Study", "sp.Motion | None"]]
+"""Studies, and the motion of each that has one."""
+
+
+def of_the_paper() -> Runs:
+    """Run the paper's studies and the spectra; a record is JMA Kobe NS where the file is at hand."""
     record = workload.record()
-    return [
-        studies.friction(),
-        studies.critical_ratio(),
-        studies.wall_gap(),
-        studies.wall_gap_record(record),
-        studies.spectrum(record),
-    ]
+    alone = [studies.friction(), studies.critical_ratio(), studies.wall_gap()]
+    under = [studies.wall_gap_record(record), studies.spectrum(record)]
+    return [(study, None) for study in alone] + [(study, record) for study in under]
 
 
 def three_components() -> sp.Motion:
@@ -35,14 +40,18 @@ def three_components() -> sp.Motion:
     return motion.trimmed(0.0, min(workload.DURATION, motion.duration))
 
 
-def tested() -> list[Study]:
+def tested() -> Runs:
     """Run the studies that stand beside tests of devices and beside a formula for bare furniture."""
-    return [studies.tokyo(three_components()), studies.capacity()]
+    motion = three_components()
+    return [(studies.tokyo(motion), motion), (studies.capacity(), None)]
 
 
-def section(study: Study, folder: Path) -> str:
-    """Write a study's figures; return its title, text, figures and tables."""
-    parts = [f"## {study.title}", f"`stayput study {study.name}`", study.text.strip()]
+def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
+    """Write a study's figures; return its title, text, numbers, figures and tables."""
+    text = (TEXTS / f"{study.name}.md").read_text(encoding="utf-8")
+    filled = study_numbers.filled(text, study_numbers.numbers_of(study, motion))
+    parts = [f"## {study.title}", f"`stayput study {study.name}`", filled.strip()]
+    parts.append(f"**Key numbers, published and of this run**\n\n{table_as_markdown(study.summary)}")
     for name, figure in study.figures.items():
         file = folder / f"study_{study.name}_{name}.png"
         figure.savefig(file)
@@ -53,6 +62,6 @@ def section(study: Study, folder: Path) -> str:
 
 def write(folder: Path) -> None:
     """Write ``studies.md``, ``tested.md`` and their figures into a folder."""
-    for name, found in (("studies", run()), ("tested", tested())):
-        text = "\n\n".join(section(study, folder) for study in found)
+    for name, runs in (("studies", of_the_paper()), ("tested", tested())):
+        text = "\n\n".join(section(study, motion, folder) for study, motion in runs)
         (folder / f"{name}.md").write_text(text + "\n", encoding="utf-8")

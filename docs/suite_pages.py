@@ -68,7 +68,7 @@ def measured() -> str:
             [motion.pgv / motion.pga for motion in suite],
             [motion.significant_duration for motion in suite],
             [mean_period(motion.x, motion.dt) for motion in suite],
-            [long_period_response(motion) for motion in suite.to_intensity(6.0)],
+            [long_period_response(motion.x, motion.y, motion.dt) for motion in suite.to_intensity(6.0)],
         )
         cells = [np.percentile(values, (50, 5, 95)) for values in columns]
         rows.append([f"`{name}`", *(f"{_plain(m)} ({_plain(low)}–{_plain(high)})" for m, low, high in cells)])

@@ -4,7 +4,7 @@
 from stayput import studies
 
 found = studies.spectrum(slenderness=(0.2, 0.3), periods=[1.0, 1.5, 2.0, 2.5], step=0.02)
-print(found.text)
+print(found.summary.to_string(index=False))
 
 # %% The figures: pulse, record, rocking
 assert {"pulse", "record", "rocking"} == found.figures.keys()

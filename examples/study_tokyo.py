@@ -2,7 +2,7 @@
 
 # %% Seven devices alone and four pairs, every way that a piece may face, under the built-in motion
 from stayput import studies
-from stayput.studies.tokyo.runs import shares
+from stayput.studies.tokyo_runs import shares
 
 found = studies.tokyo(samples=4, variations=False)
 print(found.tables["The published result beside ours"].to_string(index=False))

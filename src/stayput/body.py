@@ -41,11 +41,11 @@ class Part:
     height: float = 0.0
 
     def __post_init__(self) -> None:
-        within("Part mass", self.mass, 0.0, MASS_RANGE[1], "kg")
-        within("Part x", self.x, -SIZE_RANGE[1], SIZE_RANGE[1], "m")
-        within("Part z", self.z, -SIZE_RANGE[1], SIZE_RANGE[1], "m")
-        within("Part width", self.width, 0.0, SIZE_RANGE[1], "m")
-        within("Part height", self.height, 0.0, SIZE_RANGE[1], "m")
+        within("scene.part_mass", self.mass, 0.0, MASS_RANGE[1], "kg")
+        within("scene.part_x", self.x, -SIZE_RANGE[1], SIZE_RANGE[1], "m")
+        within("scene.part_z", self.z, -SIZE_RANGE[1], SIZE_RANGE[1], "m")
+        within("scene.part_width", self.width, 0.0, SIZE_RANGE[1], "m")
+        within("scene.part_height", self.height, 0.0, SIZE_RANGE[1], "m")
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,26 +84,30 @@ class Body:
     base_heights: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        within("Body width", self.width, *SIZE_RANGE, "m")
-        within("Body height", self.height, *SIZE_RANGE, "m")
-        within("Body mass", self.mass, *MASS_RANGE, "kg")
+        within("scene.width", self.width, *SIZE_RANGE, "m", field="width")
+        within("scene.height", self.height, *SIZE_RANGE, "m", field="height")
+        within("scene.mass", self.mass, *MASS_RANGE, "kg", field="mass")
         if len(self.cg_offset) != 2:
-            raise InputError(f"Body cg_offset is {self.cg_offset!r}; it must be two numbers (e_x, e_z) [m].")
-        e_x, e_z = (finite("Body cg_offset", value) for value in self.cg_offset)
+            raise InputError("scene.cg_offset_not_two", "cg_offset", value=repr(self.cg_offset))
+        e_x, e_z = (finite("scene.cg_offset", value, "cg_offset") for value in self.cg_offset)
         if abs(e_x) >= self.width / 2 or abs(e_z) >= self.height / 2:
+            half_width, half_height = self.width / 2, self.height / 2
             raise InputError(
-                f"Body cg_offset is ({e_x:g}, {e_z:g}) m; the centre of gravity must lie inside the section, "
-                f"so below {self.width / 2:g} m sideways and {self.height / 2:g} m upwards in size."
+                "scene.cg_outside",
+                "cg_offset",
+                x=e_x,
+                z=e_z,
+                half_width=half_width,
+                half_height=half_height,
             )
         if self.inertia is not None:
             largest = 4.0 * self.mass * (self.width**2 + self.height**2)
-            within("Body inertia", self.inertia, 1e-6 * self.uniform_inertia, largest, "kg m²")
+            within("scene.inertia", self.inertia, 1e-6 * self.uniform_inertia, largest, "kg m²", "inertia")
         if len(self.base_heights) != 2:
-            raise InputError(
-                f"Body base_heights is {self.base_heights!r}; it must be two numbers (left, right) [m]."
-            )
+            raise InputError("scene.base_heights_not_two", "base_heights", value=repr(self.base_heights))
+        highest = min(self.width, self.height) / 4
         for value in self.base_heights:
-            within("Body base height", value, -self.width / 2, min(self.width, self.height) / 4, "m")
+            within("scene.base_height", value, -self.width / 2, highest, "m", "base_heights")
 
     @property
     def uniform_inertia(self) -> float:
@@ -134,6 +138,16 @@ class Body:
         """Tilt at which both base corners stand on the floor [rad]; 0 for a flat base."""
         (u_a, v_a), (u_b, v_b), _, _ = self.corners
         return math.atan2(v_b - v_a, u_b - u_a)
+
+    def as_it_rests(self, u: float, v: float) -> tuple[float, float]:
+        """Return where a point (u, v) from G in the body's axes lies from G at rest, right and up [m]."""
+        cos, sin = math.cos(self.resting_tilt), math.sin(self.resting_tilt)
+        return u * cos + v * sin, v * cos - u * sin
+
+    @property
+    def corners_at_rest(self) -> tuple[tuple[float, float], ...]:
+        """The corners A, B, C, D from G when it rests, right and up [m]; a tilt turns them from there."""
+        return tuple(self.as_it_rests(u, v) for u, v in self.corners)
 
     @property
     def slenderness(self) -> tuple[float, float]:
@@ -169,7 +183,7 @@ class Body:
         pieces = tuple(parts)
         mass = sum(p.mass for p in pieces)
         if not mass > 0.0:
-            raise InputError(f"The parts' total mass is {mass:g} kg; it must be more than 0 kg.")
+            raise InputError("scene.no_mass", "mass", mass=mass)
         x_g = sum(p.mass * p.x for p in pieces) / mass
         z_g = sum(p.mass * p.z for p in pieces) / mass
         inertia = sum(
@@ -202,9 +216,13 @@ class Body:
         """
         shelves = tuple(loads)
         if not shelves:
-            raise InputError("The bookcase has no shelves; loads must list at least one load [kg].")
+            raise InputError("scene.no_shelves", "loads")
         clear = height / len(shelves)
-        depth = width if load_width is None else within("load_width", load_width, 0.0, width, "m")
+        depth = (
+            width
+            if load_width is None
+            else within("scene.load_width", load_width, 0.0, width, "m", "load_width")
+        )
         carcass = Part(mass, 0.0, height / 2, width, height)
         books = (Part(load, 0.0, (i + 0.5) * clear, depth, clear) for i, load in enumerate(shelves))
         return cls.from_parts(width, height, (carcass, *books))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from stayput.body import Body
+from stayput.catalogue import phrase
 from stayput.errors import InputError, within
 from stayput.mechanics.columns import CASE
 from stayput.room import Ceiling, Floor, Room, Wall
@@ -45,10 +46,10 @@ class State:
     slide_rate: float = 0.0
 
     def __post_init__(self) -> None:
-        within("Initial tilt", self.tilt, -1.57, 1.57, "rad")
-        within("Initial tilt rate", self.tilt_rate, -1e3, 1e3, "rad/s")
-        within("Initial slide", self.slide, -1e3, 1e3, "m")
-        within("Initial slide rate", self.slide_rate, -1e3, 1e3, "m/s")
+        within("scene.tilt", self.tilt, -1.57, 1.57, "rad", "tilt")
+        within("scene.tilt_rate", self.tilt_rate, -1e3, 1e3, "rad/s", "tilt_rate")
+        within("scene.slide", self.slide, -1e3, 1e3, "m", "slide")
+        within("scene.slide_rate", self.slide_rate, -1e3, 1e3, "m/s", "slide_rate")
 
 
 def standing_corners(body: Body, start: State) -> tuple[tuple[float, float], ...]:
@@ -165,9 +166,9 @@ def from_leaves(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
     left, right = surface("left_wall", Wall), surface("right_wall", Wall)
     room = Room(floor, left, right, surface("ceiling", Ceiling))  # type: ignore[arg-type]
     start = State(*part("initial", "tilt", "tilt_rate", "slide", "slide_rate"))
-    within("Gravity", numbers["gravity"], 0.01, 1e3, "m/s²")
-    within("Scale of the motion", numbers["motion.scale"], -1e6, 1e6)
-    refuse_penetration(body, room, start)
+    within("scene.gravity", numbers["gravity"], 0.01, 1e3, "m/s²", "gravity")
+    within("scene.motion_scale", numbers["motion.scale"], -1e6, 1e6, field="motion.scale")
+    refuse_bad_start(body, room, start)
     return body, room, start
 
 
@@ -184,24 +185,27 @@ def wall_faces(body: Body, room: Room) -> tuple[float, float]:
     )
 
 
-def refuse_penetration(body: Body, room: Room, start: State) -> None:
-    """Raise `InputError` where the initial state puts the body into a wall or the ceiling."""
+def refuse_bad_start(body: Body, room: Room, start: State) -> None:
+    """Raise `InputError` where the initial state lays the body down, or into a wall or the ceiling."""
+    if abs(body.resting_tilt + start.tilt) >= math.pi / 2:
+        tilt, rest = math.degrees(body.resting_tilt + start.tilt), math.degrees(body.resting_tilt)
+        raise InputError("scene.laid_down", "initial.tilt", tilt=tilt, rest=rest)
     corners = standing_corners(body, start)
     left, right = wall_faces(body, room)
     top = max(z for _, z in corners)
     if room.right_wall is not None:
         clear = right - max(x for x, _ in corners)
-        _refuse_negative("the right wall", clear)
+        _refuse_negative("scene.right_wall", clear)
     if room.left_wall is not None:
         clear = min(x for x, _ in corners) - left
-        _refuse_negative("the left wall", clear)
+        _refuse_negative("scene.left_wall", clear)
     if room.ceiling is not None:
-        _refuse_negative("the ceiling", room.ceiling.height - top)
+        _refuse_negative("scene.ceiling", room.ceiling.height - top)
 
 
-def _refuse_negative(where: str, clear: float) -> None:
+def _refuse_negative(place: str, clear: float) -> None:
     if clear < -1e-12:
-        raise InputError(f"The body stands {-clear:g} m inside {where} at the start; it must be clear of it.")
+        raise InputError("scene.inside", depth=-clear, place=phrase(place))
 
 
 def leaves(body: Body, room: Room, start: State, gravity: float) -> dict[str, float]:

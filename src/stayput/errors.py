@@ -1,29 +1,221 @@
-"""The one exception that stayput raises for input it refuses."""
+"""How stayput refuses input, and how it warns of input that it takes."""
 
 from __future__ import annotations
 
 import math
+import sys
+import warnings
+from contextlib import contextmanager
+from contextvars import ContextVar
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Any
+
+from stayput.catalogue import TEXTS, is_phrase, phrase, say
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Generator, Iterable
+    from typing import Self
+
+    from stayput.catalogue import Language, Phrase
+
+LONGEST_SENTENCE = 600
+"""Longest sentence that is told [characters]; of a longer one the middle is left out."""
+
+_LONGEST_QUOTE = 60
+_BEGINNING = 400
 
 
-class InputError(ValueError):
+def readable(sentence: str) -> str:
+    """Return a sentence, cut in its middle where it is too long: what is allowed stands at the end."""
+    if len(sentence) <= LONGEST_SENTENCE:
+        return sentence
+    return f"{sentence[:_BEGINNING]} … {sentence[_BEGINNING + 3 - LONGEST_SENTENCE :]}"
+
+
+def quoted(value: str) -> str:
+    """Return a piece of the input as a sentence quotes it: between quotation marks, the end left out."""
+    return repr(value if len(value) <= _LONGEST_QUOTE else f"{value[:_LONGEST_QUOTE]}…")
+
+
+def excerpt(value: str) -> Phrase:
+    """Return a piece of the input between the quotation marks of each language, the end left out."""
+    return quoted(value), f"「{quoted(value)[1:-1]}」"
+
+
+class _Told:
+    """A sentence of the catalogue with its values, the field it is about, and where it was met.
+
+    Attributes
+    ----------
+    code : str
+        Id of the sentence in `stayput.catalogue`; or a sentence of the user's own, without values.
+    field : str or None
+        Dotted name of the input that is wrong or doubtful, where one is.
+    values : dict
+        What stands in the sentence's braces.
+    context : tuple of Phrase
+        Where it was met, the outermost first: a file, a table of the scenario.
+    """
+
+    def __init__(
+        self,
+        code: str,
+        /,
+        field: str | None = None,
+        *,
+        context: tuple[Phrase, ...] = (),
+        **values: Any,
+    ) -> None:
+        self.code, self.field, self.context, self.values = code, field, context, values
+        super().__init__(self.told("en"))  # pyright: ignore[reportCallIssue] - beside an exception
+
+    def told(self, language: Language) -> str:
+        """Return the sentence in "en" or "ja", cut in its middle where it is too long."""
+        colon = say("common.colon", language)
+        parts = [say(place, language) for place in self.context]
+        # A measure of the user's own may refuse in its own words, which then stand for themselves.
+        said = say(self.code, language, **self.values) if self.code in TEXTS else self.code
+        return readable(colon.join((*parts, said)))
+
+    def at(self, where: str | Phrase, field: str | None = None) -> Self:
+        """Return the same with where it was met: a file's name, say; ``field`` may be told anew."""
+        place = (where, where) if isinstance(where, str) else where
+        return type(self)(self.code, field or self.field, context=(place, *self.context), **self.values)
+
+    def about(self, field: str | None) -> Self:
+        """Return the same, about another field."""
+        return type(self)(self.code, field, context=self.context, **self.values)
+
+    def anywhere(self) -> Self:
+        """Return the same without where it was met."""
+        return type(self)(self.code, self.field, **self.values)
+
+    def rewritten(self, rewrite: Callable[[str], str]) -> Self:
+        """Return the same with its field, its context and its values passed through a function of texts."""
+
+        def again(value: Any) -> Any:
+            if isinstance(value, str):
+                return rewrite(value)
+            return (rewrite(value[0]), rewrite(value[1])) if is_phrase(value) else value
+
+        values = {key: again(value) for key, value in self.values.items()}
+        context = tuple(again(place) for place in self.context)
+        # A sentence that no catalogue holds is a value itself.
+        code = self.code if self.code in TEXTS else rewrite(self.code)
+        return type(self)(code, again(self.field), context=context, **values)
+
+    def renamed(self, old: str, new: str) -> Self:
+        """Return the same where the input goes by another name."""
+        return self.rewritten(lambda text: text.replace(old, new))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _remade, (type(self), self.code, self.field, self.context, self.values)
+
+
+def _remade(
+    kind: type[_Told], code: str, field: str | None, context: tuple[Phrase, ...], values: dict[str, Any]
+) -> _Told:
+    return kind(code, field, context=context, **values)
+
+
+class InputError(_Told, ValueError):
     """Input that is refused: one sentence with what is wrong, the value, and what is allowed."""
 
 
-def finite(name: str, value: float) -> float:
-    """Return ``value`` as a float, or raise `InputError` when it is not a finite number."""
+class InputWarning(_Told, UserWarning):
+    """Input that is taken, but may not be what was meant, or a result that is not quite it: one sentence."""
+
+
+_listener: ContextVar[Callable[[InputWarning], None] | None] = ContextVar("listener", default=None)
+
+
+def warn(warning: InputWarning) -> None:
+    """Tell of input that may not be what was meant, as a warning of the code that called stayput.
+
+    Parameters
+    ----------
+    warning : InputWarning
+        What is doubtful, the value, and what to do.
+    """
+    listener = _listener.get()
+    if listener is not None:
+        listener(warning)
+        return
+    frame, level = sys._getframe(), 1  # pyright: ignore[reportPrivateUsage]
+    while frame is not None and str(frame.f_globals.get("__name__")).split(".")[0] == "stayput":
+        frame, level = frame.f_back, level + 1
+    warnings.warn(warning, stacklevel=level)
+
+
+@contextmanager
+def warnings_to(listener: Callable[[InputWarning], None]) -> Generator[None]:
+    """Give what `warn` tells to a function instead, in this thread (or task) alone.
+
+    Python's own ``warnings.catch_warnings`` is for a whole process, which in a server has other requests.
+
+    Parameters
+    ----------
+    listener : function
+        Called with each warning.
+    """
+    before = _listener.set(listener)
+    try:
+        yield
+    finally:
+        _listener.reset(before)
+
+
+def near_miss(value: str, known: Iterable[str]) -> str | Phrase:
+    """Return the aside "(did you mean …?)" for a name that is not known, or "" where none is like it."""
+    near = get_close_matches(value[:_LONGEST_QUOTE], list(known), 1)
+    return phrase("common.did_you_mean", name=repr(near[0])) if near else ""
+
+
+def unknown(name: str | Phrase, value: str, known: Iterable[str], field: str | None = None) -> InputError:
+    """Return the refusal of a name that is none of those known; see `finite`."""
+    names = list(known)
+    hint = near_miss(value, names)
+    return InputError(
+        "common.not_one_of", field, name=_called(name), value=repr(value), hint=hint, known=", ".join(names)
+    )
+
+
+def finite(name: str | Phrase, value: float, field: str | None = None) -> float:
+    """Return ``value`` as a float, or raise `InputError` when it is not a finite number.
+
+    Parameters
+    ----------
+    name : str or Phrase
+        What the number is called: an id of the catalogue, or a text in both languages.
+    value : float
+        The number.
+    field : str, optional
+        Dotted name of the input.
+    """
+    called = _called(name)
     try:
         number = float(value)
     except (TypeError, ValueError):
-        raise InputError(f"{name} is {value!r}; it must be a number.") from None
+        raise InputError("common.not_a_number", field, name=called, value=repr(value)) from None
+    except OverflowError:
+        raise InputError("common.too_large", field, name=called) from None
     if not math.isfinite(number):
-        raise InputError(f"{name} is {number}; it must be a finite number.")
+        raise InputError("common.not_finite", field, name=called, value=number)
     return number
 
 
-def within(name: str, value: float, low: float, high: float, unit: str = "") -> float:
-    """Return ``value`` as a float, or raise `InputError` when it is not in [low, high]."""
-    number = finite(name, value)
+def within(
+    name: str | Phrase, value: float, low: float, high: float, unit: str = "", field: str | None = None
+) -> float:
+    """Return ``value`` as a float, or raise `InputError` when it is not in [low, high]; see `finite`."""
+    number = finite(name, value, field)
     if not low <= number <= high:
         suffix = f" {unit}" if unit else ""
-        raise InputError(f"{name} is {number:g}{suffix}; it must be between {low:g} and {high:g}{suffix}.")
+        raise InputError(
+            "common.not_within", field, name=_called(name), value=number, unit=suffix, low=low, high=high
+        )
     return number
+
+
+def _called(name: str | Phrase) -> Phrase:
+    return (name, name) if isinstance(name, str) and name not in TEXTS else phrase(name)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import secrets
 import shutil
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -37,11 +38,11 @@ def check_target(path: str | Path, suffixes: Sequence[str]) -> Path:
     """
     target = Path(path)
     if target.suffix.lower() not in suffixes:
-        raise InputError(f"The file to write is {str(target)!r}; its name must end in {', '.join(suffixes)}.")
+        raise InputError("scene.wrong_suffix", file=repr(str(target)), suffixes=", ".join(suffixes))
     if not target.parent.is_dir():
-        raise InputError(f"The file to write is {str(target)!r}; its folder must exist.")
+        raise InputError("scene.no_folder", file=repr(str(target)))
     if target.is_dir():
-        raise InputError(f"The file to write is {str(target)!r}; it must be a file, and that is a folder.")
+        raise InputError("scene.file_is_folder", file=repr(str(target)))
     return target
 
 
@@ -62,11 +63,43 @@ def draft(target: Path) -> Generator[Path]:
         path.replace(target)
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
-        raise InputError(
-            f"The file to write is {str(target)!r}; it could not be written: {reason}."
-        ) from error
+        raise InputError("scene.not_written", file=repr(str(target)), reason=reason) from error
     finally:
         path.unlink(missing_ok=True)
+
+
+@contextmanager
+def drafts(targets: Sequence[Path]) -> Generator[list[Path]]:
+    """Give a temporary path beside each of several files; all take their places at the end, or none does.
+
+    Raises
+    ------
+    InputError
+        The folder does not let a file be written.
+    """
+    with ExitStack() as stack:
+        yield [stack.enter_context(draft(target)) for target in targets]
+
+
+_LONGEST = 100
+"""Most bytes of a name that becomes part of a file's name: file systems allow 255, drafts and endings too."""
+
+
+def name_part(name: str, otherwise: str) -> str:
+    """Return a name as part of a file's name: letters of any script, digits, dots and hyphens.
+
+    What stands before it must tell the file from others and from a system's reserved names: a number.
+
+    Parameters
+    ----------
+    name : str
+        The name.
+    otherwise : str
+        What is taken where nothing of it is left.
+    """
+    plain = re.sub(r"[^\w.]+", "-", name)
+    short = plain.encode(errors="ignore")[:_LONGEST].decode(errors="ignore")
+    return short.strip("-.") or otherwise
 
 
 def check_animation(path: str | Path) -> Path:
@@ -79,8 +112,5 @@ def check_animation(path: str | Path) -> Path:
     """
     target = check_target(path, ANIMATION_SUFFIXES)
     if target.suffix.lower() == ".mp4" and shutil.which("ffmpeg") is None:
-        raise InputError(
-            f"The file to write is {str(target)!r}; an MP4 needs the program ffmpeg, which is not installed, "
-            "so install it or choose .gif or .html."
-        )
+        raise InputError("scene.no_ffmpeg", file=repr(str(target)))
     return target

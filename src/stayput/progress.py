@@ -1,4 +1,4 @@
-"""A progress bar for long work, on a terminal only."""
+"""A progress bar for long work, drawn on a terminal only."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ if TYPE_CHECKING:
 def bar(
     total: int, what: str, shown: bool | None = None, unit: str = "cases"
 ) -> Generator[Callable[[int], None]]:
-    """Give what is told how many are done, and draws rate and time left on standard error.
+    """Yield a callback that advances a progress bar on standard error, with the rate and the time left.
 
     Parameters
     ----------
     total : int
-        How many there are.
+        Number of items.
     what : str
-        What the bar is called.
+        Label of the bar.
     shown : bool, optional
-        Whether to draw it; default if standard error is a terminal.
+        Whether to draw it; by default only if standard error is a terminal.
     unit : str
-        What is counted.
+        What the items are called, in the plural.
     """
     from rich.console import Console
 

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from difflib import get_close_matches
 
-from stayput.errors import InputError, within
+from stayput.catalogue import phrase
+from stayput.errors import InputError, unknown, within
 
-FRICTION_RANGE = (0.0, 3.0)
-"""Smallest and largest coefficient of friction that is accepted."""
+FRICTION_RANGE = (0.0, 1e6)
+"""Smallest and largest coefficient of friction: 1e3, say, is for a body that must not slip."""
 
 
-def _coefficients(surface: str, static: float, kinetic: float) -> None:
-    within(f"{surface} static friction", static, *FRICTION_RANGE)
-    within(f"{surface} kinetic friction", kinetic, *FRICTION_RANGE)
+def _coefficients(surface: str, static: float, kinetic: float, prefix: str = "") -> None:
+    static_field, kinetic_field = f"{prefix}static_friction", f"{prefix}kinetic_friction"
+    called = phrase(surface)
+    within(phrase("scene.static_friction", surface=called), static, *FRICTION_RANGE, field=static_field)
+    within(phrase("scene.kinetic_friction", surface=called), kinetic, *FRICTION_RANGE, field=kinetic_field)
     if kinetic > static:
         raise InputError(
-            f"{surface} kinetic friction is {kinetic:g}; it must not be above the static one, {static:g}."
+            "scene.kinetic_above_static", kinetic_field, surface=called, kinetic=kinetic, static=static
         )
 
 
@@ -59,12 +61,13 @@ class Floor:
     right_edge_kinetic_friction: float | None = None
 
     def __post_init__(self) -> None:
-        _coefficients("Floor", self.static_friction, self.kinetic_friction)
-        _coefficients("Floor edge", *self.edge_friction)
-        _coefficients("Floor left edge", *self._of_one_edge("left"))
-        _coefficients("Floor right edge", *self._of_one_edge("right"))
-        within("Floor restitution", self.restitution, 0.0, 1.0)
-        within("Floor normal restitution", self.normal_restitution, 0.0, 1.0)
+        _coefficients("scene.floor", self.static_friction, self.kinetic_friction)
+        _coefficients("scene.edge", *self.edge_friction, "edge_")
+        _coefficients("scene.left_edge", *self._of_one_edge("left"), "left_edge_")
+        _coefficients("scene.right_edge", *self._of_one_edge("right"), "right_edge_")
+        within("scene.floor_restitution", self.restitution, 0.0, 1.0, field="restitution")
+        normal = self.normal_restitution
+        within("scene.floor_normal_restitution", normal, 0.0, 1.0, field="normal_restitution")
 
     @property
     def edge_friction(self) -> tuple[float, float]:
@@ -89,9 +92,7 @@ class Floor:
     def of(cls, surface: str, *, restitution: float = 1.0, normal_restitution: float = 0.0) -> Floor:
         """Make a floor from a surface preset of `SURFACES`."""
         if surface not in SURFACES:
-            near = get_close_matches(surface, SURFACES, 1)
-            hint = f" (did you mean {near[0]!r}?)" if near else ""
-            raise InputError(f"Floor surface is {surface!r}{hint}; it must be one of {', '.join(SURFACES)}.")
+            raise unknown("scene.surface", surface, SURFACES, field="surface")
         static, kinetic = SURFACES[surface]
         return cls(static, kinetic, restitution=restitution, normal_restitution=normal_restitution)
 
@@ -131,9 +132,9 @@ class Wall:
     friction: float = 0.3
 
     def __post_init__(self) -> None:
-        within("Wall gap", self.gap, 0.0, 1e4, "m")
-        within("Wall restitution", self.restitution, 0.0, 1.0)
-        within("Wall friction", self.friction, *FRICTION_RANGE)
+        within("scene.wall_gap", self.gap, 0.0, 1e4, "m", "gap")
+        within("scene.wall_restitution", self.restitution, 0.0, 1.0, field="restitution")
+        within("scene.wall_friction", self.friction, *FRICTION_RANGE, field="friction")
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,9 +154,9 @@ class Ceiling:
     friction: float = 0.3
 
     def __post_init__(self) -> None:
-        within("Ceiling height", self.height, 1e-3, 1e4, "m")
-        within("Ceiling restitution", self.restitution, 0.0, 1.0)
-        within("Ceiling friction", self.friction, *FRICTION_RANGE)
+        within("scene.ceiling_height", self.height, 1e-3, 1e4, "m", "height")
+        within("scene.ceiling_restitution", self.restitution, 0.0, 1.0, field="restitution")
+        within("scene.ceiling_friction", self.friction, *FRICTION_RANGE, field="friction")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from stayput.cases import State, case_columns, refuse_penetration
+from stayput.cases import State, case_columns, refuse_bad_start
 from stayput.errors import InputError, within
 from stayput.measures.measure import Held, element_rows, hold
 from stayput.measures.results import DeviceResult, device_results
@@ -17,7 +17,7 @@ from stayput.mechanics import columns as col
 from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
     from pathlib import Path
 
     import xarray as xr
@@ -81,6 +81,9 @@ class EventKind(StrEnum):
     DEVICE_FAILURE = "device failure"
 
 
+_KINDS, _MODES = tuple(EventKind), tuple(Mode)
+
+
 @dataclass(frozen=True, slots=True)
 class Event:
     """An instant at which the body's mode changes, with the state just after it.
@@ -120,9 +123,10 @@ class Run:
     outcome : Outcome
         The verdict; FAILED where the run was given up, which never counts as standing.
     overturn_time : float
-        Time at which |tilt| reached 90° [s], or nan.
+        Time at which the body lay at 90° from upright [s], or nan.
     peak_slide, peak_tilt : float
-        Largest magnitudes at any time, not only at samples [m, rad].
+        Largest magnitudes at any time, not only at samples [m, rad]. Tilts are from the position of rest,
+        which is itself tilted over a wedge.
     residual_slide, residual_tilt : float
         Values at the end [m, rad].
     floor_impacts : int
@@ -134,13 +138,16 @@ class Run:
     slide, slide_rate : ndarray of float64
         x' at the fulcrum and its rate [m, m/s].
     tilt, tilt_rate : ndarray of float64
-        θ and θ̇ [rad, rad/s].
+        θ from rest and θ̇ [rad, rad/s].
     x, z : ndarray of float64
         Centre of gravity right of where the middle of the base stood at slide 0, and above the floor [m].
     mode : ndarray of str
         Values of `Mode`.
     events : tuple of Event
-        Every impact, slip, stick, uplift, lift-off, rest and failure of a device, in order.
+        Every impact, slip, stick, uplift, lift-off, rest and failure of a device, in order; where a run was
+        asked for fewer than it has, the first ones and the last.
+    unlisted : mapping of EventKind to int
+        How many events of each kind `events` leaves out.
     held : Held or None
         The measures in place; `body` and `room` are what they made of those that were given.
     devices : tuple of DeviceResult
@@ -172,6 +179,16 @@ class Run:
     events: tuple[Event, ...]
     held: Held | None = None
     devices: tuple[DeviceResult, ...] = ()
+    unlisted: Mapping[EventKind, int] = field(default_factory=dict[EventKind, int])
+
+    def count(self, kind: EventKind) -> int:
+        """Return how many events of a kind there were, listed or not."""
+        return sum(event.kind is kind for event in self.events) + self.unlisted.get(kind, 0)
+
+    @property
+    def events_total(self) -> int:
+        """How many events there were, listed or not."""
+        return len(self.events) + sum(self.unlisted.values())
 
     @property
     def measures(self) -> tuple[Measure, ...]:
@@ -195,7 +212,7 @@ class Run:
 
     @property
     def overturned(self) -> bool:
-        """Whether |tilt| reached 90°."""
+        """Whether it lay at 90° from upright."""
         return self.outcome is Outcome.OVERTURNED
 
     def to_dataset(self) -> xr.Dataset:
@@ -251,6 +268,7 @@ def simulate(
     contact: Contact = "coulomb",
     initial: State | None = None,
     gravity: float = STANDARD_GRAVITY,
+    most_events: int | None = None,
 ) -> Run:
     """Simulate one body in one room under one motion of the floor.
 
@@ -272,6 +290,8 @@ def simulate(
         Initial state; default at rest.
     gravity : float
         Acceleration of gravity g [m/s²].
+    most_events : int, optional
+        Most events that are listed, at least 2; by default all are, of which a run can have 10⁶.
 
     Returns
     -------
@@ -286,15 +306,18 @@ def simulate(
     from stayput.mechanics.runner import shaking
 
     start = State() if initial is None else initial
-    within("Gravity", gravity, 0.01, 1e3, "m/s²")
-    refuse_penetration(body, room, start)
+    within("scene.gravity", gravity, 0.01, 1e3, "m/s²", "gravity")
+    if most_events is not None and most_events < 2:
+        raise InputError("scene.most_events", "most_events", value=most_events)
+    refuse_bad_start(body, room, start)
     held = hold(body, room, measures)
-    refuse_penetration(held.body, held.room, start)
+    refuse_bad_start(held.body, held.room, start)
     columns, elements = case_columns(held.body, held.room, start, gravity), element_rows(held)
     shaken = shaking(motion.x, motion.z, motion.dt, law_number(contact))
     traced, devices, forces = trace_held(columns[0], elements, shaken)
     results = device_results(held, elements, devices, forces)
-    return run_of(Case(held.body, held.room, motion, contact, start, gravity), traced, held, results)
+    case = Case(held.body, held.room, motion, contact, start, gravity)
+    return run_of(case, traced, held, results, most_events)
 
 
 def trace_held(
@@ -307,30 +330,37 @@ def trace_held(
     tuple
         The run, DEVICE of shape [n], and forces at the samples [N/kg], shape [samples, n, 2].
     """
-    from stayput.mechanics.restrained.columns import DEVICE, FORCES
+    from stayput.mechanics.devices.columns import DEVICE, FORCES
 
     if len(elements) == 0:
         from stayput.mechanics.runner import trace
 
         traced = trace(case, motion)
         return traced, np.zeros(0, DEVICE), np.zeros((len(traced.history), 0, FORCES))
-    from stayput.mechanics.restrained.runner import trace_restrained
+    from stayput.mechanics.devices.runner import trace_with_devices
 
-    found = trace_restrained(case, elements, motion)
+    found = trace_with_devices(case, elements, motion)
     return found.run, found.devices, found.forces
 
 
 def law_number(contact: str) -> int:
     """Return the number of a contact law in the mechanics."""
     if contact not in LAWS:
-        raise InputError(f"Contact is {contact!r}; it must be 'coulomb' or 'paper'.")
+        raise InputError("scene.contact", "contact", value=repr(contact))
     return LAWS.index(contact)
 
 
-def run_of(case: Case, traced: Traced, held: Held, devices: tuple[DeviceResult, ...]) -> Run:
+def run_of(
+    case: Case,
+    traced: Traced,
+    held: Held,
+    devices: tuple[DeviceResult, ...],
+    most_events: int | None = None,
+) -> Run:
     """Name what the mechanics returned in numbers."""
     modes = np.array([mode.value for mode in Mode])
     history = traced.history.T.copy()
+    first, cut, last = _split(traced.listed, most_events)
     outcome = list(Outcome)[traced.outcome]
     return Run(
         body=case.body,
@@ -355,18 +385,25 @@ def run_of(case: Case, traced: Traced, held: Held, devices: tuple[DeviceResult, 
         x=history[col.H_X],
         z=history[col.H_Z],
         mode=modes[history[col.H_MODE].astype(np.intp)],
-        events=tuple(
-            Event(
-                e.time,
-                list(EventKind)[e.kind],
-                list(Mode)[e.mode],
-                e.tilt,
-                e.tilt_rate,
-                e.slide,
-                e.slide_rate,
-            )
-            for e in traced.events
-        ),
+        events=tuple(_event(row) for part in (first, last) for row in part.tolist()),
         held=held,
         devices=devices,
+        unlisted={kind: n for kind, n in zip(EventKind, _counts(cut), strict=True) if n},
     )
+
+
+def _split(events: NDArray[np.float64], most: int | None) -> tuple[NDArray[np.float64], ...]:
+    """Return the first rows, those between that are too many, and the last row if some are."""
+    if most is None or len(events) <= most:
+        return events, events[:0], events[:0]
+    return events[: most - 1], events[most - 1 : -1], events[-1:]
+
+
+def _counts(events: NDArray[np.float64]) -> list[int]:
+    kinds = events[:, col.E_KIND].astype(np.intp)
+    return np.bincount(kinds, minlength=len(EventKind)).tolist()
+
+
+def _event(row: list[float]) -> Event:
+    time, kind, mode, *state = row
+    return Event(time, _KINDS[int(kind)], _MODES[int(mode)], *state)

@@ -1,7 +1,4 @@
-"""What is not known of furniture, floors and devices, and draws from it.
-
-It stands apart from the statistics of the results: scenarios state it, and simulations draw from it.
-"""
+"""Probability distributions of uncertain quantities, and draws from them."""
 
 from __future__ import annotations
 
@@ -14,6 +11,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, finite, within
 from stayput.randomness import random_bits, uniforms
 
@@ -69,8 +67,8 @@ class Normal(Marginal):
     high: float = math.inf
 
     def __post_init__(self) -> None:
-        finite("Mean", self.mean)
-        _check_spread("Deviation", self.deviation, math.inf)
+        finite("verification.mean", self.mean)
+        _check_spread("verification.deviation", self.deviation, math.inf)
         _check_order(self.low, self.high)
 
     def quantile(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -99,8 +97,8 @@ class Lognormal(Marginal):
     high: float = math.inf
 
     def __post_init__(self) -> None:
-        _check_spread("Median", self.median, math.inf)
-        _check_spread("Coefficient of variation", self.cov, 5.0)
+        _check_spread("verification.median", self.median, math.inf)
+        _check_spread("verification.cov", self.cov, 5.0)
         _check_order(self.low, self.high)
 
     def quantile(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -120,8 +118,8 @@ class Uniform(Marginal):
     high: float
 
     def __post_init__(self) -> None:
-        finite("Low", self.low)
-        finite("High", self.high)
+        finite("verification.low", self.low)
+        finite("verification.high", self.high)
         _check_order(self.low, self.high)
 
     def quantile(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -131,13 +129,16 @@ class Uniform(Marginal):
 
 def _check_spread(name: str, value: float, most: float) -> None:
     if not 0.0 < finite(name, value) <= most:
-        allowed = "larger than 0" if math.isinf(most) else f"larger than 0 and at most {most:g}"
-        raise InputError(f"{name} is {value:g}; it must be {allowed}.")
+        if math.isinf(most):
+            raise InputError("verification.not_above_zero", name=phrase(name), value=value)
+        raise InputError(
+            "verification.not_above_zero_or_too_large", name=phrase(name), value=value, most=most
+        )
 
 
 def _check_order(low: float, high: float) -> None:
     if not low < high:
-        raise InputError(f"Low is {low:g} and high is {high:g}; low must be below high.")
+        raise InputError("verification.low_not_below_high", low=low, high=high)
 
 
 def _cut_normal(u: NDArray[np.float64], low: float, high: float) -> NDArray[np.float64]:
@@ -184,8 +185,8 @@ class Uncertainty:
         motions : int, optional
             Draw for each of so many motions, independently of the others.
         start : int
-            Draws to leave out: more draws can be added to those there are. Of a Latin hypercube it must
-            be 0.
+            Draws to skip, so that a later call can add more to those of an earlier one. It must be 0 for a
+            Latin hypercube.
         method : str
             "sobol": points of Sobol's sequence with a random digital shift, one for each motion. "latin
             hypercube": one draw in each n-th of every quantity.
@@ -206,13 +207,16 @@ class Uncertainty:
         >>> round(float(np.median(drawn["friction"])), 3)
         0.4
         """
-        count, first = int(within("Draws", n, 1, 2**20)), int(within("Start", start, 0, 2**20))
-        streams = 1 if motions is None else int(within("Motions", motions, 1, 100_000))
-        within("Seed", seed, 0, 2**63)
+        count, first = (
+            int(within("verification.draws", n, 1, 2**20)),
+            int(within("verification.start", start, 0, 2**20)),
+        )
+        streams = 1 if motions is None else int(within("verification.motions", motions, 1, 100_000))
+        within("verification.seed", seed, 0, 2**63)
         if method not in ("sobol", "latin hypercube"):
-            raise InputError(f"The method is {method!r}; it must be 'sobol' or 'latin hypercube'.")
+            raise InputError("verification.sampling_method", "method", method=repr(method))
         if method != "sobol" and first:
-            raise InputError(f"Start is {first}; a Latin hypercube must be drawn at once, with start 0.")
+            raise InputError("verification.hypercube_start", "start", start=first)
         names = list(self.marginals)
         draw = _sobol if method == "sobol" else _latin_hypercube
         shares = draw(count, len(names), seed, streams, first) if names else np.empty((streams, count, 0))

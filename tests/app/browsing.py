@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-import shutil
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+import chromium
 import pytest
+from page_coverage import recorded
 from playwright.sync_api import sync_playwright
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Iterator
 
-    from conftest import Running
     from playwright.sync_api import Browser, Page, Response, Route
+    from serving import Running
+
 
 PHONE = {"width": 390, "height": 844}
 DESK = {"width": 1280, "height": 900}
@@ -27,10 +29,14 @@ FEW = 8
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    with sync_playwright() as playwright:
-        path = shutil.which("chromium") or shutil.which("google-chrome")
-        with playwright.chromium.launch(executable_path=path, args=FLAGS) as found:
-            yield found
+    path = chromium.found()
+    if path is None:
+        (pytest.fail if chromium.wanted() else pytest.skip)(chromium.ABSENT)
+    with (
+        sync_playwright() as playwright,
+        playwright.chromium.launch(executable_path=path, args=FLAGS) as found,
+    ):
+        yield found
 
 
 @dataclass
@@ -111,13 +117,13 @@ def opened(
     else:
         page.route("**/api/v1/verify", lambda route: None)  # it is never answered
         page.route("**/api/v1/size-map", lambda route: None)
-    page.goto(f"{server.address}/{address}")
-    found.settle()
-    try:
+    with ExitStack() as ending:
+        ending.callback(context.close)
+        ending.callback(page.unroute_all, behavior="ignoreErrors")
+        ending.enter_context(recorded(page))
+        page.goto(f"{server.address}/{address}")
+        found.settle()
         yield found
-    finally:
-        page.unroute_all(behavior="ignoreErrors")
-        context.close()
     strangers = [
         url for url in found.asked if not url.startswith((server.address + "/", "blob:" + server.address))
     ]

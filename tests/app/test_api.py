@@ -10,13 +10,13 @@ import tomllib
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from conftest import SCENE
+from serving import SCENE
 
 import stayput as sp
 from stayput.measures import MEASURES
 from stayput.motion.intensity import CLASSES
-from stayput.report.film import ground_displacement
 from stayput.report.history import history
+from stayput.report.scene import ground_displacement
 
 if TYPE_CHECKING:
     import httpx
@@ -143,6 +143,57 @@ def test_a_run_as_a_table(client: httpx.Client) -> None:
     assert len(rows) == len(run.time)
     assert float(rows[500]["tilt_rad"]) == pytest.approx(run.tilt[500], rel=1e-8)
     assert rows[500]["mode"] == run.mode[500]
+
+
+def test_a_table_of_a_run_has_the_floor_and_the_devices(client: httpx.Client) -> None:
+    measures = [{"type": "l_bracket"}, {"type": "gel_mats"}]
+    answer = client.post("/api/v1/simulate/csv?which=with", json={"scene": SCENE, "measures": measures})
+    rows = list(csv.DictReader(io.StringIO(answer.text)))
+    case = sp.Scenario.parse(SCENE).case((MEASURES["l_bracket"](), MEASURES["gel_mats"]()))
+    run = case.run()
+    places = [one.place for one in run.devices]
+    assert len(rows) == len(run.time)
+    for name, values in (
+        ("floor_acceleration_m_s2", case.motion.x),
+        ("floor_velocity_m_s", case.motion.velocity),
+        ("floor_displacement_m", case.motion.displacement),
+        ("device_1_l_bracket_pull_n", run.devices[0].pull),
+        (f"device_3_gel_mats_{places[2]}_shear_n", run.devices[2].shear),
+    ):
+        found = [float(row[name]) for row in rows]
+        assert found == pytest.approx(list(values[: len(found)]), rel=1e-8, abs=1e-12), name
+
+
+def test_a_map_says_why_a_size_is_not_possible(client: httpx.Client) -> None:
+    scene = {**SCENE, "shaking": {"suite": {"count": 2}, "intensity": 6.0}}
+    asked = {"scene": scene, "measures": [{"type": "belt"}]}
+    found = client.post("/api/v1/size-map", json=asked).json()
+    refused = found["refused"]
+    assert any(refused)
+    assert not all(refused)
+    for row, why in zip(found["overturned"], refused, strict=True):
+        assert (set(row) == {None}) == (why is not None)
+        if why is not None:
+            assert "must be between floor and ceiling" in why["message"]
+            assert "床と天井の間" in why["message_ja"]
+
+
+def test_answers_are_compressed_where_they_are_taken_so(client: httpx.Client) -> None:
+    asked = {"scene": SCENE, "measures": BRACKET}
+    packed = client.post("/api/v1/simulate", json=asked, headers={"accept-encoding": "br, gzip"})
+    plain = client.post("/api/v1/simulate", json=asked, headers={"accept-encoding": "gzip;q=0, identity"})
+    assert packed.headers["content-encoding"] == "gzip"
+    assert "content-encoding" not in plain.headers
+    assert packed.json() == plain.json()
+    assert int(packed.headers["content-length"]) < 0.5 * int(plain.headers["content-length"])
+    assert packed.headers["vary"] == plain.headers.get("vary", "Accept-Encoding") == "Accept-Encoding"
+    page = client.get("/main.js", headers={"accept-encoding": "gzip"})
+    assert page.headers["content-encoding"] == "gzip"
+    again = client.get("/main.js", headers={"if-none-match": page.headers["etag"], "accept-encoding": "gzip"})
+    assert again.status_code == 304
+    assert "content-encoding" not in again.headers
+    small = client.get("/api/v1/ping", headers={"accept-encoding": "gzip"})
+    assert "content-encoding" not in small.headers
 
 
 def test_a_scene_as_a_scenario_file(client: httpx.Client) -> None:

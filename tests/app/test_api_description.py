@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 import schemathesis
-from conftest import COMPILING, running
 from hypothesis import HealthCheck, settings
+from serving import COMPILING, running
 
 from stayput.app.server import create_app
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     import httpx
-    from conftest import Running
+    from serving import Running
 
 EXAMPLES = 25
 """Cases made up for each route."""

@@ -10,15 +10,16 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+import httpx
 import pytest
-from conftest import SCENE, Running, client_of, running
+from serving import SCENE, Running, client_of, running
 
 from stayput.app.limits import Limits
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    import httpx
+    from stayput.app.service import Service
 
 JSON = {"content-type": "application/json"}
 SINE = {"amplitude": 1.0, "frequency": 1.0}
@@ -130,6 +131,11 @@ def test_other_hosts_and_origins_are_refused(client: httpx.Client, server: Runni
     refused(client.get("/", headers={"host": "evil.example@127.0.0.1"}), 400)
     refused(client.post("/api/v1/simulate", json={}, headers={"origin": "http://evil.example"}), 403)
     refused(client.post("/api/v1/simulate", json={}, headers={"origin": "null"}), 403)
+    for host in ("[::1", "[::1]x", "[1.2.3.4]", "::1", "[]", "", "[", "]", "localhost:x", "a@localhost"):
+        refused(client.get("/api/v1/ping", headers={"host": host}), 400)
+    for origin in ("http://[", "http://", "", "http://[::1", "ftp://localhost", "http://a@b", "\xe9"):
+        refused(client.get("/api/v1/ping", headers={"origin": origin.encode("latin-1")}), 403)
+    assert client.get("/api/v1/ping", headers={"host": "[::1]:8000"}).status_code == 200
     assert client.get("/api/v1/ping", headers={"host": "localhost:1234"}).status_code == 200
     own = {"origin": server.address}
     assert client.get("/api/v1/ping", headers=own).status_code == 200
@@ -182,6 +188,53 @@ def test_jobs_are_bounded_and_cancelled_ones_stop_computing() -> None:
         gone = client.get(f"/api/v1/jobs/{first['id']}").json()
         assert gone["state"] == "cancelled"
         assert gone["done"] < gone["total"]
+
+
+def test_a_job_that_nobody_asks_for_gives_way() -> None:
+    limits = replace(Limits(), jobs_running=1, jobs_waiting=2, threads=1)
+    scene = {**SCENE, "uncertainty": {"samples": 1000}}
+    asked = {"scene": scene, "measures": [{"type": "anti_slip_sheet"}], "compare_usual": False}
+    with running(limits) as server, client_of(server) as client:
+
+        def post(**more: float) -> str:
+            return client.post("/api/v1/verify", json={**asked, **more}).json()["id"]
+
+        def state(name: str) -> str:
+            return client.get(f"/api/v1/jobs/{name}").json()["state"]
+
+        left, unasked, awaited = post(lease_s=1.0), post(lease_s=1.0), post(lease_s=1.0)
+        refused(client.post("/api/v1/verify", json=asked), 429)
+        deadline = time.monotonic() + 60.0
+        while state(awaited) != "running":
+            assert state(awaited) == "waiting"
+            assert time.monotonic() < deadline
+            time.sleep(0.2)
+        service: Service = server.app.state.service
+        assert {service.jobs.get(name).state for name in (left, unasked)} == {"cancelled"}
+        until = time.monotonic() + 2.0
+        while time.monotonic() < until:  # it goes on for as long as it is asked for
+            assert state(awaited) == "running"
+            time.sleep(0.2)
+        refused(client.post("/api/v1/verify", json={**asked, "lease_s": 0.0}), 422, "lease_s")
+        client.delete(f"/api/v1/jobs/{awaited}")
+
+
+def test_a_map_whose_client_has_left_gives_way() -> None:
+    slow = {"suite": {"count": 12}, "building": {"storeys": 8}, "storey": 7}
+    asked = {"scene": {**SCENE, "shaking": {**slow, "intensity": 6.0}}, "measures": []}
+    quick = {"scene": {**SCENE, "shaking": {"suite": {"count": 1}, "intensity": 6.0}}, "measures": []}
+    limits = replace(Limits(), slow_workers=1, threads=1)
+    with running(limits) as server, client_of(server) as client:
+        client.post("/api/v1/size-map", json=quick)  # what is compiled, and the suite, are there
+        start = time.monotonic()
+        client.post("/api/v1/size-map", json=asked)
+        whole = time.monotonic() - start
+        changed = {**asked, "scene": {**asked["scene"], "shaking": {**slow, "storey": 6, "intensity": 6.0}}}
+        with pytest.raises(httpx.ReadTimeout):
+            client.post("/api/v1/size-map", json=changed, timeout=0.3)
+        start = time.monotonic()
+        assert client.post("/api/v1/size-map", json=quick).status_code == 200
+        assert time.monotonic() - start < 0.7 * whole
 
 
 def test_too_many_simulations_are_refused_before_any() -> None:

@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING
 
 import httpx
 import pytest
-from conftest import COMPILING, SCENE
+from serving import COMPILING, SCENE
 from typer.testing import CliRunner
 
-from stayput.app.pages import page_files
-from stayput.app.server import address_of, bind
+from stayput.app.addresses import address_of, bind
+from stayput.app.pages import WORDS
 from stayput.cli import app
 from stayput.errors import InputError
 
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from collections.abc import Generator
 
 ROOT = Path(__file__).parents[2]
+PAGE = ROOT / "src/stayput/app/page"
+CANVAS = ROOT / "src/stayput/report/canvas"
 RECORD = "1\n-1\n0\n2\n" * 500
 GIVEN = {"unit": "gal", "dt": "0.01"}
 STATUS = Path("/proc/self/status")
@@ -149,26 +151,33 @@ def test_the_page_is_in_the_wheel(tmp_path: Path) -> None:
     with zipfile.ZipFile(wheel) as archive:
         names = set(archive.namelist())
         archive.extractall(tmp_path / "unpacked")
-    assert {f"stayput/app/page{path}" for path in page_files()} <= names
+    files = {f"stayput/app/page/{file.name}" for file in PAGE.iterdir()}
+    files |= {f"stayput/report/canvas/{file.name}" for file in CANVAS.iterdir()}
+    assert files <= names
     assert {"stayput/app/page/index.html", "stayput/app/templates/api.html"} <= names
-    code = "from stayput.app import pages; print(len(pages.page_files()), pages.__file__)"
+    code = (
+        "from stayput.app import pages;"
+        "print(len(pages.PackageFiles('stayput.report', 'canvas').all_directories), pages.__file__)"
+    )
     environment = {"PYTHONPATH": str(tmp_path / "unpacked")}
     done = subprocess.run(
         [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
     )
     count, place = done.stdout.split()
-    assert int(count) == len(page_files())
+    assert int(count) == 1
     assert place.startswith(str(tmp_path))
 
 
 def test_the_page_s_files_are_served_with_their_kinds(client: httpx.Client) -> None:
     kinds = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
-    assert "/index.html" in page_files()
-    for path, file in page_files().items():
+    contents = {f"/{file.name}": file.read_bytes() for file in PAGE.iterdir()}
+    assert "/index.html" in contents
+    for path, content in {**contents, WORDS: None}.items():
         answer = client.get(path)
         assert answer.status_code == 200
-        assert answer.content == file.read_bytes()
+        assert content is None or answer.content == content
         assert answer.headers["content-type"].startswith(kinds.get(Path(path).suffix, ""))
+        assert answer.headers["cache-control"] == "no-cache"
         again = client.get(path, headers={"if-none-match": answer.headers["etag"]})
         assert again.status_code == 304
         assert again.content == b""

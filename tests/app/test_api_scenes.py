@@ -5,16 +5,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import hypothesis.strategies as st
-from conftest import client_of
 from hypothesis import HealthCheck, given, settings
+from serving import client_of
 
-from stayput.building.structures import STRUCTURES
+from stayput.building import STRUCTURES
 from stayput.furniture import FURNITURE
 from stayput.measures import MEASURES
 from stayput.room import SURFACES
 
 if TYPE_CHECKING:
-    from conftest import Running
+    from serving import Running
 
 EXAMPLES = 60
 

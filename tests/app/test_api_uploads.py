@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from conftest import SCENE, Running, client_of, running
+from serving import SCENE, Running, client_of, running
 
 from stayput.app.limits import Limits
 from stayput.app.motions import safe_label
@@ -149,3 +149,117 @@ def test_the_folder_goes_with_the_server() -> None:
         folder = folder_of(server)
         assert folder.is_dir()
     assert not folder.exists()
+
+
+def test_what_is_doubtful_about_a_file_is_told_in_both_languages(client: httpx.Client) -> None:
+    clear = upload(client, RECORD, unit="m/s²").json()
+    assert (clear["warnings"], clear["floor"]) == ([], "")
+    rows = "".join(f"{0.01 * i:.2f},{i % 7},{i % 5},{i % 3}\n" for i in range(1500))
+    answer = upload(client, "# t,NS (gal),EW (gal),UD (gal)\n" + rows, "floor12.csv", unit="g").json()
+    assert answer["floor"] == "floor 12"
+    told = {one["field"]: one for one in answer["warnings"]}
+    assert told.keys() == {"component", "unit", None}
+    assert "階で観測された記録のようです（12階）" in told[None]["message_ja"]
+    assert "horizontal channels NS, EW" in told["component"]["message"]
+    assert "ファイルには水平の成分が「NS、EW」とあります" in told["component"]["message_ja"]
+    assert all(one["message"].startswith("floor12.csv") for one in answer["warnings"])
+    assert any("6 g" in (one["message_ja"] or "") for one in answer["warnings"])
+    assert any("ヘッダーには「gal」" in (one["message_ja"] or "") for one in answer["warnings"])
+    assert client.get(f"/api/v1/motions/{answer['id']}").json()["warnings"] == answer["warnings"]
+
+
+def test_a_motion_that_a_job_reads_stays() -> None:
+    """Newer uploads do not push it out; it goes once the job has ended."""
+    limits = replace(Limits(), motions=1, threads=1)
+    with running(limits) as server, client_of(server) as client:
+        found = upload(client, RECORD, unit="m/s²").json()
+        scene = {**SCENE, "shaking": found["shaking"], "uncertainty": {"samples": 2000}}
+        job = client.post("/api/v1/verify", json={"scene": scene}).json()
+        names = [upload(client, RECORD, unit="m/s²").json()["id"] for _ in range(3)]
+        assert client.get(f"/api/v1/motions/{found['id']}").status_code == 200
+        assert client.get(f"/api/v1/motions/{names[1]}").status_code == 404
+        assert client.get(f"/api/v1/motions/{names[2]}").status_code == 200
+        refused = client.delete(f"/api/v1/motions/{found['id']}")
+        assert refused.status_code == 409
+        assert "verification" in refused.json()["message"]
+        assert client.get(f"/api/v1/jobs/{job['id']}").json()["state"] in ("waiting", "running")
+        client.delete(f"/api/v1/jobs/{job['id']}")
+        upload(client, RECORD, unit="m/s²")
+        assert client.get(f"/api/v1/motions/{found['id']}").status_code == 404
+
+
+def test_errors_name_the_user_s_file_and_no_folder_of_the_server() -> None:
+    with running() as server, client_of(server) as client:
+        folder = folder_of(server)
+        found = upload(client, RECORD, "mine.csv", unit="m/s²").json()
+        scene = {**SCENE, "shaking": found["shaking"], "uncertainty": {"samples": 8}}
+        (folder / found["id"]).write_text("damaged")  # as a disk may do
+        job = client.post("/api/v1/verify", json={"scene": scene}).json()
+        while (told := client.get(f"/api/v1/jobs/{job['id']}").json())["state"] in ("waiting", "running"):
+            time.sleep(0.05)
+        assert told["state"] == "failed"
+        (folder / found["id"]).unlink()
+        answers = [
+            client.post(f"/api/v1/{path}", json={"scene": scene})
+            for path in ("simulate", "size-map", "simulate/csv")
+        ]
+        messages = [told["error"]["message"], *(answer.json()["message"] for answer in answers)]
+        for message in messages:
+            assert "mine.csv" in message
+            assert folder.name not in message
+            assert found["id"] not in message
+
+
+def three(x: float, y: float, z: float) -> str:
+    wave = np.sin(0.2 * np.arange(1500))
+    lines = (f"{0.01 * i:.2f},{x * w:.6f},{y * w:.6f},{z * w:.6f}" for i, w in enumerate(wave))
+    return "# unit: m/s²\n" + "\n".join(lines)
+
+
+def test_channels_are_listed_and_another_one_is_taken(client: httpx.Client) -> None:
+    found = upload(client, three(1.0, 0.5, 0.25)).json()
+    assert found["channels"] == [
+        {"name": "x", "vertical": False, "used": True},
+        {"name": "y", "vertical": False, "used": False},
+        {"name": "z", "vertical": True, "used": False},
+    ]
+    assert found["warnings"] == []
+    place = f"/api/v1/motions/{found['id']}"
+    across = client.get(place, params={"component": "y"}).json()
+    assert across["shaking"] == {**found["shaking"], "component": "y"}
+    assert across["pga_m_s2"] == pytest.approx(0.5 * found["pga_m_s2"], rel=1e-5)
+    run = client.post("/api/v1/simulate", json={"scene": {**SCENE, "shaking": across["shaking"]}}).json()
+    assert run["motion"]["pga_m_s2"] == pytest.approx(across["pga_m_s2"])
+    up = client.get(place, params={"component": "z"}).json()
+    assert [one["used"] for one in up["channels"]] == [False, False, True]
+    preview = client.get(f"{place}/preview", params={"component": "z"}).json()
+    assert max(preview["high_m_s2"]) == pytest.approx(0.25, abs=1e-3)
+    none = client.get(place, params={"component": "w"})
+    assert none.status_code == 422
+    assert none.json()["field"] == "component"
+    assert client.get(place).json()["shaking"] == found["shaking"]  # as it was uploaded
+
+
+@pytest.mark.parametrize(
+    ("name", "above"),
+    [
+        ("market_floor42_gal.csv", True),
+        ("tower 7F.csv", True),
+        ("12th floor NS.csv", True),
+        ("bldg_12F_x.csv", True),
+        ("本社ビル42階.csv", True),
+        ("roof.csv", True),
+        ("market_ground_gal.csv", False),
+        ("1F.csv", False),
+        ("10階建て1階.csv", False),
+        ("Floor 1 of 10.csv", False),
+        ("elcentro_1940_180.csv", False),
+        ("flatfile 360.csv", False),
+        ("proof 0.5f.csv", False),
+    ],
+)
+def test_a_name_says_whether_it_is_of_an_upper_floor(client: httpx.Client, name: str, above: bool) -> None:
+    found = upload(client, three(1.0, 0.5, 0.25), name).json()
+    assert bool(found["floor"]) == above
+    assert any("building" in one["message"] for one in found["warnings"]) == above
+    assert all(one["message"] and one["message_ja"] for one in found["warnings"])

@@ -12,9 +12,12 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe
 from browsing import COMPILING, DESK, PHONE, browser, opened  # noqa: F401
 
+from stayput.report.embedding import canvas_files
+
 if TYPE_CHECKING:
-    from conftest import Running
     from playwright.sync_api import Browser, Page
+    from serving import Running
+
 
 PAGE = resources.files("stayput.app").joinpath("page")
 
@@ -95,11 +98,8 @@ def test_the_keyboard_reaches_and_works_everything(browser: Browser, server: Run
 
 def test_both_languages_have_every_word(browser: Browser, server: Running) -> None:
     with opened(browser, server) as it:
-        words = it.page.evaluate(
-            "Promise.all([import('/words_en.js'), import('/words_ja.js')])"
-            ".then(([a, b]) => [a.english, b.japanese])"
-        )
-    english, japanese = words
+        words = it.page.evaluate("import('/words_table.js').then((module) => module.TABLES)")
+    english, japanese = words["en"], words["ja"]
     assert english.keys() == japanese.keys()
     for key, text in english.items():
         assert sorted(re.findall(r"\{\w+\}", text)) == sorted(re.findall(r"\{\w+\}", japanese[key])), key
@@ -151,29 +151,30 @@ def test_only_the_verdict_speaks_up(browser: Browser, server: Running) -> None:
 
 
 def test_the_colours_are_stayputs() -> None:
-    from stayput.report.palette import ALARM, COMPONENT_COLOURS, FAINT, INK, PAPER, ROOM, ROOM_SHADE
+    from stayput.report import palette
 
-    style = PAGE.joinpath("style.css").read_text("utf-8")
-    light = dict(re.findall(r"--(\w+): (#\w+);", style.split("}")[0]))
+    inks, style = canvas_files()["inks.css"].read_text("utf-8"), PAGE.joinpath("style.css").read_text("utf-8")
+    light = dict(re.findall(r"--(\w+): (#\w+);", inks.split("}")[0] + style.split("}")[0]))
     wanted = {
-        "card": PAPER,
-        "ink": INK,
-        "faint": FAINT,
-        "room": ROOM,
-        "mark": ROOM_SHADE,
-        "alarm": ALARM,
-        "record": COMPONENT_COLOURS["x"],
+        "card": palette.PAPER,
+        "ink": palette.INK,
+        "faint": palette.FAINT,
+        "room": palette.ROOM,
+        "mark": palette.ROOM_SHADE,
+        "alarm": palette.ALARM,
+        "record": palette.COMPONENT_COLOURS["x"],
+        **{role: colour for role, colour in palette.ROLE_COLOURS.items() if role != "broken"},
     }
     assert {name: light[name] for name in wanted} == wanted
-    dark = re.findall(r"color-scheme: dark;(.*?)\}", style, re.DOTALL)
-    assert (
-        len({json.dumps(re.findall(r"--(\w+): (#\w+);", one)) for one in dark}) == 1
-    )  # chosen, and the system's
+    for text in (inks, style):  # chosen, and the system's
+        dark = re.findall(r"dark\W*\{(.*?)\}", text, re.DOTALL)
+        assert len(dark) == 2
+        assert len({json.dumps(re.findall(r"--(\w+): (#\w+);", one)) for one in dark}) == 1
 
 
 def test_nothing_on_the_page_comes_from_elsewhere() -> None:
-    for one in PAGE.iterdir():
+    for path, one in {**{file.name: file for file in PAGE.iterdir()}, **canvas_files()}.items():
         text = one.read_text("utf-8").replace("http://www.w3.org/2000/svg", "")
-        assert "http://" not in text, one.name
-        assert "https://" not in text, one.name
-        assert len(text.splitlines()) < 300, one.name
+        assert "http://" not in text, path
+        assert "https://" not in text, path
+        assert len(text.splitlines()) < 300, path

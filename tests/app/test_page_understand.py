@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from browsing import Opened
-    from conftest import Running
     from playwright.sync_api import Browser
+    from serving import Running
 
 
 def finished(it: Opened) -> dict:

@@ -1,4 +1,4 @@
-"""Profiles of the property tests: quick and repeatable, or by HYPOTHESIS_PROFILE=thorough."""
+"""Profiles of the property tests: quick and repeatable, or by HYPOTHESIS_PROFILE=thorough or soak."""
 
 from __future__ import annotations
 
@@ -12,4 +12,7 @@ settings.register_profile(
     "quick", deadline=None, derandomize=True, max_examples=20, suppress_health_check=PATIENT, database=None
 )
 settings.register_profile("thorough", deadline=None, max_examples=400, suppress_health_check=PATIENT)
+settings.register_profile(  # of `make soak`: other examples in each round
+    "soak", deadline=None, max_examples=500, suppress_health_check=PATIENT, print_blob=True
+)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "quick"))

@@ -6,23 +6,29 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from element_cases import mirrored_elements, random_elements
 from hypothesis import given, settings
-from mechanics_cases import (
+from hypothesis import strategies as st
+from strategies import (
     SEEDS,
     STANDARD_GRAVITY,
     Seeded,
     Standing,
+    elements_on,
+    held_batches,
     mirrored,
+    mirrored_elements,
+    motions,
+    random_elements,
     random_motion,
     random_standing,
     stacked,
+    standings,
     up,
 )
 
 from stayput import Motion
-from stayput.mechanics.restrained import columns as el
-from stayput.mechanics.restrained.runner import run_restrained_cases, trace_restrained
+from stayput.mechanics.devices import columns as el
+from stayput.mechanics.devices.runner import run_cases_with_devices, trace_with_devices
 from stayput.mechanics.runner import shaking
 
 if TYPE_CHECKING:
@@ -41,15 +47,12 @@ def many(
 
 
 def run(cases: list[Standing], elements: NDArray[np.void], motion: Motion):
-    return run_restrained_cases(
+    return run_cases_with_devices(
         stacked(cases), elements, shaking(motion.x, up(motion), motion.dt, 0), max_events=50_000
     )
 
 
-@settings(max_examples=25, deadline=None)
-@given(seed=SEEDS)
-def test_every_run_ends_with_finite_results(seed: int) -> None:
-    cases, elements, motion = many(seed)
+def check_results_are_finite(cases: list[Standing], elements: NDArray[np.void], motion: Motion) -> None:
     results, devices = run(cases, elements, motion)
     for name in ("end", "peak_slide", "residual_slide", "peak_tilt", "residual_tilt"):
         assert np.isfinite(results[name]).all()
@@ -58,6 +61,20 @@ def test_every_run_ends_with_finite_results(seed: int) -> None:
     failed = devices["failure"] != el.HOLDS
     assert np.array_equal(np.isfinite(devices["failure_time"]), failed)
     assert not failed[elements["kind"] == el.NONE].any()
+
+
+@settings(max_examples=25, deadline=None)
+@given(held=held_batches(), motion=motions(longest=400))
+def test_every_run_with_devices_ends_with_finite_results(
+    held: tuple[list[Standing], NDArray[np.void]], motion: Motion
+) -> None:
+    check_results_are_finite(*held, motion)
+
+
+@settings(max_examples=25, deadline=None)
+@given(seed=SEEDS)
+def test_every_run_of_a_large_sample_with_devices_ends_with_finite_results(seed: int) -> None:
+    check_results_are_finite(*many(seed))
 
 
 def test_hardly_a_run_is_given_up() -> None:
@@ -72,15 +89,30 @@ def test_hardly_a_run_is_given_up() -> None:
 
 
 @settings(max_examples=15, deadline=None)
+@given(held=held_batches(), motion=motions(longest=400), data=st.data())
+def test_same_bits_with_devices_in_any_company_and_with_histories(
+    held: tuple[list[Standing], NDArray[np.void]], motion: Motion, data: st.DataObject
+) -> None:
+    check_same_bits(*held, motion, np.array(data.draw(st.permutations(range(len(held[0]))))))
+
+
+@settings(max_examples=15, deadline=None)
 @given(seed=SEEDS)
-def test_same_bits_in_any_company_and_with_histories(seed: int) -> None:
+def test_same_bits_with_devices_in_a_large_sample(seed: int) -> None:
     cases, elements, motion = many(seed)
+    check_same_bits(cases, elements, motion, np.random.default_rng(seed).permutation(len(cases)))
+
+
+def check_same_bits(
+    cases: list[Standing], elements: NDArray[np.void], motion: Motion, order: NDArray[np.intp]
+) -> None:
     results, devices = run(cases, elements, motion)
-    order = np.random.default_rng(seed).permutation(len(cases))
     again, devices_again = run([cases[n] for n in order], elements[order], motion)
     assert again.tobytes() == results[order].tobytes()
     assert devices_again.tobytes() == devices[order].tobytes()
-    found = trace_restrained(cases[0].columns()[0], elements[0], shaking(motion.x, up(motion), motion.dt, 0))
+    found = trace_with_devices(
+        cases[0].columns()[0], elements[0], shaking(motion.x, up(motion), motion.dt, 0)
+    )
     assert found.run.outcome == results["outcome"][0]
     if found.run.outcome != FAILED:
         assert found.run.peak_tilt == results["peak_tilt"][0]
@@ -90,7 +122,7 @@ def test_same_bits_in_any_company_and_with_histories(seed: int) -> None:
 @settings(max_examples=15, deadline=None)
 @given(seed=SEEDS)
 def test_mirrored_case_runs_as_its_mirror_image(seed: int) -> None:
-    """While it is not chaotic: over the first half second."""
+    """While it is not chaotic: over the first half second, and for most of a large sample."""
     cases, elements, motion = many(seed, walls=False)
     n = max(3, int(0.5 / motion.dt))
     short = Motion(motion.dt, motion.x[:n], z=up(motion)[:n])
@@ -109,17 +141,12 @@ def stored(elements: NDArray[np.void], forces: NDArray[np.float64]) -> NDArray[n
     return (0.5 * forces**2 / k).sum(axis=(1, 2))
 
 
-@settings(max_examples=20, deadline=None)
-@given(seed=SEEDS)
-def test_energy_never_grows_under_steady_loads(seed: int) -> None:
+def check_energy_never_grows(case: Standing, elements: NDArray[np.void]) -> None:
     """Kinetic energy, height and springs: friction, impacts, dampers and failures only take from it."""
-    source = Seeded(np.random.default_rng(seed))
-    case = random_standing(source)
-    elements = random_elements(source, case)
     elements["damping"] = 0.0
     n, dt = 200, 0.01
     still = shaking(np.zeros(n), None, dt, 0)
-    found = trace_restrained(case.columns()[0], elements, still, tolerance=1e-9)
+    found = trace_with_devices(case.columns()[0], elements, still, tolerance=1e-9)
     h = found.run.history
     # G's rates, by central differences of its places, are too coarse where it hits; so at rest alone
     omega, inertia = h[:, 3], case.columns()["inertia"][0]
@@ -127,6 +154,20 @@ def test_energy_never_grows_under_steady_loads(seed: int) -> None:
     energy = potential + 0.5 * inertia * omega**2
     start = potential[0] + 0.5 * _speed(case) ** 2 + 0.5 * inertia * omega[0] ** 2
     assert energy.max() <= start * (1.0 + 1e-6) + 1e-6
+
+
+@settings(max_examples=20, deadline=None)
+@given(data=st.data(), case=standings())
+def test_energy_with_devices_never_grows_under_steady_loads(data: st.DataObject, case: Standing) -> None:
+    check_energy_never_grows(case, data.draw(elements_on(case)))
+
+
+@settings(max_examples=20, deadline=None)
+@given(seed=SEEDS)
+def test_energy_of_a_large_sample_with_devices_never_grows_under_steady_loads(seed: int) -> None:
+    source = Seeded(np.random.default_rng(seed))
+    case = random_standing(source)
+    check_energy_never_grows(case, random_elements(source, case))
 
 
 def _speed(case: Standing) -> float:

@@ -13,12 +13,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import stayput as sp
+from stayput.fragility import JMA_INTENSITY, spectral_acceleration
 from stayput.inventory import assess
 from stayput.inventory.cells import number_of, plain
 from stayput.inventory.city import read_cities
-from stayput.inventory.places import ShakeMap, distances
+from stayput.inventory.places import ShakeMap, distances, steps_of
 from stayput.inventory.plan import make_plan
-from stayput.inventory.strength import JMA, Strength
+from stayput.inventory.workspace import Workspace
+from stayput.montecarlo.hazard import level_of
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "unit"))
 from inventories import city, pieces, table
@@ -43,7 +45,7 @@ def planned(cities, content: bytes):
     with tempfile.TemporaryDirectory() as folder:
         work, file = Path(folder), Path(folder) / "inventory.csv"
         file.write_bytes(content)
-        facts = make_plan(work, file, cities, 2**20, lambda count: None)
+        facts = make_plan(Workspace(work), file, cities, 2**20, lambda count: None)
         rejects = pq.read_table(work / "plan" / "rejects.parquet").to_pylist()
         parts = sorted((work / "plan" / "rows").iterdir())
         rows = [row for part in parts for row in pq.read_table(part)["row"].to_pylist()]
@@ -112,12 +114,12 @@ def test_distances_are_alike_both_ways(lat, lon, other_lat, other_lon):
     assert 0.0 <= there[0] <= 3.15
 
 
-@pytest.mark.parametrize("strength", [JMA, Strength(0.3)])
+@pytest.mark.parametrize("measure", [JMA_INTENSITY, spectral_acceleration(0.3)])
 @given(values=st.lists(st.floats(0.001, 7), min_size=6, max_size=6), lat=st.floats(0, 2), lon=st.floats(0, 1))
-def test_a_map_stays_between_its_values(strength, values, lat, lon):
+def test_a_map_stays_between_its_values(measure, values, lat, lon):
     import numpy as np
 
-    levels = np.array([strength.level(value) for value in values])
-    grid = ShakeMap(strength, np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0]), levels.reshape(3, 2))
-    half = 0.501 / strength.steps
+    levels = np.array([level_of(measure, value) for value in values])
+    grid = ShakeMap(measure, np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0]), levels.reshape(3, 2))
+    half = 0.501 / steps_of(measure)
     assert levels.min() - half <= grid.at(lat, lon) <= levels.max() + half

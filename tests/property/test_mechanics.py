@@ -1,4 +1,4 @@
-"""What must hold for every body, room and motion: the mechanics under thousands of random cases."""
+"""Invariants of the solver, for bodies, rooms and motions that Hypothesis draws and for large samples."""
 
 from __future__ import annotations
 
@@ -10,18 +10,17 @@ import numpy as np
 import pytest
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
-from mechanics_cases import (
+from strategies import (
     COULOMB,
     LAWS,
     SEEDS,
     Seeded,
     Standing,
+    batches,
     clearances,
     mirrored,
     motions,
-    random_body,
     random_motion,
-    random_samples,
     random_standing,
     scaled,
     stacked,
@@ -29,14 +28,12 @@ from mechanics_cases import (
     up,
 )
 
-from stayput import Floor, Motion, Room, State, Wall, simulate
+from stayput import Floor, Motion, Room, State, simulate
 from stayput.cases import standing_corners
 from stayput.mechanics.runner import run_cases, shaking
 from stayput.simulation import STANDARD_GRAVITY, Outcome
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from numpy.typing import NDArray
 
     from stayput.simulation import Run
@@ -85,7 +82,7 @@ def corners(found: Run) -> NDArray[np.float64]:
     return np.stack(
         [
             np.stack([found.x + u * cos + v * sin, found.z + v * cos - u * sin], axis=1)
-            for u, v in found.body.corners
+            for u, v in found.body.corners_at_rest
         ],
         axis=1,
     )
@@ -93,10 +90,8 @@ def corners(found: Run) -> NDArray[np.float64]:
 
 def foot(found: Run) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Where the lower base corner is, from the centre of gravity, in the room's axes [m]."""
-    body = found.body
-    rest = body.resting_tilt
-    right = (found.tilt > rest) | ((found.tilt == rest) & (found.tilt_rate > 0.0))
-    u, v = np.array(body.corners)[right.astype(int)].T
+    right = (found.tilt > 0.0) | ((found.tilt == 0.0) & (found.tilt_rate > 0.0))
+    u, v = np.array(found.body.corners_at_rest)[right.astype(int)].T
     sin, cos = np.sin(found.tilt), np.cos(found.tilt)
     return u * cos + v * sin, v * cos - u * sin
 
@@ -130,10 +125,7 @@ def energies(found: Run, a: NDArray[np.float64], G: NDArray[np.float64]) -> NDAr
     return 0.5 * (vx**2 + vz**2 + inertia * found.tilt_rate**2) + G * found.z + a * found.x
 
 
-@pytest.mark.parametrize("law", [0, 1], ids=LAWS)
-@given(seed=SEEDS)
-def test_every_run_ends_with_finite_results(law: int, seed: int) -> None:
-    cases, motion = many(seed)
+def check_results_are_finite(cases: list[Standing], motion: Motion, law: int) -> None:
     results = run(stacked(cases), motion, law)
     for name in results.dtype.names:
         assert np.isfinite(results[name]).all(), name
@@ -142,6 +134,18 @@ def test_every_run_ends_with_finite_results(law: int, seed: int) -> None:
     assert (results["end"] <= (len(motion.x) - 1) * motion.dt * (1 + 1e-12)).all()
     assert (results["peak_tilt"] >= np.abs(results["residual_tilt"])).all()
     assert (results["peak_slide"] >= np.abs(results["residual_slide"])).all()
+
+
+@pytest.mark.parametrize("law", [0, 1], ids=LAWS)
+@given(cases=batches(), motion=motions(longest=800))
+def test_every_run_ends_with_finite_results(law: int, cases: list[Standing], motion: Motion) -> None:
+    check_results_are_finite(cases, motion, law)
+
+
+@pytest.mark.parametrize("law", [0, 1], ids=LAWS)
+@given(seed=SEEDS)
+def test_every_run_of_a_large_sample_ends_with_finite_results(law: int, seed: int) -> None:
+    check_results_are_finite(*many(seed), law)
 
 
 @given(case=standings(), motion=motions(longest=600), law=st.sampled_from([0, 1]))
@@ -159,67 +163,62 @@ def test_histories_are_finite_and_agree_with_the_results(case: Standing, motion:
     assert batch["events"] == len(found.events)
 
 
-@given(seed=SEEDS)
-def test_energy_never_grows_under_steady_loads(seed: int) -> None:
+def check_energy_never_grows(case: Standing, motion: Motion, found: Run) -> None:
     """The loads stay level for a while, then jump: at level loads each impact and slip only loses energy."""
-    source = Seeded(np.random.default_rng(seed))
-    for _ in range(10):
-        motion = random_motion(source, kind=3, longest=800)
-        case = random_standing(source)
-        if run(case.columns(), motion, COULOMB)["outcome"][0] == FAILED:
-            continue
-        found = simulate(case.body, case.room, motion, initial=case.start)
-        n = len(found.time)
-        a, G = motion.x[:n], STANDARD_GRAVITY + up(motion)[:n]
-        level = (a[1:] == a[:-1]) & (G[1:] == G[:-1])
-        here = energies(found, a, G)[:-1]
-        after = energies(found, np.append(a[0], a[:-1]), np.append(G[0], G[:-1]))[
-            1:
-        ]  # under the loads before
-        speed = np.nanmax(np.abs(np.stack(velocities(found))), initial=1.0)
-        size = np.abs(G).max() * case.body.height + np.abs(a).max() * np.ptp(found.x) + speed**2
-        grown = (after - here)[level]
-        worst = np.nanmax(grown, initial=0.0)
-        assert worst <= INTEGRATED * size, (worst / size, case, motion)
+    n = len(found.time)
+    a, G = motion.x[:n], STANDARD_GRAVITY + up(motion)[:n]
+    level = (a[1:] == a[:-1]) & (G[1:] == G[:-1])
+    here = energies(found, a, G)[:-1]
+    after = energies(found, np.append(a[0], a[:-1]), np.append(G[0], G[:-1]))[1:]  # under the loads before
+    speed = np.nanmax(np.abs(np.stack(velocities(found))), initial=1.0)
+    size = np.abs(G).max() * case.body.height + np.abs(a).max() * np.ptp(found.x) + speed**2
+    grown = (after - here)[level]
+    worst = np.nanmax(grown, initial=0.0)
+    assert worst <= INTEGRATED * size, (worst / size, case, motion)
 
 
-@given(seed=SEEDS)
-def test_no_corner_gets_behind_the_floor_a_wall_or_the_ceiling(seed: int) -> None:
-    source = Seeded(np.random.default_rng(seed))
-    for _ in range(10):
-        motion, case = random_motion(source, longest=800), random_standing(source)
-        if run(case.columns(), motion, COULOMB)["outcome"][0] == FAILED:
-            continue
-        found = simulate(case.body, case.room, motion, initial=case.start)
-        least = clearances(case.body, case.room, corners(found)).min(axis=0)
-        scale = max(1.0, np.abs(found.x).max())
-        assert (least >= -1e-9 * scale).all(), (least, case, motion)
+def check_no_corner_is_behind_a_plane(case: Standing, motion: Motion, found: Run) -> None:
+    least = clearances(case.body, case.room, corners(found)).min(axis=0)
+    scale = max(1.0, np.abs(found.x).max())
+    assert (least >= -1e-9 * scale).all(), (least, case, motion)
 
 
-@given(seed=SEEDS)
-@example(seed=11853)  # without friction the body stands only while the floor does not fall faster than it
-def test_floor_pushes_within_its_friction_cone(seed: int) -> None:
+def on_a_plain_floor(case: Standing) -> Standing:
+    """Return the case without walls, and with a floor without restitution."""
+    floor = case.room.floor
+    floor = Floor(floor.static_friction, floor.kinetic_friction, *floor.edge_friction)
+    return Standing(case.body, Room(floor), case.start)
+
+
+def check_floor_pushes_within_its_friction_cone(case: Standing, motion: Motion, found: Run) -> None:
     """Over any time, impacts included, the floor's impulse points up and its drag is at most μ of it."""
-    source = Seeded(np.random.default_rng(seed))
-    for _ in range(10):
-        motion = random_motion(source, longest=800)
-        case = random_standing(source, walls=False)
-        floor = case.room.floor
-        floor = Floor(floor.static_friction, floor.kinetic_friction, *floor.edge_friction)
-        case = Standing(case.body, Room(floor), case.start)
-        if run(case.columns(), motion, COULOMB)["outcome"][0] == FAILED:
-            continue
-        found = simulate(case.body, case.room, motion, initial=case.start)
-        n, dt = len(found.time), motion.dt
-        vx, vz = velocities(found)
-        pushed = np.diff(vz) + dt * (STANDARD_GRAVITY + (up(motion)[: n - 1] + up(motion)[1:n]) / 2)
-        dragged = np.diff(vx) + dt * (motion.x[: n - 1] + motion.x[1:n]) / 2
-        mu = max(floor.static_friction, *floor.edge_friction)
-        slack = SETTLED * max(1.0, np.nanmax(np.abs(vz), initial=0.0), np.abs(vx).max())
-        known = np.isfinite(pushed)
-        assert (pushed[known] >= -slack).all(), (pushed[known].min(), case, motion)
-        beyond = (np.abs(dragged) - mu * pushed)[known]
-        assert beyond.max(initial=0.0) <= slack, (beyond.max(), case, motion)
+    floor = case.room.floor
+    n, dt = len(found.time), motion.dt
+    vx, vz = velocities(found)
+    pushed = np.diff(vz) + dt * (STANDARD_GRAVITY + (up(motion)[: n - 1] + up(motion)[1:n]) / 2)
+    dragged = np.diff(vx) + dt * (motion.x[: n - 1] + motion.x[1:n]) / 2
+    mu = max(floor.static_friction, *floor.edge_friction)
+    slack = SETTLED * max(1.0, np.nanmax(np.abs(vz), initial=0.0), np.abs(vx).max())
+    known = np.isfinite(pushed)
+    assert (pushed[known] >= -slack).all(), (pushed[known].min(), case, motion)
+    beyond = (np.abs(dragged) - mu * pushed)[known]
+    assert beyond.max(initial=0.0) <= slack, (beyond.max(), case, motion)
+
+
+@given(case=standings(), motion=motions(kind=3, longest=800))
+def test_energy_never_grows_under_steady_loads(case: Standing, motion: Motion) -> None:
+    check_energy_never_grows(case, motion, traced(case, motion, COULOMB))
+
+
+@given(case=standings(), motion=motions(longest=800))
+def test_no_corner_gets_behind_the_floor_a_wall_or_the_ceiling(case: Standing, motion: Motion) -> None:
+    check_no_corner_is_behind_a_plane(case, motion, traced(case, motion, COULOMB))
+
+
+@given(case=standings(walls=False), motion=motions(longest=800))
+def test_floor_pushes_within_its_friction_cone(case: Standing, motion: Motion) -> None:
+    case = on_a_plain_floor(case)
+    check_floor_pushes_within_its_friction_cone(case, motion, traced(case, motion, COULOMB))
 
 
 def kinetic_frictions(case: Standing) -> tuple[float, float]:
@@ -245,52 +244,74 @@ def place_at_rest(case: Standing) -> tuple[float, float]:
     )
 
 
-def random_runs(seed: int) -> Iterator[tuple[Standing, Motion, Run]]:
-    """Run ten random cases through the public call."""
+def check_friction_opposes_a_flat_slide(case: Standing, motion: Motion, found: Run) -> None:
+    n, dt = len(found.time), motion.dt
+    happened = np.zeros(n, bool)
+    for event in found.events:
+        first, last = math.floor(event.time / dt - 1e-6), math.ceil(event.time / dt + 1e-6)
+        happened[max(0, first) : last + 1] = True
+    steady = (found.mode == "slide") & ~happened & (found.slide_rate != 0.0)
+    k = np.flatnonzero(steady[:-1] & steady[1:])
+    G = STANDARD_GRAVITY + (up(motion)[k] + up(motion)[k + 1]) / 2
+    side = np.sign(found.slide_rate[k])
+    drag = -np.where(side > 0.0, *kinetic_frictions(case)) * G * side
+    gained = (drag - (motion.x[k] + motion.x[k + 1]) / 2) * dt
+    assert np.allclose(np.diff(found.slide_rate)[k], gained, rtol=1e-9, atol=1e-11), (case, motion)
+
+
+def check_tilt_and_slide_are_continuous(case: Standing, motion: Motion, found: Run) -> None:
+    """From each known state the next one is reached by its rate, and by what the rate can change."""
+    states = list(zip(found.time, found.tilt, found.tilt_rate, found.slide, found.slide_rate, strict=True))
+    samples = len(states)
+    states += [(e.time, e.tilt, e.tilt_rate, e.slide, e.slide_rate) for e in found.events]
+    order = sorted(range(len(states)), key=lambda i: (states[i][0], i >= samples))
+    table = np.array([states[i] for i in order])
+    step = np.diff(table[:, 0])
+    rates, slips = np.abs(table[:, 2]).max(), np.abs(table[:, 4]).max()
+    reach = math.hypot(case.body.width, case.body.height)
+    load = STANDARD_GRAVITY + np.abs(motion.x).max() + np.abs(up(motion)).max()
+    turn = 2.0 * load * reach * case.body.mass / case.body.inertia_about_cg
+    for column, largest, push in ((1, rates, turn), (3, slips + rates * reach, load + turn * reach)):
+        jump = np.abs(np.diff(table[:, column]))
+        assert (jump <= 3.0 * largest * step + push * step**2 + 1e-8).all(), (jump.max(), case, motion)
+
+
+@given(case=standings(), motion=motions(longest=800))
+def test_friction_opposes_a_flat_slide(case: Standing, motion: Motion) -> None:
+    check_friction_opposes_a_flat_slide(case, motion, traced(case, motion, COULOMB))
+
+
+@given(case=standings(), motion=motions(longest=800))
+def test_tilt_and_slide_are_continuous(case: Standing, motion: Motion) -> None:
+    check_tilt_and_slide_are_continuous(case, motion, traced(case, motion, COULOMB))
+
+
+CHECKS = {
+    "energy": check_energy_never_grows,
+    "corners": check_no_corner_is_behind_a_plane,
+    "friction cone": check_floor_pushes_within_its_friction_cone,
+    "friction": check_friction_opposes_a_flat_slide,
+    "continuity": check_tilt_and_slide_are_continuous,
+}
+
+
+# 11853: without friction the body stands only while the floor does not fall faster than it
+@pytest.mark.parametrize("seed", [*range(20), 11853])
+@pytest.mark.parametrize("check", CHECKS)
+def test_laws_hold_for_a_large_sample(check: str, seed: int) -> None:
     source = Seeded(np.random.default_rng(seed))
     for _ in range(10):
-        motion = random_motion(source, longest=800)
-        case = random_standing(source)
+        motion = random_motion(source, kind=3 if check == "energy" else None, longest=800)
+        case = random_standing(source, walls=check != "friction cone")
+        case = on_a_plain_floor(case) if check == "friction cone" else case
         if run(case.columns(), motion, COULOMB)["outcome"][0] != FAILED:
-            yield case, motion, simulate(case.body, case.room, motion, initial=case.start)
+            CHECKS[check](case, motion, simulate(case.body, case.room, motion, initial=case.start))
 
 
-@given(seed=SEEDS)
-def test_friction_opposes_a_flat_slide(seed: int) -> None:
-    for case, motion, found in random_runs(seed):
-        n, dt = len(found.time), motion.dt
-        happened = np.zeros(n, bool)
-        for event in found.events:
-            first, last = math.floor(event.time / dt - 1e-6), math.ceil(event.time / dt + 1e-6)
-            happened[max(0, first) : last + 1] = True
-        steady = (found.mode == "slide") & ~happened & (found.slide_rate != 0.0)
-        k = np.flatnonzero(steady[:-1] & steady[1:])
-        G = STANDARD_GRAVITY + (up(motion)[k] + up(motion)[k + 1]) / 2
-        side = np.sign(found.slide_rate[k])
-        drag = -np.where(side > 0.0, *kinetic_frictions(case)) * G * side
-        gained = (drag - (motion.x[k] + motion.x[k + 1]) / 2) * dt
-        assert np.allclose(np.diff(found.slide_rate)[k], gained, rtol=1e-9, atol=1e-11), (case, motion)
-
-
-@given(seed=SEEDS)
-def test_tilt_and_slide_are_continuous(seed: int) -> None:
-    """From each known state the next one is reached by its rate, and by what the rate can change."""
-    for case, motion, found in random_runs(seed):
-        states = list(
-            zip(found.time, found.tilt, found.tilt_rate, found.slide, found.slide_rate, strict=True)
-        )
-        samples = len(states)
-        states += [(e.time, e.tilt, e.tilt_rate, e.slide, e.slide_rate) for e in found.events]
-        order = sorted(range(len(states)), key=lambda i: (states[i][0], i >= samples))
-        table = np.array([states[i] for i in order])
-        step = np.diff(table[:, 0])
-        rates, slips = np.abs(table[:, 2]).max(), np.abs(table[:, 4]).max()
-        reach = math.hypot(case.body.width, case.body.height)
-        load = STANDARD_GRAVITY + np.abs(motion.x).max() + np.abs(up(motion)).max()
-        turn = 2.0 * load * reach * case.body.mass / case.body.inertia_about_cg
-        for column, largest, push in ((1, rates, turn), (3, slips + rates * reach, load + turn * reach)):
-            jump = np.abs(np.diff(table[:, column]))
-            assert (jump <= 3.0 * largest * step + push * step**2 + 1e-8).all(), (jump.max(), case, motion)
+@pytest.mark.xfail(reason="a lean drifts by up to 1e-7 m into the wall and the floor", strict=True)
+@pytest.mark.parametrize("seed", [29, 114])
+def test_no_corner_sinks_in_while_the_body_leans(seed: int) -> None:
+    test_laws_hold_for_a_large_sample("corners", seed)
 
 
 @pytest.mark.parametrize("law", [0, 1], ids=LAWS)
@@ -330,6 +351,8 @@ def judge(
 ) -> None:
     """Nearly all cases that end must be the same, and none overturn in one run only if it is not sensitive.
 
+    This is about the share of a large sample, which is therefore made from a seed.
+
     Rounding, and the height at which a bounce is over, may grow to something that is seen where
     impacts pile up, even in a case that a small change of the motion leaves as it is.
     """
@@ -368,76 +391,40 @@ def test_similar_cases_run_alike(law: int, seed: int, k: float) -> None:
     judge(cases, motion, law, one, other, alike(one, other, 1e-5, k=k))
 
 
-def resting_case(source: Seeded) -> tuple[Standing, float]:
-    """Return a body that can stand, with flush walls or none, and what it bears of ẍ_G/G."""
-    while True:
-        body = random_body(source)
-        a, b = body.corners[:2]
-        tilt = body.resting_tilt
-        sin, cos = math.sin(tilt), math.cos(tilt)
-        (x_a, z_a), (x_b, z_b) = ((u * cos + v * sin, v * cos - u * sin) for u, v in (a, b))
-        bears = min(-x_a / -z_a, x_b / -z_b)
-        if bears > 1e-3:
-            break
-    static = source.uniform(0.05, 1.2)
-    wall = Wall(0.0, 0.3, source.uniform(0.0, 1.0))
-    how = source.whole(0, 3)
-    room = Room(
-        Floor(static, static * source.uniform(0.0, 1.0)), wall if how & 1 else None, wall if how & 2 else None
-    )
-    return Standing(body, room, State()), min(static, bears)
-
-
-@pytest.mark.parametrize("law", [0, 1], ids=LAWS)
-@given(seed=SEEDS)
-def test_body_below_its_limits_never_moves(law: int, seed: int) -> None:
-    source = Seeded(np.random.default_rng(seed))
-    dt = source.uniform(0.01, 0.05)
-    n = int(600.0 / dt)
-    vertical = source.whole(0, 1)
-    z = random_samples(source, n, dt, 0.5 * STANDARD_GRAVITY, 0) * vertical
-    x = random_samples(source, n, dt, 1.0, source.whole(0, 3))
-    G = STANDARD_GRAVITY + (z if law == COULOMB else np.zeros(n))
-    for _ in range(10):
-        case, ratio = resting_case(source)
-        least = np.minimum(G, np.minimum(np.append(G[1:], G[-1]), np.insert(G[:-1], 0, G[0])))
-        motion = Motion(dt, 0.99 * ratio * least * x / max(1.0, np.abs(x).max()), z=z)
-        result = run(case.columns(), motion, law)[0]
-        assert result["outcome"] == 0, (result, case, motion)
-        assert result["residual_slide"] == 0.0
-        assert result["peak_slide"] == 0.0
-        assert result["peak_tilt"] == abs(result["residual_tilt"])
-        assert result["residual_tilt"] == case.body.resting_tilt
-        assert result["events"] == 0
-
-
-@given(seed=SEEDS)
-def test_body_just_above_its_limits_moves(seed: int) -> None:
-    source = Seeded(np.random.default_rng(seed))
-    for _ in range(10):
-        case, ratio = resting_case(source)
-        case = Standing(case.body, Room(case.room.floor), State())
-        x = np.zeros(200)
-        x[50:150] = 1.01 * ratio * STANDARD_GRAVITY * (1 if source.whole(0, 1) else -1)
-        both = [run(case.columns(), Motion(0.01, sign * x), COULOMB)[0] for sign in (1.0, -1.0)]
-        assert any(result["events"] > 0 for result in both), case
+@given(cases=batches(), motion=motions(longest=800), law=st.sampled_from([0, 1]), data=st.data())
+def test_same_bits_in_any_company(
+    cases: list[Standing], motion: Motion, law: int, data: st.DataObject
+) -> None:
+    order = np.array(data.draw(st.permutations(range(len(cases)))))
+    check_same_bits(cases, motion, law, order)
 
 
 @given(seed=SEEDS, law=st.sampled_from([0, 1]))
-def test_same_bits_in_any_company(seed: int, law: int) -> None:
+def test_same_bits_in_a_large_sample(seed: int, law: int) -> None:
     cases, motion = many(seed)
+    check_same_bits(cases, motion, law, np.random.default_rng(seed).permutation(len(cases)))
+
+
+def check_same_bits(cases: list[Standing], motion: Motion, law: int, order: NDArray[np.intp]) -> None:
     columns = stacked(cases)
     results = run(columns, motion, law)
     assert results.tobytes() == run(columns, motion, law).tobytes()
-    order = np.random.default_rng(seed).permutation(len(cases))
     assert results[order].tobytes() == run(columns[order], motion, law).tobytes()
     for i in order[:10]:
         assert results[i].tobytes() == run(columns[i : i + 1], motion, law)[0].tobytes()
 
 
+@given(case=standings(), motion=motions(longest=800))
+def test_history_changes_no_bit(case: Standing, motion: Motion) -> None:
+    check_history_changes_no_bit([case], motion)
+
+
 @given(seed=SEEDS)
-def test_history_changes_no_bit(seed: int) -> None:
-    cases, motion = many(seed)
+def test_history_changes_no_bit_in_a_large_sample(seed: int) -> None:
+    check_history_changes_no_bit(*many(seed))
+
+
+def check_history_changes_no_bit(cases: list[Standing], motion: Motion) -> None:
     results = run(stacked(cases), motion, COULOMB)
     for i in np.flatnonzero(results["outcome"] != FAILED)[:5]:
         found = simulate(cases[i].body, cases[i].room, motion, initial=cases[i].start)

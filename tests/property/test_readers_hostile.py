@@ -1,17 +1,22 @@
-"""Damaged files: each gives a finite motion of the record's own step, or InputError, and nothing else.
+"""Damaged files: each is refused with one sentence, or gives a motion with the file's components and step.
 
-The files are written here, in each format, from one wave; then they are cut, mixed up and overwritten.
+Any other motion comes with a warning. The files are written here, in each format, from one wave; then they
+are cut, mixed up and overwritten.
 """
 
 import re
+import time
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from damage import damaged, odd_spellings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from stayput.errors import InputError
+from stayput.errors import LONGEST_SENTENCE, InputError, warnings_to
 from stayput.motion import Motion, read_motion
+
+pytestmark = pytest.mark.hostile
 
 N = 96
 WAVE = np.round(200.0 * np.sin(np.arange(N) * 0.37) * np.exp(-np.arange(N) / 60.0), 3)  # gal, or g/1000
@@ -65,7 +70,9 @@ def knet_csv():
 
 
 def esm():
-    head = f"EVENT_ID: T\nSAMPLING_INTERVAL_S: 0.01\nNDATA: {N}\nSTREAM: HNN\nUNITS: cm/s^2\n"
+    head = (
+        f"EVENT_ID: T\nSAMPLING_INTERVAL_S: 0.01\nNDATA: {N}\nDURATION_S: 0.96\nSTREAM: HNN\nUNITS: cm/s^2\n"
+    )
     return f"{head}PGA_CM/S^2: {PEAK}\nDATA_TYPE: ACCELERATION\n" + _block(WAVE, "%.6f", 1)
 
 
@@ -73,6 +80,7 @@ def csmip():
     def channel(number, direction, values):
         block = _block(values, "%10.3f", 8)
         head = f"CORRECTED ACCELEROGRAM   1   CHAN  {number}: {direction}     FROM\n" + "TEXT LINE\n" * 7
+        head += "".join(f"{i:5d}" for i in (number, 1, number, 3, 3, *[0] * 11)) + "\n"
         peak = f"PEAK ACCELERATION = {np.abs(values).max():9.3f}    CM/SEC/SEC  AT 1.0   SEC.\n"
         kinds = {"ACCEL": "CM/SEC/SEC", "VELOC": "CM/SEC", "DISPL": "CM"}
         blocks = "".join(
@@ -112,14 +120,23 @@ def file(tmp_path_factory):
     return tmp_path_factory.mktemp("hostile") / "record"
 
 
-def _read(file, name, content) -> Motion | None:
+def _read(file, name, content, told=None) -> Motion | None:
+    """Read a file; append what is told of it, and return None where it is refused."""
     file.write_bytes(content)
+    heard = [] if told is None else told
+    start = time.process_time()
     try:
-        motion = read_motion(file, unit=UNITS.get(name))
+        with warnings_to(lambda warning: heard.append(str(warning))):
+            motion = read_motion(file, unit=UNITS.get(name))
     except InputError as error:
-        text = str(error)
-        assert text.endswith(".")
-        assert "\n" not in text.strip()
+        heard.append(str(error))
+        motion = None
+    assert time.process_time() - start < 2.0
+    for sentence in heard:
+        assert sentence.endswith(".")
+        assert "\n" not in sentence.strip()
+        assert len(sentence) <= LONGEST_SENTENCE
+    if motion is None:
         return None
     for values in motion.components.values():
         assert np.isfinite(values).all()
@@ -133,12 +150,7 @@ def _needs(name):
         pytest.importorskip("obspy", reason="ObsPy is not installed")
 
 
-hostile = settings(
-    max_examples=60,
-    deadline=2000,
-    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
-    derandomize=True,
-)
+hostile = settings(max_examples=max(60, settings.default.max_examples))
 each_format = pytest.mark.parametrize("name", FORMATS)
 
 
@@ -175,6 +187,45 @@ def test_truncated_anywhere(name, file, data):
         if name == "knet":  # whose offset, the mean, moves with the last number
             difference = np.diff(difference)
         assert np.abs(difference).max(initial=0.0) < 1e-12
+
+
+ONCE = {  # the time step, where a format states it once: nothing else tells that another number is wrong
+    "peer": r"DT= (\.01000)",
+    "jma": r"RATE= (100)Hz",
+    "cosmos": r"-999\.000000 +(10\.000000)",
+}
+
+
+@each_format
+@hostile
+@given(data=st.data())
+def test_one_piece_of_damage(name, file, data):
+    _needs(name)
+    text = FORMATS[name].decode("cp932")
+    whole = _read(file, name, FORMATS[name])
+    assert whole is not None
+    spared = tuple(m.span(1) for m in re.finditer(ONCE[name], text)) if name in ONCE else ()
+    told: list[str] = []
+    motion = _read(file, name, data.draw(damaged(text, spared)).encode("cp932", "replace"), told)
+    if motion is not None and not told:
+        assert motion.dt == pytest.approx(whole.dt, rel=1e-12)
+        assert motion.components.keys() == whole.components.keys()
+
+
+@pytest.mark.parametrize("name", ONCE)
+@hostile
+@given(data=st.data())
+def test_the_time_step_in_odd_spellings(name, file, data):
+    text = FORMATS[name].decode("cp932")
+    found = re.search(ONCE[name], text)
+    assert found is not None
+    other = data.draw(st.sampled_from(odd_spellings(found[1])))
+    motion = _read(
+        file, name, (text[: found.start(1)] + other + text[found.end(1) :]).encode("cp932", "replace")
+    )
+    if motion is not None:
+        assert other.isascii()
+        assert motion.dt == pytest.approx(0.01, rel=1e-12)
 
 
 @each_format

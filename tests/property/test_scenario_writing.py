@@ -9,7 +9,6 @@ import stayput as sp
 from stayput.furniture import FURNITURE
 from stayput.measures import MEASURES
 from stayput.room import SURFACES
-from stayput.scenario.writing import scenario_toml
 
 names = st.text(st.characters(codec="utf-8"), min_size=1, max_size=200)
 
@@ -84,8 +83,8 @@ scenarios = st.fixed_dictionaries(
 @given(scenarios)
 def test_what_is_written_is_read_again(data):
     scenario = sp.Scenario.parse(data)
-    text = scenario_toml(scenario)
+    text = scenario.to_toml()
     again = sp.Scenario.parse(tomllib.loads(text))
     assert again == scenario
-    assert scenario_toml(again) == text
+    assert again.to_toml() == text
     assert again.model_dump(exclude_unset=True) == scenario.model_dump(exclude_unset=True)

@@ -13,9 +13,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from stayput.motion.integrals import displacement, velocity
+from stayput.motion.processing import QUANTUM, ending_at_rest
 from stayput.motion.suites import FAMILIES, Suite, synthetic_motion, synthetic_suite
-from stayput.motion.suites.draws import Draws
-from stayput.motion.suites.settling import QUANTUM, settled
+from stayput.motion.suites.families import Draws
 
 SEED = 11
 
@@ -86,7 +86,7 @@ def test_noise_is_standard_normal():
 def test_whatever_is_settled_ends_at_rest(seed: int, n: int, size: float) -> None:
     a = size * Draws(seed).noise(n)
     a[0] = a[-1] = 0.0
-    rest = settled(a)
+    rest = ending_at_rest(a)
     assert rest[0] == rest[-1] == 0.0
     whole = np.rint(rest / QUANTUM).astype(np.int64)
     assert int(whole.sum()) == 0

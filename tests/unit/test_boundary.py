@@ -5,8 +5,13 @@ import pytest
 
 import stayput as sp
 from stayput.ensemble import overturning
-from stayput.ensemble.boundary import overturning_map, trace_boundary
-from stayput.ensemble.flips import flips_of, hidden_flips, refined
+from stayput.ensemble.boundary import (
+    bisected,
+    hidden_crossings,
+    overturning_map,
+    sampled_crossings,
+    trace_boundary,
+)
 
 SCALE = "motion.scale"
 WAVE = sp.sine(9.81, 2.0, 0.5, quiet=10.0, dt=2.5e-3)
@@ -195,7 +200,7 @@ def test_known_edges_are_found(seed):
 
     grid = np.repeat(np.arange(7), 200), np.tile(amplitudes, 7)
     sampled = runs(*grid)[0].reshape(7, 200)
-    found = refined(flips_of(sampled, amplitudes), runs, 1e-9)
+    found = bisected(sampled_crossings(sampled, amplitudes), runs, 1e-9)
     for point, known in enumerate(edges):
         mine = found.point == point
         lower, upper, place = found.lower[mine], found.upper[mine], np.searchsorted(amplitudes, known)
@@ -214,8 +219,8 @@ def test_an_island_of_known_width_is_found_where_the_landings_change():
         return ~island, np.where(amplitude < 2.614, 3, 2).astype(np.int32)
 
     sampled = np.array([[True, True, True]])
-    found = hidden_flips(sampled, np.array([[3, 3, 2]], np.int32), amplitudes, runs, 1e-6)
+    found = hidden_crossings(sampled, np.array([[3, 3, 2]], np.int32), amplitudes, runs, 1e-6)
     assert found.direction.tolist() == [-1, 1]
-    near = refined(found, runs, 1e-9)
+    near = bisected(found, runs, 1e-9)
     assert near.lower == pytest.approx([2.613, 2.615], rel=1e-8)
-    assert not len(hidden_flips(sampled, np.array([[3, 3, 3]], np.int32), amplitudes, runs, 1e-6))
+    assert not len(hidden_crossings(sampled, np.array([[3, 3, 3]], np.int32), amplitudes, runs, 1e-6))

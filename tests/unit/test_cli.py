@@ -228,7 +228,7 @@ def test_version():
     assert cli("--version").stdout == f"stayput {stayput.__version__}\n"
 
 
-def test_a_study_writes_data_figure_and_text(tmp_path):
+def test_a_study_writes_data_figure_and_summary(tmp_path):
     out = tmp_path / "new" / "folder"
     result = cli("study", "wall-gap-record", "--motion", "near-fault", "--out", out)
     assert result.exit_code == 0
@@ -236,7 +236,7 @@ def test_a_study_writes_data_figure_and_text(tmp_path):
     names = {path.name for path in out.iterdir()}
     assert {f"wall-gap-record.{suffix}" for suffix in ("nc", "csv", "md")} < names
     assert (out / "wall-gap-record_ranges.png").read_bytes().startswith(b"\x89PNG")
-    assert "Table 4.2" in (out / "wall-gap-record.md").read_text(encoding="utf-8")
+    assert "Variant nearest to Table 4.3" in (out / "wall-gap-record.md").read_text(encoding="utf-8")
     with xr.open_dataset(out / "wall-gap-record.nc", engine="scipy") as data:
         assert data.attrs["motion"] == "synthetic near-fault motion"
         assert data["gap"].attrs["units"] == "m"

@@ -1,7 +1,9 @@
-"""Compiled code on disk: used again, dropped with the source it came from, announced when made."""
+"""Compiled code on disk: used again unless it is damaged or its source changed; announced when made."""
 
 import os
+import pickle
 import shutil
+import stat
 import subprocess
 import sys
 from pathlib import Path
@@ -12,64 +14,166 @@ from numba import njit
 import stayput.compiled as compiled
 
 CALLER = """
+from stayput.compiled import entry, on_compilation
 from small.callee import part
-from small.compiled import entry, told_of_compilation
 
 @entry
 def whole(x):
     return part(x) + 1.0
 
-with told_of_compilation(lambda: print("compiling", end=" ")):
+with on_compilation(lambda: print("compiling", end=" ")):
     whole(1.0), whole(2)
 print(whole(1.0))
 """
 
 
 def callee(factor):
-    return f"from small.compiled import inner\n\n@inner\ndef part(x):\n    return {factor} * x\n"
+    return f"from stayput.compiled import inner\n\n@inner\ndef part(x):\n    return {factor} * x\n"
+
+
+class Program:
+    """A program of two files that are compiled, and the folder of its code."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder, self.package, self.code = folder, folder / "small", folder / "code"
+        self.package.mkdir()
+        (self.package / "caller.py").write_text(CALLER)
+        (self.package / "callee.py").write_text(callee(2.0))
+
+    def __call__(self, **environment: str) -> str:
+        done = subprocess.run(
+            [sys.executable, "-m", "small.caller"],
+            cwd=self.folder,
+            env=os.environ | (environment or {"NUMBA_CACHE_DIR": str(self.code)}),
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr
+        return (done.stdout + done.stderr).strip()
 
 
 @pytest.fixture
 def run(tmp_path):
-    package = tmp_path / "small"
-    package.mkdir()
-    shutil.copy(Path(compiled.__file__), package / "compiled.py")
-    (package / "caller.py").write_text(CALLER)
-    (package / "callee.py").write_text(callee(2.0))
+    return Program(tmp_path)
 
-    def run():
-        done = subprocess.run(
-            [sys.executable, "-m", "small.caller"],
-            cwd=tmp_path,
-            env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "code")},
-            capture_output=True,
-            text=True,
-            check=True,
-        )
-        return done.stdout.strip()
 
+@pytest.fixture(scope="module")
+def compiled_once(tmp_path_factory):
+    run = Program(tmp_path_factory.mktemp("program"))
+    run()
     return run
 
 
-def test_code_on_disk_is_used_until_any_source_changes(run, tmp_path):
+def test_code_on_disk_is_used_until_any_source_changes(run):
     assert run() == "compiling 3.0"
     assert run() == "3.0"
-    (tmp_path / "small" / "callee.py").write_text(callee(5.0))  # the entry's own file stays as it was
+    (run.package / "callee.py").write_text(callee(5.0))  # the entry's own file stays as it was
     assert run() == "compiling 6.0"
     assert run() == "6.0"
 
 
-def test_code_that_cannot_be_dropped_is_no_failure(run, tmp_path, monkeypatch):
+def cut(share):
+    return lambda content: content[: int(share * len(content))]
+
+
+def _zeros(content):
+    middle = len(content) // 2
+    return content[:middle] + bytes(200) + content[middle + 200 :]
+
+
+DAMAGES = {
+    "empty": cut(0.0),
+    "cut early": cut(0.01),
+    "cut in the middle": cut(0.5),
+    "cut at the end": lambda content: content[:-1],
+    "zeros": lambda content: bytes(len(content)),
+    "zeros inside": _zeros,
+    "one bit": lambda content: content[:-500] + bytes([content[-500] ^ 1]) + content[-499:],
+    "garbage": lambda content: b"\xde\xad\xbe\xef" * 1000,
+    "another pickle": lambda content: pickle.dumps({"version": None}),
+    "more": lambda content: content + b"\0",
+}
+
+
+@pytest.mark.parametrize("suffix", ["nbi", "nbc"])
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_damaged_code_is_compiled_anew(compiled_once, suffix, damage):
+    files = sorted(compiled_once.code.rglob(f"*.{suffix}"))
+    assert files
+    for file in files:
+        file.write_bytes(DAMAGES[damage](file.read_bytes()))
+    assert compiled_once() == "compiling 3.0"
+
+
+def test_code_that_was_compiled_anew_is_used(compiled_once):
+    for file in compiled_once.code.rglob("*.nb?"):
+        file.write_bytes(b"")
+    assert compiled_once() == "compiling 3.0"
+    assert compiled_once() == "3.0"
+
+
+def test_code_in_the_file_of_other_code_is_not_taken(run):
     run()
-    index = next((tmp_path / "code").rglob("*.nbi"))
-    os.utime(index, (0, 0))
+    one, other = sorted(run.code.rglob("*.nbc"))
+    shutil.copy(one, other)
+    assert run() == "compiling 3.0"
+    assert run() == "3.0"
 
-    def refuse(self, missing_ok=False):
-        raise PermissionError(13, "Permission denied", str(self))
 
-    monkeypatch.setattr(Path, "unlink", refuse)
-    compiled._forget_outdated(index.parent, [tmp_path / "small"])
-    assert index.exists()
+@pytest.mark.parametrize("suffix", ["nbi", "nbc"])
+def test_a_folder_in_the_place_of_code_is_said_in_a_line(run, suffix):
+    run()
+    for file in run.code.rglob(f"*.{suffix}"):
+        file.unlink()
+        file.mkdir()
+    assert run().splitlines() == ["compiling 3.0", "Compiled code could not be kept: is a directory."]
+
+
+@pytest.fixture
+def unwritable(run):
+    """Neither beside the sources nor in the home can a folder be made, whoever runs the program."""
+    (run.package / "__pycache__").touch()
+    temporary = run.folder / "temporary"
+    temporary.mkdir()
+    home = str(run.package / "caller.py")
+    environment = {"TMPDIR": str(temporary), "HOME": home, "XDG_CACHE_HOME": home}
+    user = f"-{os.getuid()}" if hasattr(os, "getuid") else ""
+    return (lambda: run(**environment).splitlines()), temporary / f"stayput{user}"
+
+
+def test_where_nothing_can_be_written_code_is_kept_in_a_temporary_folder_of_the_user(unwritable):
+    run, folder = unwritable
+    said = (
+        f"Neither the folder of stayput nor your home can be written to; compiled code is kept in {folder}."
+    )
+    assert run() == ["compiling 3.0", said]
+    assert run() == ["3.0", said]
+    assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+    assert list(folder.rglob("*.nbc"))
+
+
+@pytest.mark.parametrize("trap", ["of another user", "open to others", "link", "file"])
+def test_a_temporary_folder_that_others_may_have_made_is_not_used(unwritable, trap):
+    run, folder = unwritable
+    elsewhere = folder.parent / "elsewhere"
+    elsewhere.mkdir(mode=0o700)
+    match trap:
+        case "of another user":
+            if os.getuid() != 0:
+                pytest.skip("only root can make a folder of another user")
+            folder.mkdir(mode=0o700)
+            os.chown(folder, 12345, -1)
+        case "open to others":
+            folder.mkdir()
+            folder.chmod(0o777)
+        case "link":
+            folder.symlink_to(elsewhere)
+        case _:
+            folder.touch()
+    said = "Compiled code cannot be kept on this machine; every start compiles anew."
+    assert run() == ["compiling 3.0", said]
+    assert not list(folder.parent.rglob("*.nb?"))
 
 
 def test_constants_do_not_compile_a_function_anew():

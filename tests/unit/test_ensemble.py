@@ -188,6 +188,15 @@ def test_what_is_refused(axes, words):
     assert "\n" not in str(caught.value)
 
 
+def test_a_refusal_tells_its_case_and_axis_in_japanese():
+    with pytest.raises(sp.InputError) as caught:
+        sp.sweep(CASE, {"body.width": [0.3, -0.4]})
+    assert caught.value.told("ja").startswith("2件中のケース1：")
+    with pytest.raises(sp.InputError) as caught:
+        sp.sweep(CASE, {("body.width", "body.height"): ([0.3, 0.4], [1.0])})
+    assert caught.value.told("ja").startswith("軸('body.width', 'body.height')の値の数が")
+
+
 def test_histories_that_are_refused():
     with pytest.raises(sp.InputError, match="History is 'tlit'"):
         sp.sweep(CASE, {"motion.scale": [1.0]}, histories=("tlit",))
@@ -199,17 +208,17 @@ def test_histories_that_are_refused():
 
 def test_the_work_in_hand_does_not_grow_with_the_number_of_cases(monkeypatch):
     at_once = []
-    part = Grid.part
+    block = Grid.block
 
     def counted(grid, start, stop):
         at_once.append(stop - start)
-        return part(grid, start, stop)
+        return block(grid, start, stop)
 
     axes = {"body.width": np.linspace(0.2, 0.6, 100), "motion.scale": np.linspace(0.01, 0.02, 100)}
     from stayput.ensemble.axes import make_grid
 
     grid = make_grid(CASE, axes)
-    monkeypatch.setattr(Grid, "part", counted)
+    monkeypatch.setattr(Grid, "block", counted)
     run_grid(grid, chunk=500, threads=2)
     assert at_once == [500] * 20
 

@@ -9,6 +9,7 @@ from scipy.stats import binomtest
 
 from stayput import InputError
 from stayput.fragility import difference, probability, samples_needed, wilson
+from stayput.fragility.paired import score_interval
 
 
 @pytest.mark.parametrize(("k", "n"), [(0, 10), (1, 10), (5, 10), (10, 10), (81, 263), (15, 148), (1, 29)])
@@ -39,11 +40,11 @@ def test_nothing_seen_is_not_certain() -> None:
     assert probability(np.ones((40, 16), bool)).low == pytest.approx(1.0 - found.high)
 
 
-def test_one_fall_among_many_is_no_jump() -> None:
+def test_one_fall_among_many_is_no_proof_that_runs_are_independent() -> None:
     fallen = np.zeros((40, 16), bool)
     before = probability(fallen).high
     fallen[0, 0] = True
-    assert probability(fallen).high == pytest.approx(before, rel=0.05)
+    assert 5.0 * wilson(1, 640)[1] < probability(fallen).high < before
 
 
 def test_one_motion_speaks_of_its_own_runs() -> None:
@@ -91,21 +92,44 @@ def test_ignoring_the_motions_would_not_hold() -> None:
     assert held < 140
 
 
-def test_difference_is_bonett_and_prices_with_one_run_a_motion() -> None:
-    # p̃ = (f + 1)/(n + 2) of both kinds of discordant pairs; here with Student's t of n − 1 for the normal
-    n, more, fewer = 60, 4, 16
-    first = np.zeros((n, 1), bool)
-    second = first.copy()
-    first[:more] = True
-    second[more : more + fewer] = True
+def test_score_interval_of_paired_proportions() -> None:
+    # its ends are where the score is the quantile; checked on a grid of differences by the restricted
+    # likelihood, maximised numerically over the share q of pairs that differ for the second only
+    more, fewer, pairs, z = 4.0, 16.0, 60.0, 1.959964
+    q = np.linspace(1e-6, 1.0, 400_001)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        for end in score_interval(more, fewer, pairs):
+            height = more * np.log(q + end) + fewer * np.log(q) + (40.0) * np.log(1.0 - 2.0 * q - end)
+            likeliest = q[np.nanargmax(height)]
+            score = (more - fewer - pairs * end) / np.sqrt(pairs * (2.0 * likeliest + end * (1.0 - end)))
+            assert abs(score) == pytest.approx(z, abs=1e-4)
+
+
+def test_difference_of_pairs_that_are_all_equal_is_not_certain() -> None:
+    same = np.zeros((40, 16), bool)
+    for both in (same, ~same):
+        found = difference(both, both)
+        # as of 40 pairs: 1 - 0.025^(1/40) = 8.8 % could differ for the one or the other
+        assert found.estimate == 0.0
+        assert (found.low, found.high) == pytest.approx((-0.0876, 0.0876), abs=1e-4)
+    everywhere = difference(~same, same)
+    assert (everywhere.estimate, everywhere.high) == (1.0, 1.0)
+    assert everywhere.low < 0.93
+
+
+def test_one_motion_speaks_of_its_own_pairs() -> None:
+    first, second = np.arange(50).reshape(1, 50) < 5, np.arange(50).reshape(1, 50) < 20
     found = difference(first, second)
-    p, q = (more + 1) / (n + 2), (fewer + 1) / (n + 2)
-    half = 2.00100 * np.sqrt((p + q - (p - q) ** 2) / (n + 2))
-    assert found.estimate == pytest.approx((more - fewer) / n)
-    assert (found.low, found.high) == pytest.approx((p - q - half, p - q + half), abs=1e-6)
-    assert found.clear
-    back = difference(second, first)
-    assert (back.low, back.high) == pytest.approx((-found.high, -found.low))
+    assert (found.low, found.high) == pytest.approx(score_interval(0, 15, 50))
+
+
+def test_few_motions_that_agree_are_not_sure() -> None:
+    # a fall in one draw of each of five motions, none with the measure: 5 of 20, and five facts
+    bare = np.zeros((5, 4), bool)
+    bare[:, 0] = True
+    found = difference(np.zeros((5, 4), bool), bare)
+    assert found.estimate == -0.25
+    assert found.high > -0.1
 
 
 def test_pairing_sharpens_a_difference() -> None:

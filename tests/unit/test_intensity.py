@@ -7,13 +7,14 @@ import pytest
 
 from stayput import InputError
 from stayput.motion import Motion, near_fault, sine
-from stayput.motion.conversions import jma_from_pgv, kawasumi, mercalli
 from stayput.motion.frequency import fourier_amplitude, konno_ohmachi, mean_period
 from stayput.motion.intensity import (
     CLASSES,
     intensity_class,
     intensity_of_class,
-    jma_intensity,
+    jma_from_pgv,
+    kawasumi,
+    mercalli,
     published_intensity,
 )
 from stayput.motion.measures import Shaking, SpectralMeasures
@@ -63,7 +64,7 @@ def test_scaled_exactly(wanted):
 
 def test_scale_moves_intensity_by_two_log_k():
     motion = near_fault()
-    assert jma_intensity(motion.scaled(3.7)) - jma_intensity(motion) == pytest.approx(2.0 * math.log10(3.7))
+    assert motion.scaled(3.7).intensity - motion.intensity == pytest.approx(2.0 * math.log10(3.7))
 
 
 def test_a_class_is_scaled_to_its_middle():

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import math
+import re
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -16,6 +18,7 @@ from inventories import CITY, HEADER, city, digests, pieces, rows_of_results, ta
 from typer.testing import CliRunner
 
 import stayput as sp
+from stayput.cases import State, case_columns
 from stayput.cli.assess import assess as command
 from stayput.inventory import assess
 from stayput.inventory.assess import memory_of
@@ -23,11 +26,10 @@ from stayput.inventory.city import read_cities
 from stayput.inventory.report import storey_map
 from stayput.inventory.results import choose
 from stayput.inventory.summary import Total
-from stayput.inventory.units import _drawn, unit_rows
-from stayput.measures import MEASURES, hold
+from stayput.measures import MEASURES, element_rows, hold
+from stayput.montecarlo.counting import EVENTS
+from stayput.montecarlo.sampling import drawn_body, drawn_room, draws, rows_of
 from stayput.verification import verify
-from stayput.verification.draws import draws, rows_of
-from stayput.verification.options import Option
 
 ROWS = [
     "shelf,bookcase,,,,,0.02,office,3,wedge;sheet+tension_pole,1000;5000,4,20000",
@@ -206,14 +208,6 @@ def test_another_assessment_is_not_mixed_in(tmp_path, monkeypatch, what):
     assert digests(tmp_path / "out") == before
 
 
-def test_a_folder_of_something_else_is_left_alone(tmp_path):
-    (tmp_path / "out").mkdir()
-    (tmp_path / "out" / "thesis.txt").write_text("x")
-    with pytest.raises(sp.InputError, match=r"thesis\.txt"):
-        assess(table(tmp_path, pieces(1)), city(tmp_path), tmp_path / "out", progress=False)
-    assert (tmp_path / "out" / "thesis.txt").exists()
-
-
 STATION = '\n[station]\nlat = {lat}\nlon = {lon}\nevent = "quake"\n'
 
 
@@ -251,16 +245,23 @@ def test_scenarios_without_a_station_are_events_for_all(tmp_path):
 
 
 @pytest.mark.parametrize("kind", [None, *MEASURES])
-def test_draws_by_the_column_are_those_of_a_verification(kind):
+def test_rows_by_the_column_are_those_of_each_draw(kind):
     body = sp.Body(0.4, 1.8, 120.0, (0.01, 0.05), inertia=40.0)
     room = sp.Room(sp.Floor(0.4, 0.3, 0.5, 0.4, 0.9), sp.Wall(0.02), sp.Wall(1.0), sp.Ceiling(2.4))
     measures = (MEASURES[kind](),) if kind else ()
     hold(body, room, measures)
-    wanted = rows_of(Option("x", measures), body, room, draws(4, 5, 3), 9.81)
-    cases, elements = unit_rows(body, room, measures, _drawn(4, 5, 3, 0), 9.81)
-    for name in cases.dtype.names:
-        np.testing.assert_array_equal(cases[name], wanted.cases[name])
-    assert elements.tobytes() == wanted.elements.tobytes()
+    rows = rows_of(body, room, measures, draws(4, 5, 3), 9.81)
+    cases, elements, masses = [], [], []
+    for draw in (one for row in draws(4, 5, 3) for one in row):
+        held = hold(drawn_body(body, draw), room, measures)
+        cases.append(case_columns(held.body, drawn_room(held.room, draw), State(), 9.81))
+        elements.append(element_rows(held, draw.strength))
+        masses.append(held.body.mass)
+    wanted = np.concatenate(cases)
+    for name in wanted.dtype.names:
+        np.testing.assert_array_equal(rows.cases[name], wanted[name])
+    assert rows.elements.tobytes() == np.stack(elements).tobytes()
+    np.testing.assert_array_equal(rows.masses, masses)
 
 
 def test_a_precision_stops_where_it_is_reached(tmp_path):
@@ -275,10 +276,7 @@ def test_a_precision_stops_where_it_is_reached(tmp_path):
 
 
 def test_costs_choose_what_is_worth_them():
-    from stayput.inventory.records import RECORD
-
-    records = np.zeros(3, RECORD)
-    records["chances"][:, 0, 0] = 0.5, 0.1, 0.05
+    records = chances([0.5, 0, 0, 0], [0.1, 0, 0, 0], [0.05, 0, 0, 0])
     sizes = [0, 1, 1]
     assert choose(records, sizes, None, None).best == 2
     chosen = choose(records, sizes, [100.0, 1000.0], 10_000.0)
@@ -288,6 +286,66 @@ def test_costs_choose_what_is_worth_them():
     assert choose(records, sizes, [100.0, 1000.0], None).by_cost == 1
     records["chances"][1:, 0, 0] = 0.6
     assert choose(records, sizes, [100.0, 1000.0], None).best == 0
+
+
+def chances(*rows):
+    """Records of options by the probabilities of the events, in the order of `EVENTS`."""
+    from stayput.inventory.records import RECORD
+
+    records = np.zeros(len(rows), RECORD)
+    for record, row in zip(records, rows, strict=True):
+        record["chances"][:, 0] = row
+    return records
+
+
+@pytest.mark.parametrize(
+    ("without", "held", "best"),
+    [
+        ((1.0, 0.7, 1.0, 0.0), (1.0, 0.3, 1.0, 0.0), 0),  # it overturns all the same
+        ((0.6, 0.6, 0.0, 0.0), (0.6, 0.1, 0.0, 0.0), 0),
+        ((0.6, 0.9, 0.0, 0.0), (0.6, 0.1, 0.0, 0.0), 1),  # of those that stand fewer slide
+        ((0.0, 0.9, 0.0, 0.0), (0.0, 0.1, 0.0, 0.0), 1),
+        ((0.5, 0.5, 0.5, 0.0), (0.4, 1.0, 1.0, 1.0), 1),
+        ((0.0, 0.0, 0.5, 0.0), (0.0, 0.0, 0.4, 0.2), 0),
+        ((math.nan,) * 4, (math.nan,) * 4, 0),
+        ((0.3, 0.3, 0.0, 0.0), (math.nan,) * 4, 0),
+    ],
+)
+def test_a_measure_is_best_only_where_it_helps(without, held, best):
+    named = dict(zip(("overturned", "slid", "hit_wall", "device_failed"), range(4), strict=True))
+    rows = [[row[named[event]] for event in EVENTS] for row in (without, held)]
+    assert choose(chances(*rows), [0, 1], None, None).best == best
+
+
+def test_where_no_measure_helps_results_summary_report_and_screen_say_so(tmp_path):
+    scenario = city(tmp_path, CITY.replace("6.0", "7.0"))
+    file = table(tmp_path, ["a,0.2,1.8,80,wedge", "b,0.3,1.8,80,wedge"], "id,width,height,mass,measures")
+    app = typer.Typer()
+    app.command()(command)
+    arguments = [str(file), "--scenario", str(scenario), "--out", str(tmp_path / "out")]
+    told = CliRunner().invoke(app, arguments)
+    assert "; none of the compared measures helps any of them." in told.output
+    rows = pq.read_table(tmp_path / "out" / "pieces").to_pylist()
+    assert [row["overturned"] for row in rows] == [1.0, 1.0]
+    assert [row["best"] for row in rows] == ["none", "none"]
+    assert pq.read_table(tmp_path / "out" / "summary.parquet")["pieces_helped"].to_pylist() == [0]
+    page = (tmp_path / "out" / "report.html").read_text()
+    assert "None of the compared measures helps any of them." in page
+    assert len(re.findall(r"<td[^>]*>none helps</td><td></td>", page)) == 2
+
+
+@pytest.mark.parametrize("start", ["=", "+", "-", "@"])
+def test_no_text_of_the_results_runs_in_a_spreadsheet(tmp_path, start):
+    scenario = city(tmp_path, CITY, f"{start}city.toml")
+    file = table(tmp_path, ["p,chest", f"{start}1,nothing"], "id,preset")
+    assess(file, scenario, tmp_path / "out", progress=False)
+    cells = []
+    for written in ("summary.csv", "rejects.csv"):
+        with (tmp_path / "out" / written).open(newline="", encoding="utf-8") as opened:
+            cells += [cell for row in csv.reader(opened) for cell in row]
+    assert f"'{start}city" in cells
+    assert f"'{start}1" in cells
+    assert not [cell for cell in cells if cell.startswith(("=", "+", "-", "@"))]
 
 
 @pytest.mark.parametrize(("text", "found"), [("2GB", 2**31), ("512 MiB", 2**29), ("1e9", None), ("1", None)])
@@ -315,6 +373,19 @@ def test_the_command_prints_what_it_did(tmp_path):
     assert record["rejects"] == 2
     assert math.isfinite(record["events"]["city"]["expected_overturned"])
     assert Path(record["folder"]) == out
+
+
+def test_rejects_alone_are_a_failure(tmp_path):
+    app = typer.Typer()
+    app.command()(command)
+    file = table(tmp_path, ["a,-1", "b,x"], "id,width")
+    arguments = [str(file), "--scenario", str(city(tmp_path)), "--out", str(tmp_path / "out")]
+    for more in ([], ["--json"]):
+        told = CliRunner().invoke(app, [*arguments, *more])
+        assert isinstance(told.exception, sp.InputError)
+        assert str(told.exception).startswith("No row of the inventory could be assessed; ")
+        assert "Not assessed: 2 rows" in told.output or json.loads(told.output)["rejects"] == 2
+    assert (tmp_path / "out" / "rejects.csv").read_text().count("\n") == 3
 
 
 def test_the_example_runs(tmp_path):

@@ -11,8 +11,8 @@ from clusters import killed_when, two_processes, workers
 from inventories import city, digests, pieces, table
 
 import stayput as sp
+from stayput.execution import DaskExecutor
 from stayput.inventory import assess
-from stayput.inventory.crews import Cluster
 
 pytest.importorskip("dask.distributed", reason="Dask is not installed")
 
@@ -75,11 +75,11 @@ def test_workers_killed_at_work_lose_nothing(inputs, expected, client, tmp_path)
 def test_a_client_that_lost_its_scheduler_is_said(client, monkeypatch):
     from dask.distributed import Client
 
-    monkeypatch.setattr("stayput.inventory.crews.LOOK_AGAIN", 0.0)
+    monkeypatch.setattr("stayput.execution.WORKERS_CHECKED_EVERY", 0.0)
     with Client(client.cluster, set_as_default=False) as lost:
-        crew = Cluster(lost, None)
+        executor = DaskExecutor(lost, cluster_lost="inventory.cluster_lost")
     with pytest.raises(sp.InputError, match="the same command goes on from it"):
-        crew.width()
+        executor.width()
 
 
 def test_a_scheduler_that_is_not_there_is_refused(inputs, tmp_path, monkeypatch):

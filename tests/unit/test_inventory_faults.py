@@ -21,7 +21,8 @@ import pytest
 from inventories import city, digests, pieces, table
 
 import stayput as sp
-from stayput.inventory import assess, folder, records, results
+from stayput.inventory import assess
+from stayput.inventory.workspace import OWN, Workspace, entries
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="kill -9 is of POSIX")
 
@@ -83,7 +84,8 @@ def check(out: Path, expected: dict[str, str]) -> None:
         row for part in sorted((out / "pieces").iterdir()) for row in pq.read_table(part)["row"].to_pylist()
     ]
     assert rows == list(range(2, PIECES + 2))
-    assert not [path for path in out.rglob(".*") if path.name != ".lock"]
+    assert not list((out / "work" / "drafts").iterdir())
+    assert all(OWN.fullmatch(entry) for entry in entries(out, OWN))
 
 
 @pytest.mark.parametrize("seed", range(10))
@@ -127,17 +129,15 @@ class Full:
 
 @pytest.mark.parametrize("room", [0, 500, 3000, 9000, 20_000, 40_000])
 def test_a_full_disk_is_said_and_gone_on_from(inputs, expected, small_parts, tmp_path, monkeypatch, room):
-    module = sys.modules["stayput.inventory.assess"]
-    disk, real = Full(room), folder.durable
+    disk, real = Full(room), Workspace.durable
 
     @contextlib.contextmanager
-    def limited(path):
-        with real(path) as file:
+    def limited(self, path):
+        with real(self, path) as file:
             yield disk.wrap(file)
 
     with monkeypatch.context() as patch:
-        for where in (folder, records, results, module):
-            patch.setattr(where, "durable", limited)
+        patch.setattr(Workspace, "durable", limited)
         with pytest.raises(sp.InputError, match="no space left"):
             assess(*inputs, tmp_path / "out", progress=False)
     assess(*inputs, tmp_path / "out", progress=False)

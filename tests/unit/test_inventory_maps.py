@@ -9,11 +9,11 @@ import pytest
 from inventories import city, rows_of_results, table
 
 import stayput as sp
+from stayput.fragility import spectral_acceleration
 from stayput.inventory import assess
 from stayput.inventory.city import read_cities
 from stayput.inventory.places import read_shakemap
-from stayput.inventory.strength import Strength
-from stayput.motion.intensity import jma_intensity
+from stayput.montecarlo.hazard import factors_to_level_zero
 
 GRID = ["35,135,5", "35,136,6", "36,135,6", "36,136,7"]
 
@@ -77,7 +77,7 @@ def test_motions_have_the_sa_of_the_map(tmp_path, floors, period):
             x, y = sa(motion, period, "x"), sa(motion, period, "y")
             assert np.sqrt(x * y) == pytest.approx(row["sa"], rel=1e-9)
             assert x != pytest.approx(row["sa"], rel=1e-3)  # the components scatter about it
-        assert row["intensity"] == pytest.approx(np.median([jma_intensity(motion) for motion in felt]))
+        assert row["intensity"] == pytest.approx(np.median([motion.intensity for motion in felt]))
     (told,) = done.folder.glob("report.html")
     assert f"Sa at {period:g} s, 5 % damping, geometric mean" in told.read_text()
 
@@ -85,13 +85,13 @@ def test_motions_have_the_sa_of_the_map(tmp_path, floors, period):
 def test_a_motion_of_one_component_has_its_sa():
     motion = sp.sine(5.0, 1.0, 10.0)
     assert set(motion.components) == {"x"}
-    (factor,) = Strength(0.5).to_zero([motion])
+    (factor,) = factors_to_level_zero(spectral_acceleration(0.5), [motion])
     assert sa(motion.scaled(factor), 0.5, "x") == pytest.approx(1.0, rel=1e-9)
 
 
 def test_sa_between_places_is_taken_in_its_logarithm(tmp_path):
     found = read_shakemap(table(tmp_path, SA_GRID, "lat,lon,sa_0.3", "map.csv"))
-    assert found.strength == Strength(0.3)
+    assert found.measure == spectral_acceleration(0.3)
     assert 10.0 ** found.at(36.0, 136.0) == pytest.approx(1.6, rel=0.03)
     assert 10.0 ** found.at(35.5, 135.5) == pytest.approx(0.4, rel=0.03)
     assert 10.0 ** found.at(35.0, 135.5) == pytest.approx(0.2, rel=0.03)

@@ -107,8 +107,8 @@ def test_workers_of_the_command_line_come_and_go(inputs, expected, command_line,
 def test_a_cluster_without_workers_is_said_and_waited_for(
     inputs, expected, command_line, tmp_path, monkeypatch
 ):
-    monkeypatch.setattr("stayput.inventory.crews.LOOK_AGAIN", 0.1)
-    monkeypatch.setattr("stayput.inventory.crews.PATIENCE", 0.0)
+    monkeypatch.setattr("stayput.execution.WORKERS_CHECKED_EVERY", 0.1)
+    monkeypatch.setattr("stayput.execution.PATIENCE", 0.0)
     said = []
 
     def say(text):

@@ -2,11 +2,13 @@
 
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import stayput as sp
+from stayput.cases import standing_corners, wall_faces
 from stayput.furniture import FURNITURE
 from stayput.measures import (
     MEASURES,
@@ -29,7 +31,7 @@ from stayput.measures import (
     shapes,
 )
 from stayput.measures.element import at_rest
-from stayput.mechanics.restrained.columns import NORMAL, TANGENT
+from stayput.mechanics.devices.columns import NORMAL, TANGENT
 
 ROOM = sp.Room(left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))
 BODY = sp.Body(0.4, 1.8, 100.0)
@@ -198,10 +200,30 @@ def test_where_a_point_of_the_body_is_at_rest():
 
 
 def test_a_wedge_tilts_the_body_back_by_a_degree():
-    held = hold(BODY, ROOM, [WedgeStopper()])
+    held = hold(BODY, replace(ROOM, left_wall=sp.Wall(0.1)), [WedgeStopper()])
     assert math.degrees(held.body.resting_tilt) == pytest.approx(-math.degrees(math.atan(0.007 / 0.4)))
     assert held.body.base_heights == (0.0, -0.007)
     assert held.room.floor == sp.Floor(right_edge_static_friction=0.8, right_edge_kinetic_friction=0.7)
+
+
+@pytest.mark.parametrize("gap", [0.0, 0.005, 0.02, 0.03, 0.2])
+def test_a_wedge_leaves_the_base_where_it_is(gap):
+    """Its back stays off the wall by the gap; the top leans back until it meets the wall, and no farther."""
+    body, place = sp.Body(0.3, 1.8), sp.Room(left_wall=sp.Wall(gap), right_wall=sp.Wall(0.4))
+    held = hold(body, place, [WedgeStopper()])
+    (back, _), (front, _), (top, _), _ = standing_corners(held.body, sp.State())
+    left, right = wall_faces(held.body, held.room)
+    assert back - left == pytest.approx(gap, abs=1e-12)
+    assert right - front == pytest.approx(0.4, abs=1e-4)  # the base is shorter by 1 − cos of the tilt
+    lean = 1.8 * 0.007 / math.hypot(0.3, 0.007)
+    assert top - left == pytest.approx(max(0.0, gap - lean), abs=1e-12)
+    assert -math.sin(held.body.resting_tilt) == pytest.approx(min(gap, lean) / 1.8, abs=1e-12)
+    run = sp.simulate(body, place, sp.Motion(0.01, np.zeros(200)), [WedgeStopper()])
+    assert (run.outcome, run.peak_tilt, run.peak_slide) == (
+        sp.Outcome.RESTED,
+        0.0,
+        pytest.approx(0.0, abs=1e-12),
+    )
 
 
 def test_ballast_is_a_part_more():

@@ -21,7 +21,7 @@ from stayput.measures import (
     hold,
 )
 from stayput.measures.results import failures_of
-from stayput.report.film import film_of
+from stayput.report.scene import scene_of
 from stayput.report.summary import rows, summary
 
 ROOM = sp.Room(left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))
@@ -183,8 +183,9 @@ def test_devices_are_in_the_dataset_the_summary_and_the_table():
 
 def test_a_film_shows_a_device_whole_till_it_fails():
     run = sp.simulate(BOOKCASE, ROOM, SHAKE, [LBracket(strength=100.0)])
-    film, failed = film_of(run), run.device_failure_time
-    before = {prop.role for prop in film.props if prop.shows(failed - 0.01)}
-    after = {prop.role for prop in film.props if prop.shows(failed)}
-    assert before == {"metal"}
-    assert after == {"metal", "broken"}
+    scene, failed = scene_of([run]), run.device_failure_time
+    before = {shape["broken"] for shape in scene.devices(scene.pose(failed - 0.01))}
+    after = {shape["broken"] for shape in scene.devices(scene.pose(failed))}
+    assert before == {False}
+    assert after == {False, True}
+    assert {shape["role"] for shape in scene.devices(scene.pose(failed))} == {"metal"}

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import ast
+import os
 import re
 import subprocess
 import sys
+import tarfile
 import time
 import tomllib
 import zipfile
@@ -57,10 +59,20 @@ def test_lock_holds_names_and_versions_only() -> None:
 
 
 def test_lock_covers_every_dependency() -> None:
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    project, groups = settings["project"], settings["dependency-groups"]
     wanted = [*project["dependencies"], *(d for e in project["optional-dependencies"].values() for d in e)]
+    wanted += [
+        d for group in groups.values() for d in group if isinstance(d, str)
+    ]  # else it includes a group
     names = {canonical(re.split(r"[\[<>=!~; ]", requirement)[0]) for requirement in wanted}
     assert names <= {canonical(name) for name in locked()}
+
+
+def test_ruff_before_a_commit_is_the_locked_one() -> None:
+    text = (ROOT / ".pre-commit-config.yaml").read_text(encoding="utf-8")
+    repository = text.split("ruff-pre-commit")[1]
+    assert f"rev: v{locked()['ruff']}\n" in repository
 
 
 def test_import_is_light() -> None:
@@ -117,6 +129,27 @@ def test_no_machine_paths_in_the_tree() -> None:
 def test_sources_parse_on_the_oldest_python() -> None:
     for file in (ROOT / "src").rglob("*.py"):
         ast.parse(file.read_text(encoding="utf-8"), str(file), feature_version=(3, 11))
+
+
+@pytest.mark.skipif(find_spec("hatchling") is None, reason="hatchling, which builds the source, is absent")
+def test_tests_of_the_source_distribution_can_be_collected(tmp_path: Path) -> None:
+    build = [sys.executable, "-m", "hatchling", "build", "-t", "sdist", "-d", str(tmp_path)]
+    subprocess.run(build, cwd=ROOT, check=True, capture_output=True)
+    (packed,) = tmp_path.glob("stayput-*.tar.gz")
+    with tarfile.open(packed) as archive:
+        archive.extractall(tmp_path, filter="data")
+    source = next(path for path in tmp_path.iterdir() if path.is_dir())
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", "--collect-only", "-q", "-p", "no:cacheprovider"],
+        cwd=source,
+        env={**os.environ, "PYTHONPATH": str(source / "src"), "PYTHONDONTWRITEBYTECODE": "1"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout[-3000:]
+    assert (source / "Makefile").is_file()
+    assert (source / "requirements.lock").is_file()
 
 
 @pytest.mark.skipif(find_spec("hatchling") is None, reason="hatchling, which builds the wheel, is absent")

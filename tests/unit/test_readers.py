@@ -7,7 +7,7 @@ import pytest
 
 from stayput.errors import InputError
 from stayput.motion import Motion, read_motion
-from stayput.motion.channels import Channel, is_vertical, motion_of_channels, plain_label
+from stayput.motion.channels import Channel, is_vertical, motion_fields, plain_label
 from stayput.motion.units import unit_factor
 
 WAVE = np.sin(np.arange(40) * 0.3)
@@ -15,6 +15,10 @@ WAVE = np.sin(np.arange(40) * 0.3)
 
 def channel(label, size=1.0, **fields):
     return Channel(label, size * WAVE, fields.pop("dt", 0.01), **fields)
+
+
+def motion_of_channels(*args):
+    return Motion(**motion_fields(*args))
 
 
 def test_missing_file_and_directory(tmp_path):

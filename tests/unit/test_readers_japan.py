@@ -224,10 +224,34 @@ def test_knet_csv_with_names_in_another_order(read):
         (knet_csv(offset=""), "no line #Offset"),
         (knet_csv().replace("0.02,", "0.05,", 1), "irregular|decimal|values"),
         (knet_csv(rows=ROWS[:1]), "at least 2"),
-        (knet_csv()[:-14], "values|decimal"),
+        (knet_csv()[:-14], "ends within a number"),
+        (knet_csv()[:-17], "ends within a number"),
         (knet_csv().replace("7.500000", "x"), "'x'"),
     ],
 )
 def test_knet_csv_files_that_are_refused(read, text, message):
     with pytest.raises(InputError, match=message):
         read(text)
+
+
+@pytest.mark.parametrize("rate", ["1,000Hz", "1/100 sec", "100 kHz", "100Hz 50Hz", "0x64", "1_00", "nan"])
+def test_jma_sampling_rates_that_are_not_one_number_are_refused(read, rate):
+    with pytest.raises(InputError, match=r"sampling rate is '.*'; it must be one number \[Hz\]"):
+        read(jma(rate=f" SAMPLING RATE= {rate}"))
+
+
+def test_jma_sampling_rates_are_matched_in_full(read):
+    assert read(jma(rate=" SAMPLING RATE= 1e2Hz")).dt == 0.01
+    assert read(jma(rate=" SAMPLING RATE=  100.0 Hz,,")).dt == 0.01
+
+
+def test_jma_a_vertical_component_cannot_become_a_horizontal_one(read):
+    with pytest.raises(InputError, match="have 'ND'; they must be among NS, EW, UD"):
+        read(jma(names=" NS,EW,ND"))
+
+
+def test_knet_csv_numbers_are_matched_in_full(read):
+    with pytest.raises(InputError, match=r"'10\.5x'"):
+        read(knet_csv(offset="#Offset(gal),10.5x,-2.25,100.0"))
+    with pytest.raises(InputError, match="sampling frequency is 200 Hz"):
+        read(knet_csv().replace("Freq(Hz),100", "Freq(Hz),200"))

@@ -115,3 +115,21 @@ def test_a_file_that_ends_within_a_number_is_refused_and_one_without_a_last_line
     for cut in (2, 4, 6):
         with pytest.raises(InputError, match="ends within a number"):
             read(whole[:-cut])
+
+
+@pytest.mark.parametrize("count", [3, 5, 6, 7, 11, 30, 60])
+def test_short_files_that_end_within_a_number_are_refused_too(read, count):
+    values = (VALUES * 10)[:count]
+    whole = at2(values=values, size=f"NPTS= {count}, DT= .01").rstrip("\n")
+    assert len(read(whole)) == count
+    for cut in (1, 3, 5):
+        with pytest.raises(InputError, match="ends within a number"):
+            read(whole[:-cut])
+
+
+@pytest.mark.parametrize(
+    "size", ["NPTS= 7, DT= .5 MSEC", "NPTS= 7, DT= 0,01", "NPTS= 1,007, DT= .01", "NPTS= 7 DT= 100 Hz"]
+)
+def test_numbers_of_the_header_are_matched_in_full(read, size):
+    with pytest.raises(InputError, match="must be"):
+        read(at2(size=size))

@@ -1,9 +1,11 @@
 """ESM, CSMIP V2 and COSMOS V1.20."""
 
+import re
+
 import numpy as np
 import pytest
 
-from stayput.errors import InputError
+from stayput.errors import InputError, InputWarning
 from stayput.motion import read_motion
 
 WAVE = np.round(150.0 * np.sin(np.arange(21) * 0.9), 3)
@@ -124,7 +126,7 @@ def test_csmip_touching_fields_another_layout_and_lower_case(read):
     ("text", "message"),
     [
         (csmip_channel(1, "90 DEG", WAVE, count=20), "states 20 samples|More numbers"),
-        (csmip_channel(1, "90 DEG", WAVE, count=16), "More numbers follow"),
+        (csmip_channel(1, "90 DEG", WAVE, count=16), "states 16 samples and the file has 21"),
         (csmip_channel(1, "90 DEG", WAVE, count=40), "decimal number|states 40"),
         (csmip_channel(1, "90 DEG", WAVE, count=0), "announces no samples"),
         (csmip_channel(1, "90 DEG", WAVE, peak=200.0), "the file is damaged"),
@@ -194,7 +196,8 @@ def test_cosmos_without_an_interval_needs_dt(read):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        (cosmos(kind="velocity"), "no block of acceleration"),
+        (cosmos(kind="velocity", end="End-of-data for Chan 1 velocity\n"), "no block of acceleration"),
+        (cosmos(kind="velocity"), "A block of velocity ends as one of acceleration"),
         (cosmos(unit="counts"), "'counts'"),
         (cosmos(count=20), "states 20|More numbers"),
         (cosmos(count=30), "decimal number|states 30"),
@@ -204,9 +207,67 @@ def test_cosmos_without_an_interval_needs_dt(read):
         (cosmos(end=""), "End-of-data"),
         (cosmos().replace("Real-header", "Some-header"), "no real-header"),
         (cosmos(fmt="0F10.3"), "announces no samples"),
-        (cosmos()[:1200], "no block|real"),
+        (cosmos()[:1200], "integer header has 93 values"),
     ],
 )
 def test_cosmos_files_that_are_refused(read, text, message):
     with pytest.raises(InputError, match=message):
         read(text)
+
+
+THREE = (
+    csmip_channel(1, " 90 DEG", WAVE)
+    + csmip_channel(2, "UP", 2 * WAVE)
+    + csmip_channel(3, "360 DEG", 3 * WAVE)
+)
+
+
+def test_csmip_a_byte_changed_in_a_line_that_announces_never_drops_or_swaps_a_component(read):
+    whole = read(THREE)
+    for found in re.finditer(r".*POINTS OF.*|/&.*CHANNEL.*", THREE):
+        for place in range(found.start(), found.end()):
+            for other in "X 1":
+                text = THREE[:place] + other + THREE[place + 1 :]
+                try:
+                    motion = read(text)
+                except InputError:
+                    continue
+                assert motion.dt == whole.dt
+                assert motion.components.keys() == whole.components.keys()
+                assert all(np.array_equal(motion.components[k], a) for k, a in whole.components.items()), (
+                    place
+                )
+
+
+def test_csmip_a_file_cut_after_a_channel_is_told_where_its_header_counts_them(read):
+    integers = "".join(f"{i:5d}" for i in (1, 1, 1, 3, 3, *[0] * 11)) + "\n"
+    one = csmip_channel(1, "90 DEG", WAVE).replace("PEAK ACC", integers + "PEAK ACC")
+    with pytest.warns(InputWarning, match="The header counts 3 channels and the file has 1"):
+        assert read(one).x == pytest.approx(0.01 * WAVE)
+
+
+def test_csmip_a_header_that_contradicts_itself(read):
+    one = csmip_channel(1, "90 DEG", WAVE)
+    with pytest.raises(InputError, match="numbered 1 and 2"):
+        read(one.replace("FOR CHANNEL  1", "FOR CHANNEL  2"))
+    with pytest.raises(InputError, match="they must last as long"):
+        read(one.replace("AT  .020", "AT  .030", 1))
+    with pytest.warns(InputWarning, match="the directions '90 DEG', 'UP DEG'; '90 DEG' is taken"):
+        read("UP DEG".join(one.rsplit("90 DEG", 1)))
+
+
+def test_cosmos_a_damaged_block_is_not_passed_over(read):
+    three = cosmos() + cosmos(2 * WAVE, label="2: Up") + cosmos(3 * WAVE, label="3:  90 Deg")
+    for damaged in ("acceleratoon pts", "acceleration ptx", "acceleration"):
+        with pytest.raises(InputError):
+            read(damaged.join(three.split("acceleration pts", 1)))
+    velocity = cosmos(kind="velocity", end="End-of-data for Chan 1 velocity\n")
+    assert read(cosmos() + velocity).x == pytest.approx(0.01 * WAVE)
+    bare = velocity[velocity.index(f"   {len(WAVE)} velocity") :]
+    assert read(cosmos() + bare).x == pytest.approx(0.01 * WAVE)
+
+
+def test_esm_a_duration_unlike_the_samples_is_refused(read):
+    assert read(esm(DURATION_S="0.105")).dt == 0.005
+    with pytest.raises(InputError, match="they must agree"):
+        read(esm(DURATION_S="0.210"))

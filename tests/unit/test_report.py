@@ -15,11 +15,12 @@ from report_runs import BODY, SHAKE, falling, made, rocking
 
 import stayput as sp
 from stayput.report.animation import animate_run
-from stayput.report.film import film_of, ground_displacement, section
+from stayput.report.film import film_of
 from stayput.report.frames import Painter
 from stayput.report.history import history
 from stayput.report.palette import ALARM, MODE_COLOURS, rgb
 from stayput.report.plot import plot_motion, plot_run
+from stayput.report.scene import ground_displacement, scene_of, section
 from stayput.simulation import Mode, Outcome
 
 
@@ -57,7 +58,7 @@ def test_the_plot_shows_the_histories_the_events_and_the_modes(tmp_path):
     labels = tilt.get_legend_handles_labels()[1]
     assert "critical angle 9.5°" in labels
     assert any("wall reached at 1.0°" in label for label in labels)
-    assert "overturned (90°) at 2.50 s" in labels
+    assert "overturned at 2.50 s" in labels
     assert "wall impact" in labels
     assert max(slide.lines[1].get_ydata()) == pytest.approx(6.0)
     shown = [text.get_text() for text in modes.get_legend().get_texts()]
@@ -78,17 +79,6 @@ def test_a_motion_is_plotted_with_its_peaks_and_called_synthetic(tmp_path):
     assert "synthetic" in figure.get_suptitle()
     assert figure.axes[3].lines[1].get_ydata() == pytest.approx(100.0 * motion.velocity)
     assert "(synthetic)" in plot_motion(SHAKE).get_suptitle()
-
-
-def test_a_name_that_the_font_lacks_is_left_out_of_pictures(tmp_path, recwarn):
-    run = dataclasses.replace(
-        rocking(), motion=dataclasses.replace(SHAKE, name="宇城市, NS", synthetic=False)
-    )
-    figure = plot_run(run, tmp_path / "a.png", name="本棚")
-    assert figure.axes[0].get_title(loc="left") == "…, NS"
-    assert figure.get_suptitle().startswith("The … rocked")
-    animate_run(run, tmp_path / "a.gif", fps=2, name="本棚")
-    assert not recwarn.list
 
 
 def test_figures_can_be_made_on_many_threads():
@@ -112,20 +102,20 @@ def test_the_ground_of_a_sine_is_a_sine_without_drift():
 def test_a_large_ground_displacement_is_drawn_smaller_and_said_so():
     long = dataclasses.replace(rocking(), motion=sp.sine(20.0, 0.3, 20.0))
     film = film_of(long)
-    assert film.shift_scale < 1.0
+    assert film.scene.shift_scale < 1.0
     assert "of its size" in film.caption
-    assert film_of(rocking()).shift_scale == 1.0
+    assert film_of(rocking()).scene.shift_scale == 1.0
 
 
 def test_poses_are_linear_between_samples_and_hold_at_the_end():
-    film = film_of(falling())
     run = falling()
-    pose = film.at(2.003)
+    scene = scene_of([run])
+    pose = scene.pose(2.003)
     assert pose.tilt == pytest.approx(0.7 * run.tilt[200] + 0.3 * run.tilt[201])
     assert pose.x == pytest.approx(0.7 * run.x[200] + 0.3 * run.x[201])
     assert pose.mode is Mode.ROCK
-    assert film.at(99.0) == film.at(2.505)
-    lowest = min(z for _, z in section(BODY, film.at(99.0)))
+    assert scene.pose(99.0) == scene.pose(2.505)
+    lowest = min(z for _, z in section(BODY, scene.pose(99.0)))
     assert lowest == pytest.approx(0.0, abs=1e-12)
 
 
@@ -141,17 +131,18 @@ def test_frames_show_every_instant_once_and_then_hold(fps, speed):
 def test_the_room_is_drawn_to_scale_and_moves_with_the_ground():
     film = film_of(falling())
     painter = Painter(film, 640, 480)
-    frame = np.asarray(painter.frame(film.at(0.7)))
+    frame = np.asarray(painter.frame(0.7))
     body = np.argwhere((frame[60:340] == rgb(MODE_COLOURS[Mode.SLIDE])).all(axis=2))
     height, width = body.max(axis=0) - body.min(axis=0)
     line = 4  # pixels of the outline, of both sides
     assert (height + line) / (width + line) == pytest.approx(6.0, rel=0.05)
 
     def left_edge(time):
-        row = np.asarray(painter.frame(film.at(time)))[200]
+        row = np.asarray(painter.frame(time))[200]
         return np.argwhere((row == rgb(MODE_COLOURS[Mode.REST])).all(axis=1)).min()
 
-    moved = film.at(1.4).shift + film.at(1.4).x - film.at(0.3).shift - film.at(0.3).x
+    first, then = film.scene.pose(0.3), film.scene.pose(1.4)
+    moved = then.shift + then.x - first.shift - first.x
     assert left_edge(1.4) - left_edge(0.3) == pytest.approx(moved * (width + line) / 0.3, abs=2.0)
 
 
@@ -194,10 +185,11 @@ def test_the_html_page_stands_alone_and_holds_the_histories(tmp_path):
     assert "{{" not in page
     data = json.loads(re.search(r'type="application/json">(.*?)</script>', page, re.DOTALL).group(1))
     shown = history(falling())
+    [run], floor = data["runs"], data["floor"]
     for key, values in {"time_s": shown.time, "x_m": shown.x, "tilt_rad": shown.tilt}.items():
-        assert data[key] == pytest.approx(values, abs=1e-5)
-    assert len(data["shift_m"]) == len(data["time_s"])
-    assert [mode for _, mode in data["modes"]] == ["rest", "slide", "rest", "rock", "overturned"]
+        assert run[key] == pytest.approx(values, abs=1e-5)
+    assert len(floor["x_m"]) == len(floor["time_s"])
+    assert [mode for _, mode in run["modes"]] == ["rest", "slide", "rest", "rock", "overturned"]
 
 
 @pytest.mark.parametrize(
@@ -227,3 +219,36 @@ def test_an_interrupted_animation_leaves_the_older_file(tmp_path):
         animate_run(falling(), path, progress=stop)
     assert [file.name for file in tmp_path.iterdir()] == ["a.gif"]
     assert path.read_text() == "older"
+
+
+def test_a_scene_holds_all_that_is_drawn_in_si_units():
+    scene = scene_of([falling(), rocking()])
+    data = scene.data(60.0)
+    assert json.loads(json.dumps(data, allow_nan=False))["view"] == data["view"]
+    floor, (fallen, upright) = data["floor"], data["runs"]
+    assert floor["time_s"][-1] == upright["time_s"][-1] == scene.end
+    assert fallen["time_s"][-1] == 2.505
+    assert np.diff(floor["time_s"])[:-1] == pytest.approx(1.0 / 60.0, abs=1e-4)
+    assert max(map(abs, floor["acceleration_m_s2"])) == pytest.approx(np.abs(SHAKE.x).max(), abs=1e-3)
+    assert (fallen["overturned"], upright["overturned"]) == (True, False)
+    assert fallen["room"] == {"left_wall_x_m": -0.18, "right_wall_x_m": None, "ceiling_z_m": 2.4}
+    feet = [fallen["z_m"][0] + v for _, v in fallen["body"]["corners_m"][:2]]
+    assert feet == pytest.approx([0.0, 0.0], abs=1e-5)
+
+
+def test_a_scene_can_be_a_part_of_the_time():
+    scene = scene_of([falling(), rocking()], start=1.0, end=3.0)
+    data = scene.data(50.0)
+    times = [data["floor"]["time_s"], *(run["time_s"] for run in data["runs"])]
+    assert [(one[0], one[-1]) for one in times] == [(1.0, 3.0), (1.0, 2.505), (1.0, 3.0)]
+
+
+def test_the_view_holds_every_pose_the_near_wall_and_the_ceiling():
+    scene = scene_of([falling()])
+    view, lying = scene.view, scene.pose(99.0)
+    assert all(view.left < x + lying.shift < view.right for x, _ in section(BODY, lying))
+    assert view.left < -0.18
+    assert view.high > 2.4
+    assert view.grid == 0.5
+    high = dataclasses.replace(falling(), room=sp.Room(ceiling=sp.Ceiling(9.0)))
+    assert scene_of([high]).view.high < 2.5

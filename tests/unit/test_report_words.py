@@ -1,13 +1,18 @@
 """A run in words, as a record and as a dataset."""
 
+import ast
 import dataclasses
 import json
 import math
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 from report_runs import falling, rocking
 
+import stayput
+from stayput.catalogue import TEXTS
 from stayput.report.summary import rows, sentence, summary
 from stayput.room import Room
 from stayput.simulation import EventKind, Outcome
@@ -80,3 +85,23 @@ def test_the_dataset_has_every_history_and_event_with_its_unit():
     assert data.attrs["outcome"] == "overturned"
     assert rocking().to_dataset().sizes["event"] == 0
     assert math.isnan(rocking().to_dataset().overturn_time)
+
+
+def test_every_text_that_the_reports_name_is_in_the_catalogue():
+    folder = Path(stayput.__file__).parent / "report"
+    calls = [
+        node
+        for file in folder.rglob("*.py")
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.args
+    ]
+    prefixes = {"say": "", "phrase": "", "word": "report.", "_text": "report."}
+    named = {
+        prefixes[call.func.id] + call.args[0].value
+        for call in calls
+        if call.func.id in prefixes and isinstance(call.args[0], ast.Constant)
+    }
+    template = (folder / "verdict" / "report.html").read_text(encoding="utf-8")
+    named |= {f"report.{key}" for key in re.findall(r'\btext\("(\w+)"', template)}
+    assert len(named) > 150
+    assert named <= set(TEXTS)

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.motion.writers import write_motion
 from stayput.scenario import Scenario
 
 
@@ -50,7 +49,7 @@ def test_a_folder_of_records(tmp_path):
     records = tmp_path / "records"
     records.mkdir()
     for k in (1, 2):
-        write_motion(sp.sine(float(k), 1.0, 5.0), records / f"{k}.csv")
+        sp.sine(float(k), 1.0, 5.0).write(records / f"{k}.csv")
     table = shaking(tmp_path, suite="records", member=2)
     assert [motion.pga for motion in table.motions(tmp_path)] == pytest.approx([1.0, 2.0])
     assert table.motion(tmp_path).pga == pytest.approx(2.0)

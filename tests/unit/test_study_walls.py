@@ -7,11 +7,9 @@ import pytest
 import xarray as xr
 
 import stayput as sp
-from stayput.studies.walls.gap import wall_gap
-from stayput.studies.walls.map import table_4_2, turnover
-from stayput.studies.walls.ranges import paper_words, ranges, words
-from stayput.studies.walls.record import wall_gap_record
-from stayput.studies.walls.rule import ruled
+from stayput.studies.wall_gap import ruled, wall_gap
+from stayput.studies.wall_gap_record import paper_words, ranges, wall_gap_record, words
+from stayput.studies.walls import table_4_2, turnover
 
 SMALL = {
     "widths": [0.5, 1.1],

@@ -10,11 +10,10 @@ import pytest
 
 from stayput.motion.frequency import mean_period
 from stayput.motion.integrals import displacement, velocity
+from stayput.motion.processing import QUANTUM, ending_at_rest
 from stayput.motion.suites import FAMILIES, synthetic_suite
 from stayput.motion.suites.envelopes import ETA, saragoni_hart
-from stayput.motion.suites.point_source import PointSource
-from stayput.motion.suites.settling import QUANTUM, settled
-from stayput.motion.suites.site import SoilLayer
+from stayput.motion.suites.point_source import PointSource, SoilLayer
 
 COUNT = 24
 
@@ -136,4 +135,4 @@ def test_a_soil_layer_resonates_at_its_period_by_the_impedance_ratio():
 
 def test_settling_leaves_a_record_that_is_at_rest_alone():
     motion = synthetic_suite("crustal", 1)[0]
-    assert np.abs(settled(motion.x) - motion.x).max() <= 2.0 * QUANTUM
+    assert np.abs(ending_at_rest(motion.x) - motion.x).max() <= 2.0 * QUANTUM

@@ -12,12 +12,15 @@ import pytest
 import verdict_cases
 
 import stayput as sp
+from stayput.building import STRUCTURES
+from stayput.catalogue import names, runs
+from stayput.catalogue.report import TEXTS
 from stayput.fragility import INTENSITY_MEASURES
 from stayput.furniture import FURNITURE
 from stayput.measures import MEASURES, Belt
 from stayput.motion.suites import FAMILIES, synthetic_suite
 from stayput.report.verdict import words
-from stayput.report.verdict.assumptions import QUANTITIES, assumptions
+from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.curves import legend
 from stayput.report.verdict.data import verdict_data, verdict_json
 from stayput.report.verdict.exports import write_curves
@@ -25,7 +28,7 @@ from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.numbers import capacity, capacity_interval, change, force, length, share
 from stayput.report.verdict.tables import device_rows, ranking, verdict_csv
 from stayput.room import SURFACES
-from stayput.simulation import Mode, Outcome
+from stayput.simulation import EventKind, Mode, Outcome
 from stayput.uncertainty import USUAL
 from stayput.verification import EVENTS, Quantiles
 from stayput.verification.options import Option
@@ -36,7 +39,7 @@ def fields(text):
     return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
 
 
-@pytest.mark.parametrize("table", [words.WORDS, words.MODES, words.OUTCOMES, {"": words.HARDLY}])
+@pytest.mark.parametrize("table", [TEXTS, names.MODES, names.OUTCOMES, names.EVENTS, names.PIECES])
 def test_every_text_is_there_in_both_languages_with_the_same_values(table):
     for key, pair in table.items():
         assert len(pair) == 2, key
@@ -45,10 +48,16 @@ def test_every_text_is_there_in_both_languages_with_the_same_values(table):
 
 
 def test_every_mode_outcome_preset_and_quantity_has_its_words():
-    assert set(words.MODES) == set(Mode)
-    assert set(words.OUTCOMES) == set(Outcome)
-    assert set(QUANTITIES) == set(USUAL)
-    assert {*FURNITURE, *SURFACES, *FAMILIES} <= set(words.NAMES)
+    assert set(names.MODES) == set(Mode)
+    assert set(names.OUTCOMES) == set(Outcome)
+    assert set(names.EVENTS) == set(EventKind)
+    assert {outcome.value for outcome in Outcome} <= set(runs.TEXTS)
+    assert {f"outcome_{outcome.value}" for outcome in Outcome} <= set(TEXTS)
+    assert {f"quantity_{name.replace(' ', '_')}" for name in USUAL} <= set(TEXTS)
+    assert set(names.FURNITURE) == set(names.PIECES) == set(FURNITURE)
+    assert set(names.SURFACES) == set(SURFACES)
+    assert set(FAMILIES) <= {*names.FAMILIES, *names.MOTIONS}
+    assert set(names.STRUCTURES) == set(STRUCTURES)
     assert all(all(measure.label) and all(measure.about) for measure in MEASURES.values())
 
 
@@ -109,7 +118,7 @@ def test_markdown_says_what_the_ranking_says(language):
 def test_markdown_of_nothing_known_says_so(language):
     text = verdict_markdown(verdict_cases.without_numbers(), language)
     assert words.word("unknown", language) in text
-    assert words.word("not precise", language) in text
+    assert words.word("not_precise", language) in text
     assert "nan" not in text
 
 
@@ -202,7 +211,7 @@ def test_assumptions_carry_how_well_founded_they_are():
     tags = {one.what("en"): one.confidence for one in assumptions(own)}
     assert (tags["Furniture"], tags["Floor"]) == ("given", "given")
     for one in assumptions(preset):
-        assert one.confidence in words.WORDS
+        assert one.confidence in TEXTS
         assert one.value("en") != ""
         assert one.value("ja") != ""
     assert any("synthetic" in one.value("en") for one in assumptions(preset))

@@ -9,15 +9,16 @@ import pytest
 import stayput as sp
 from stayput.fragility import JMA_INTENSITY, PGA
 from stayput.measures import MEASURES
-from stayput.report.verdict.replay import replay
+from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, HIT_WALL, OVERTURNED, SLID, Quantiles
+from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.runs import Runs
+from stayput.montecarlo.sampling import drawn_body, drawn_room, draws
+from stayput.report.verdict.pairs import replay
 from stayput.scenario import Scenario
 from stayput.verification import LEVELS, options_of, verify
-from stayput.verification.draws import drawn_body, drawn_room, draws
-from stayput.verification.hazard import Hazard
+from stayput.verification.compare import members
 from stayput.verification.options import usual_options
-from stayput.verification.ranking import members
-from stayput.verification.runs import Runs
-from stayput.verification.verdict import DEVICE_FAILED, EVENTS, HIT_WALL, OVERTURNED, SLID, Member, Quantiles
+from stayput.verification.verdict import Member
 from stayput.verification.words import headline, reason
 
 ROOM = {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
@@ -135,8 +136,8 @@ def test_samples_stop_at_the_asked_precision():
 
 def test_more_samples_continue_the_draws_of_fewer():
     few, many = draws(3, 2, 7), draws(3, 5, 7)
-    assert [row[:2] for row in many] == few
-    assert [row[2:] for row in many] == draws(3, 3, 7, start=2)
+    assert [row[:2] for row in many] == list(few)
+    assert [row[2:] for row in many] == list(draws(3, 3, 7, start=2))
 
 
 def test_draws_change_what_is_not_known_only():

@@ -7,9 +7,9 @@ import numpy as np
 import stayput as sp
 from stayput.fragility import INTENSITY_MEASURES, Trials, difference, fragility_curve, probability
 from stayput.measures import Belt, FeltGlides
-from stayput.verification.estimates import Estimates
+from stayput.montecarlo.counting import EVENTS, Quantiles
 from stayput.verification.options import Option
-from stayput.verification.verdict import EVENTS, DeviceSummary, Member, OptionVerdict, Quantiles, Verdict
+from stayput.verification.verdict import DeviceSummary, Estimates, Member, OptionVerdict, Verdict
 
 SCENARIO = {
     "title": "Study",

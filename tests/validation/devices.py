@@ -10,8 +10,8 @@ from setups import G
 
 import stayput as sp
 from stayput.cases import case_columns
-from stayput.mechanics.restrained import columns as el
-from stayput.mechanics.restrained.runner import TracedDevices, no_elements, trace_restrained
+from stayput.mechanics.devices import columns as el
+from stayput.mechanics.devices.runner import TracedDevices, no_elements, trace_with_devices
 from stayput.mechanics.runner import Traced, shaking, trace
 
 if TYPE_CHECKING:
@@ -67,7 +67,7 @@ def held(
     case = case_columns(body, place, sp.State(**state), G)[0]
     rows = np.concatenate(elements) if elements else no_elements(1)
     floor = shaking(motion.x, motion.z, motion.dt, 0)
-    return trace_restrained(case, rows, floor, tolerance=tolerance, max_step=max_step)
+    return trace_with_devices(case, rows, floor, tolerance=tolerance, max_step=max_step)
 
 
 def bare(body: sp.Body, place: sp.Room, motion: sp.Motion, **state: float) -> Traced:

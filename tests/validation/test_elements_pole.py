@@ -8,7 +8,8 @@ from setups import G, block, constant, room, still, threshold
 
 import stayput as sp
 from devices import CEILING, SLIDE, held, planar
-from stayput.mechanics.restrained import columns as el
+from stayput.measures import TensionPole
+from stayput.mechanics.devices import columns as el
 
 K = 2000.0
 
@@ -117,3 +118,61 @@ def test_the_limit_of_a_pole_is_sharp():
 
     limit = threshold(moves, 0.2 * G, 0.5 * G, halvings=30)
     assert limit == pytest.approx((G + P) * b / h, rel=1e-7)
+
+
+def stepped_under_a_pole(b, h, rate, P, limit, mu, shear, end, dt=1e-6):
+    """Tilt and largest shear of a block that lifts a pole's foot, by its own law and small steps.
+
+    It turns about the corner away from the pole and sticks there. The push grows with the foot's rise until
+    the ceiling yields; the foot's spring slips where it pulls by more than μ times the push.
+    """
+    inertia, alpha, r = 4.0 / 3.0 * (b * b + h * h), math.atan(b / h), math.hypot(b, h)
+    theta, omega, dent, slip, largest = 0.0, rate, 0.0, 0.0, 0.0
+    for _ in range(round(end / dt)):
+        x = -2.0 * b * math.cos(theta) + 2.0 * h * math.sin(theta)
+        z = 2.0 * h * math.cos(theta) + 2.0 * b * math.sin(theta)
+        push = P + K * (z - 2.0 * h - dent)
+        if push > limit:
+            dent += (push - limit) / K
+            push = limit
+        push = max(0.0, push)
+        pull = shear * (x + 2.0 * b - slip)
+        if abs(pull) > mu * push:
+            kept = math.copysign(mu * push, pull)
+            slip += (pull - kept) / shear
+            pull = kept
+        largest = max(largest, abs(pull))
+        moment = -z * pull + x * push - G * r * math.sin(alpha - theta)
+        omega += dt * moment / inertia
+        theta += dt * omega
+    return theta, largest
+
+
+def test_a_pole_rubs_while_the_ceiling_yields():
+    """The foot slips at μ times the push that the ceiling bears, which does not change while it gives way."""
+    b, h, P, limit, mu, shear, end = 0.2, 0.8, 2.0, 5.0, 0.4, 3000.0, 0.12
+    foot = pole((-b, h), P, mu=mu, shear=shear, limit_minus=limit, ultimate=1.0)
+    found = held(block(b, h), room(3.0), still(end, 0.001), foot, tilt_rate=0.5, tolerance=1e-10)
+    theta, largest = stepped_under_a_pole(b, h, 0.5, P, limit, mu, shear, end)
+    assert found.run.history[-1, 2] == pytest.approx(theta, rel=1e-4)
+    assert found.devices["peak_shear"][0] == pytest.approx(largest, rel=1e-6)
+    assert largest == pytest.approx(mu * limit, rel=1e-9)
+    yields = found.forces[:, 0, 0] == -limit
+    assert np.count_nonzero(yields) > 10
+    assert np.abs(found.forces[yields, 0, 1]) == pytest.approx(mu * limit, rel=1e-9)
+
+
+def test_the_poles_of_a_bookcase_rub_as_documented():
+    """Where the ceiling bears 1000 N and yields, the feet rub with 0.4 × 1000 N under a built-in motion."""
+    body = sp.Body(0.30, 1.80, 200.0)
+    place = sp.Room(sp.Floor.of("wood flooring"), left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
+    seen = 0
+    for scale in (0.6, 0.8, 1.0, 1.2):
+        run = sp.simulate(body, place, sp.near_fault().component("x").scaled(scale), [TensionPole()])
+        (device,) = run.devices
+        assert device.peak_push <= 1000.0 * (1 + 1e-9)
+        assert device.peak_shear <= 400.0 * (1 + 1e-5)
+        yields = device.pull <= -1000.0 * (1 - 1e-12)
+        seen += np.count_nonzero(yields)
+        assert np.all(np.abs(device.shear[yields]) > 0.0)
+    assert seen > 3

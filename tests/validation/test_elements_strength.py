@@ -8,7 +8,8 @@ from setups import G, block, constant, room, still, threshold
 
 import stayput as sp
 from devices import FLOOR, LEFT, RIGHT, SLIDE, held, planar
-from stayput.mechanics.restrained import columns as el
+from stayput.measures import BaseIsolator, GelMats, LBracket, LBracketInBoard, element_rows, hold
+from stayput.mechanics.devices import columns as el
 
 SMOOTH = room(0.0)
 BODY = sp.Body(1.0, 0.5)
@@ -158,3 +159,45 @@ def test_devices_at_rest_bear_nothing_and_break_by_preload_alone():
     found = held(BODY, room(0.4), constant(0.3 * G, 1.0), weak)
     assert found.devices["failure_time"][0] == 0.0
     assert found.run.history[-1, SLIDE] == 0.0
+
+
+def furniture(rng):
+    return sp.Body(rng.uniform(0.3, 0.8), rng.uniform(0.6, 1.8), rng.uniform(30.0, 300.0))
+
+
+def shaken(rng):
+    return sp.near_fault().component("x").trimmed(0.0, 15.0).scaled(rng.uniform(0.3, 1.3))
+
+
+def test_a_stop_that_is_never_touched_bears_nothing():
+    """Also where an impact turns the body round: the force is noted with the branch of after it."""
+    rng = np.random.default_rng(3)
+    touched = 0
+    for _ in range(25):
+        isolator = BaseIsolator(stroke=rng.uniform(0.05, 0.3))
+        run = sp.simulate(furniture(rng), sp.Room(), shaken(rng), [isolator])
+        (device,) = run.devices
+        # a rocking base moves its middle a little less than its corner
+        for peak, far in ((device.peak_pull, run.slide.max()), (device.peak_push, -run.slide.min())):
+            touched += peak > 0.0
+            if far < 0.98 * isolator.stroke - 0.02:
+                assert peak == 0.0
+    assert touched > 5
+
+
+@pytest.mark.parametrize("kind", [GelMats, LBracket, LBracketInBoard])
+def test_no_peak_is_beyond_the_strength(kind):
+    """A damper's force jumps with the rates in an impact; what a device bears is its strength at most."""
+    rng = np.random.default_rng(4)
+    measure = kind()
+    used = 0.0
+    for _ in range(25):
+        body = furniture(rng)
+        place = sp.Room(left_wall=sp.Wall(rng.uniform(0.0, 0.03)))
+        run = sp.simulate(body, place, shaken(rng), [measure])
+        for row, device in zip(element_rows(hold(body, place, [measure])), run.devices, strict=True):
+            pull, shear = body.mass * row["limit_plus"]
+            assert device.peak_pull <= pull * (1 + 1e-9)
+            assert device.peak_shear <= shear * (1 + 1e-9)
+            used = max(used, device.peak_pull / pull, device.peak_shear / shear)
+    assert used > 0.8

@@ -92,8 +92,35 @@ def test_pelicun_rules(table: Path) -> None:
         assert (row["Incomplete"], row["Demand-Offset"], row["Demand-Directional"]) == ("0", "0", "1")
         # of "normal" the second parameter would be a coefficient of variation
         assert row["LS1-Family"] == ("normal_std" if curve.measure is JMA_INTENSITY else "lognormal")
-        assert float(row["LS1-Theta_0"]) * units[row["Demand-Unit"]] == pytest.approx(curve.median)
-        assert float(row["LS1-Theta_1"]) == pytest.approx(curve.dispersion)
+        assert float(row["LS1-Theta_0"]) * units[row["Demand-Unit"]] == pytest.approx(curve.lognormal.median)
+        assert float(row["LS1-Theta_1"]) == pytest.approx(curve.lognormal.dispersion)
+
+
+def test_curve_that_no_lognormal_fits_is_written_by_its_levels_only(tmp_path: Path) -> None:
+    # 30 % fall early and stay the only ones for long
+    fell = [0, 6, 11, 12, 12, 13, 25, 38, 40]
+    trials = Trials.from_counts(PGV, np.geomspace(0.2, 2.0, 9), fell, [40] * 9)
+    plateau = fragility_curve(trials, "plateau")
+    assert plateau.lognormal is not None
+    assert not plateau.lognormal.fits
+    with pytest.raises(InputError, match="does not fit"):
+        write_pelicun([plateau], tmp_path / "a.csv")
+    write_nrml([plateau], tmp_path / "a.xml")
+    (function,) = ET.parse(tmp_path / "a.xml").getroot().iter(f"{{{NAMESPACE}}}fragilityFunction")
+    imls, poes = function
+    assert (function.attrib["format"], imls.attrib["imt"]) == ("discrete", "PGV")
+    levels, shares = ([float(x) for x in (node.text or "").split()] for node in (imls, poes))
+    assert levels == pytest.approx(100.0 * np.geomspace(0.2, 2.0, 9), rel=1e-5)
+    assert shares == pytest.approx(np.array(fell) / 40.0)
+
+
+def test_curve_of_one_motion_is_refused(tmp_path: Path) -> None:
+    fallen = np.arange(40) < np.array([0, 12, 28, 40])[:, np.newaxis, np.newaxis]
+    alone = fragility_curve(Trials.from_runs(PGA, [1.0, 2.0, 3.0, 4.0], fallen), "record")
+    for write, path in ((write_pelicun, tmp_path / "a.csv"), (write_nrml, tmp_path / "a.xml")):
+        with pytest.raises(InputError, match="1 motion"):
+            write([alone], path)
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_nrml_rules(model: Path) -> None:

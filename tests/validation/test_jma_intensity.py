@@ -15,7 +15,6 @@ from stayput.motion.intensity import (
     filtered_level,
     intensity_class,
     intensity_filter,
-    jma_intensity,
     long_period_class,
     long_period_response,
     published_intensity,
@@ -27,13 +26,13 @@ needs_records = pytest.mark.skipif(not MOTIONS.is_dir(), reason="the folder of r
 
 @pytest.mark.parametrize(("frequency", "expected"), [(1.0, 4.937), (0.5, 5.041), (5.0, 4.166)])
 def test_sine_of_100_gal(frequency, expected):
-    assert jma_intensity(sine(1.0, frequency, 60.0, dt=0.01)) == pytest.approx(expected, abs=0.003)
+    assert sine(1.0, frequency, 60.0, dt=0.01).intensity == pytest.approx(expected, abs=0.003)
 
 
 def test_sine_is_weighted_by_the_filter_alone():
     motion = sine(2.0, 2.0, 60.0, dt=0.005)
     level = 200.0 * float(intensity_filter(np.array([2.0]))[0])
-    assert filtered_level(motion) == pytest.approx(level, rel=2e-4)
+    assert filtered_level(motion.components.values(), motion.dt) == pytest.approx(level, rel=2e-4)
 
 
 def test_definition_counts_the_time_at_or_above_the_level():
@@ -42,7 +41,7 @@ def test_definition_counts_the_time_at_or_above_the_level():
     weight = intensity_filter(np.fft.rfftfreq(4000, 0.01))
     rows = [np.fft.irfft(np.fft.rfft(100.0 * a) * weight, 4000) for a in motion.components.values()]
     vector = np.sqrt(np.sum(np.square(rows), axis=0))
-    level = filtered_level(motion)
+    level = filtered_level(motion.components.values(), motion.dt)
     assert 0.01 * np.count_nonzero(vector >= level * (1 - 1e-12)) == pytest.approx(0.3)
     assert 0.01 * np.count_nonzero(vector > level * (1 + 1e-12)) < 0.3
 
@@ -50,13 +49,13 @@ def test_definition_counts_the_time_at_or_above_the_level():
 @needs_records
 def test_yonago_2000_the_agencys_worked_example():
     motion = read_motion(MOTIONS / "jma_yonago_2000.csv")
-    assert filtered_level(motion) == pytest.approx(127.85, rel=1e-3)
-    assert published_intensity(jma_intensity(motion)) == 5.1
+    assert filtered_level(motion.components.values(), motion.dt) == pytest.approx(127.85, rel=1e-3)
+    assert published_intensity(motion.intensity) == 5.1
 
 
 @needs_records
 def test_uki_2016():
-    intensity = jma_intensity(read_motion(MOTIONS / "jma_uki_2016.csv"))
+    intensity = read_motion(MOTIONS / "jma_uki_2016.csv").intensity
     assert published_intensity(intensity) == 5.7
     assert intensity_class(intensity) == "6-lower"
 
@@ -64,7 +63,7 @@ def test_uki_2016():
 @needs_records
 def test_kobe_1995():
     ns, ew, ud = (read_motion(MOTIONS / f"jma_kobe_1995_{name}.AT2") for name in ("ns", "ew", "ud"))
-    intensity = jma_intensity(Motion.combine(ns, ew, ud))
+    intensity = Motion.combine(ns, ew, ud).intensity
     assert published_intensity(intensity) == 6.4
     assert intensity_class(intensity) == "6-upper"
 
@@ -72,7 +71,7 @@ def test_kobe_1995():
 def test_long_period_response_at_resonance():
     # floor velocity 10 cm/s at 3 s; at resonance the oscillator moves 1/(2ζ) as far, a quarter of a wave late
     motion = sine(0.1 * 2.0 * math.pi / 3.0, 1.0 / 3.0, 300.0, math.pi / 2.0, dt=0.01)
-    sva = long_period_response(motion)
+    sva = long_period_response(motion.x, motion.y, motion.dt)
     assert sva == pytest.approx(0.1 * math.hypot(1.0, 1.0 / (2.0 * 0.05)), rel=1e-3)
     assert sva == pytest.approx(1.005, rel=1e-3)
     assert long_period_class(sva) == 4
@@ -80,10 +79,9 @@ def test_long_period_response_at_resonance():
 
 def test_long_period_components_are_added_as_vectors():
     wave = sine(0.05, 0.25, 120.0, dt=0.01).x
-    alone = long_period_response(Motion(0.01, wave))
-    assert long_period_response(Motion(0.01, 0.6 * wave, 0.8 * wave)) == pytest.approx(alone, rel=1e-12)
-    across = Motion(0.01, 0.0 * wave, wave)
-    assert long_period_response(across) == pytest.approx(alone, rel=1e-12)
+    alone = long_period_response(wave, None, 0.01)
+    assert long_period_response(0.6 * wave, 0.8 * wave, 0.01) == pytest.approx(alone, rel=1e-12)
+    assert long_period_response(0.0 * wave, wave, 0.01) == pytest.approx(alone, rel=1e-12)
 
 
 @pytest.mark.parametrize(

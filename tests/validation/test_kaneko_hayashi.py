@@ -10,9 +10,18 @@ import pytest
 import stayput as sp
 from stayput.estimates import kaneko_hayashi_median
 from stayput.fragility import State
-from stayput.studies.capacity.runs import STATED, body_of, overturning
-from stayput.studies.capacity.spectra import Shakings, target
-from stayput.studies.capacity.study import capacity
+from stayput.studies.capacity import capacity
+from stayput.studies.capacity_runs import (
+    OTHERS,
+    STATED,
+    Shakings,
+    amplitudes,
+    as_drawn,
+    body_of,
+    of_spectra,
+    overturning,
+    target,
+)
 
 
 @pytest.fixture(scope="module")
@@ -45,15 +54,40 @@ def test_a_slower_spectrum_scatters_less(study):
 
 
 def test_islands_are_kept(study):
-    """Medians of first overturnings are lower than those of shares: bodies stand above their first."""
+    """Medians of first overturnings are no higher than those of shares: bodies stand above their first.
+
+    The first is an amplitude that was run, half a step of 6 % above the true one on average.
+    """
     assert float(study.data["islands"].min()) > 0.1
     fast = study.data.isel(run=0)
-    assert bool((fast["first_ratio"] < fast["ratio"]).all())
+    assert bool((fast["first_ratio"] < 1.03 * fast["ratio"]).all())
+    assert bool((fast["first_ratio"] < 0.95 * fast["ratio"]).any())
 
 
-def test_the_text_has_the_runs_numbers(study):
+def test_landings_that_lose_more_and_a_wall_raise_the_capacity():
+    (shakings,) = of_spectra((0.8,), 20, 1)
+    body, factors = body_of("cupboard"), amplitudes(0.06)
+    stated, softer, walled = (
+        overturning(body, setting.room, shakings, factors).ratio for setting in (STATED, *OTHERS)
+    )
+    assert stated < softer < walled
+
+
+def test_motions_as_they_are_drawn_scatter_more():
+    """They meet no smooth spectrum, so Fe says less of each of them."""
+    (smooth,) = of_spectra((0.8,), 60, 1)
+    body, factors = body_of("cupboard"), amplitudes(0.06)
+    spread = [
+        overturning(body, STATED.room, shakings, factors).dispersion
+        for shakings in (smooth, as_drawn("crustal", 60, 1, vertical=False))
+    ]
+    assert spread[0] < spread[1]
+
+
+def test_the_summary_has_the_runs_numbers(study):
     ratio = study.data["ratio"].to_numpy()
-    assert f"{ratio.min():.2f} to {ratio.max():.2f} times the formula's" in study.text
+    assert study.quantities["ratio"].value == f"{ratio.min():.2f} to {ratio.max():.2f}"
+    assert study.quantities["mean"].value == pytest.approx(np.exp(np.log(ratio).mean()))
     assert len(study.tables) == 1
     assert set(study.figures) == {"medians", "shares"}
 

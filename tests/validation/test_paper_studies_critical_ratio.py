@@ -5,10 +5,16 @@ import pytest
 import xarray as xr
 
 import stayput as sp
-from stayput.studies.critical_ratio.cases import Conditions, critical_amplitudes, rows_of
-from stayput.studies.critical_ratio.first_overturning import first_overturning
-from stayput.studies.critical_ratio.fit import EQUATION_4_1, fitted, regression
-from stayput.studies.critical_ratio.study import critical_ratio
+from stayput.studies.critical_ratio import critical_ratio
+from stayput.studies.critical_ratio_runs import (
+    EQUATION_4_1,
+    Conditions,
+    critical_amplitudes,
+    first_overturning,
+    fitted,
+    regression,
+    rows_of,
+)
 
 STEP = 0.05
 
@@ -35,6 +41,31 @@ def test_eq_4_1_within_a_tenth_on_average(table):
 def test_the_regression_fits_our_values(table):
     main = rows_of(table, part="main")
     assert (main["critical"] / main["fit"] - 1.0).abs().mean() < 0.06
+
+
+def test_the_residuals_of_the_regression_run_in_curves(table):
+    """Residuals of chance would hardly follow their neighbours along b/h: the form does not quite fit."""
+    main = rows_of(table, part="main")
+    off = (main["critical"] / main["fit"] - 1.0).to_numpy().reshape(7, 5)
+    neighbours = np.sum(off[:, 1:] * off[:, :-1]) / np.sum(off**2)
+    assert neighbours > 0.3
+
+
+def test_where_the_base_slides_coulombs_law_overturns_less(table):
+    """μ of the base is below b/h: under Coulomb's law most bodies slide on and do not begin to rock."""
+    sway = rows_of(table, part="sway")
+    low = sway[sway["friction"] < sway["corner_friction"]]
+    paper, coulomb = (rows_of(low, contact=law) for law in ("paper", "coulomb"))
+    assert coulomb["critical"].notna().sum() <= paper["critical"].notna().sum()
+    assert coulomb["safe_share"].mean() > 0.5 > paper["safe_share"].mean()
+
+
+def test_the_summary_has_the_papers_coefficients(study):
+    rows = study.summary.set_index("quantity")
+    assert rows.loc["c₁ of the regression", "paper"] == "6.898"
+    off = study.quantities["c1"].value - EQUATION_4_1[0]
+    assert float(rows.loc["c₁ of the regression", "difference"]) == pytest.approx(off, abs=1e-3)
+    assert study.quantities["never"].value == 0
 
 
 def test_the_same_numbers_in_eq_4_1_as_printed():

@@ -5,7 +5,8 @@ import pytest
 import xarray as xr
 
 import stayput as sp
-from stayput.studies.friction.runs import (
+from stayput.studies.friction import friction
+from stayput.studies.friction_runs import (
     FREE,
     HELD,
     PAPER_ROWS,
@@ -18,7 +19,6 @@ from stayput.studies.friction.runs import (
     slides_under,
     unit_sine,
 )
-from stayput.studies.friction.study import friction
 
 G = sp.Case(sp.Body(0.5, 1.0), sp.Room(), sp.sine(1.0, 1.0, 1.0)).gravity
 COSINE = (90.0,)
@@ -59,6 +59,32 @@ def test_the_nearest_sine_gives_the_paper_s_slides_as_near_as_stated(study):
             run = sp.simulate(case.body, room, motion, contact=case.contact)
             assert 100.0 * run.peak_slide == pytest.approx(row[head], rel=1e-6)
             assert abs(run.peak_slide / paper - 1.0) <= row["largest deviation [%]"] / 100.0 + 1e-9
+
+
+def test_no_sine_gives_the_papers_three_slides(study):
+    """So the paper's input was none of these, or its model none of ours."""
+    for key in ("held", "paper", "coulomb"):
+        assert study.quantities[f"deviation_{key}"].value > 5.0
+        slides = [study.quantities[f"slide_{row}_{key}"] for row in (1, 2, 3)]
+        assert [slide.paper for slide in slides] == pytest.approx([5.44, 3.10, 2.34])
+        largest = max(abs(slide.value / slide.paper - 1.0) for slide in slides)
+        assert 100.0 * largest == pytest.approx(study.quantities[f"deviation_{key}"].value)
+
+
+def test_static_friction_matters_more_for_longer_where_the_body_may_rock(study):
+    """In the paper's order, μ matters more; ours gives it back only for the bodies that are free to rock."""
+    for key, static_wins in (("held", False), ("paper", True), ("coulomb", True)):
+        by_static, by_kinetic = (study.quantities[f"by_{name}_{key}"] for name in ("static", "kinetic"))
+        assert (by_static.value > by_kinetic.value) is static_wins
+        assert by_static.paper > by_kinetic.paper
+    table = study.data.to_dataframe()
+    table = table[(table["part"] == "search") & (table["phase"] == 90.0)]
+    slides = table.set_index(["body", "static_friction", "kinetic_friction"])["peak_slide"].sort_index()
+    kinetic_wins = {
+        name: np.mean(slides[name, 0.4, 0.3].to_numpy() < slides[name, 0.6, 0.1].to_numpy())
+        for name in (HELD, *FREE.values())
+    }
+    assert all(kinetic_wins[name] < kinetic_wins[HELD] for name in FREE.values())
 
 
 def test_order_of_the_three_rows(study):

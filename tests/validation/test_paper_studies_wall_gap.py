@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.studies.walls.gap import wall_gap
+from stayput.studies.wall_gap import wall_gap
 
 WIDTHS = np.round(np.concatenate((np.arange(0.8, 1.001, 0.05), np.arange(1.025, 1.6, 0.1))), 3)
 GAPS = np.round(np.arange(0.0, 0.4001, 0.01), 2)
@@ -88,9 +88,11 @@ def test_the_rule_is_broken_where_the_nearest_wall_is_nearer_than_15_per_cent(st
     assert (near == (study.data.broken_share > 0.0)).all()
 
 
-def test_text_and_tables_have_the_numbers_of_the_run(study):
+def test_summary_and_tables_have_the_numbers_of_the_run(study):
     shares = study.data.broken_share.sel(contact="paper")
-    said = f"Under the law 'paper' it is broken at {int((shares > 0).sum())} of {shares.size} inputs"
-    assert said in study.text
+    broken = study.quantities["broken_paper"]
+    assert broken.value == int((shares > 0).sum())
+    assert broken.label == f"Inputs of {shares.size} at which the rule is broken, law 'paper'"
+    assert [study.quantities[f"map_broken_{law}"].value for law in ("paper", "coulomb")] == [0, 0]
     table = study.tables["Inputs (sine and aspect ratio) that break the 15 % rule"]
     assert table["rule broken"].sum() == int((study.data.broken_share > 0).sum())

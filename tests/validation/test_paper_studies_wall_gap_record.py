@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.studies.walls.record import wall_gap_record
+from stayput.studies.wall_gap_record import wall_gap_record
 
 RECORD = Path(__file__).parents[3] / "shared" / "motions" / "jma_kobe_1995_ns.AT2"
 needs_record = pytest.mark.skipif(not RECORD.is_file(), reason="the record of JMA Kobe 1995 NS is absent")
@@ -29,8 +29,8 @@ def built_in():
 
 
 def nearest(study):
-    """The paper's law, and the wall on the side that the text says comes nearest."""
-    assert "Nearest to Table 4.3 comes the wall on the left with the motion as recorded" in study.text
+    """The paper's law, and the wall on the side that the summary says comes nearest."""
+    assert study.quantities["nearest"].value == "wall on the left, the motion as recorded"
     return study.data.sel({"contact": "paper", "motion.scale": 1.0, "wall": "left"})
 
 
@@ -41,7 +41,8 @@ def test_t_and_n(kobe, b, letter):
     assert ("T" if bool(mine.overturned_free) or mine.overturned.any() else "N") == letter
     row = kobe.tables["T or N and the wall distances [m], law 'paper'"].set_index("b [m]").loc[b]
     assert row["paper"][0] == row["left, as recorded"][0] == letter
-    assert "agree at 10 of 10 widths" in kobe.text
+    agree = kobe.quantities["agree"]
+    assert (agree.value, agree.paper) == (10, 10)
 
 
 @needs_record
@@ -67,7 +68,8 @@ def test_the_last_distances_are_shown_with_their_differences(kobe):
         mine = float(fallen.gap[fallen.to_numpy()].max())
         assert table["last, paper [m]"][b] == last
         assert table["difference of last [m]"][b] == pytest.approx(mine - last, abs=1e-9)
-        assert f"{mine:.2f} ({last:.2f}) m at b = {b:g} m" in kobe.text
+        shown = kobe.quantities[f"last_{b:g}"]
+        assert (shown.value, shown.paper) == (pytest.approx(mine), last)
 
 
 @needs_record
@@ -77,7 +79,7 @@ def test_the_papers_last_distances_are_out_of_reach(kobe):
     for b, last in LAST.items():
         body = mine.sel({"body.width": b})
         assert max(float(body.reach_left), float(body.reach_right)) < last - 0.2
-    assert "beyond the body's reach at 4 of these 4 widths" in kobe.text
+    assert kobe.quantities["beyond"].value == kobe.quantities["ends"].value == 4
 
 
 @needs_record
@@ -125,11 +127,11 @@ def test_a_reversed_motion_is_the_mirror_image(built_in):
     for wall, other in (("left", "right"), ("right", "left"), ("both", "both")):
         assert (as_recorded.sel(wall=wall).to_numpy() == reversed_.sel(wall=other).to_numpy()).all()
     assert as_recorded.any()
+    assert built_in.quantities["mirrored"].value == built_in.quantities["results"].value
 
 
-def test_the_text_names_the_motion_and_the_papers(built_in):
-    assert "synthetic near-fault motion" in built_in.text
-    assert "belongs to the record of JMA Kobe of 1995, NS, 30 s" in built_in.text
+def test_the_motion_and_the_papers_column_are_named(built_in):
+    assert built_in.data.attrs["motion"] == "synthetic near-fault motion"
     table = built_in.tables["T or N and the wall distances [m], law 'paper'"]
     assert table["paper"][4] == "T, 0.05–0.93"
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+import threading
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from fastapi import APIRouter, Path, Query, Request
@@ -9,9 +11,10 @@ from starlette.responses import Response
 
 import stayput
 from stayput.app.downloads import attachment, report_page, run_csv, scene_toml
-from stayput.app.guards import REPORT_POLICY
+from stayput.app.jobs import StoppedError
+from stayput.app.middleware import REPORT_POLICY
 from stayput.app.presets import presets
-from stayput.app.refusals import RefusedError
+from stayput.app.refusals import refused
 from stayput.app.replies import MotionReply, PingReply, PresetsReply, PreviewReply
 from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotations
     SimulateRequest,
@@ -21,6 +24,7 @@ from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotation
 )
 from stayput.app.run_replies import SimulateReply, SizeMapReply
 from stayput.app.running import simulated
+from stayput.app.scenes import uploaded
 from stayput.app.service import Service, json_response, problems
 from stayput.app.size_map import size_map
 from stayput.app.uploads import read_upload
@@ -38,6 +42,10 @@ if TYPE_CHECKING:
 
 Name = Annotated[str, Path(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")]
 Language = Literal["en", "ja"]
+Component = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
+
+LOOK = 0.5
+"""How often a request that takes long looks whether its client has left [s]."""
 
 UPLOAD_FORM: dict[str, Any] = {
     "requestBody": {
@@ -134,14 +142,29 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         return await service.slow.run(work)
 
     @router.post("/size-map", response_model=SizeMapReply, tags=["runs"], responses=refusals)
-    async def map_of_sizes(asked: SizeMapRequest) -> Response:
-        """Return which pieces of this kind overturn in which shaking."""
+    async def map_of_sizes(asked: SizeMapRequest, request: Request) -> Response:
+        """Return which pieces of this kind overturn in which shaking; it stops when the client has left."""
+        left = threading.Event()
 
         def work() -> Response:
+            if left.is_set():
+                raise StoppedError
             scenario = service.scene(asked.scene, asked.measures)
-            return json_response(size_map(scenario, asked.axis, service.limits.threads))
+            threads = service.limits.threads
+            return json_response(size_map(scenario, asked.axis, threads, lambda: not left.is_set()))
 
-        return await service.slow.run(work)
+        async def watch() -> None:
+            while not await request.is_disconnected():
+                await asyncio.sleep(LOOK)
+            left.set()
+
+        watching = asyncio.create_task(watch())
+        try:
+            return await service.slow.run(work)
+        except StoppedError:
+            return Response(status_code=204)  # which nobody reads
+        finally:
+            watching.cancel()
 
 
 def _add_jobs(router: APIRouter, service: Service) -> None:
@@ -166,8 +189,10 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
             threads = service.limits.threads
             return verified(scenario, asked.slide_limit_m, asked.curves, threads, told)
 
-        job = service.jobs.start(work, runs)
-        return json_response(job_reply(job), 202, {"Location": f"/api/v1/jobs/{job.id}"})
+        job = service.jobs.start(work, runs, uploaded(scenario), asked.lease_s)
+        return json_response(
+            job_reply(job, service.motions.told), 202, {"Location": f"/api/v1/jobs/{job.id}"}
+        )
 
     @router.get(
         "/jobs/{name}", response_model=JobReply, tags=["verification"], responses=problems(404, 422, 503)
@@ -175,7 +200,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     async def get_job(name: Name) -> Response:
         """Return how a job stands, and its verdict once it is done."""
         job = service.jobs.get(name)
-        return await service.workers.run(lambda: json_response(job_reply(job)))
+        return await service.workers.run(lambda: json_response(job_reply(job, service.motions.told)))
 
     @router.delete(
         "/jobs/{name}", response_model=JobReply, tags=["verification"], responses=problems(404, 422, 503)
@@ -183,12 +208,12 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     async def cancel_job(name: Name) -> Response:
         """Stop a job; forget one that has ended."""
         job = service.jobs.cancel(name)
-        return await service.workers.run(lambda: json_response(job_reply(job)))
+        return await service.workers.run(lambda: json_response(job_reply(job, service.motions.told)))
 
     def done(name: str) -> tuple[Job, Verdict]:
         job = service.jobs.get(name)
         if job.state != "done" or job.verdict is None:
-            raise RefusedError(409, f"The job is {job.state}; there is a report once it is done.")
+            raise refused(409, "app.no_report_yet", state=job.state)
         return job, job.verdict
 
     @router.get(
@@ -237,25 +262,16 @@ def _add_motions(router: APIRouter, service: Service) -> None:
     )
     async def add(request: Request) -> Response:
         """Upload a record; it is kept for a while under the id that is returned."""
-        if service.uploading:
-            raise RefusedError(429, "Another file is being uploaded; try again in a moment.", retry_after=1)
-        service.uploading = True
-        try:
-            sent = await read_upload(request, service.limits)
-
-            def work() -> Response:
-                return json_response(service.motions.add(sent), 201)
-
-            return await service.workers.run(work)
-        finally:
-            service.uploading = False
+        name = await service.motions.add(await read_upload(request, service.limits))
+        return await service.workers.run(lambda: json_response(service.motions.about(name), 201))
 
     @router.get(
         "/motions/{name}", response_model=MotionReply, tags=["motions"], responses=problems(404, 422, 503)
     )
-    async def about(name: Name) -> Response:
+    async def about(name: Name, component: Component = None) -> Response:
         """Return what is known of an uploaded motion."""
-        return await service.workers.run(lambda: json_response(service.motions.about(name)))
+        kept = await service.motions.with_component(name, component)
+        return await service.workers.run(lambda: json_response(service.motions.about(name, kept)))
 
     @router.get(
         "/motions/{name}/preview",
@@ -263,15 +279,16 @@ def _add_motions(router: APIRouter, service: Service) -> None:
         tags=["motions"],
         responses=problems(404, 422, 503),
     )
-    async def preview(name: Name) -> Response:
+    async def preview(name: Name, component: Component = None) -> Response:
         """Return the outline of an uploaded motion."""
-        return await service.workers.run(lambda: json_response(service.motions.preview(name)))
+        kept = await service.motions.with_component(name, component)
+        return await service.workers.run(lambda: json_response(service.motions.preview(kept.motion)))
 
     @router.delete(
         "/motions/{name}",
         status_code=204,
         tags=["motions"],
-        responses=problems(404, 422),
+        responses=problems(404, 409, 422),
         response_class=Response,
     )
     async def remove(name: Name) -> Response:

@@ -1,10 +1,14 @@
-"""The description of the API (OpenAPI 3.1), with the schemas of scenes and measures in it."""
+"""The description of the API (OpenAPI 3.1), with the schemas of scenes and measures, and as a plain page."""
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING, Any, cast
 
+from jinja2 import Environment, PackageLoader
 from pydantic import TypeAdapter
+from starlette.responses import HTMLResponse, Response
+from starlette.routing import Route
 
 from stayput.app.fields import STANDS_FOR
 from stayput.scenario import Scenario
@@ -14,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from fastapi import FastAPI
+    from starlette.requests import Request
 
 REFERENCE = "#/components/schemas/{model}"
 """Where a schema stands."""
@@ -23,23 +28,21 @@ UNUSED = ("HTTPValidationError", "ValidationError")
 
 
 def described(app: FastAPI) -> Callable[[], dict[str, Any]]:
-    """Return what makes the description of an app; it is made once."""
+    """Return the function that makes the description of an app, once."""
     made = app.openapi
-    kept: dict[str, Any] = {}
 
+    @cache
     def description() -> dict[str, Any]:
-        if not kept:
-            found = made()
-            schemas = found["components"]["schemas"]
-            scene = Scenario.schema(ref_template=REFERENCE)
-            measure = TypeAdapter[MeasureTable](SingleChoice).json_schema(ref_template=REFERENCE)
-            schemas |= {**scene.pop("$defs"), "Scenario": scene}
-            measure.pop("$defs", None)
-            schemas["Measure"] = measure
-            for name in UNUSED:
-                schemas.pop(name, None)
-            kept.update(_placed(found))
-        return kept
+        found = made()
+        schemas = found["components"]["schemas"]
+        scene = Scenario.schema(ref_template=REFERENCE)
+        measure = TypeAdapter[MeasureTable](SingleChoice).json_schema(ref_template=REFERENCE)
+        schemas |= {**scene.pop("$defs"), "Scenario": scene}
+        measure.pop("$defs", None)
+        schemas["Measure"] = measure
+        for name in UNUSED:
+            schemas.pop(name, None)
+        return _placed(found)
 
     return description
 
@@ -54,3 +57,47 @@ def _placed(node: Any) -> Any:
     if STANDS_FOR in table:
         return {"$ref": REFERENCE.format(model=table[STANDS_FOR])}
     return {key: _placed(value) for key, value in table.items()}
+
+
+def docs_route(app: FastAPI) -> Route:
+    """Return the route of the page that describes the API, with nothing loaded from elsewhere."""
+    loader = PackageLoader("stayput.app", "templates")
+    template = Environment(loader=loader, autoescape=True).get_template("api.html")
+
+    async def serve(_request: Request) -> Response:
+        return HTMLResponse(template.render(api=app.openapi(), name=_name, kind=kind_of))
+
+    return Route("/api/docs", serve)
+
+
+def _name(reference: str) -> str:
+    return reference.rsplit("/", 1)[-1]
+
+
+def kind_of(node: dict[str, Any]) -> list[tuple[str, str | None]]:
+    """Return a schema's kind in words, as pieces of text with the name of the schema each links to."""
+    if "$ref" in node:
+        name = _name(node["$ref"])
+        return [(name, name)]
+    for key in ("anyOf", "oneOf"):
+        if key in node:
+            pieces = [piece for one in node[key] for piece in [(" or ", None), *kind_of(one)]]
+            return pieces[1:]
+    if "const" in node:
+        return [(repr(node["const"]), None)]
+    if "enum" in node:
+        return [("one of " + ", ".join(map(repr, node["enum"])), None)]
+    if node.get("type") == "array":
+        if "prefixItems" in node:
+            inside = [piece for one in node["prefixItems"] for piece in [(", ", None), *kind_of(one)]][1:]
+            return [("[", None), *inside, ("]", None)]
+        return [("list of ", None), *kind_of(node.get("items", {}))]
+    return [(_bounds(node), None)]
+
+
+def _bounds(node: dict[str, Any]) -> str:
+    words = str(node.get("type", "anything"))
+    low, high = node.get("minimum"), node.get("maximum")
+    if low is not None and high is not None:
+        words += f" from {low:g} to {high:g}"
+    return f"{words} {node['unit']}" if node.get("unit") else words

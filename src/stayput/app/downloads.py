@@ -7,15 +7,19 @@ import io
 import threading
 from typing import TYPE_CHECKING
 
+import numpy as np
 from starlette.responses import Response
 
 from stayput.app.running import run_of, yours
 from stayput.report.history import history
-from stayput.scenario.writing import scenario_toml
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from stayput.app.motions import Motions
+    from stayput.motion import Motion
     from stayput.scenario import Scenario
+    from stayput.simulation import Run
     from stayput.verification import Verdict
 
 _drawing = threading.Lock()  # Matplotlib draws on one thread at a time
@@ -40,14 +44,17 @@ def scene_toml(scenario: Scenario, motions: Motions) -> str:
     shaking = scenario.shaking
     names = {key: value for key in ("record", "vertical") if isinstance(value := getattr(shaking, key), str)}
     if not names:
-        return scenario_toml(scenario)
+        return scenario.to_toml()
     changed = shaking.model_copy(update={key: motions.label(value) for key, value in names.items()})
     note = "# Put the record's file beside this one.\n"
-    return note + scenario_toml(scenario.model_copy(update={"shaking": changed}))
+    return note + scenario.model_copy(update={"shaking": changed}).to_toml()
 
 
 def run_csv(scenario: Scenario, *, held: bool) -> str:
     """Return the histories of a run as a table, one line for each sample of the record.
+
+    The floor's motion stands beside them, and the forces of each device: pull along its normal, negative
+    where it pushes, and shear along its tangent.
 
     Parameters
     ----------
@@ -56,16 +63,46 @@ def run_csv(scenario: Scenario, *, held: bool) -> str:
     held : bool
         Whether the user's measures are in place.
     """
-    run = run_of(scenario, scenario.case().motion, yours(scenario) if held else ())
+    motion = scenario.case().motion
+    run = run_of(scenario, motion, yours(scenario) if held else ())
     shown = history(run)
-    names = ("time_s", "x_m", "z_m", "tilt_rad", "slide_m", "mode")
-    columns = (shown.time, shown.x, shown.z, shown.tilt, shown.slide)
+    columns = {
+        "time_s": shown.time,
+        "x_m": shown.x,
+        "z_m": shown.z,
+        "tilt_rad": shown.tilt,
+        "slide_m": shown.slide,
+        **_floor(motion, shown.time),
+        **_forces(run, shown.time),
+    }
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(names)
-    for *values, mode in zip(*(column.tolist() for column in columns), shown.mode, strict=True):
+    writer.writerow([*columns, "mode"])
+    for *values, mode in zip(*(column.tolist() for column in columns.values()), shown.mode, strict=True):
         writer.writerow([*(f"{value:.9g}" for value in values), mode.value])
     return text.getvalue()
+
+
+def _floor(motion: Motion, time: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+    """Return the floor's motion at some times, by the names of its columns."""
+    found = {
+        "floor_acceleration_m_s2": motion.x,
+        "floor_velocity_m_s": motion.velocity,
+        "floor_displacement_m": motion.displacement,
+    }
+    if motion.z is not None:
+        found["floor_vertical_acceleration_m_s2"] = motion.z
+    return {name: np.interp(time, motion.time, values) for name, values in found.items()}
+
+
+def _forces(run: Run, time: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+    """Return the forces of a run's devices at some times, by the names of their columns."""
+    found: dict[str, NDArray[np.float64]] = {}
+    for number, device in enumerate(run.devices, 1):
+        name = f"device_{number}_{device.kind}" + (f"_{device.place}" if device.place else "")
+        for what, values in (("pull", device.pull), ("shear", device.shear)):
+            found[f"{name.replace(' ', '_')}_{what}_n"] = np.interp(time, run.time, values)
+    return found
 
 
 def report_page(verdict: Verdict, language: str, motions: Motions) -> bytes:

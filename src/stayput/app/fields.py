@@ -50,5 +50,5 @@ class Problem(Reply):
     """Why a request was refused."""
 
     message: str = Field(description="One sentence.")
-    message_ja: str | None = Field(default=None, description="The same in Japanese, where the page needs it.")
+    message_ja: str | None = Field(default=None, description="The same in Japanese.")
     field: str | None = Field(default=None, description="Dotted name of what is wrong.")

@@ -10,7 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
-from stayput.app.refusals import RefusedError
+from stayput.app.refusals import RefusedError, refused
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
@@ -41,19 +41,24 @@ class Job:
         Where it stands.
     done, total : int
         Simulations done, and in all.
+    motions : frozenset of str
+        The uploaded motions that it reads.
     verdict : Verdict or None
         What came out.
-    message, about : str or None
-        Why it failed, and the field that is about.
+    error : InputError or None
+        Why it failed.
+    lease : float or None
+        How long it goes on without being asked for [s]; None: to its end.
     """
 
     id: str
     total: int
+    motions: frozenset[str] = frozenset()
+    lease: float | None = None
     state: State = "waiting"
     done: int = 0
     verdict: Verdict | None = None
-    message: str | None = None
-    about: str | None = None
+    error: InputError | None = None
     began: float = field(default_factory=time.monotonic)
     ended: float | None = None
     used: float = field(default_factory=time.monotonic)
@@ -65,6 +70,12 @@ class Job:
         """How long it has taken since it was asked for [s]."""
         return (time.monotonic() if self.ended is None else self.ended) - self.began
 
+    @property
+    def wanted(self) -> bool:
+        """Whether it is to go on: nobody has cancelled it, and whoever began it still asks for it."""
+        left = self.lease is not None and time.monotonic() - self.used > self.lease
+        return not (left or self.stop.is_set())
+
     def told(self, done: int, total: int) -> None:
         """Note how far it has got.
 
@@ -73,7 +84,7 @@ class Job:
         StoppedError
             It is no longer wanted.
         """
-        if self.stop.is_set():
+        if not self.wanted:
             raise StoppedError
         self.done, self.total = done, total
 
@@ -93,7 +104,13 @@ class Jobs:
         self._jobs: dict[str, Job] = {}
         self._lock = threading.Lock()
 
-    def start(self, work: Callable[[Callable[[int, int], None]], Verdict], total: int) -> Job:
+    def start(
+        self,
+        work: Callable[[Callable[[int, int], None]], Verdict],
+        total: int,
+        motions: frozenset[str] = frozenset(),
+        lease: float | None = None,
+    ) -> Job:
         """Begin a job, now or when a thread is free.
 
         Parameters
@@ -102,6 +119,10 @@ class Jobs:
             Does it; it is given what it tells its progress, and that raises when it is to stop.
         total : int
             About how many simulations there are.
+        motions : frozenset of str
+            The uploaded motions that it reads.
+        lease : float, optional
+            How long it goes on without being asked for [s].
 
         Raises
         ------
@@ -112,12 +133,17 @@ class Jobs:
             self._expire()
             active = sum(job.state in ("waiting", "running") for job in self._jobs.values())
             if active >= self._limits.jobs_running + self._limits.jobs_waiting:
-                told = f"There are {active} verifications already; wait for one to end, or cancel it."
-                raise RefusedError(429, told, retry_after=10)
-            job = Job(secrets.token_hex(16), total)
+                raise refused(429, "app.many_jobs", retry_after=10, count=active)
+            job = Job(secrets.token_hex(16), total, motions, lease)
             self._jobs[job.id] = job
         self._pool.submit(self._run, job, work)
         return job
+
+    def motions(self) -> set[str]:
+        """Return the uploaded motions that jobs at work or waiting read."""
+        with self._lock:
+            active = [job.motions for job in self._jobs.values() if job.state in ("waiting", "running")]
+        return set[str]().union(*active)
 
     def get(self, name: str) -> Job:
         """Return a job.
@@ -131,7 +157,7 @@ class Jobs:
             self._expire()
             job = self._jobs.get(name)
         if job is None:
-            raise RefusedError(404, "There is no such job; it may have expired.")
+            raise refused(404, "app.no_such_job")
         job.used = time.monotonic()
         return job
 
@@ -147,7 +173,7 @@ class Jobs:
         job.stop.set()
         with self._lock:
             if job.state in ("waiting", "running"):
-                job.state, job.ended = "cancelled", time.monotonic()
+                self._cancel(job)
             else:
                 self._jobs.pop(name, None)
         return job
@@ -161,25 +187,26 @@ class Jobs:
 
     def _run(self, job: Job, work: Callable[[Callable[[int, int], None]], Verdict]) -> None:
         with self._lock:
-            if job.stop.is_set():
+            if not job.wanted:
+                self._cancel(job)
                 return
             job.state = "running"
         try:
             verdict = work(job.told)
         except StoppedError:
             self._end(job, "cancelled")
-        except RefusedError as refused:
-            job.message, job.about = refused.message, refused.field
+        except RefusedError as refusal:
+            job.error = refusal.error
             self._end(job, "failed")
         except InputError as error:
-            job.message = str(error)
+            job.error = error
             self._end(job, "failed")
         except Exception:
             if job.stop.is_set():  # the server ends, and with it what the job works with
                 self._end(job, "cancelled")
                 return
             _log.exception("A verification failed")
-            job.message = "The verification failed; the server's log says why."
+            job.error = InputError("app.verification_failed")
             self._end(job, "failed")
         else:
             job.verdict = verdict
@@ -190,9 +217,19 @@ class Jobs:
             if job.state == "running":
                 job.state, job.ended = state, time.monotonic()
 
+    @staticmethod
+    def _cancel(job: Job) -> None:
+        """Note that a job which has not ended is no longer wanted."""
+        job.stop.set()
+        if job.ended is None:
+            job.state, job.ended = "cancelled", time.monotonic()
+
     def _expire(self) -> None:
-        """Forget jobs that ended and were not looked at for long, and the oldest of too many."""
+        """End jobs that were left; forget those that ended long ago, and the oldest of too many."""
         now = time.monotonic()
+        for job in self._jobs.values():
+            if job.ended is None and not job.wanted:
+                self._cancel(job)
         ended = sorted((job for job in self._jobs.values() if job.ended is not None), key=lambda j: j.used)
         surplus = len(self._jobs) - self._limits.jobs_kept
         for place, job in enumerate(ended):

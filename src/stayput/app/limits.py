@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 
+from stayput.execution import cores
+
 MEBIBYTE = 1024 * 1024
-
-
-def cores() -> int:
-    """Return how many cores this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +21,16 @@ class Limits:
         Largest body of an upload, the form around the file included [bytes].
     seconds : float
         Longest time in which a body must have come [s].
+    header_seconds : float
+        Longest time for the headers of a request, and for a body to begin [s].
+    slowest : float
+        A body must come at least so fast from then on [bytes/s].
+    connections, connections_of_one : int
+        Most connections, and most of one client.
+    requests_of_one : int
+        Most requests of one client that are answered at a time.
+    uploads, uploads_of_one : int
+        Most uploads that are on their way, and most of one client.
     duration : float
         Longest motion [s].
     samples_of_motion : int
@@ -37,6 +43,12 @@ class Limits:
         Most bytes of all motions kept.
     keep : float
         How long a motion or a finished job is kept after its last use [s].
+    readers, reading_waiting : int
+        Most processes that read uploads, and most uploads that wait for one.
+    reading_seconds : float
+        Longest time to read an upload [s].
+    reading_memory : int
+        Most memory to read an upload, where the system can limit it [bytes].
     storeys : int
         Most storeys of a building.
     suite : int
@@ -62,12 +74,23 @@ class Limits:
     body: int = 256 * 1024
     upload: int = 16 * MEBIBYTE
     seconds: float = 60.0
+    header_seconds: float = 10.0
+    slowest: float = 4096.0
+    connections: int = 256
+    connections_of_one: int = 128
+    requests_of_one: int = 64
+    uploads: int = 8
+    uploads_of_one: int = 4
     duration: float = 600.0
     samples_of_motion: int = 200_000
     numbers: int = 1_000_000
     motions: int = 8
     motion_bytes: int = 64 * MEBIBYTE
     keep: float = 7200.0
+    readers: int = 2
+    reading_waiting: int = 8
+    reading_seconds: float = 10.0
+    reading_memory: int = 768 * MEBIBYTE
     storeys: int = 60
     suite: int = 100
     samples: int = 2000

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import stayput
 from stayput.app.fields import Words
-from stayput.app.intensities import LABELS_JA, ON_FURNITURE, PEOPLE
 from stayput.app.replies import (
     FamilyReply,
     FurnitureReply,
@@ -21,10 +20,21 @@ from stayput.app.replies import (
     StructureReply,
     SurfaceReply,
 )
-from stayput.app.words import EVENTS, FAMILIES, FURNITURE, MODES, OUTCOMES, STRUCTURES, SURFACES
 from stayput.body import Body
-from stayput.building.structures import STOREY_HEIGHT
-from stayput.building.structures import STRUCTURES as BUILDINGS
+from stayput.building.building import STOREY_HEIGHT
+from stayput.building.building import STRUCTURES as BUILDINGS
+from stayput.catalogue.names import (
+    EVENTS,
+    FAMILIES,
+    FURNITURE,
+    INTENSITIES,
+    MODES,
+    ON_FURNITURE,
+    OUTCOMES,
+    PEOPLE,
+    STRUCTURES,
+    SURFACES,
+)
 from stayput.errors import InputError
 from stayput.furniture import FURNITURE as PIECES
 from stayput.measures import MEASURES, hold, parameters
@@ -84,11 +94,11 @@ def presets(limits: Limits) -> PresetsReply:
         intensities=[_intensity(name, start) for name, start in CLASSES],
         measures=[_measure(name, kind) for name, kind in MEASURES.items()],
         modes=[
-            ModeReply(id=mode.value, label=Words.of(label), colour=MODE_COLOURS[mode])
-            for mode, label in MODES.items()
+            ModeReply(id=mode.value, label=Words.of(MODES[mode]), colour=colour)
+            for mode, colour in MODE_COLOURS.items()
         ],
-        outcomes=[NamedReply(id=one.value, label=Words.of(label)) for one, label in OUTCOMES.items()],
-        events=[NamedReply(id=one.value, label=Words.of(label)) for one, label in EVENTS.items()],
+        outcomes=[NamedReply(id=name, label=Words.of(label)) for name, label in OUTCOMES.items()],
+        events=[NamedReply(id=name, label=Words.of(label)) for name, label in EVENTS.items()],
         scene=SCENE,
         measures_shown=SHOWN,
         limits=_limits(limits),
@@ -112,7 +122,7 @@ def _furniture(name: str, preset: Preset) -> FurnitureReply:
 def _intensity(name: str, start: float) -> IntensityReply:
     return IntensityReply(
         id=name,
-        label=Words(en=name, ja=f"震度{LABELS_JA.get(name, name)}"),
+        label=Words.of(INTENSITIES[name]),
         from_=start if math.isfinite(start) else None,
         middle=intensity_of_class(name),
         about=Words.of(PEOPLE[name]),
@@ -125,7 +135,7 @@ def _measure(name: str, kind: type[Measure]) -> MeasureReply:
         type=name,
         label=Words.of(kind.label),
         about=Words.of(kind.about),
-        place=kind().where(),
+        place=None if (place := kind().where()) is None else place[0],
         needs=_needs(kind),
         usual=name in USUAL,
         parameters=[_parameter(one) for one in parameters(kind)],
@@ -144,12 +154,12 @@ def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
         return True
 
     wall, ceiling = Wall(0.05), Ceiling(2.4)
-    found: list[Literal["wall", "ceiling"]] = []
+    needs: list[Literal["wall", "ceiling"]] = []
     if not applies(Room(ceiling=ceiling)):
-        found.append("wall")
+        needs.append("wall")
     if not applies(Room(left_wall=wall)):
-        found.append("ceiling")
-    return found
+        needs.append("ceiling")
+    return needs
 
 
 def _parameter(one: Parameter) -> ParameterReply:

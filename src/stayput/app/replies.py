@@ -141,6 +141,22 @@ class PresetsReply(Reply):
     limits: LimitsReply
 
 
+class DoubtReply(Reply):
+    """What may not be as it was meant, in one sentence."""
+
+    message: str
+    message_ja: str | None = Field(description="The same in Japanese, where the page needs it.")
+    field: str | None = Field(description="What would say it: unit, component.")
+
+
+class ChannelReply(Reply):
+    """A channel of an uploaded file."""
+
+    name: str = Field(description="What chooses it.")
+    vertical: bool
+    used: bool = Field(description="Whether it is the one along the shaking, x.")
+
+
 class MotionReply(Reply):
     """An uploaded motion."""
 
@@ -152,11 +168,14 @@ class MotionReply(Reply):
     dt_s: float
     samples: int
     components: list[str]
+    channels: list[ChannelReply]
     pga_m_s2: float
     pgv_m_s: float
     intensity: float | None
     intensity_class: str | None
     expires_in_s: float
+    floor: str = Field(description="Upper floor of a building that it was recorded on; empty otherwise.")
+    warnings: list[DoubtReply] = Field(description="What is doubtful about the file.")
     shaking: dict[str, Any] = Field(description="What a scene's shaking says to use it.")
 
 

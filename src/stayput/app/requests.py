@@ -34,6 +34,12 @@ class VerifyRequest(Request):
     compare_usual: bool = Field(default=True, description="Whether the usual measures are compared too.")
     slide_limit_m: float = Field(default=0.10, ge=0.0, le=100.0, description="Slide that counts as too far.")
     curves: bool = Field(default=True, description="Whether fragility curves are made, which takes longer.")
+    lease_s: float | None = Field(
+        default=None,
+        ge=1.0,
+        le=3600.0,
+        description="The job ends when nobody has asked for it for so long; null: it goes on to its end.",
+    )
 
 
 class TomlRequest(Request):

@@ -6,7 +6,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from stayput.app.fields import Pair, Reply, Words
+from stayput.app.fields import Pair, Problem, Reply, Words
 
 
 class BodyReply(Reply):
@@ -19,6 +19,7 @@ class BodyReply(Reply):
     centre_of_gravity_m: Pair = Field(description="From the middle of the base.")
     corners_m: list[Pair] = Field(description="Base left, base right, top right, top left, from G.")
     base_heights_m: Pair
+    resting_tilt_rad: float = Field(description="Tilt at rest, to which `tilt_rad` adds.")
     slenderness_rad: float
 
 
@@ -87,7 +88,8 @@ class RunReply(Reply):
     slide_m: list[float]
     modes: list[tuple[float, str]] = Field(description="When each mode starts.")
     events: list[EventReply]
-    events_total: int
+    events_total: int = Field(description="How many there were.")
+    events_cut: bool = Field(description="Whether only the first ones and the last are listed.")
     devices: list[DeviceReply]
     shapes: list[ShapeReply]
 
@@ -116,6 +118,16 @@ class FloorReply(Reply):
     scale_shown: float
 
 
+class ViewReply(Reply):
+    """What part of the room is worth showing, for all runs."""
+
+    left_m: float
+    right_m: float
+    low_m: float
+    high_m: float
+    grid_m: float = Field(description="Distance of marks that stand still.")
+
+
 class BuildingReply(Reply):
     """The building between the ground and the furniture."""
 
@@ -131,6 +143,7 @@ class SimulateReply(Reply):
 
     motion: MotionOfRun
     floor: FloorReply
+    view: ViewReply
     building: BuildingReply | None
     without: RunReply
     with_: RunReply | None = Field(serialization_alias="with")
@@ -152,6 +165,9 @@ class SizeMapReply(Reply):
     size: list[float] = Field(description="Factors on what grows.")
     width_m: list[float]
     height_m: list[float]
-    overturned: list[list[float | None]] = Field(description="By size, then by intensity.")
+    overturned: list[list[float | None]] = Field(
+        description="By size, then by intensity; null where it is not possible or no run of it ended."
+    )
+    refused: list[Problem | None] = Field(description="By size: why such a piece is not possible.")
     motions: int
     here: Here

@@ -7,9 +7,10 @@ import math
 import re
 from typing import TYPE_CHECKING, Any, cast
 
-from stayput.app.refusals import RefusedError, field_of
+from stayput.app.refusals import RefusedError, refused
 from stayput.errors import InputError
 from stayput.scenario import Scenario
+from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -22,9 +23,6 @@ TABLES = tuple(field.alias or name for name, field in Scenario.model_fields.item
 
 ID = re.compile(r"[0-9a-f]{32}")
 """What the id of an uploaded motion or of a job looks like."""
-
-YOURS = "yours"
-"""Name of the user's own set of measures."""
 
 
 def read_scene(
@@ -57,25 +55,31 @@ def read_scene(
         _check_shaking(cast("dict[str, Any]", shaking), limits, motions)
     listed = scene.get("measures")
     if isinstance(listed, list) and len(cast("list[Any]", listed)) > limits.options:
-        raise RefusedError(422, f"At most {limits.options} measures can be compared.", "scene.measures")
+        raise refused(422, "app.many_options", "scene.measures", most=limits.options)
     try:
         scenario = Scenario.parse(scene, motions.folder)
     except InputError as error:
         raise refusal(error, bool(measures)) from None
     if scenario.uncertainty.samples > limits.samples:
-        told = f"uncertainty.samples is {scenario.uncertainty.samples}; this server allows {limits.samples}."
-        raise RefusedError(422, told, "scene.uncertainty.samples")
+        raise _too_many("uncertainty.samples", scenario.uncertainty.samples, limits.samples)
     return scenario
+
+
+def uploaded(scenario: Scenario) -> frozenset[str]:
+    """Return the uploaded motions that a scene reads."""
+    shaking = scenario.shaking
+    return frozenset(name for name in (shaking.record, shaking.vertical) if isinstance(name, str))
 
 
 def refusal(error: InputError, own: bool = False) -> RefusedError:
     """Return a refusal with the sentence of an error; ``own``: measures came beside the scene."""
-    sentence = str(error)
-    field = field_of(sentence, TABLES)
-    if own and field is not None and field.startswith("scene.measures"):
-        field = field.replace("scene.measures[0].combine", "measures").replace("scene.measures", "measures")
-        sentence = sentence.replace("measures[0].combine", "measures").removeprefix("In [measures]: ")
-    return RefusedError(422, sentence, field)
+    field = error.field or ""
+    if re.split(r"[.\[]", field)[0] not in TABLES:
+        return RefusedError(422, error.about(None))
+    if own and field.startswith("measures"):
+        known = error.renamed("measures[0].combine", "measures").anywhere()
+        return RefusedError(422, known)
+    return RefusedError(422, error.about(f"scene.{field}"))
 
 
 def _refuse_half_characters(scene: dict[str, Any]) -> None:
@@ -83,7 +87,7 @@ def _refuse_half_characters(scene: dict[str, Any]) -> None:
     try:
         json.dumps(scene, ensure_ascii=False).encode("utf-8")
     except UnicodeEncodeError:
-        raise RefusedError(422, "A text holds half a character; it must be Unicode.", "scene") from None
+        raise refused(422, "app.half_character", "scene") from None
 
 
 def _check_shaking(shaking: dict[str, Any], limits: Limits, motions: Motions) -> None:
@@ -92,13 +96,12 @@ def _check_shaking(shaking: dict[str, Any], limits: Limits, motions: Motions) ->
         name = shaking.get(key)
         if isinstance(name, str):
             if not ID.fullmatch(name) or not motions.knows(name):
-                told = f"shaking.{key} is not a motion that this server has; it must be uploaded (again)."
-                raise RefusedError(422, told, f"scene.shaking.{key}")
+                place = f"shaking.{key}"
+                raise refused(422, "app.no_such_record", f"scene.{place}", name=place)
             motions.touch(name)
     suite = shaking.get("suite")
     if isinstance(suite, str):
-        told = "shaking.suite is a folder; this server takes suites by family and count only."
-        raise RefusedError(422, told, "scene.shaking.suite")
+        raise refused(422, "app.suite_folder", "scene.shaking.suite")
     if isinstance(suite, dict):
         _at_most(cast("dict[str, Any]", suite), "shaking.suite", "count", limits.suite)
     building = shaking.get("building")
@@ -107,8 +110,10 @@ def _check_shaking(shaking: dict[str, Any], limits: Limits, motions: Motions) ->
         _at_most(table, "shaking.building", "storeys", limits.storeys)
         masses = table.get("masses")
         if isinstance(masses, list) and len(cast("list[Any]", masses)) > limits.storeys:
-            told = f"shaking.building.masses are {len(cast('list[Any]', masses))}; this server allows "
-            raise RefusedError(422, f"{told}{limits.storeys}.", "scene.shaking.building.masses")
+            place, count = "shaking.building.masses", len(cast("list[Any]", masses))
+            raise refused(
+                422, "app.many_masses", f"scene.{place}", name=place, value=count, most=limits.storeys
+            )
     sine = shaking.get("sine")
     if isinstance(sine, dict):
         _check_sine(cast("dict[str, Any]", sine), limits)
@@ -120,23 +125,28 @@ def _check_sine(sine: dict[str, Any], limits: Limits) -> None:
     )
     length = duration + quiet
     if length > limits.duration:
-        told = f"shaking.sine lasts {length:g} s; this server allows {limits.duration:g} s."
-        raise RefusedError(422, told, "scene.shaking.sine.duration")
+        raise refused(422, "app.long_sine", "scene.shaking.sine.duration", value=length, most=limits.duration)
     step = min(dt, duration)  # at least one step in the shaking
     samples = length / step if step > 0.0 else 0.0
     if samples > limits.samples_of_motion:
-        told = f"shaking.sine.dt is {dt:g} s, which makes {samples:.0f} samples"
-        raise RefusedError(
-            422, f"{told}; this server allows {limits.samples_of_motion}.", "scene.shaking.sine.dt"
+        raise refused(
+            422,
+            "app.many_sine_samples",
+            "scene.shaking.sine.dt",
+            dt=dt,
+            samples=samples,
+            most=limits.samples_of_motion,
         )
 
 
 def _at_most(table: dict[str, Any], name: str, key: str, most: int) -> None:
     value = _number(table.get(key, 0))
     if value > most:
-        raise RefusedError(
-            422, f"{name}.{key} is {value:g}; this server allows {most}.", f"scene.{name}.{key}"
-        )
+        raise _too_many(f"{name}.{key}", value, most)
+
+
+def _too_many(name: str, value: float, most: int) -> RefusedError:
+    return refused(422, "app.many", f"scene.{name}", name=name, value=value, most=most)
 
 
 def _number(value: object) -> float:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import contextlib
 import gc
 import logging
-import socket
 import sys
 import tempfile
 import threading
 import time
+import warnings
 import webbrowser
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -21,21 +21,31 @@ from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
 
 import stayput
+from stayput.app.addresses import address_of, bind, warning_of
 from stayput.app.api import api
-from stayput.app.description import described
-from stayput.app.guards import Guard
+from stayput.app.connections import connection_maker
+from stayput.app.description import described, docs_route
 from stayput.app.jobs import Jobs
 from stayput.app.limits import Limits
+from stayput.app.middleware import Compression, Guard
 from stayput.app.motions import Motions
-from stayput.app.pages import docs_route, page_routes
+from stayput.app.pages import page_routes
+from stayput.app.presets import SCENE, SHOWN
+from stayput.app.readers import Readers
 from stayput.app.refusals import RefusedError, error_response
+from stayput.app.running import simulated
 from stayput.app.service import Service
-from stayput.app.warming import warm
+from stayput.app.size_map import size_map
 from stayput.app.workers import Workers
-from stayput.errors import InputError
+from stayput.catalogue import phrase
+from stayput.errors import InputError, InputWarning
+from stayput.scenario import Scenario
+from stayput.verification import verify
+from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncGenerator
+    import asyncio
+    from collections.abc import AsyncGenerator, Callable
 
     from starlette.requests import Request
     from starlette.responses import Response
@@ -66,10 +76,13 @@ def create_app(host: str = "127.0.0.1", limits: Limits | None = None, *, warming
     folder = Path(tempfile.mkdtemp(prefix="stayput-"))
     quick = Workers(allowed.workers, allowed.waiting)
     slow = Workers(allowed.slow_workers, allowed.slow_waiting)
-    service = Service(allowed, quick, slow, Motions(folder, allowed), Jobs(allowed))
+    readers, jobs = Readers(allowed), Jobs(allowed)
+    motions = Motions(folder, allowed, readers, jobs.motions)
+    service = Service(allowed, quick, slow, readers, motions, jobs)
 
     @asynccontextmanager
     async def life(_app: FastAPI) -> AsyncGenerator[None]:
+        readers.start()
         if warming:
             threading.Thread(target=_warm, args=(service,), name="stayput-warm", daemon=True).start()
         interval = sys.getswitchinterval()
@@ -93,10 +106,21 @@ def create_app(host: str = "127.0.0.1", limits: Limits | None = None, *, warming
     app.include_router(api(service))
     app.router.routes.append(docs_route(app))
     app.router.routes.extend(page_routes())
+    app.add_middleware(Compression)
     app.add_middleware(Guard, limits=allowed, host=host)
-    _add_refusals(app)
+    _add_refusals(app, service.motions.told)
     app.openapi = described(app)
     return app
+
+
+def warm() -> None:
+    """Run the scene that the page begins with first; then upstairs, the map and a small verification."""
+    upstairs = {**SCENE["shaking"], "building": {"storeys": 10}, "storey": 5}
+    simulated(Scenario.parse({**SCENE, "measures": [{"name": YOURS, "combine": SHOWN}]}))
+    simulated(Scenario.parse({**SCENE, "shaking": upstairs}))
+    size_map(Scenario.parse(SCENE), "height", 1)
+    few = {"measures": [{"type": "belt"}], "uncertainty": {"samples": 1}}
+    verify(Scenario.parse({**SCENE, **few}), levels=[6.0], threads=1, progress=False)
 
 
 def _warm(service: Service) -> None:
@@ -111,27 +135,30 @@ def _warm(service: Service) -> None:
     service.ready = True
 
 
-def _add_refusals(app: FastAPI) -> None:
-    """Let every refusal be one sentence and a field."""
+def _add_refusals(app: FastAPI, told_plainly: Callable[[str], str]) -> None:
+    """Let every refusal be one sentence, without the server's own paths, and a field."""
 
     async def refused(_request: Request, error: Exception) -> Response:
-        return cast("RefusedError", error).response()
+        found = cast("RefusedError", error)
+        plain = found.error.rewritten(told_plainly)
+        return error_response(found.status_code, plain, found.headers)
 
     async def input_refused(_request: Request, error: Exception) -> Response:
-        return error_response(422, str(error))
+        return error_response(422, cast("InputError", error).rewritten(told_plainly))
 
     async def invalid(_request: Request, error: Exception) -> Response:
         first = cast("RequestValidationError", error).errors()[0]
         place = [str(part) for part in first["loc"] if part not in ("body", "path", "query")]
         if first["type"] == "json_invalid":
-            return error_response(400, "The body is not JSON.")
+            return error_response(400, InputError("app.not_json"))
         field = ".".join(place) or None
-        return error_response(422, f"{field or 'The body'}: {first['msg']}.", field)
+        name = field or phrase("app.the_body")
+        return error_response(422, InputError("app.not_valid", field, name=name, message=first["msg"]))
 
     async def http(_request: Request, error: Exception) -> Response:
         found = cast("HTTPException", error)
-        told = f"{str(found.detail).rstrip('.')}."
-        return error_response(found.status_code, told, None, dict(found.headers or {}))
+        error = InputError("app.http", message=str(found.detail).rstrip("."))
+        return error_response(found.status_code, error, found.headers)
 
     app.add_exception_handler(RefusedError, refused)
     app.add_exception_handler(InputError, input_refused)
@@ -147,7 +174,8 @@ def server_of(app: FastAPI) -> uvicorn.Server:
         server_header=False,
         timeout_keep_alive=30,
         timeout_graceful_shutdown=2,
-        limit_concurrency=256,
+        http=cast("type[asyncio.Protocol]", connection_maker(app.state.service.limits)),
+        proxy_headers=False,  # who a client is, it does not say itself
         ws="none",
     )
     return uvicorn.Server(config)
@@ -170,10 +198,14 @@ def serve(host: str = "127.0.0.1", port: int = 8000, *, browser: bool = True) ->
     InputError
         The address cannot be bound to.
     """
+    warnings.filterwarnings("ignore", category=InputWarning)  # who sent a record is told by the reply
     bound = bind(host, port)
     address = address_of(bound)
     server = server_of(create_app(host))
     print(f"stayput is at {address} (Ctrl-C ends it)", flush=True)
+    warning = warning_of(bound)
+    if warning is not None:
+        print(warning, file=sys.stderr, flush=True)
     if browser:
         threading.Thread(target=_open, args=(server, address), daemon=True).start()
     with contextlib.suppress(KeyboardInterrupt):
@@ -186,36 +218,3 @@ def _open(server: uvicorn.Server, address: str) -> None:
             return
         time.sleep(0.05)
     webbrowser.open(address)
-
-
-def bind(host: str, port: int) -> socket.socket:
-    """Return a socket that is bound and listens.
-
-    Raises
-    ------
-    InputError
-        The address cannot be bound to.
-    """
-    try:
-        family, kind, protocol, _, place = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
-        found = socket.socket(family, kind, protocol)
-        try:
-            found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            found.bind(place)
-            found.listen(128)
-        except OSError:
-            found.close()
-            raise
-    except (OSError, UnicodeError, OverflowError) as error:
-        reason = (getattr(error, "strerror", None) or str(error)).lower()
-        told = f"The address is {host}, port {port}; it cannot be served: {reason}."
-        raise InputError(told) from None
-    found.setblocking(False)
-    return found
-
-
-def address_of(bound: socket.socket) -> str:
-    """Return the address of a bound socket as a browser takes it."""
-    host, port = str(bound.getsockname()[0]), int(bound.getsockname()[1])
-    shown = {"0.0.0.0": "127.0.0.1", "::": "::1"}.get(host, host)
-    return f"http://[{shown}]:{port}/" if ":" in shown else f"http://{shown}:{port}/"

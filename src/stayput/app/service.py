@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from stayput.app.jobs import Jobs
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
+    from stayput.app.readers import Readers
     from stayput.app.workers import Workers
     from stayput.scenario import Scenario
 
@@ -23,7 +24,7 @@ def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
     words = {
         400: "The body is not JSON.",
         404: "There is none of this id.",
-        409: "The job is not done.",
+        409: "The job is not done, or one needs this.",
         413: "The body is too large.",
         422: "The input is refused.",
         429: "There are too many already.",
@@ -42,14 +43,14 @@ class Service:
         What is accepted.
     workers, slow : Workers
         Threads that compute: what is short, and what is not.
+    readers : Readers
+        Processes that read uploads.
     motions : Motions
         What was uploaded.
     jobs : Jobs
         Verifications.
     ready : bool
         Whether everything is compiled.
-    uploading : bool
-        Whether a file is being uploaded: one at a time.
     closed : bool
         Whether the server ends.
     """
@@ -57,10 +58,10 @@ class Service:
     limits: Limits
     workers: Workers
     slow: Workers
+    readers: Readers
     motions: Motions
     jobs: Jobs
     ready: bool = False
-    uploading: bool = False
     closed: bool = False
 
     def close(self) -> None:
@@ -69,6 +70,7 @@ class Service:
         self.jobs.close()
         self.workers.close()
         self.slow.close()
+        self.readers.close()
         self.motions.close()
 
     def scene(self, data: dict[str, Any], measures: list[dict[str, Any]]) -> Scenario:

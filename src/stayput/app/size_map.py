@@ -1,4 +1,4 @@
-"""The map of size against intensity: which pieces of this kind overturn in which shaking."""
+"""The app's size map: the share of motions that overturn a piece, over its size and the intensity."""
 
 from __future__ import annotations
 
@@ -7,18 +7,23 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.app.jobs import StoppedError
+from stayput.app.refusals import problem
 from stayput.app.run_replies import Here, SizeMapReply
 from stayput.app.running import yours
 from stayput.body import SIZE_RANGE, Body
-from stayput.cases import State, case_columns, refuse_penetration
-from stayput.ensemble.columns import run_columns
+from stayput.cases import State, refuse_bad_start
+from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.measures import element_rows, hold
-from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
+from stayput.measures import hold
+from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.runs import run_level
+from stayput.montecarlo.sampling import Rows, stated_rows
 from stayput.motion.suites import Suite
-from stayput.verification.hazard import Hazard
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from numpy.typing import NDArray
 
     from stayput.measures import Measure
@@ -60,7 +65,9 @@ def scaled_body(body: Body, across: float, up: float) -> Body:
     return replace(grown, inertia=ratio * grown.uniform_inertia)
 
 
-def size_map(scenario: Scenario, axis: str, threads: int) -> SizeMapReply:
+def size_map(
+    scenario: Scenario, axis: str, threads: int, awaited: Callable[[], bool] = lambda: True
+) -> SizeMapReply:
     """Run pieces of all sizes at all intensities.
 
     Parameters
@@ -71,14 +78,23 @@ def size_map(scenario: Scenario, axis: str, threads: int) -> SizeMapReply:
         What grows: "height", "width" or "size", which is both.
     threads : int
         Threads.
+    awaited : callable
+        Whether anybody still waits for the map; asked before each intensity.
 
     Raises
     ------
+    StoppedError
+        Nobody waits for it.
     InputError
         The paper's contact law, or measures that cannot be applied to the piece as it stands.
     """
     if scenario.contact != "coulomb":
-        raise InputError(f'The contact is "{scenario.contact}"; the map needs "coulomb".')
+        raise InputError(
+            "verification.needs_coulomb",
+            "contact",
+            contact=scenario.contact,
+            what=phrase("verification.the_map"),
+        )
     shaking = scenario.shaking
     body, measures = scenario.furniture.body(), yours(scenario)
     most = MOTIONS if shaking.building is None or not shaking.building.yields else MOTIONS_YIELDING
@@ -89,14 +105,15 @@ def size_map(scenario: Scenario, axis: str, threads: int) -> SizeMapReply:
     across = np.where(axis == "height", 1.0, SIZES)
     up = np.where(axis == "width", 1.0, SIZES)
     bodies = [scaled_body(body, float(a), float(u)) for a, u in zip(across, up, strict=True)]
-    rows = [_row(one, scenario, measures) for one in bodies]
-    possible = [i for i, row in enumerate(rows) if row is not None]
+    rows = [_rows_or_refusal(one, scenario, measures, len(ground)) for one in bodies]
+    possible = {place: row for place, row in enumerate(rows) if isinstance(row, Rows)}
     share = np.full((len(bodies), len(INTENSITIES)), np.nan)
     if possible:
-        cases = np.concatenate([rows[i][0] for i in possible])  # type: ignore[index]
-        elements = np.stack([rows[i][1] for i in possible])  # type: ignore[index]
         for column, level in enumerate(INTENSITIES):
-            share[possible, column] = _overturned(cases, elements, hazard, float(level), threads)
+            if not awaited():
+                raise StoppedError
+            runs = run_level(list(possible.values()), hazard.at(float(level), threads), threads=threads)
+            share[list(possible), column] = [one.probability_of_overturning().estimate for one in runs]
     wanted = shaking.wanted_intensity
     return SizeMapReply(
         axis=axis,
@@ -105,6 +122,7 @@ def size_map(scenario: Scenario, axis: str, threads: int) -> SizeMapReply:
         width_m=[one.width for one in bodies],
         height_m=[one.height for one in bodies],
         overturned=share.round(4).tolist(),
+        refused=[problem(row.about(None)) if isinstance(row, InputError) else None for row in rows],
         motions=len(ground),
         here=Here(
             intensity=_own_intensity(ground, shaking.scale) if wanted is None else wanted,
@@ -114,33 +132,16 @@ def size_map(scenario: Scenario, axis: str, threads: int) -> SizeMapReply:
     )
 
 
-def _row(
-    body: Body, scenario: Scenario, measures: tuple[Measure, ...]
-) -> tuple[NDArray[np.void], NDArray[np.void]] | None:
-    """Return the case and the elements of a piece; nothing where the measures do not fit it."""
+def _rows_or_refusal(
+    body: Body, scenario: Scenario, measures: tuple[Measure, ...], motions: int
+) -> Rows | InputError:
+    """Return the rows of a piece as stated, or why it is not possible."""
     try:
         held = hold(body, scenario.room.room(), measures)
-        refuse_penetration(held.body, held.room, State())
-    except InputError:  # higher than the room, a pole that is too long
-        return None
-    return case_columns(held.body, held.room, State(), scenario.gravity), element_rows(held)
-
-
-def _overturned(
-    cases: NDArray[np.void], elements: NDArray[np.void], hazard: Hazard, level: float, threads: int
-) -> NDArray[np.float64]:
-    """Return the share of the motions that overturn each case at a level, shape [cases]."""
-    floors = hazard.at(level, threads)
-    motions = len(floors.motions)
-    place = np.tile(np.arange(motions), len(cases))
-    every = np.repeat(cases, motions)
-    every["scale"] = floors.scales[place]
-    given = np.repeat(elements, motions, axis=0) if elements.shape[1] else None
-    results, _ = run_columns(every, given, floors.motions, place, threads=threads, progress=False)
-    outcome = results["outcome"].reshape(len(cases), motions)
-    fell, known = outcome == OVERTURNED_OUTCOME, outcome != FAILED_OUTCOME
-    count = known.sum(axis=1)
-    return np.divide(fell.sum(axis=1), count, out=np.full(len(cases), np.nan), where=count > 0)
+        refuse_bad_start(held.body, held.room, State())
+    except InputError as error:  # higher than the room, a pole that is too long
+        return error
+    return stated_rows(held, motions, scenario.gravity)
 
 
 def _own_intensity(ground: Suite, scale: float | None) -> float | None:

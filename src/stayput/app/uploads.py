@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from starlette.datastructures import UploadFile
 from starlette.formparsers import MultiPartException, MultiPartParser
 
-from stayput.app.refusals import RefusedError
+from stayput.app.refusals import refused
 
 if TYPE_CHECKING:
     from starlette.requests import Request
@@ -38,7 +38,7 @@ async def read_upload(request: Request, limits: Limits) -> Upload:
         No form, no file, more than one, fields that are too long or not numbers.
     """
     if not request.headers.get("content-type", "").lower().startswith("multipart/form-data"):
-        raise RefusedError(422, "An upload must be a form (multipart/form-data) with a file.", "file")
+        raise refused(422, "app.no_form", "file")
     parser = MultiPartParser(
         request.headers, request.stream(), max_files=1, max_fields=3, max_part_size=LONGEST_FIELD
     )
@@ -46,21 +46,19 @@ async def read_upload(request: Request, limits: Limits) -> Upload:
     try:
         form = await parser.parse()
     except MultiPartException as error:
-        raise RefusedError(422, f"The form cannot be read: {error.message}", "file") from None
+        raise refused(422, "app.form_not_read", "file", message=error.message) from None
     except (KeyError, ValueError, UnicodeError):
-        raise RefusedError(422, "The form cannot be read; it must be multipart/form-data.", "file") from None
+        raise refused(422, "app.form_not_multipart", "file") from None
     try:
         file = form.get("file")
         if not isinstance(file, UploadFile):
-            raise RefusedError(422, "The form has no file; it must be sent as 'file'.", "file")
+            raise refused(422, "app.form_no_file", "file")
         unknown = sorted(set(form) - {"file", "unit", "dt", "component"})
         if unknown:
-            raise RefusedError(
-                422, "The form has an unknown field; it may have file, unit, dt, component.", "file"
-            )
+            raise refused(422, "app.form_unknown_field", "file")
         data = await file.read()
         if not data:
-            raise RefusedError(422, "The file is empty; it must hold a record.", "file")
+            raise refused(422, "app.empty_file", "file")
         dt = _text(form.get("dt"))
         return Upload(
             data,
@@ -83,5 +81,5 @@ def _step(text: str) -> float:
     except ValueError:
         number = math.nan
     if not math.isfinite(number):
-        raise RefusedError(422, "dt must be a number [s].", "dt")
+        raise refused(422, "app.dt_not_a_number", "dt")
     return number

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
+from pydantic import Field
+
 from stayput.app.fields import Problem, Reply, Words
 
 
@@ -33,11 +35,18 @@ class QuantilesReply(Reply):
 
 
 class CapacityReply(Reply):
-    """An intensity of the ground; null where the runs do not say."""
+    """An intensity of the ground; null where the runs do not say.
+
+    It lies above and below intensities that were run; low and high are the ends of its 95 % interval, of
+    which there is none with one motion.
+    """
 
     estimate: float | None
     low: float | None
     high: float | None
+    above: float | None
+    below: float | None
+    one_motion: bool
     text: str
 
 
@@ -58,9 +67,10 @@ class ObservedReply(Reply):
 
 
 class CurveReply(Reply):
-    """Probability of overturning over the ground's JMA intensity."""
+    """Probability of overturning over the ground's JMA intensity; no band where there was one motion."""
 
     state: str
+    method: str
     text: str
     intensity: list[float]
     probability: list[float] | None
@@ -87,6 +97,8 @@ class OptionReply(Reply):
     label: Words
     measures: list[dict[str, Any]]
     reason: Words
+    grade: str = Field(description="How well founded its numbers are: A, B or C; see grades.")
+    weakest: list[Words] = Field(description="The inputs of that grade.")
     yours: bool
     overturned: ChanceReply
     slid: ChanceReply
@@ -98,6 +110,14 @@ class OptionReply(Reply):
     devices: list[DeviceSummaryReply]
     capacity: CapacitiesReply | None
     curve: CurveReply | None
+
+
+class ImpossibleReply(Reply):
+    """A set of measures that cannot be put in place: it has no numbers."""
+
+    name: str
+    label: Words
+    reason: Words
 
 
 class EstimatesReply(Reply):
@@ -113,6 +133,8 @@ class VerdictReply(Reply):
     """The outcome of a verification, the best option first."""
 
     headline: Words
+    notes: list[Words] = Field(description="What must be said beside the numbers.")
+    grades: dict[str, Words] = Field(description="What each grade of inputs means.")
     intensity: float | None
     intensity_class: str | None
     slide_limit_m: float
@@ -123,6 +145,7 @@ class VerdictReply(Reply):
     seed: int
     seconds: float
     options: list[OptionReply]
+    not_possible: list[ImpossibleReply]
     estimates: EstimatesReply
 
 

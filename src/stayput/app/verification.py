@@ -2,38 +2,27 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.app.fields import Problem, Words
-from stayput.app.japanese import wording_of
-from stayput.app.refusals import RefusedError
-from stayput.app.running import class_of
-from stayput.app.scenes import YOURS
+from stayput.app.fields import Words
+from stayput.app.refusals import problem, refused
 from stayput.app.verdict_replies import (
-    CapacitiesReply,
-    CapacityReply,
-    ChanceReply,
-    ChangeReply,
     CurveReply,
-    DeviceSummaryReply,
-    EstimatesReply,
     JobReply,
     ObservedReply,
-    OptionReply,
-    QuantilesReply,
     VerdictReply,
 )
 from stayput.fragility import JMA_INTENSITY
+from stayput.fragility.curve import METHOD, State
 from stayput.measures import MEASURES
+from stayput.report.verdict.data import verdict_data
 from stayput.scenario import Scenario
 from stayput.verification import verify
 from stayput.verification.compare import LEVELS
-from stayput.verification.options import NOTHING, options_of, usual_options
-from stayput.verification.verdict import DEVICE_FAILED, HIT_WALL, OVERTURNED, SLID
-from stayput.verification.words import headline, reason
+from stayput.verification.grades import weakest
+from stayput.verification.options import YOURS, options_of, usual_options
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -42,14 +31,13 @@ if TYPE_CHECKING:
 
     from stayput.app.jobs import Job
     from stayput.app.limits import Limits
-    from stayput.fragility import Capacity, FragilityCurve, Probability
+    from stayput.fragility import FragilityCurve
     from stayput.measures import Measure
     from stayput.verification import Verdict
-    from stayput.verification.verdict import OptionVerdict, Quantiles
+    from stayput.verification.verdict import OptionVerdict
 
-CURVE: NDArray[np.float64] = np.round(np.linspace(4.0, 7.0, 61), 3)
-"""JMA intensities at which a curve is sent."""
-CURVE.setflags(write=False)
+CURVE_POINTS = 96
+"""Intensities at which a curve is sent, over what was run: five from level to level."""
 
 
 def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) -> Scenario:
@@ -119,8 +107,7 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
     most = max(1, -(-scenario.uncertainty.samples // motions))
     runs = options * motions * most * (1 + levels)
     if runs > limits.runs:
-        told = f"This verification makes {runs} simulations; this server allows {limits.runs}."
-        raise RefusedError(422, told, "scene.uncertainty.samples")
+        raise refused(422, "app.many_runs", "scene.uncertainty.samples", runs=runs, most=limits.runs)
     return runs
 
 
@@ -138,8 +125,16 @@ def verified(
     )
 
 
-def job_reply(job: Job) -> JobReply:
-    """Return how a job stands, with its verdict once there is one."""
+def job_reply(job: Job, told: Callable[[str], str]) -> JobReply:
+    """Return how a job stands, with its verdict once there is one.
+
+    Parameters
+    ----------
+    job : Job
+        The job.
+    told : callable
+        Puts the users' names for their files into a sentence.
+    """
     verdict = job.verdict if job.state == "done" else None
     return JobReply(
         id=job.id,
@@ -148,121 +143,69 @@ def job_reply(job: Job) -> JobReply:
         total=job.total,
         progress=1.0 if job.state == "done" else min(1.0, job.done / max(1, job.total)),
         seconds=round(job.seconds, 3),
-        error=None if job.message is None else _problem(job.message, job.about),
+        error=None if job.error is None else problem(job.error.rewritten(told)),
         result=None if verdict is None else verdict_reply(verdict),
     )
 
 
-def _problem(message: str, field: str | None) -> Problem:
-    return Problem(message=message, message_ja=wording_of(message)[0], field=field)
-
-
 def verdict_reply(verdict: Verdict) -> VerdictReply:
-    """Return a verdict as plain data."""
-    estimates = verdict.estimates
-    return VerdictReply(
-        headline=Words(en=headline(verdict, "en"), ja=headline(verdict, "ja")),
-        intensity=_finite(verdict.intensity),
-        intensity_class=class_of(_finite(verdict.intensity)),
-        slide_limit_m=verdict.slide_limit,
-        motions=verdict.motions,
-        samples=verdict.samples,
-        runs=verdict.runs,
-        precise=verdict.precise,
-        seed=verdict.seed,
-        seconds=round(verdict.seconds, 3),
-        options=[_option_reply(one, verdict) for one in verdict.options],
-        estimates=EstimatesReply(
-            rocking_acceleration_m_s2=estimates.rocking_acceleration,
-            overturning_velocity_m_s=estimates.overturning_velocity,
-            possible=estimates.possible,
-            overturning_ratio=estimates.overturning_ratio,
-        ),
-    )
+    """Return a verdict as plain data: that of its JSON file, as the page reads it."""
+    data = verdict_data(verdict)
+    pairs = zip(verdict.options, data["options"], strict=True)
+    data |= {
+        "headline": data["verdict"],
+        "intensity": data["jma_intensity"],
+        "seconds": round(verdict.seconds, 3),
+        "options": [_option_data(one, option, verdict) for one, option in pairs],
+    }
+    return VerdictReply.model_validate(data)
 
 
-def _option_reply(one: OptionVerdict, verdict: Verdict) -> OptionReply:
-    option, chances = one.option, one.probabilities
-    label = Words(en=option.label("en"), ja=option.label("ja")) if option.measures else Words.of(NOTHING)
-    change = one.change
+def _option_data(one: OptionVerdict, data: dict[str, Any], verdict: Verdict) -> dict[str, Any]:
+    """Return an option as the page reads it, from its data in the JSON file."""
+    capacities = {f"p{100.0 * capacity['share']:.0f}": capacity for capacity in data["capacities"]}
+    for capacity in capacities.values():
+        capacity["estimate"] = capacity["jma_intensity"]
     curve = one.curves.get(JMA_INTENSITY)
-    return OptionReply(
-        rank=one.rank,
-        name=option.name,
-        label=label,
-        measures=[table_of(measure) for measure in option.measures],
-        reason=Words(en=reason(one, verdict, "en"), ja=reason(one, verdict, "ja")),
-        yours=option.name == YOURS,
-        overturned=_chance(chances[OVERTURNED]),
-        slid=_chance(chances[SLID]),
-        hit_wall=_chance(chances[HIT_WALL]),
-        device_failed=_chance(chances[DEVICE_FAILED]),
-        change=None
-        if change is None
-        else ChangeReply(
-            estimate=_finite(change.estimate),
-            low=_finite(change.low),
-            high=_finite(change.high),
-            clear=change.clear,
-        ),
-        slide_m=_quantiles(one.slide),
-        tilt_rad=_quantiles(one.tilt),
-        devices=[
-            DeviceSummaryReply(
-                kind=device.kind,
-                name=device.name,
-                label=Words.of(MEASURES[device.kind].label),
-                failed=_chance(device.failed),
-                peak_n=_quantiles(device.peak),
-            )
-            for device in one.devices
+    observed = [each["levels"] for each in data["curves"] if each["measure"] == JMA_INTENSITY.key]
+    return {
+        **data,
+        **data["probabilities"],
+        "measures": [table_of(measure) for measure in one.option.measures],
+        "weakest": [Words.of(each.label) for each in weakest(one.option, verdict.scenario)],
+        "yours": one.option.name == YOURS,
+        "change": data["overturned_change"],
+        "slide_m": data["peak_slide_m"],
+        "tilt_rad": data["peak_tilt_rad"],
+        "devices": [
+            {
+                **device,
+                "kind": device["type"],
+                "label": Words.of(MEASURES[device["type"]].label),
+                "peak_n": device["peak_force_n"],
+            }
+            for device in data["devices"]
         ],
-        capacity=CapacitiesReply(p10=_capacity(one.capacities[0.1]), p50=_capacity(one.capacities[0.5]))
-        if one.capacities
-        else None,
-        curve=None if curve is None else _curve(curve),
-    )
+        "capacity": capacities or None,
+        "curve": None if curve is None else _curve(curve, observed[0]),
+    }
 
 
-def _chance(found: Probability) -> ChanceReply:
-    return ChanceReply(estimate=_finite(found.estimate), low=found.low, high=found.high, text=found.text)
-
-
-def _quantiles(found: Quantiles) -> QuantilesReply:
-    return QuantilesReply(median=_finite(found.median), p90=_finite(found.p90))
-
-
-def _capacity(found: Capacity) -> CapacityReply:
-    return CapacityReply(
-        estimate=_finite(found.estimate), low=_finite(found.low), high=_finite(found.high), text=found.text
-    )
-
-
-def _curve(curve: FragilityCurve) -> CurveReply:
-    fitted = bool(np.isfinite(curve.ab).all())
-    low, high = curve.band(CURVE) if fitted else (None, None)
+def _curve(curve: FragilityCurve, levels: list[dict[str, Any]]) -> CurveReply:
+    grid, fitted = curve.grid(CURVE_POINTS), curve.state is State.FITTED
+    low, high = curve.band(grid)
+    banded = fitted and not curve.one_motion
     return CurveReply(
         state=str(curve.state),
+        method=METHOD,
         text=curve.text,
-        intensity=CURVE.tolist(),
-        probability=_shares(curve.probability(CURVE)) if fitted else None,
-        low=None if low is None else _shares(low),
-        high=None if high is None else _shares(high),
-        observed=[
-            ObservedReply(
-                intensity=level.im,
-                estimate=_finite(level.probability.estimate),
-                low=level.probability.low,
-                high=level.probability.high,
-            )
-            for level in curve.levels
-        ],
+        intensity=grid.round(3).tolist(),
+        probability=_shares(curve.probability(grid)) if fitted else None,
+        low=_shares(low) if banded else None,
+        high=_shares(high) if banded else None,
+        observed=[ObservedReply(intensity=level["im"], **level) for level in levels],
     )
 
 
 def _shares(values: NDArray[np.float64]) -> list[float]:
     return np.round(values, 5).tolist()
-
-
-def _finite(value: float) -> float | None:
-    return float(value) if math.isfinite(value) else None

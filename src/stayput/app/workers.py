@@ -6,7 +6,7 @@ import asyncio
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
-from stayput.app.refusals import RefusedError
+from stayput.app.refusals import RefusedError, refused
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
@@ -41,16 +41,14 @@ class Workers:
             Too much is waiting, or the input is refused.
         """
         if self._busy >= self._most:
-            raise RefusedError(503, "The server is busy; try again in a moment.", retry_after=2)
+            raise refused(503, "app.busy", retry_after=2)
         self._busy += 1
         try:
             return await asyncio.get_running_loop().run_in_executor(self._pool, lambda: work(*args, **kwargs))
         except InputError as error:
-            raise RefusedError(422, str(error)) from None
+            raise RefusedError(422, error.about(None)) from None
         except MemoryError:
-            raise RefusedError(
-                503, "The server has too little memory for this; try something smaller."
-            ) from None
+            raise refused(503, "app.little_memory") from None
         finally:
             self._busy -= 1
 

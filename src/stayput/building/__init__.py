@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from stayput.building.building import Building
+from stayput.building.building import STRUCTURES, Building
 from stayput.building.isolation import Isolation
 from stayput.building.model import ShearModel
-from stayput.building.structures import STRUCTURES
 
 __all__ = ["STRUCTURES", "Building", "Isolation", "ShearModel"]

@@ -1,4 +1,4 @@
-"""`Building`: a shear model from what people know of their building."""
+"""`Building`: a shear model from what people know of their building, and what is assumed of the rest."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from stayput.building.isolation import Isolation
 from stayput.building.model import MOST_STOREYS, ShearModel
 from stayput.building.modes import natural_modes, strain_energy_damping
 from stayput.building.shears import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
-from stayput.building.structures import FLOOR_MASS, ISOLATED, STOREY_HEIGHT, STRUCTURES, Structure
 from stayput.errors import InputError, within
 from stayput.motion.units import STANDARD_GRAVITY
 
@@ -21,9 +20,48 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.building.many import FloorPeaks
-    from stayput.building.response import FloorResponse
+    from stayput.building.model import FloorPeaks, FloorResponse
     from stayput.motion import Motion
+
+
+@dataclass(frozen=True, slots=True)
+class Structure:
+    """Values assumed of a building of one kind of structure (defaults, low confidence).
+
+    Parameters
+    ----------
+    period_per_height : float
+        First natural period over height [s/m].
+    damping : float
+        Damping ratio of every mode.
+    yield_coefficient : float
+        Shear of the lowest storey at yielding over the weight above, for a fast building.
+    post_yield : float
+        Ratio of a storey's stiffness after yielding to that before it.
+    """
+
+    period_per_height: float
+    damping: float
+    yield_coefficient: float
+    post_yield: float
+
+
+ISOLATED = "base-isolated"
+"""Name of the structure that stands on isolators."""
+
+STRUCTURES: dict[str, Structure] = {
+    "RC": Structure(0.02, 0.03, 0.45, 0.05),
+    "steel": Structure(0.03, 0.02, 0.35, 0.05),
+    "wood": Structure(0.03, 0.05, 0.40, 0.05),
+    ISOLATED: Structure(0.02, 0.03, 0.45, 0.05),
+}
+"""Values by structure; those of a base-isolated building are for the RC building above the isolators."""
+
+STOREY_HEIGHT = 3.0
+"""Height of a storey (default, low confidence) [m]."""
+
+FLOOR_MASS = 5e5
+"""Mass of every floor [kg]; it has no influence on any motion, and scales forces and energies."""
 
 
 @dataclass(frozen=True)
@@ -79,17 +117,14 @@ class Building:
 
     def __post_init__(self) -> None:
         if self.structure not in STRUCTURES:
-            raise InputError(
-                f"The structure is {self.structure!r}; it must be one of {', '.join(STRUCTURES)}."
-            )
+            known = ", ".join(STRUCTURES)
+            raise InputError("building.structure", "structure", structure=repr(self.structure), known=known)
         if self.storeys not in range(1, MOST_STOREYS):
-            raise InputError(
-                f"The number of storeys is {self.storeys!r}; it must be a whole number "
-                f"from 1 to {MOST_STOREYS - 1}."
-            )
+            most = MOST_STOREYS - 1
+            raise InputError("building.storeys", "storeys", storeys=repr(self.storeys), most=most)
         object.__setattr__(self, "storeys", int(self.storeys))
         if not self.nonlinear and (self.yield_coefficient is not None or self.post_yield is not None):
-            raise InputError("yield_coefficient and post_yield are given; they need a nonlinear building.")
+            raise InputError("building.needs_nonlinear", "nonlinear")
         for name, low, high, unit in (
             ("period", 0.02, 20.0, "s"),
             ("damping", 0.0, 0.5, ""),
@@ -99,12 +134,10 @@ class Building:
             ("vertical_amplification", 0.0, 10.0, ""),
         ):
             if (value := getattr(self, name)) is not None:
-                within(f"Building {name}", value, low, high, unit)
+                within(f"building.{name}", value, low, high, unit, name)
         if self.structure == ISOLATED and self.fixed_period >= self.isolation.period:
-            raise InputError(
-                f"The building's period on fixed ground is {self.fixed_period:g} s; it must be shorter than "
-                f"that of the isolators, {self.isolation.period:g} s."
-            )
+            fixed, isolators = self.fixed_period, self.isolation.period
+            raise InputError("building.period_of_isolated", "period", period=fixed, isolators=isolators)
 
     @property
     def name(self) -> str:
@@ -135,11 +168,11 @@ class Building:
         ratio = np.full(self.storeys, values.post_yield if self.post_yield is None else self.post_yield)
         shears = self._yield_shears(masses)
         damping = np.full(self.storeys, zeta)
-        if isolated:
+        if isolated:  # the isolators are one more storey below, and the slab on them one more mass
             total = float(masses.sum()) + FLOOR_MASS
             layer, force = self.isolation.stiffness(total), float("inf")
             layer_damping = self.isolation.damping
-            if self.nonlinear:  # the isolators' hysteresis takes up the energy
+            if self.nonlinear:  # the isolators' hysteresis dissipates the energy, so they need no damping
                 (layer, force), layer_damping = self.isolation.bilinear(total), 0.0
             masses = np.append(FLOOR_MASS, masses)
             stiffnesses = np.append(layer, stiffnesses)
@@ -166,7 +199,7 @@ class Building:
         return coefficient * ai_distribution(masses, period) * weight
 
     def respond(self, motion: Motion) -> FloorResponse:
-        """Return what all floors do when the ground moves: `ShearModel.respond`."""
+        """Return the response of all floors to a motion of the ground: `ShearModel.respond`."""
         return self.model.respond(motion)
 
     def floor_motion(self, motion: Motion, storey: int) -> Motion:

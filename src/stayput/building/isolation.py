@@ -1,4 +1,4 @@
-"""The layer of isolators below storey 1: what makes it linear, and the bilinear law that does the same."""
+"""The layer of isolators below storey 1: its effective linear values, and the bilinear law that has them."""
 
 from __future__ import annotations
 
@@ -35,15 +35,22 @@ class Isolation:
     post_yield: float = 0.1
 
     def __post_init__(self) -> None:
-        within("Isolation period", self.period, 0.5, 20.0, "s")
-        within("Isolation damping", self.damping, 0.01, 0.6)
-        within("Isolation displacement", self.displacement, 0.01, 2.0, "m")
-        within("Isolation post_yield", self.post_yield, 0.01, 0.9)
+        for name, low, high, unit in (
+            ("period", 0.5, 20.0, "s"),
+            ("damping", 0.01, 0.6, ""),
+            ("displacement", 0.01, 2.0, "m"),
+            ("post_yield", 0.01, 0.9, ""),
+        ):
+            value: float = getattr(self, name)
+            within(f"building.isolation_{name}", value, low, high, unit, f"isolation.{name}")
         most = 2.0 / math.pi * (1.0 - math.sqrt(self.post_yield)) / (1.0 + math.sqrt(self.post_yield))
         if self.damping >= most:
             raise InputError(
-                f"Isolation damping is {self.damping:g}; it must be below {most:.3f}, the most of a bilinear "
-                f"layer with post_yield {self.post_yield:g}."
+                "building.isolation_too_damped",
+                "isolation.damping",
+                damping=self.damping,
+                most=most,
+                post_yield=self.post_yield,
             )
 
     def stiffness(self, mass: float) -> float:

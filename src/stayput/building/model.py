@@ -1,24 +1,30 @@
-"""`ShearModel`: a building as masses on storeys that shear."""
+"""`ShearModel`: a building as masses on storeys that shear, and the response of its floors."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from stayput.building.modes import Modes, natural_modes
-from stayput.errors import InputError, within
+from stayput.building.modes import ModalModel, Modes, natural_modes
+from stayput.catalogue import phrase
+from stayput.errors import InputError, InputWarning, quoted, warn, within
+from stayput.execution import Call, ThreadExecutor
+from stayput.motion.integrals import peak_velocity
+from stayput.motion.processing import refine
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
+    import xarray as xr
     from numpy.typing import NDArray
 
-    from stayput.building.many import FloorPeaks
-    from stayput.building.response import FloorResponse
+    from stayput.building.histories import Energy, Histories
     from stayput.motion import Motion
+
+T = TypeVar("T")
 
 MOST_STOREYS = 200
 """Most masses that are accepted."""
@@ -72,27 +78,26 @@ class ShearModel:
         masses = self._row("masses", self.masses, 1e-3, 1e12, "kg")
         if not int(self.isolated) < len(masses) <= MOST_STOREYS:
             least = 1 + int(self.isolated)
-            raise InputError(f"ShearModel has {len(masses)} masses; it must have {least} to {MOST_STOREYS}.")
+            raise InputError("building.masses", "masses", count=len(masses), least=least, most=MOST_STOREYS)
         self._row("stiffnesses", self.stiffnesses, 1e-9, 1e18, "N/m")
         self._row("damping", self.damping, 0.0, 0.9)
         self._row("post_yield", self.post_yield, 0.0, 0.95)
         if self.yield_shears is not None:
             self._row("yield_shears", self.yield_shears, 1e-6, 1e18, "N")
-        within("Vertical amplification", self.vertical_amplification, 0.0, 10.0)
+        amplification = "vertical_amplification"
+        within(f"building.model_{amplification}", self.vertical_amplification, 0.0, 10.0, field=amplification)
         if not self.name:
             object.__setattr__(self, "name", f"{len(masses)}-mass shear model")
 
     def _row(
         self, field: str, given: float | Sequence[float], low: float, high: float, unit: str = ""
     ) -> tuple[float, ...]:
-        """Check a field and keep it as a tuple of floats, one for each mass."""
-        count = len(tuple(self.masses))
+        """Check a field, and set it to a tuple of floats, one for each mass."""
+        name, count = phrase(f"building.model_{field}"), len(tuple(self.masses))
         values = (given,) * count if isinstance(given, int | float) else tuple(given)
         if len(values) != count:
-            raise InputError(
-                f"ShearModel {field} has {len(values)} values; it must have {count}, one a mass."
-            )
-        row = tuple(within(f"ShearModel {field}", value, low, high, unit) for value in values)
+            raise InputError("building.model_values", field, name=name, count=len(values), wanted=count)
+        row = tuple(within(name, value, low, high, unit, field) for value in values)
         object.__setattr__(self, field, row)
         return row
 
@@ -125,23 +130,62 @@ class ShearModel:
             No such storey.
         """
         if storey not in range(1, self.storeys + 2):
-            raise InputError(
-                f"The storey is {storey!r}; it must be a whole number from 1 to {self.storeys}, "
-                f"or {self.storeys + 1} for the roof."
-            )
+            named, most = repr(storey), self.storeys
+            raise InputError("building.no_such_storey", "storey", storey=named, most=most, roof=most + 1)
         return "roof" if storey == self.storeys + 1 else f"storey {int(storey)}"
 
+    @cached_property
+    def _modal(self) -> ModalModel:
+        shears = None if self.yield_shears is None else np.array(self.yield_shears)
+        return ModalModel(
+            self.modes, np.array(self.damping), np.array(self.stiffnesses), np.array(self.post_yield), shears
+        )
+
+    def _histories(
+        self, a: NDArray[np.float64], dt: float, storeys: Sequence[int], *, drifts: bool = False
+    ) -> Histories:
+        """Return the histories of storeys under one component of the ground's motion."""
+        from stayput.building.histories import component_response  # Numba takes its time to load
+
+        # Storey 1 stands on the ground, −1, or above a layer of isolators on the lowest mass, 0.
+        floors = [int(storey) - 2 + int(self.isolated) for storey in storeys]
+        return component_response(self._modal, a, dt, floors, drifts=drifts)
+
+    def _ground(self, motion: Motion) -> Motion:
+        """Return the motion; warn where it is not one of the ground."""
+        if motion.floor:
+            warn(
+                InputWarning(
+                    "building.not_of_the_ground",
+                    "motion",
+                    motion=quoted(motion.name),
+                    floor=motion.floor,
+                    building=self.name,
+                )
+            )
+        return motion
+
     def respond(self, motion: Motion) -> FloorResponse:
-        """Return what all floors do when the ground moves.
+        """Return the response of all floors to a motion of the ground.
 
         Parameters
         ----------
         motion : Motion
             The ground's motion; x and y act on the same model, each for itself.
         """
-        from stayput.building.response import respond  # Numba takes its time to load
-
-        return respond(self, motion)
+        ground, storeys = self._ground(motion), range(1, self.storeys + 2)
+        histories = {
+            name: self._histories(a, ground.dt, storeys, drifts=True)
+            for name, a in _horizontal(ground).items()
+        }
+        return FloorResponse(
+            self,
+            ground,
+            histories["x"].dt,
+            {name: component.acceleration for name, component in histories.items()},
+            {name: component.drift for name, component in histories.items()},
+            {name: component.energy for name, component in histories.items() if component.energy is not None},
+        )
 
     def floor_motion(self, motion: Motion, storey: int) -> Motion:
         """Return the motion of the floor on which the furniture of a storey stands.
@@ -153,16 +197,15 @@ class ShearModel:
         storey : int
             From 1; the roof is the number of storeys + 1.
         """
-        from stayput.building.response import floor_motions_of
-
-        return floor_motions_of(self, motion, (storey,))[0]
+        self.place(storey)
+        return self._floor_motions(self._ground(motion), (storey,))[0]
 
     def floor_motions(
         self, motions: Iterable[Motion], storeys: Sequence[int], *, threads: int | None = None
     ) -> Iterator[tuple[Motion, ...]]:
         """Give, motion by motion in their order, the floor motions of the wanted storeys.
 
-        A few motions are under way at a time, so that memory does not grow with their number.
+        A few motions are computed at a time, so that memory does not grow with their number.
 
         Parameters
         ----------
@@ -173,9 +216,10 @@ class ShearModel:
         threads : int, optional
             Threads; as many as there are cores by default. The bits do not depend on them.
         """
-        from stayput.building.many import floor_motions
-
-        return floor_motions(self, motions, storeys, threads)
+        wanted = tuple(storeys)
+        for storey in wanted:
+            self.place(storey)
+        return self._in_order((Call(self._floor_motions, self._ground(m), wanted) for m in motions), threads)
 
     def floor_peaks(
         self, motions: Iterable[Motion], *, component: str = "x", threads: int | None = None
@@ -191,6 +235,185 @@ class ShearModel:
         threads : int, optional
             Threads; as many as there are cores by default. The bits do not depend on them.
         """
-        from stayput.building.many import floor_peaks
+        storeys = range(1, self.storeys + 2)
 
-        return floor_peaks(self, motions, component, threads)
+        def peaks_of(motion: Motion) -> NDArray[np.float64]:
+            rows = _horizontal(motion)
+            if component not in rows:
+                named = repr(component)
+                raise InputError(
+                    "building.no_component_of_motion", "component", component=named, known=", ".join(rows)
+                )
+            return self._histories(rows[component], motion.dt, storeys).peaks()
+
+        found = list(self._in_order((Call(peaks_of, self._ground(motion)) for motion in motions), threads))
+        peaks = np.array(found).reshape(-1, 2, len(storeys))
+        return FloorPeaks(np.array(storeys), peaks[:, 0], peaks[:, 1])
+
+    def _in_order(self, calls: Iterable[Call[T]], threads: int | None) -> Iterator[T]:
+        _ = self._modal  # once, not in every thread
+        with ThreadExecutor(threads) as executor:
+            yield from executor.in_order(calls)
+
+    def _floor_motions(self, ground: Motion, storeys: Sequence[int]) -> tuple[Motion, ...]:
+        """Return the floor motions of the wanted storeys, and compute no others."""
+        histories = {name: self._histories(a, ground.dt, storeys) for name, a in _horizontal(ground).items()}
+        return tuple(
+            self._motion_of(
+                ground,
+                storey,
+                histories["x"].dt,
+                {name: component.acceleration[:, i] for name, component in histories.items()},
+            )
+            for i, storey in enumerate(storeys)
+        )
+
+    def _motion_of(
+        self, ground: Motion, storey: int, dt: float, rows: dict[str, NDArray[np.float64]]
+    ) -> Motion:
+        """Return a floor's motion from its horizontal accelerations and the ground's vertical one."""
+        place = self.place(storey)
+        note = f"computed: {place} of {self.name}, T1 = {self.periods[0]:.3g} s"
+        z = None
+        if ground.z is not None:
+            factor = 1.0 + (self.vertical_amplification - 1.0) * (storey - 1) / self.storeys
+            z = factor * refine(ground.z, round(ground.dt / dt))
+        return replace(
+            ground,
+            dt=dt,
+            x=rows["x"],
+            y=rows.get("y"),
+            z=z,
+            name=f"{ground.name}, {place} of {self.name}".removeprefix(", "),
+            source=f"{ground.source}; {note}".removeprefix("; "),
+            floor=place if storey > 1 else ground.floor,
+        )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FloorResponse:
+    """Response of all floors of a building to one motion of the ground.
+
+    Parameters
+    ----------
+    model : ShearModel
+        The building.
+    motion : Motion
+        The ground's motion.
+    dt : float
+        Time step of the histories [s]: the motion's, or a whole part of it.
+    acceleration : dict of str to ndarray, shape (n, storeys + 1)
+        Absolute acceleration under the furniture of each storey, then of the roof, for each horizontal
+        component [m/s²].
+    drift : dict of str to ndarray, shape (n, masses)
+        Drift of what lies below each mass [m].
+    energy : dict of str to Energy
+        Energies for each component where storeys may yield; else empty.
+    """
+
+    model: ShearModel
+    motion: Motion
+    dt: float
+    acceleration: dict[str, NDArray[np.float64]]
+    drift: dict[str, NDArray[np.float64]]
+    energy: dict[str, Energy]
+
+    @property
+    def storeys(self) -> NDArray[np.int64]:
+        """1, 2, ... up to the roof, shape (storeys + 1,)."""
+        return np.arange(1, self.model.storeys + 2)
+
+    @property
+    def time(self) -> NDArray[np.float64]:
+        """Times of the histories [s], shape (n,)."""
+        return np.arange(len(self.acceleration["x"]), dtype=np.float64) * self.dt
+
+    def peak_acceleration(self, component: str = "x") -> NDArray[np.float64]:
+        """Return the largest magnitude of each floor's absolute acceleration [m/s²], shape (storeys + 1,)."""
+        return np.abs(self._of(self.acceleration, component)).max(axis=0)
+
+    def peak_velocity(self, component: str = "x") -> NDArray[np.float64]:
+        """Return the largest magnitude of each floor's absolute velocity [m/s], shape (storeys + 1,)."""
+        columns = self._of(self.acceleration, component).T
+        return np.array([peak_velocity(np.ascontiguousarray(a), self.dt) for a in columns])
+
+    def peak_drift(self, component: str = "x") -> NDArray[np.float64]:
+        """Return the largest magnitude of the drift below each mass [m], shape (masses,)."""
+        return np.abs(self._of(self.drift, component)).max(axis=0)
+
+    def floor(self, storey: int) -> Motion:
+        """Return the motion under the furniture of a storey (the roof's is that of the storeys + 1)."""
+        self.model.place(storey)
+        rows = {name: a[:, int(storey) - 1] for name, a in self.acceleration.items()}
+        return self.model._motion_of(self.motion, storey, self.dt, rows)  # pyright: ignore[reportPrivateUsage]
+
+    def to_dataset(self) -> xr.Dataset:
+        """Return histories and peaks with units: ``acceleration_x`` over time and storey, ``drift_x``, ..."""
+        import xarray as xr
+
+        data = xr.Dataset(
+            coords={
+                "time": ("time", self.time, {"units": "s"}),
+                "storey": (
+                    "storey",
+                    self.storeys,
+                    {"long_name": "storey on the floor; the last is the roof"},
+                ),
+                "layer": (
+                    "layer",
+                    np.arange(1, len(self.model.masses) + 1),
+                    {"long_name": "what lies below each mass, from the ground"},
+                ),
+            },
+            attrs={
+                "building": self.model.name,
+                "motion": self.motion.name,
+                "synthetic": int(self.motion.synthetic),
+                "period": float(self.model.periods[0]),
+                "nonlinear": int(self.model.yields),
+            },
+        )
+        for key, dims, values, unit, meaning in self._variables():
+            data[key] = (dims, values, {"units": unit, "long_name": meaning})
+        return data
+
+    def _variables(self) -> Iterator[tuple[str, tuple[str, ...], NDArray[np.float64], str, str]]:
+        for name, a in self.acceleration.items():
+            floors, layers = ("storey",), ("layer",)
+            yield f"acceleration_{name}", ("time", "storey"), a, "m/s²", f"absolute acceleration, {name}"
+            yield f"drift_{name}", ("time", "layer"), self.drift[name], "m", f"drift, {name}"
+            acceleration, velocity = self.peak_acceleration(name), self.peak_velocity(name)
+            yield f"peak_acceleration_{name}", floors, acceleration, "m/s²", f"peak acceleration, {name}"
+            yield f"peak_velocity_{name}", floors, velocity, "m/s", f"peak absolute velocity, {name}"
+            yield f"peak_drift_{name}", layers, self.peak_drift(name), "m", f"peak drift, {name}"
+
+    def _of(self, table: dict[str, NDArray[np.float64]], component: str) -> NDArray[np.float64]:
+        if component not in table:
+            raise InputError(
+                "building.no_component", "component", component=repr(component), known=", ".join(table)
+            )
+        return table[component]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FloorPeaks:
+    """Peaks of all floors under many motions.
+
+    Parameters
+    ----------
+    storeys : ndarray, shape (storeys + 1,)
+        1, 2, ...; the last is the roof.
+    acceleration : ndarray, shape (motions, storeys + 1)
+        Largest magnitude of the absolute acceleration [m/s²].
+    velocity : ndarray, shape (motions, storeys + 1)
+        Largest magnitude of the absolute velocity, between the samples too [m/s].
+    """
+
+    storeys: NDArray[np.int64]
+    acceleration: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+
+
+def _horizontal(ground: Motion) -> dict[str, NDArray[np.float64]]:
+    """Return the horizontal components that are there, x first."""
+    return {name: a for name, a in ground.components.items() if name != "z"}

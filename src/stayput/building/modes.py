@@ -1,4 +1,4 @@
-"""Natural modes of a shear building, and the damping of a mode from that of its parts."""
+"""Natural modes of a shear building, their damping, and the steps of time that they need."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 STEPS_IN_A_PERIOD = 10.0
-"""Fewest steps in a period of the modes that matter; a line through such samples of a sine cuts ≤ 5 % off."""
+"""Fewest steps in a period of the modes that matter; lines through such samples of a sine cut off ≤ 5 %."""
 
 MASS_THAT_MATTERS = 0.95
 """Share of the mass that the modes that matter move together."""
@@ -51,6 +51,31 @@ class Modes:
     def drifts(self) -> NDArray[np.float64]:
         """Drift of each storey in each mode, φᵢ − φᵢ₋₁ [1/√kg], shape (n, n)."""
         return np.diff(self.shapes, axis=0, prepend=0.0)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ModalModel:
+    """What the equations of motion need of a building.
+
+    Parameters
+    ----------
+    modes : Modes
+        The natural modes, before yielding.
+    damping : ndarray, shape (n,)
+        Damping ratio of each mode.
+    stiffnesses : ndarray, shape (n,)
+        Of the storeys before yielding [N/m], bottom to top.
+    post_yield : ndarray, shape (n,)
+        Ratio of each storey's stiffness after yielding to that before it.
+    yield_shears : ndarray or None, shape (n,)
+        Shear at which each storey yields [N]; None: none yields.
+    """
+
+    modes: Modes
+    damping: NDArray[np.float64]
+    stiffnesses: NDArray[np.float64]
+    post_yield: NDArray[np.float64]
+    yield_shears: NDArray[np.float64] | None
 
 
 def natural_modes(masses: NDArray[np.float64], stiffnesses: NDArray[np.float64]) -> Modes:
@@ -93,10 +118,11 @@ def strain_energy_damping(
 
 
 def parts_of_step(modes: Modes, dt: float) -> int:
-    """Return into how many steps to cut a record's, so that a line between samples shows the floors' motion.
+    """Return into how many parts to divide a record's step, so that the floors' motion is well sampled.
 
-    Counted are the slowest modes that together move `MASS_THAT_MATTERS`. A mode faster than two of
-    the record's steps is not: the record says nothing about it.
+    The solution is exact at any step, but a floor's motion is taken as linear between its samples from then
+    on. Counted are the slowest modes that together move `MASS_THAT_MATTERS` of the mass. Modes faster than
+    two of the record's steps (its Nyquist frequency) are not, as the record does not contain their motion.
     """
     share = np.cumsum(modes.effective_mass)
     shortest = float(modes.periods[min(int(np.searchsorted(share, MASS_THAT_MATTERS)), len(share) - 1)])

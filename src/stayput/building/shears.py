@@ -1,4 +1,4 @@
-"""The storey shears of Japan's seismic design, and what follows from them: stiffnesses and strengths.
+"""Storey shears of Japanese seismic design, and the stiffnesses that follow from them.
 
 Building Standard Law of Japan, enforcement order, article 88, and notification 1793 of 1980.
 """
@@ -9,6 +9,8 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from stayput.building.modes import natural_modes
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -43,7 +45,7 @@ def ai_distribution(masses: NDArray[np.float64], period: float) -> NDArray[np.fl
 
 
 def spectral_factor(period: float) -> float:
-    """Return Rt, by which the shears of a slow building are less: 1, then a parabola, then 1.6 Tc/T."""
+    """Return Rt, which reduces the shears of a slow building: 1, then a parabola, then 1.6 Tc/T."""
     ratio = period / CORNER_PERIOD
     if ratio < 1.0:
         return 1.0
@@ -53,10 +55,8 @@ def spectral_factor(period: float) -> float:
 def storey_stiffnesses(masses: NDArray[np.float64], period: float) -> NDArray[np.float64]:
     """Return the stiffnesses [N/m], shape (n,), under which Ai's shears give every storey the same drift.
 
-    The size is such that the first natural period is ``period``.
+    They are scaled so that the first natural period is ``period``.
     """
-    from stayput.building.modes import natural_modes
-
     shape = ai_distribution(masses, period) * weight_above(masses)
     omega = float(natural_modes(masses, shape).omega[0])
     return shape * (2.0 * math.pi / period / omega) ** 2

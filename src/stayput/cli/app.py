@@ -17,14 +17,12 @@ def app(
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page.")] = True,
 ) -> None:
     """Serve the app: set a scene, see it shaken, see what holds it."""
-    from stayput.errors import InputError
+    from stayput.extras import absent
 
     try:
         from stayput.app.server import serve
     except ModuleNotFoundError as error:
         if error.name is not None and error.name.startswith("stayput"):
             raise
-        raise InputError(
-            f"The app needs {error.name}, which is not installed: pip install 'stayput[app]'."
-        ) from None
+        raise absent("The app", error.name or "a library", "app") from None
     serve(host, port, browser=browser)

@@ -58,6 +58,11 @@ def assess(
         typer.echo(writer.dumps(_record(done), allow_nan=False))
     else:
         _print(done)
+    if not done.facts["pieces"]:
+        from stayput.errors import InputError
+
+        rejects = done.folder / "rejects.csv"
+        raise InputError("cli.no_row", rejects=rejects)
 
 
 def _record(done: Assessment) -> dict[str, object]:
@@ -68,6 +73,7 @@ def _record(done: Assessment) -> dict[str, object]:
             "expected_overturned_best": total.fallen_best,
             "expected_loss": total.loss,
             "expected_loss_best": total.loss_best,
+            "pieces_helped": total.helped,
         }
         for name, total in done.summary.events.items()
     }
@@ -82,18 +88,24 @@ def _record(done: Assessment) -> dict[str, object]:
 
 def _print(done: Assessment) -> None:
     from stayput.fragility.probabilities import percent
+    from stayput.wording import counted
 
     facts = done.facts
-    typer.echo(f"Read {facts['rows']:,} rows as {facts['read as']}: {facts['pieces']:,} assessed.")
+    typer.echo(f"Read {counted(facts['rows'], 'row')} as {facts['read as']}: {facts['pieces']:,} assessed.")
     if facts["columns not used"]:
         typer.echo(f"Columns that were not used: {', '.join(facts['columns not used'])}.")
     if facts["rejects"]:
-        typer.echo(f"{facts['rejects']:,} rows were not assessed; rejects.csv says why, row by row.")
-    different = f"{facts['choices']:,} combinations, {facts['units']:,} of them different"
-    typer.echo(f"{different}; {done.runs:,} runs.")
+        typer.echo(f"Not assessed: {counted(facts['rejects'], 'row')}; rejects.csv says why, row by row.")
+    different = f"{counted(facts['choices'], 'combination')}, {facts['units']:,} of them different"
+    typer.echo(f"{different}; {counted(done.runs, 'run')}.")
     for name, total in done.summary.events.items():
-        told = f"{name}: {total.fallen:,.1f} of {total.pieces:,} pieces overturn ({percent(total.share)} %)"
+        known = total.pieces > total.unknown
+        share = f"{percent(total.share)} %" if known else "all runs were given up"
+        pieces = counted(total.pieces, "piece")
+        told = f"{name}: expected to overturn: {total.fallen:,.1f} of {pieces} ({share})"
         if total.fallen_best < total.fallen:
             told += f", {total.fallen_best:,.1f} with the best measures"
+        elif not total.helped:
+            told += "; none of the compared measures helps any of them"
         typer.echo(f"{told}.")
     typer.echo(f"Wrote {done.folder / 'report.html'}")

@@ -10,7 +10,7 @@ import typer
 from stayput.cli.options import Component, TimeStep, Unit  # noqa: TC001 - Typer reads them
 
 if TYPE_CHECKING:
-    from stayput.building.response import FloorResponse
+    from stayput.building.model import FloorResponse
 
 
 def building(
@@ -52,9 +52,7 @@ def building(
     if out is not None:
         check_target(out, (".csv",))
         if storey is None or len(storey) != 1:
-            raise InputError(
-                f"--out is {str(out)!r}; it must come with one --storey, whose motion is written."
-            )
+            raise InputError("cli.out_needs_storey", "--out", out=repr(str(out)))
     if plot is not None:
         check_target(plot, PLOT_SUFFIXES)
     asked = Building(storeys, structure, period, damping, nonlinear=not linear)
@@ -62,9 +60,7 @@ def building(
         asked.model.place(number)
     response = asked.respond(motion_of(motion, component=component, unit=unit, dt=dt))
     if out is not None and storey:
-        from stayput.motion.writers import write_motion
-
-        write_motion(response.floor(storey[0]), out)
+        response.floor(storey[0]).write(out)
     if plot is not None:
         from stayput.report.building import plot_building
 

@@ -14,10 +14,10 @@ if TYPE_CHECKING:
 @contextmanager
 def compiling() -> Generator[None]:
     """Say on standard error that the mechanics are compiled, where they are."""
-    from stayput.compiled import told_of_compilation
+    from stayput.compiled import on_compilation
 
     def tell() -> None:
         typer.echo("Compiling the mechanics once, which takes up to a minute ...", err=True)
 
-    with told_of_compilation(tell):
+    with on_compilation(tell):
         yield

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
-from stayput.errors import InputError
+from stayput.errors import InputError, unknown
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -86,7 +85,7 @@ def overlaid(
         A flag's text that cannot be read, or two flags for one thing.
     """
     if floor is not None and friction is not None:
-        raise InputError(f"--floor is {floor!r} beside --friction {friction!r}; it must be one of the two.")
+        raise one_of_two("--floor", repr(floor), "--friction", repr(friction))
     tables = dict(data)
     if body is not None:
         tables["furniture"] = body_table(body)
@@ -113,9 +112,9 @@ def scenario_data(path: Path | None, body: str | None) -> dict[str, Any]:
     A body of one's own does not stand before the example's wall.
     """
     if path is not None:
-        from stayput.scenario.reading import scenario_table
+        from stayput.scenario.toml import read_toml
 
-        return scenario_table(path)
+        return read_toml(path)
     return EXAMPLE if body is None else {"shaking": EXAMPLE["shaking"]}
 
 
@@ -175,11 +174,14 @@ def chosen_measures(scenario: Scenario, names: Sequence[str]) -> tuple[Measure, 
     found: list[Measure] = []
     for name in names:
         if name not in known:
-            near = get_close_matches(name, known, 1)
-            hint = f" (did you mean {near[0]!r}?)" if near else ""
-            raise InputError(f"--measure is {name!r}{hint}; it must be one of {', '.join(known)}.")
+            raise unknown("--measure", name, known, "--measure")
         found += named[name] if name in named else (MEASURES[name](),)
     return tuple(found)
+
+
+def one_of_two(flag: str, value: str, other: str, other_value: str) -> InputError:
+    """Return the refusal of two flags that say the same thing."""
+    return InputError("cli.one_of_two", flag, flag=flag, value=value, other=other, other_value=other_value)
 
 
 def intensity_value(text: str) -> float | str:
@@ -201,4 +203,4 @@ def _numbers(flag: str, text: str, parts: list[str], counts: tuple[int, ...], ex
             return [float(part) for part in parts]
     except ValueError:
         pass
-    raise InputError(f"{flag} is {text!r}; it must be written like {example}.")
+    raise InputError("cli.written_like", flag, flag=flag, value=repr(text), example=example)

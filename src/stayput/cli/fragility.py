@@ -30,18 +30,18 @@ def fragility(
 ) -> None:
     """Write the probability of overturning over the strength of the shaking.
 
-    The folder gets curves.csv and observed.csv, a figure, pelicun's and, where OpenQuake knows the measure,
-    its NRML file.
+    The folder gets curves.csv and observed.csv, a figure, pelicun's file of those curves that a lognormal
+    fits and, where OpenQuake knows the measure, its NRML file. The curves are isotonic: no shape is assumed.
     """
-    from stayput.errors import InputError
+    from stayput.errors import InputError, unknown
     from stayput.fragility import INTENSITY_MEASURES
 
     if im not in INTENSITY_MEASURES:
-        raise InputError(f"--im is {im!r}; it must be one of {', '.join(INTENSITY_MEASURES)}.")
+        raise unknown("--im", im, INTENSITY_MEASURES, "--im")
     if out.exists() and not out.is_dir():
-        raise InputError(f"The folder is {str(out)!r}; it must be a folder, and that is a file.")
+        raise InputError("cli.folder_is_file", "--out", folder=repr(str(out)))
     if not out.parent.is_dir():
-        raise InputError(f"The folder is {str(out)!r}; the folder that it is in must exist.")
+        raise InputError("cli.no_parent", "--out", folder=repr(str(out)))
 
     from stayput.scenario import read_scenario
 
@@ -57,6 +57,8 @@ def fragility(
     files, left_out = write_curves(verdict, wanted, out)
     for curve in curves:
         typer.echo(f"{curve.name}: {curve.text}")
+        if curve.lognormal is not None:
+            typer.echo(f"  {curve.lognormal.text}")
     for told in left_out:
         typer.echo(told, err=True)
     for file in files:

@@ -1,31 +1,84 @@
-"""How every command ends when it cannot go on: one sentence on standard error and an exit code."""
+"""How every command warns, and how it ends when it cannot go on: one sentence on standard error."""
 
 from __future__ import annotations
 
+import os
+import sys
+from contextlib import suppress
 from typing import Any
 
 import typer
 from typer.core import TyperGroup
 
-from stayput.errors import InputError
+from stayput.errors import InputError, InputWarning, warnings_to
 
 REFUSED = 2
 """Exit code for input that is refused."""
+
+UNREAD = 141
+"""Exit code where the reader of the output has gone, as of programs that the signal SIGPIPE ends."""
 
 INTERRUPTED = 130
 """Exit code after Ctrl-C."""
 
 
 class Plainly(TyperGroup):
-    """A group of commands that says in one sentence what is wrong with the input."""
+    """A group of commands that says in one sentence what is wrong with the input, or with the output."""
+
+    def main(self, *args: Any, **kwargs: Any) -> Any:
+        """Run the command line, and bring to standard output what waits for it."""
+        try:
+            try:
+                return super().main(*args, **kwargs)
+            finally:
+                if sys.stdout is not None:  # pyright: ignore[reportUnnecessaryComparison] - where it is closed
+                    sys.stdout.flush()
+        except OSError as error:
+            sys.exit(_unwritten(error))
+        except SystemExit as end:
+            if isinstance(
+                end.__context__, BrokenPipeError
+            ):  # Rich and Typer end so where the reader has gone
+                sys.exit(_unwritten(end.__context__))
+            raise
 
     def invoke(self, ctx: Any) -> Any:
-        """Run the command; refused input ends it with `REFUSED`, Ctrl-C with `INTERRUPTED`."""
+        """Run the command; refused input ends it with `REFUSED`, Ctrl-C with `INTERRUPTED`.
+
+        What is doubtful in the input is told once, as it is met.
+        """
+        told: set[str] = set()
+
+        def tell(warning: InputWarning) -> None:
+            sentence = str(warning)
+            if sentence not in told:
+                told.add(sentence)
+                typer.echo(f"Warning: {sentence}", err=True)
+
         try:
-            return super().invoke(ctx)
+            with warnings_to(tell):
+                return super().invoke(ctx)
         except InputError as error:
             typer.echo(str(error), err=True)
             raise typer.Exit(REFUSED) from None
+        except OSError as error:
+            raise typer.Exit(_unwritten(error)) from None
         except KeyboardInterrupt:
             typer.echo("Interrupted.", err=True)
             raise typer.Exit(INTERRUPTED) from None
+
+
+def _unwritten(error: OSError) -> int:
+    """Say why standard output cannot be written, unless its reader has seen enough; return the exit code.
+
+    An error that names a file is none of the output's.
+    """
+    if error.filename is not None:
+        raise error
+    with suppress(OSError):
+        if not isinstance(error, BrokenPipeError):
+            reason = (error.strerror or str(error)).lower()
+            typer.echo(f"The output could not be written: {reason}.", err=True)
+        # what still waits would fail again when the program ends
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return UNREAD if isinstance(error, BrokenPipeError) else REFUSED

@@ -42,19 +42,21 @@ def study(
     unit: Unit = None,
     dt: TimeStep = None,
 ) -> None:
-    """Run a study and write its data (NetCDF, CSV), figures and text."""
+    """Run a study and write its data (NetCDF, CSV), figures, key numbers and tables."""
     from difflib import get_close_matches
 
     from stayput.errors import InputError
 
     if name not in STUDIES:
         near = get_close_matches(name, STUDIES, 1)
-        hint = f" (did you mean {near[0]!r}?)" if near else ""
-        raise InputError(f"Study is {name!r}{hint}; it must be one of {', '.join(STUDIES)}.")
+        known = ", ".join(STUDIES)
+        if near:
+            raise InputError("studies.name_near", "name", name=name, near=near[0], names=known)
+        raise InputError("studies.name", "name", name=name, names=known)
     if motion is not None and name not in OF_A_RECORD:
-        raise InputError(f"Study {name!r} takes no motion; --motion is for {', '.join(OF_A_RECORD)}.")
+        raise InputError("studies.no_motion", "motion", name=name, names=", ".join(OF_A_RECORD))
     if out.exists() and not out.is_dir():
-        raise InputError(f"The folder is {str(out)!r}; it must be a folder, and that is a file.")
+        raise InputError("studies.folder_is_file", "out", folder=str(out))
 
     import stayput.studies as studies
 

@@ -34,7 +34,7 @@ def verify(
     """
     from stayput.errors import within
     from stayput.files import check_target
-    from stayput.report.verdict.languages import check_language
+    from stayput.report.verdict.words import check_language
 
     check_language(lang)
     for path, suffix in ((report, ".html"), (markdown, ".md"), (csv, ".csv")):
@@ -91,11 +91,11 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     from rich.console import Console
     from rich.table import Table
 
+    from stayput.montecarlo.counting import OVERTURNED
     from stayput.report.verdict import numbers
-    from stayput.report.verdict.tables import SHARES, ranking, simulations
+    from stayput.report.verdict.tables import SHARES, grades_told, impossible_rows, ranking, simulations
     from stayput.report.verdict.words import word
     from stayput.verification import EVENTS
-    from stayput.verification.verdict import OVERTURNED
     from stayput.verification.words import headline, title
 
     def told(key: str, **values: object) -> str:
@@ -109,9 +109,9 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     table.add_column("", justify="right")
     table.add_column(told("measure"), min_width=12)
     limit = numbers.length(verdict.slide_limit, lang)
-    events = (told(f"brief {event}", limit=limit) for event in EVENTS)
-    capacities = (told("brief capacity", share=f"{100.0 * share:g}") for share in SHARES)
-    for heading in (*events, told("brief slide"), *capacities):
+    events = (told(f"brief_{event}", limit=limit) for event in EVENTS)
+    capacities = (told("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
+    for heading in (*events, told("brief_slide"), *capacities):
         table.add_column(heading, justify="right", no_wrap=True)
     rows = ranking(verdict, lang)
     for row in rows:
@@ -122,19 +122,32 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
         one = row.option
         found = [one.capacities.get(share) for share in SHARES]
         reached = (numbers.capacity(capacity, lang, brief=True) for capacity in found)
-        slide = told("brief falls") if math.isinf(one.slide.median) else row.slide[0]
-        table.add_row(str(one.rank), row.name or row.label, *shares, slide, *reached)
+        slide = told("brief_falls") if math.isinf(one.slide.median) else row.slide[0]
+        falls, *others = shares
+        share = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
+        table.add_row(str(one.rank), row.name or row.label, share, *others, slide, *reached)
+    impossible = impossible_rows(verdict, lang)
+    for (label, _), other in zip(impossible, verdict.impossible, strict=True):
+        name = other.option.name if other.option.own_name else label
+        table.add_row(numbers.NO_NUMBER, name, told("brief_not_possible"))
     console.print(table)
-    console.print(told("brief told"))
+    console.print(told("brief_told"))
+    console.print(grades_told(lang))
     colon = told("colon")
     for row in rows:
         ends = numbers.interval(row.option.probabilities[OVERTURNED], lang)
         label = title(row.option.option, verdict, lang) + (told("aside", told=ends) if ends else "")
         console.print(f"{row.option.rank}. {label}{colon}{row.reason}", soft_wrap=True)
+    for label, why in impossible:
+        console.print(
+            f"{numbers.NO_NUMBER}  {label}{colon}{told('not_possible')}{colon}{why}", soft_wrap=True
+        )
+    for note in verdict.notes(lang):
+        console.print(note, soft_wrap=True)
     if verdict.motions == 1:
-        console.print(told("one motion"))
+        console.print(told("one_motion"))
     if not verdict.precise:
-        console.print(told("not precise"))
+        console.print(told("not_precise"))
     console.print(simulations(verdict, lang))
     for path in written:
         console.print(f"Wrote {path}", soft_wrap=True)

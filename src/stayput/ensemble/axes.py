@@ -1,4 +1,4 @@
-"""From the user's axes, dotted paths and their values, to a grid of cases."""
+"""From the axes that a user gives, dotted paths and their values, to a grid of cases."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 
 from stayput.body import Body
 from stayput.cases import SURFACES, leaves, leaves_of_body, leaves_of_floor, leaves_of_room, leaves_of_surface
+from stayput.catalogue import phrase
 from stayput.ensemble.grid import LAW, MOTION, Axis, Columns, Grid
 from stayput.errors import InputError
 from stayput.motion import Motion
@@ -40,9 +41,9 @@ UNITS = {
     "slide_rate": "m/s",
     "gravity": "m/s2",
 }
-"""Units by the last word of a path; the other numbers have none."""
+"""Units by the last word of a path; other numbers have none."""
 
-WHOLE: dict[str, tuple[type | tuple[type, ...], Callable[[Any], dict[str, float]]]] = {
+OBJECT_PATHS: dict[str, tuple[type | tuple[type, ...], Callable[[Any], dict[str, float]]]] = {
     "body": (Body, leaves_of_body),
     "room": (Room, leaves_of_room),
     "room.floor": (Floor, leaves_of_floor),
@@ -50,7 +51,7 @@ WHOLE: dict[str, tuple[type | tuple[type, ...], Callable[[Any], dict[str, float]
     "room.right_wall": ((Wall, type(None)), lambda wall: leaves_of_surface("right_wall", wall)),
     "room.ceiling": ((Ceiling, type(None)), lambda ceiling: leaves_of_surface("ceiling", ceiling)),
 }
-"""Paths whose values are objects: what they must be, and their numbers."""
+"""Paths whose values are objects: the types of these, and the function that returns an object's numbers."""
 
 
 def unit_of(path: str) -> str:
@@ -59,18 +60,20 @@ def unit_of(path: str) -> str:
 
 
 def base_numbers(case: Case) -> dict[str, float]:
-    """Return a case's numbers by path; its motion is the first of the list."""
+    """Return a case's numbers by path; its motion is the first in the grid's list of motions."""
     numbers = leaves(case.body, case.room, case.initial, case.gravity)
     return {**numbers, MOTION: 0.0, LAW: float(law_number(case.contact))}
 
 
 def make_grid(case: Case, axes: Axes) -> Grid:
-    """Return the product of axes; a tuple of paths is one axis along which their values go together.
+    """Return the grid of all combinations of the axes' values.
+
+    A tuple of paths is one axis, along which their values go together.
 
     Raises
     ------
     InputError
-        An unknown path, one that is on two axes, values that are none, or cases that are not possible.
+        An unknown path, a path on two axes, values of the wrong kind, or cases that are not possible.
     """
     base = base_numbers(case)
     motions: list[Motion] = [case.motion]
@@ -79,9 +82,7 @@ def make_grid(case: Case, axes: Axes) -> Grid:
         names = (paths,) if isinstance(paths, str) else tuple(paths)
         given = (values,) if isinstance(paths, str) else tuple(values)
         if len(names) != len(given) or not names:
-            raise InputError(
-                f"The axis {names} has values for {len(given)} paths; it must have one list for each path."
-            )
+            raise InputError("ensemble.axis_lists", "axes", names=str(names), count=len(given))
         made.append(_axis(names, given, base, motions))
     _refuse_repeats(made)
     _refuse_missing_surfaces(base, made)
@@ -96,23 +97,26 @@ def _axis(
     columns: Columns = {}
     labels: dict[str, Any] = {}
     for name, values in zip(names, given, strict=True):
-        found, label = _columns(name, values, base, motions)
-        repeated = columns.keys() & found.keys()
+        added, label = _columns(name, values, base, motions)
+        repeated = columns.keys() & added.keys()
         if repeated:
-            raise InputError(f"The axis {names} sets {min(repeated)!r} twice; each path must be there once.")
-        columns |= found
+            raise InputError("ensemble.path_twice", min(repeated), names=str(names), path=min(repeated))
+        columns |= added
         labels[name] = label
     lengths = {name: len(label) for name, label in labels.items()}
     if len(set(lengths.values())) > 1:
-        raise InputError(f"The axis {names} has {lengths} values; paths on one axis must have as many.")
+        raise InputError("ensemble.axis_lengths", names[0], names=str(names), lengths=lengths)
     return Axis(names[0], columns, labels)
 
 
 def _columns(
     name: str, values: Any, base: dict[str, float], motions: list[Motion]
 ) -> tuple[Columns, Sequence[Any] | NDArray[Any]]:
-    """Return what a path's values change, and how they are labelled."""
-    if name in WHOLE or name in (MOTION, LAW):
+    """Return the columns that a path's values change, and the labels of the values.
+
+    Motions are appended to ``motions``, each object once however often it is a value.
+    """
+    if name in OBJECT_PATHS or name in (MOTION, LAW):
         items = list(values)
         _refuse_empty(name, len(items))
         if name == LAW:
@@ -120,40 +124,40 @@ def _columns(
         if name == MOTION:
             _refuse_other(name, items, Motion)
             place = {key: len(motions) + n for n, key in enumerate(dict.fromkeys(map(id, items)))}
-            motions.extend({id(item): item for item in items}.values())  # each is prepared once
+            motions.extend({id(item): item for item in items}.values())
             return {MOTION: np.array([place[id(item)] for item in items])}, [item.name for item in items]
-        kind, numbers_of = WHOLE[name]
+        kind, numbers_of = OBJECT_PATHS[name]
         _refuse_other(name, items, kind)
         table = [numbers_of(item) for item in items]
         return {path: np.array([row[path] for row in table]) for path in table[0]}, np.arange(len(items))
     if name not in base:
-        known = sorted({*base, *WHOLE})
+        known = sorted({*base, *OBJECT_PATHS})
         near = get_close_matches(name, known, 1)
-        hint = f" (did you mean {near[0]!r}?)" if near else ""
-        raise InputError(f"{name!r} is no path of a case{hint}; it must be one of {', '.join(known)}.")
+        hint = phrase("ensemble.did_you_mean", path=near[0]) if near else ("", "")
+        raise InputError("ensemble.unknown_path", name, path=name, hint=hint, known=", ".join(known))
     try:
         numbers = np.array(values, np.float64)
     except (TypeError, ValueError):
-        raise InputError(f"The values of {name!r} are not numbers; they must be a list of numbers.") from None
+        raise InputError("ensemble.values_not_numbers", name, path=name) from None
     if numbers.ndim != 1:
-        raise InputError(f"The values of {name!r} have {numbers.ndim} dimensions; they must be a list.")
+        raise InputError("ensemble.values_not_a_list", name, path=name, dimensions=numbers.ndim)
     _refuse_empty(name, len(numbers))
     if not np.isfinite(numbers).all():
         bad = numbers[~np.isfinite(numbers)][0]
-        raise InputError(f"{name!r} has the value {bad}; its values must be finite numbers.")
+        raise InputError("ensemble.value_not_finite", name, path=name, value=bad)
     return {name: numbers}, numbers
 
 
 def _refuse_empty(name: str, count: int) -> None:
     if count == 0:
-        raise InputError(f"{name!r} has no values; it must have at least one.")
+        raise InputError("ensemble.no_values", name, path=name)
 
 
 def _refuse_other(name: str, items: list[Any], kind: type | tuple[type, ...]) -> None:
     for item in items:
         if not isinstance(item, kind):
             wanted = (kind if isinstance(kind, type) else kind[0]).__name__
-            raise InputError(f"{name!r} has the value {item!r}; its values must be of type {wanted}.")
+            raise InputError("ensemble.value_type", name, path=name, value=repr(item), wanted=wanted)
 
 
 def _refuse_repeats(axes: list[Axis]) -> None:
@@ -161,7 +165,7 @@ def _refuse_repeats(axes: list[Axis]) -> None:
     for axis in axes:
         repeated = seen & axis.columns.keys()
         if repeated:
-            raise InputError(f"{min(repeated)!r} is on two axes; each path must be on one.")
+            raise InputError("ensemble.path_on_two_axes", min(repeated), path=min(repeated))
         seen |= axis.columns.keys()
 
 
@@ -172,6 +176,9 @@ def _refuse_missing_surfaces(base: dict[str, float], axes: list[Axis]) -> None:
         touched = [path for path in changed if path.startswith(f"room.{name}.")]
         if touched and distance not in changed and np.isinf(base[distance]):
             raise InputError(
-                f"{min(touched)!r} changes a {name.replace('_', ' ')} that is not there; "
-                f"give the room one, or set {distance!r} too."
+                "ensemble.surface_missing",
+                min(touched),
+                path=min(touched),
+                surface=phrase(f"ensemble.{name}"),
+                distance=distance,
             )

@@ -1,30 +1,37 @@
-"""The boundary between standing and fallen, over the amplitude of the shaking.
+"""`trace_boundary`: the stability boundary, between standing and falling, over the amplitude of the shaking.
 
 A body may fall at one amplitude, stand at a higher one and fall again above: it has *islands* of safety
-(Zhang and Makris 2001, J. Eng. Mech. 127(5), 473-483). So there is no one critical amplitude; there are
-edges, and each is named: `overturning_map` samples them, `trace_boundary` finds them.
+(Zhang and Makris 2001, J. Eng. Mech. 127(5), 473-483). So there is not one critical amplitude but a list of
+*crossings* of the boundary. `overturning_map` samples the amplitude; crossings are taken from neighbouring
+samples that differ, and refined by bisection.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
 
 import numpy as np
 
 from stayput.ensemble.axes import make_grid
-from stayput.ensemble.flips import Flips, flips_of, hidden_flips, refined
 from stayput.ensemble.grid import Axis, Columns, Grid
 from stayput.ensemble.many import run_grid
 from stayput.ensemble.overturning import FALLEN, SCALE, checked_amplitudes, overturning_map
 from stayput.errors import InputError, within
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import xarray as xr
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.ensemble.axes import Axes
-    from stayput.ensemble.flips import Runs
     from stayput.simulation import Case
+
+    RunPoints: TypeAlias = (
+        "Callable[[NDArray[np.intp], NDArray[np.float64]], tuple[NDArray[np.bool_], NDArray[np.int32]]]"
+    )
+    """RunPoints points at amplitudes, shape (k,) each; returns whether the body falls, and its landings."""
 
 __all__ = ["Edge", "overturning_map", "trace_boundary"]
 
@@ -38,6 +45,9 @@ MEANINGS: dict[str, str] = {
 }
 """What each edge is."""
 
+MOST_HALVINGS = 60
+"""Most bisections of an interval: the tolerance is relative, and never met by one that begins at zero."""
+
 
 def trace_boundary(
     case: Case,
@@ -50,10 +60,10 @@ def trace_boundary(
     client: Any = None,
     progress: bool | None = None,
 ) -> xr.Dataset:
-    """Find the amplitudes between standing and fallen: every flip of a sampled map, refined by bisection.
+    """Find the amplitudes between standing and falling: the crossings of a sampled map, refined by bisection.
 
-    An island between two samples is looked for where the number of landings before the fall changes from
-    the one to the other; others that are narrower than a step of the amplitudes can be missed.
+    Between two samples that both fall an island is looked for if the number of landings before the fall
+    differs. Other islands that are narrower than a step of the amplitudes can be missed.
 
     Parameters
     ----------
@@ -63,7 +73,7 @@ def trace_boundary(
         ``first``: the lowest amplitude at which the body falls. ``last``: the lowest above which no sampled
         case stands. ``all``: every edge, along a dimension ``edge`` that counts from 1 at the lowest.
     tolerance : float
-        Distance of the two amplitudes that an edge lies between, relative to the upper one.
+        Width of the interval of amplitudes in which an edge lies, relative to its upper end.
     threads, client, progress
         As for `simulate_many`.
 
@@ -86,8 +96,8 @@ def trace_boundary(
         As for `overturning_map`, or an unknown edge or a tolerance outside 1e-12 to 0.1.
     """
     if edge not in get_args(Edge):
-        raise InputError(f"Edge is {edge!r}; it must be one of {', '.join(get_args(Edge))}.")
-    tolerance = within("Tolerance", tolerance, 1e-12, 0.1)
+        raise InputError("ensemble.unknown_edge", "edge", edge=repr(edge), known=", ".join(get_args(Edge)))
+    tolerance = within("ensemble.tolerance", tolerance, 1e-12, 0.1, field="tolerance")
     sampled = checked_amplitudes(amplitudes, axes)
     grid = make_grid(case, axes or {})
     mapped = overturning_map(case, sampled, axes, threads=threads, client=client, progress=progress)
@@ -101,60 +111,183 @@ def trace_boundary(
         columns = run_grid(cases, threads=threads, client=client, progress=progress)
         return np.isin(columns["outcome"], FALLEN), columns["floor_impacts"].astype(np.int32)
 
-    flips = flips_of(falls, sampled)
+    crossings = sampled_crossings(falls, sampled)
     landings = mapped["floor_impacts"].values.reshape(shape)
-    flips = flips.along_with(hidden_flips(falls, landings, sampled, runs, tolerance))
-    back = np.bincount(flips.point[flips.direction < 0], minlength=len(grid))
+    crossings = crossings.merged_with(hidden_crossings(falls, landings, sampled, runs, tolerance))
+    back = np.bincount(crossings.point[crossings.direction < 0], minlength=len(grid))
     summaries = {
         "islands": (back - (falls.any(1) & ~falls[:, -1]), "ranges of standing between two of falling"),
         "falls_at_lowest": (falls[:, 0], "whether it falls at the lowest amplitude"),
         "falls_at_highest": (falls[:, -1], "whether it falls at the highest amplitude"),
         "failed": (mapped["failed"].sum(SCALE).values, "number of samples given up"),
     }
-    found = mapped[["islands"]]
-    dims = found["islands"].dims
+    data = mapped[["islands"]]
+    dims = data["islands"].dims
     for name, (values, meaning) in summaries.items():
-        found[name] = (dims, values.reshape(grid.shape), {"long_name": meaning})
-    found = _with_edges(found, refined(_followed(flips, edge, falls), runs, tolerance), runs, edge)
-    return found.assign_attrs(edge=edge, edge_meaning=MEANINGS[edge], tolerance=tolerance)
+        data[name] = (dims, values.reshape(grid.shape), {"long_name": meaning})
+    data = _with_edges(data, bisected(_of_edge(crossings, edge, falls), runs, tolerance), runs, edge)
+    return data.assign_attrs(edge=edge, edge_meaning=MEANINGS[edge], tolerance=tolerance)
 
 
-def _with_edges(found: xr.Dataset, flips: Flips, runs: Runs, edge: Edge) -> xr.Dataset:
+def _with_edges(data: xr.Dataset, crossings: Crossings, runs: RunPoints, edge: Edge) -> xr.Dataset:
     """Return a dataset over the points with the edges put in; one to a point unless all are followed."""
-    impacts = runs(flips.point, flips.fallen_side)[1] if len(flips) else np.zeros(0, np.int32)
+    impacts = runs(crossings.point, crossings.fallen_side)[1] if len(crossings) else np.zeros(0, np.int32)
     columns = {
-        "amplitude": (0.5 * (flips.lower + flips.upper), np.nan, "amplitude between standing and fallen"),
-        "lower": (flips.lower, np.nan, "amplitude just below the edge"),
-        "upper": (flips.upper, np.nan, "amplitude just above the edge"),
-        "direction": (flips.direction, 0, "+1: it falls above the edge; -1: it stands above; 0: no edge"),
+        "amplitude": (crossings.middle, np.nan, "amplitude between standing and fallen"),
+        "lower": (crossings.lower, np.nan, "amplitude just below the edge"),
+        "upper": (crossings.upper, np.nan, "amplitude just above the edge"),
+        "direction": (crossings.direction, 0, "+1: it falls above the edge; -1: it stands above; 0: no edge"),
         "floor_impacts": (impacts, -1, "landings before the fall, on the side where it falls; -1: no edge"),
     }
-    points, dims = found["islands"], found["islands"].dims
-    most = max(1, int(flips.number.max(initial=0)) + 1)
+    points, dims = data["islands"], data["islands"].dims
+    most = max(1, int(crossings.number.max(initial=0)) + 1)
     for name, (values, missing, meaning) in columns.items():
         table = np.full((points.size, most), missing, values.dtype)
-        table[flips.point, flips.number] = values
+        table[crossings.point, crossings.number] = values
         if edge == "all":
-            found[name] = ((*dims, "edge"), table.reshape(*points.shape, most), {"long_name": meaning})
+            data[name] = ((*dims, "edge"), table.reshape(*points.shape, most), {"long_name": meaning})
         else:
-            found[name] = (dims, table.reshape(points.shape), {"long_name": meaning})
-    return found.assign_coords(edge=np.arange(1, most + 1)) if edge == "all" else found
+            data[name] = (dims, table.reshape(points.shape), {"long_name": meaning})
+    return data.assign_coords(edge=np.arange(1, most + 1)) if edge == "all" else data
 
 
-def _followed(flips: Flips, edge: Edge, falls: NDArray[np.bool_]) -> Flips:
-    """Return the flips that make an edge; none at a point whose edge lies outside the amplitudes."""
+def _of_edge(crossings: Crossings, edge: Edge, falls: NDArray[np.bool_]) -> Crossings:
+    """Return the crossings that belong to an edge; none at a point whose edge lies outside the amplitudes."""
     if edge == "all":
-        return flips
+        return crossings
     if edge == "first":
-        return flips.only((flips.number == 0) & ~falls[flips.point, 0])
-    top = np.append(flips.point[1:] != flips.point[:-1], True)[: len(flips)]
-    return flips.only(top & falls[flips.point, -1])
+        return crossings.only((crossings.number == 0) & ~falls[crossings.point, 0])
+    top = np.append(crossings.point[1:] != crossings.point[:-1], True)[: len(crossings)]
+    return crossings.only(top & falls[crossings.point, -1])
 
 
 def _cases(grid: Grid, points: NDArray[np.intp], scales: NDArray[np.float64]) -> Grid:
-    """Return some points of a grid as cases in a row, each at its own amplitude."""
+    """Return some points of a grid as a list of cases, each at its own amplitude."""
     places = np.unravel_index(points, grid.shape) if grid.axes else ()
     columns: Columns = {SCALE: scales}
     for axis, place in zip(grid.axes, places, strict=True):
         columns |= {path: values[place] for path, values in axis.columns.items()}
     return Grid(grid.base, (Axis("case", columns, {}),), grid.motions, grid.measures)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Crossings:
+    """Crossings of the stability boundary, ordered by point and then by amplitude.
+
+    Attributes
+    ----------
+    point : ndarray of int, shape (n,)
+        Index of the point (the combination of the other axes' values) that each belongs to.
+    lower, upper : ndarray of float64, shape (n,)
+        Amplitudes just below and just above each.
+    direction : ndarray of int8, shape (n,)
+        +1 where it falls above, −1 where it stands above.
+    """
+
+    point: NDArray[np.intp]
+    lower: NDArray[np.float64]
+    upper: NDArray[np.float64]
+    direction: NDArray[np.int8]
+
+    def __len__(self) -> int:
+        return len(self.point)
+
+    @property
+    def number(self) -> NDArray[np.intp]:
+        """Number of each crossing among those of its point, from 0 at the lowest, shape (n,)."""
+        return np.arange(len(self)) - np.searchsorted(self.point, self.point)
+
+    @property
+    def middle(self) -> NDArray[np.float64]:
+        """The middle of each interval, shape (n,)."""
+        return 0.5 * (self.lower + self.upper)
+
+    @property
+    def fallen_side(self) -> NDArray[np.float64]:
+        """The amplitude on the side of each crossing on which the body falls, shape (n,)."""
+        return np.where(self.direction > 0, self.upper, self.lower)
+
+    def only(self, chosen: NDArray[np.bool_]) -> Crossings:
+        """Return those that are chosen; ``chosen`` has shape (n,)."""
+        return Crossings(self.point[chosen], self.lower[chosen], self.upper[chosen], self.direction[chosen])
+
+    def merged_with(self, other: Crossings) -> Crossings:
+        """Return these and others, ordered by point and then by amplitude."""
+        point, lower = np.append(self.point, other.point), np.append(self.lower, other.lower)
+        order = np.lexsort((lower, point))
+        upper, direction = np.append(self.upper, other.upper), np.append(self.direction, other.direction)
+        return Crossings(point[order], lower[order], upper[order], direction[order])
+
+
+def sampled_crossings(falls: NDArray[np.bool_], amplitudes: NDArray[np.float64]) -> Crossings:
+    """Return the crossings between neighbouring samples; ``falls`` has shape (points, amplitudes)."""
+    point, place = np.nonzero(falls[:, 1:] != falls[:, :-1])
+    direction = np.where(falls[point, place], -1, 1).astype(np.int8)
+    return Crossings(point, amplitudes[place], amplitudes[place + 1], direction)
+
+
+def bisected(crossings: Crossings, runs: RunPoints, tolerance: float) -> Crossings:
+    """Bisect all crossings together until each interval is within ``tolerance``, relative to its upper end.
+
+    Where an interval has several crossings, one of the given direction is found; which one is not defined.
+    """
+    lower, upper = crossings.lower.copy(), crossings.upper.copy()
+    for _ in range(MOST_HALVINGS):
+        wide = np.flatnonzero(upper - lower > tolerance * upper)
+        if not len(wide):
+            break
+        middle = 0.5 * (lower[wide] + upper[wide])
+        falls, _ = runs(crossings.point[wide], middle)
+        below = falls == (crossings.direction[wide] < 0)
+        lower[wide] = np.where(below, middle, lower[wide])
+        upper[wide] = np.where(below, upper[wide], middle)
+    return Crossings(crossings.point, lower, upper, crossings.direction)
+
+
+def hidden_crossings(
+    falls: NDArray[np.bool_],
+    landings: NDArray[np.int32],
+    amplitudes: NDArray[np.float64],
+    runs: RunPoints,
+    tolerance: float,
+) -> Crossings:
+    """Look for islands between two neighbouring amplitudes at both of which the body falls.
+
+    If the body falls after n landings at one and after another number at the other, then between them is an
+    amplitude at which it reaches the point of unstable balance and stays there for as long as one likes. If
+    it comes back from there once the shaking is over, it stands. So the change of the number of landings is
+    bisected until a run stands, or the interval is within ``tolerance``.
+
+    Parameters
+    ----------
+    falls, landings : ndarray, shape (points, amplitudes)
+        Whether the body falls at the samples, and its landings before.
+    amplitudes : ndarray, shape (amplitudes,)
+        Increasing.
+    runs, tolerance
+        As for `bisected`.
+
+    Returns
+    -------
+    Crossings
+        Two for each island found: back to standing, and to falling again. They are not bisected yet.
+    """
+    changes = falls[:, 1:] & falls[:, :-1] & (landings[:, 1:] != landings[:, :-1])
+    point, place = np.nonzero(changes)
+    lower, upper = amplitudes[place], amplitudes[place + 1]
+    below = landings[point, place]
+    island = np.full(len(point), np.nan)
+    for _ in range(MOST_HALVINGS):
+        todo = np.flatnonzero(np.isnan(island) & (upper - lower > tolerance * upper))
+        if not len(todo):
+            break
+        middle = 0.5 * (lower[todo] + upper[todo])
+        fallen, landed = runs(point[todo], middle)
+        island[todo] = np.where(fallen, np.nan, middle)
+        same = landed == below[todo]
+        lower[todo] = np.where(fallen & same, middle, lower[todo])
+        upper[todo] = np.where(fallen & ~same, middle, upper[todo])
+    found = ~np.isnan(island)
+    up = np.ones(np.count_nonzero(found), np.int8)
+    back = Crossings(point[found], lower[found], island[found], -up)
+    return back.merged_with(Crossings(point[found], island[found], upper[found], up))

@@ -1,34 +1,34 @@
-"""Columns of cases, each with its own devices, under motions, over threads."""
+"""Arrays of cases, each with its own devices, under several motions, on threads."""
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.errors import InputError
+from stayput.execution import Call, ThreadExecutor
 from stayput.mechanics.columns import RESULT
-from stayput.mechanics.restrained.columns import DEVICE, ELEMENT, NONE
+from stayput.mechanics.devices.columns import DEVICE, ELEMENT, NONE
 from stayput.mechanics.runner import run_cases, shaking
 from stayput.progress import bar
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from numpy.typing import NDArray
 
     from stayput.mechanics.runner import Shaking
     from stayput.motion import Motion
 
-PIECE = 64
-"""Cases in a piece of work: cases with devices take a millisecond or so each."""
+CHUNK = 64
+"""Most cases in a call of the executor: cases with devices take a millisecond or so each."""
 
 
 def run_rows(
     cases: NDArray[np.void], elements: NDArray[np.void], motion: Shaking
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
-    """Run rows under one motion on this thread; a case without elements takes the way of free bodies.
+    """Run cases under one motion on this thread; those without devices by the faster solver for free bodies.
 
     Parameters
     ----------
@@ -43,15 +43,15 @@ def run_rows(
     """
     results, devices = np.zeros(len(cases), RESULT), np.zeros(elements.shape, DEVICE)
     devices["failure_time"] = np.nan
-    held = (elements["kind"] != NONE).any(axis=1)
-    if not held.all():
-        free = np.flatnonzero(~held)
+    has_devices = (elements["kind"] != NONE).any(axis=1)
+    if not has_devices.all():
+        free = np.flatnonzero(~has_devices)
         results[free] = run_cases(cases[free], motion)
-    if held.any():
-        from stayput.mechanics.restrained.runner import run_restrained_cases  # takes its time to load
+    if has_devices.any():
+        from stayput.mechanics.devices.runner import run_cases_with_devices  # Numba takes its time to load
 
-        mine = np.flatnonzero(held)
-        results[mine], devices[mine] = run_restrained_cases(cases[mine], elements[mine], motion)
+        held = np.flatnonzero(has_devices)
+        results[held], devices[held] = run_cases_with_devices(cases[held], elements[held], motion)
     return results, devices
 
 
@@ -65,74 +65,66 @@ def run_columns(
     progress: bool | None = None,
     told: Callable[[int], None] | None = None,
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
-    """Run columns of cases over threads, each with its own row of elements, under the "coulomb" law.
+    """Run cases on threads, each with its own devices and motion, under the "coulomb" contact law.
 
     Parameters
     ----------
     cases : ndarray of CASE, shape [m]
-        The cases, such as `stayput.cases.case_columns` makes them of a held body and room.
+        The cases, as `stayput.cases.case_columns` makes them of a body and a room with measures in place.
     elements : ndarray of ELEMENT, shape [m, n], or None
-        Their devices, such as `stayput.measures.element_rows` makes them; rows of kind NONE fill up.
+        Their devices, as `stayput.measures.element_rows` makes them, filled up with elements of kind NONE.
     motions : sequence of Motion
         The motions; each is prepared once.
     motion : ndarray of int, shape [m]
-        Which of the motions shakes each case.
+        Index of each case's motion.
     threads : int, optional
         Threads; default one for each core that this process may use.
     progress : bool, optional
         Whether to draw a bar on standard error; default on a terminal.
     told : callable, optional
-        Told, on this thread, how many more cases are done; what it raises stops the work.
+        Called on this thread with the number of cases just done; an exception that it raises stops the work.
 
     Returns
     -------
     tuple
-        RESULT, shape [m], and DEVICE, shape [m, n] (`stayput.mechanics`), whatever the threads. Forces are
-        per unit mass; `stayput.measures.results.failures_of` sums the devices up.
+        RESULT, shape [m], and DEVICE, shape [m, n] (`stayput.mechanics`); the bits do not depend on the
+        threads. Forces are per unit mass; `stayput.measures.results.failures_of` sums the devices up.
 
     Raises
     ------
     InputError
-        Columns of other lengths, a place outside the motions, or elements that are not possible.
+        Arrays of different lengths, an index outside the motions, or elements that are not possible.
     """
-    from stayput.ensemble.tasks import thread_count
-
     rows = np.zeros((len(cases), 0), ELEMENT) if elements is None else elements
-    places = np.asarray(motion)
-    if len(rows) != len(cases) or places.shape != (len(cases),):
+    indices = np.asarray(motion)
+    if len(rows) != len(cases) or indices.shape != (len(cases),):
         raise InputError(
-            f"There are {len(cases)} cases, {len(rows)} rows of elements and {len(places)} places of "
-            "motions; they must be as many."
+            "ensemble.lengths_differ", cases=len(cases), elements=len(rows), motions=len(indices)
         )
-    if len(places) and (places.min() < 0 or places.max() >= len(motions)):
-        raise InputError(
-            f"A place of a motion is {places[(places < 0) | (places >= len(motions))][0]}; "
-            f"it must be between 0 and {len(motions) - 1}."
-        )
-    met = {int(n): motions[int(n)] for n in np.unique(places)}
-    shakings = {n: shaking(shaken.x, shaken.z, shaken.dt, 0) for n, shaken in met.items()}
-    order = np.argsort(places, kind="stable")
-    starts = np.flatnonzero(np.diff(places[order], prepend=-1))
-    pieces = [
-        piece
-        for mine in np.split(order, starts[1:])
-        for piece in np.split(mine, range(PIECE, len(mine), PIECE))
-        if len(piece)
-    ]
+    if len(indices) and (indices.min() < 0 or indices.max() >= len(motions)):
+        wrong = indices[(indices < 0) | (indices >= len(motions))][0]
+        raise InputError("ensemble.motion_index", "motion", value=wrong, last=len(motions) - 1)
+    used = {int(n): motions[int(n)] for n in np.unique(indices)}
+    prepared = {n: shaking(motion.x, motion.z, motion.dt, 0) for n, motion in used.items()}
     results, devices = np.zeros(len(cases), RESULT), np.zeros(rows.shape, DEVICE)
-    with bar(len(cases), "Simulating", progress) as tell, ThreadPoolExecutor(thread_count(threads)) as pool:
 
-        def run(piece: NDArray[np.intp]) -> NDArray[np.intp]:
-            found = run_rows(cases[piece], rows[piece], shakings[int(places[piece[0]])])
-            results[piece], devices[piece] = found
-            return piece
+    def run(chunk: NDArray[np.intp]) -> int:
+        found = run_rows(cases[chunk], rows[chunk], prepared[int(indices[chunk[0]])])
+        results[chunk], devices[chunk] = found
+        return len(chunk)
 
-        try:
-            for piece in pool.map(run, pieces):
-                tell(len(piece))
-                if told is not None:
-                    told(len(piece))
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
+    with bar(len(cases), "Simulating", progress) as tell, ThreadExecutor(threads) as executor:
+        for _, done in executor.as_completed(Call(run, chunk) for chunk in _chunks(indices)):
+            tell(done)
+            if told is not None:
+                told(done)
     return results, devices
+
+
+def _chunks(indices: NDArray[np.int64]) -> Iterator[NDArray[np.intp]]:
+    """Split cases into chunks that are shaken by one motion each, given the index of every case's motion."""
+    order = np.argsort(indices, kind="stable")
+    starts = np.flatnonzero(np.diff(indices[order], prepend=-1))
+    for group in np.split(order, starts[1:]):
+        for start in range(0, len(group), CHUNK):
+            yield group[start : start + CHUNK]

@@ -8,15 +8,18 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from stayput.cases import case_rows, from_leaves
-from stayput.ensemble.holding import held_rows
+from stayput.cases import case_rows, from_leaves, leaves_of_body, leaves_of_room, refuse_bad_start
+from stayput.catalogue import phrase
 from stayput.errors import InputError
+from stayput.measures.measure import element_rows, hold
+from stayput.mechanics.devices.columns import ELEMENT
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from numpy.typing import NDArray
 
+    from stayput.cases import Numbers
     from stayput.measures import Measure
     from stayput.motion import Motion
 
@@ -26,7 +29,7 @@ MOTION, LAW = "motion", "contact"
 """Columns of whole numbers: the place of a case's motion in the list of motions, and its contact law."""
 
 CHECKED_AT_ONCE = 2**15
-"""Cases whose numbers are looked at together before any is run."""
+"""Cases whose numbers are checked together, before any is run."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -42,8 +45,8 @@ class Axis:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Part:
-    """Some of a grid's cases, one after another; this is what a task gets."""
+class CaseBlock:
+    """Consecutive cases of a grid: what one call of an executor computes."""
 
     count: int
     base: dict[str, float]
@@ -59,7 +62,7 @@ class Part:
         return held_rows(self.base | self.columns, self.count, self.measures)  # type: ignore[operator]
 
     def group(self) -> NDArray[np.int64]:
-        """Return a number for each case, the same for cases of one motion and one law, shape [count]."""
+        """Return 2·motion + law for each case, shape [count]: cases of one group are run together."""
         motion, law = (np.broadcast_to(self.columns[name], self.count) for name in (MOTION, LAW))
         return 2 * motion.astype(np.int64) + law.astype(np.int64)
 
@@ -93,45 +96,47 @@ class Grid:
     def __len__(self) -> int:
         return math.prod(self.shape)
 
-    def part(self, start: int, stop: int) -> Part:
+    def block(self, start: int, stop: int) -> CaseBlock:
         """Return the cases from ``start`` to before ``stop``."""
         places = np.unravel_index(np.arange(start, stop), self.shape) if self.axes else ()
         columns: Columns = {name: np.array([int(self.base[name])]) for name in (MOTION, LAW)}
         for axis, place in zip(self.axes, places, strict=True):
             columns |= {path: values[place] for path, values in axis.columns.items()}
         base = {path: value for path, value in self.base.items() if path not in columns}
-        return Part(stop - start, base, columns, self.measures)
+        return CaseBlock(stop - start, base, columns, self.measures)
 
     def refuse_bad_cases(self) -> None:
-        """Raise `InputError` for the first case found that is not possible.
+        """Raise `InputError` for a case that is not possible.
 
-        The limits are those of `Body`, `Room` and `State`. Each limits one number, or one quantity of
-        several; so the cases are made where one of these is smallest or largest.
+        The limits are those of `Body`, `Room` and `State`, and to make these objects for every case would
+        take too long. Each limit is an interval of one number, or of one quantity made of several. So if any
+        case breaks it, one does where the quantity is smallest or largest, and only these cases are made.
         """
         for start in range(0, len(self), CHECKED_AT_ONCE):
-            part = self.part(start, min(start + CHECKED_AT_ONCE, len(self)))
-            for row in sorted(_witnesses(part)):
-                numbers = {k: float(v[row]) for k, v in part.columns.items() if len(v) == part.count}
+            block = self.block(start, min(start + CHECKED_AT_ONCE, len(self)))
+            for row in sorted(_extreme_rows(block)):
+                numbers = {k: float(v[row]) for k, v in block.columns.items() if len(v) == block.count}
                 try:
                     self._refuse_bad_case(self.base | numbers)
                 except InputError as error:
                     if len(self) == 1:
                         raise
-                    raise InputError(f"Case {start + row} of {len(self)}: {error}") from None
+                    where = phrase("ensemble.case_number", number=start + row, count=len(self))
+                    raise error.at(where) from None
 
     def _refuse_bad_case(self, numbers: dict[str, float]) -> None:
         from_leaves(numbers)
         _, elements = held_rows(numbers, 1, self.measures)
         if elements.size and numbers[LAW] != 0.0:
-            raise InputError("Contact is 'paper'; measures with force elements need 'coulomb'.")
+            raise InputError("ensemble.paper_with_devices", LAW)
 
 
-def _witnesses(part: Part) -> set[int]:
-    """Return the rows at which a limited quantity is smallest, largest or not a number."""
-    numbers = part.base | part.columns
+def _extreme_rows(block: CaseBlock) -> set[int]:
+    """Return the rows at which a limited quantity is smallest, largest or NaN, which argmin finds as well."""
+    numbers = block.base | block.columns
     b, h = numbers["body.width"], numbers["body.height"]
-    rows = part.rows()
-    limited = [column for path, column in part.columns.items() if path not in (MOTION, LAW)]
+    rows = block.rows()
+    limited = [column for path, column in block.columns.items() if path not in (MOTION, LAW)]
     limited += [
         np.abs(numbers["body.cg_offset.x"]) - b / 2,
         np.abs(numbers["body.cg_offset.z"]) - h / 2,
@@ -149,16 +154,16 @@ def _witnesses(part: Part) -> set[int]:
         limited.append(static - kinetic)
         height = numbers[f"body.base_heights.{side}"]
         limited += [height + b / 2, height - np.minimum(b, h) / 4]
-    limited += _clearances(rows)
-    found: set[int] = set()
+    limited += _initial_clearances(rows)
+    extreme: set[int] = set()
     for quantity in limited:
-        values = np.broadcast_to(quantity, part.count)
-        found |= {int(np.argmin(values)), int(np.argmax(values))}
-    return found
+        values = np.broadcast_to(quantity, block.count)
+        extreme |= {int(np.argmin(values)), int(np.argmax(values))}
+    return extreme
 
 
-def _clearances(rows: NDArray[np.void]) -> list[NDArray[np.float64]]:
-    """Return the clear distances to the right wall, the left wall and the ceiling at the start [m]."""
+def _initial_clearances(rows: NDArray[np.void]) -> list[NDArray[np.float64]]:
+    """Return the tilt [rad] and the distances to right wall, left wall and ceiling [m] at the start."""
     u, v = rows["u"], rows["v"]
     rest = np.arctan2(v[:, 1] - v[:, 0], u[:, 1] - u[:, 0])
     right = (rows["tilt"] > 0.0) | ((rows["tilt"] == 0.0) & (rows["tilt_rate"] > 0.0))
@@ -175,7 +180,75 @@ def _clearances(rows: NDArray[np.void]) -> list[NDArray[np.float64]]:
     x = x + rows["slide"][:, None]
     with np.errstate(invalid="ignore"):
         return [
+            rest + rows["tilt"],
             still.max(1) + rows["right_distance"] - x.max(1),
             x.min(1) - still.min(1) + rows["left_distance"],
             rows["ceiling_distance"] - z.max(1),
         ]
+
+
+def held_rows(
+    numbers: Mapping[str, Numbers], count: int, measures: tuple[Measure, ...]
+) -> tuple[NDArray[np.void], NDArray[np.void]]:
+    """Return rows of cases with their measures in place: CASE, shape [count], and ELEMENT, shape [count, n].
+
+    Putting measures in place makes objects, so it is done once for each combination of body and room.
+
+    Parameters
+    ----------
+    numbers : mapping
+        Numbers by path, each one value or ``count`` of them.
+    count : int
+        Number of cases.
+    measures : tuple of Measure
+        The measures, the same for all.
+
+    Raises
+    ------
+    InputError
+        Measures that cannot be put in place.
+    """
+    if not measures:
+        return case_rows(numbers, count), np.zeros((count, 0), ELEMENT)
+    varied = [
+        path
+        for path, values in numbers.items()
+        if path.startswith(("body.", "room.")) and np.size(values) > 1 and count > 1
+    ]
+    table = np.stack([np.asarray(numbers[path]) for path in varied], 1) if varied else np.zeros((count, 0))
+    first, which = _distinct(table)
+    pairs = [_put_in_place({k: _number(v, row) for k, v in numbers.items()}, measures) for row in first]
+    changed = {path: np.array([leaves[path] for leaves, _ in pairs])[which] for path in pairs[0][0]}
+    return case_rows({**numbers, **changed}, count), np.stack([rows for _, rows in pairs])[which]
+
+
+def _distinct(table: NDArray[np.float64]) -> tuple[list[int], NDArray[np.intp]]:
+    """Return where each distinct row first stands, and for every row the number of its distinct row.
+
+    Rows are compared by their bytes, so that NaN, which stands for "not given", equals itself.
+    """
+    seen: dict[bytes, int] = {}
+    first: list[int] = []
+    which = np.empty(len(table), np.intp)
+    for n, row in enumerate(table):
+        key = row.tobytes()
+        if key not in seen:
+            seen[key] = len(first)
+            first.append(n)
+        which[n] = seen[key]
+    return first, which
+
+
+def _number(values: Numbers, row: int) -> float:
+    """Return the number of one row; a single number is that of all rows."""
+    every = np.ravel(values)
+    return float(every[row if every.size > 1 else 0])
+
+
+def _put_in_place(
+    numbers: dict[str, float], measures: tuple[Measure, ...]
+) -> tuple[dict[str, float], NDArray[np.void]]:
+    body, room, start = from_leaves(numbers)
+    held = hold(body, room, measures)
+    refuse_bad_start(held.body, held.room, start)
+    return {**leaves_of_body(held.body), **leaves_of_room(held.room)}, element_rows(held)

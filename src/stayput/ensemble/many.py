@@ -1,27 +1,34 @@
-"""`simulate_many`: columns of cases to columns of results."""
+"""`simulate_many` and the run of a grid of cases, on threads or on a Dask cluster."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
 
 from stayput.ensemble.axes import make_grid
-from stayput.ensemble.cluster import run_on_cluster
-from stayput.ensemble.results import empty, fill
-from stayput.ensemble.tasks import run_on_threads, thread_count
+from stayput.ensemble.columns import run_rows
+from stayput.ensemble.grid import LAW, MOTION
+from stayput.ensemble.results import CASE_RESULT, case_results, empty_columns, fill_columns
 from stayput.errors import within
+from stayput.execution import Call, DaskExecutor, Shared, ThreadExecutor, thread_count
+from stayput.mechanics.runner import Shaking, shaking
 from stayput.progress import bar
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    import numpy as np
     from numpy.typing import NDArray
 
-    from stayput.ensemble.grid import Grid
+    from stayput.ensemble.grid import CaseBlock, Grid
+    from stayput.motion import Motion
     from stayput.simulation import Case
 
+PreparedMotions: TypeAlias = "dict[int, Shaking]"
+"""Motions as the mechanics read them, by the groups of `CaseBlock.group`."""
+
 LARGEST_CHUNK = 2048
-"""Most cases in a piece of work, unless told: some tens of milliseconds."""
+"""Most cases in a call of the executor by default: some tens of milliseconds."""
 
 
 def simulate_many(
@@ -33,12 +40,12 @@ def simulate_many(
     chunk: int | None = None,
     progress: bool | None = None,
 ) -> dict[str, NDArray[Any]]:
-    """Simulate columns of cases: the n-th value of each column makes the n-th case.
+    """Simulate columns of cases: the n-th case has the n-th value of each column.
 
     Parameters
     ----------
     case : Case
-        What all cases have that no column changes.
+        The base case: what no column changes.
     columns : mapping of str to array_like, shape (n,)
         Values by path, such as ``body.width``, ``room.right_wall.gap``, ``motion.scale``; also ``motion``
         (of `Motion`, of any lengths and steps), ``contact``, ``body``, ``room`` and its parts (of objects).
@@ -48,7 +55,7 @@ def simulate_many(
     client : dask.distributed.Client, optional
         Runs the cases on its cluster instead.
     chunk : int, optional
-        Cases in a piece of work; by default up to 2048.
+        Cases that a thread runs at a time; by default up to 2048.
     progress : bool, optional
         Whether to draw a bar on standard error; default on a terminal.
 
@@ -60,7 +67,7 @@ def simulate_many(
     Raises
     ------
     InputError
-        An unknown path, columns of different lengths, or a case that is not possible.
+        An unknown path, columns of different lengths, a case that is not possible, or a cluster that is lost.
     """
     names = tuple(columns)
     grid = make_grid(case, {names: tuple(columns[name] for name in names)})
@@ -75,21 +82,59 @@ def run_grid(
     chunk: int | None = None,
     progress: bool | None = None,
 ) -> dict[str, NDArray[np.generic]]:
-    """Run a grid's cases; return the columns of results, in the grid's order."""
+    """Run a grid's cases; return the columns of results, in the grid's order. See `simulate_many`."""
     count = len(grid)
     threads = thread_count(threads)
     if chunk is None:
+        # At least eight for each thread, so that all threads end at about the same time.
         chunk = min(LARGEST_CHUNK, -(-count // (8 * threads)))
-    chunk = int(within("Chunk", chunk, 1, 1e9, "cases"))
-    columns = empty(count)
-    with bar(count, "Simulating", progress) as tell:
+    chunk = int(within("ensemble.chunk", chunk, 1, 1e9, "cases", "chunk"))
+    columns = empty_columns(count)
+    # On a cluster the motions are sent once; a worker that is lost takes nothing that cannot be made again.
+    motions = Shared(prepared_motions, grid.motions, groups_of(grid))
+    starts = range(0, count, chunk)
 
-        def done(start: int, results: NDArray[np.void]) -> None:
-            fill(columns, start, results)
+    def run(start: int, motions: PreparedMotions) -> NDArray[np.void]:
+        return run_block(grid.block(start, min(start + chunk, count)), motions)
+
+    def call(start: int) -> Call[NDArray[np.void]]:
+        if client is None:
+            return Call(run, start, motions)  # the block is made on its thread
+        return Call(run_block, grid.block(start, min(start + chunk, count)), motions)
+
+    with (
+        bar(count, "Simulating", progress) as tell,
+        ThreadExecutor(threads) if client is None else DaskExecutor(client) as executor,
+    ):
+        for number, results in executor.as_completed(map(call, starts)):
+            fill_columns(columns, starts[number], results)
             tell(len(results))
-
-        if client is not None:
-            run_on_cluster(grid, chunk, client, done)
-        else:
-            run_on_threads(grid, chunk, threads, done)
     return columns
+
+
+def run_block(block: CaseBlock, motions: PreparedMotions) -> NDArray[np.void]:
+    """Run some cases on this thread; return rows of `CASE_RESULT`, in their order."""
+    (rows, elements), groups = block.held(), block.group()
+    results = np.zeros(block.count, CASE_RESULT)
+    for group in np.unique(groups):
+        chosen = np.flatnonzero(groups == group)
+        found = run_rows(rows[chosen], elements[chosen], motions[int(group)])
+        results[chosen] = case_results(elements[chosen], *found)
+    return results
+
+
+def prepared_motions(motions: tuple[Motion, ...], groups: set[int]) -> PreparedMotions:
+    """Prepare the motions that are used, for the contact law of each group."""
+    return {
+        group: shaking(motions[group // 2].x, motions[group // 2].z, motions[group // 2].dt, group % 2)
+        for group in sorted(groups)
+    }
+
+
+def groups_of(grid: Grid) -> set[int]:
+    """Return all groups of a grid's cases, from its axes alone: a grid may have millions of cases."""
+    laws = [values for axis in grid.axes for path, values in axis.columns.items() if path == LAW]
+    motions = [values for axis in grid.axes for path, values in axis.columns.items() if path == MOTION]
+    numbers = {int(n) for values in motions for n in values} or {int(grid.base[MOTION])}
+    kinds = {int(n) for values in laws for n in values} or {int(grid.base[LAW])}
+    return {2 * number + kind for number in numbers for kind in kinds}

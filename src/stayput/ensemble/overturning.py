@@ -1,4 +1,4 @@
-"""Where a case falls over the amplitude of its motion, sampled."""
+"""`overturning_map`: at which amplitudes of its motion a case overturns, at samples of the amplitude."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SCALE = "motion.scale"
 """The path of the amplitude: the factor on the motion's acceleration."""
 
 FALLEN = [list(Outcome).index(outcome) for outcome in (Outcome.OVERTURNED, Outcome.FAILED)]
-"""Numbers of the outcomes that do not count as standing."""
+"""Numbers of the outcomes that count as a fall; a run that is given up never counts as standing."""
 
 
 def overturning_map(
@@ -34,12 +34,12 @@ def overturning_map(
     client: Any = None,
     progress: bool | None = None,
 ) -> xr.Dataset:
-    """Sample where a case falls, over the amplitude of its motion and other axes.
+    """Sample whether a case overturns, over the amplitude of its motion and other axes.
 
     Parameters
     ----------
     case : Case
-        What no axis changes.
+        The base case: what no axis changes.
     amplitudes : array_like, shape (n,)
         Factors on the motion's acceleration, none negative, increasing.
     axes : mapping, optional
@@ -108,19 +108,19 @@ def checked_amplitudes(amplitudes: ArrayLike, axes: Axes | None) -> NDArray[np.f
     """
     for paths in axes or {}:
         if SCALE in ((paths,) if isinstance(paths, str) else paths):
-            raise InputError(f"{SCALE!r} is among the axes; it must be given by the amplitudes only.")
+            raise InputError("ensemble.scale_on_axis", SCALE, path=SCALE)
     try:
         sampled = np.array(amplitudes, np.float64)
     except (TypeError, ValueError):
-        raise InputError("The amplitudes are not numbers; they must be a list of numbers.") from None
+        raise InputError("ensemble.amplitudes_not_numbers", "amplitudes") from None
     if sampled.ndim != 1 or len(sampled) < 2:
-        raise InputError(f"The amplitudes' shape is {sampled.shape}; they must be a list of two or more.")
+        raise InputError("ensemble.amplitudes_shape", "amplitudes", shape=sampled.shape)
     bad = sampled[~np.isfinite(sampled) | (sampled < 0.0)]
     if len(bad):
-        raise InputError(f"An amplitude is {bad[0]:g}; it must be a finite number, not negative.")
+        raise InputError("ensemble.amplitude_not_possible", "amplitudes", value=bad[0])
     for low, high in pairwise(sampled.tolist()):
         if high <= low:
-            raise InputError(f"The amplitude {high:g} comes after {low:g}; amplitudes must increase.")
+            raise InputError("ensemble.amplitudes_not_increasing", "amplitudes", value=high, before=low)
     return sampled
 
 

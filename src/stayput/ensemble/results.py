@@ -1,4 +1,4 @@
-"""What an ensemble keeps of each case: columns, with their units and meanings."""
+"""The results of each case of an ensemble: columns, with their units and meanings."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ QUANTITIES = (
 )
 """The columns of results."""
 
-KEPT = np.dtype(
+CASE_RESULT = np.dtype(
     [
         *((name, RESULT[name]) for name in RESULT.names or ()),
         ("device_failures", "i4"),
@@ -44,14 +44,14 @@ KEPT = np.dtype(
     ],
     align=True,
 )
-"""What a task hands back of a case: `mechanics.columns.RESULT`, and its devices summed up."""
+"""Result of one case: the fields of `mechanics.columns.RESULT`, and a summary of its devices."""
 
 
-def kept(
+def case_results(
     elements: NDArray[np.void], results: NDArray[np.void], devices: NDArray[np.void]
 ) -> NDArray[np.void]:
-    """Return rows of `KEPT`, shape [m], of ELEMENT [m, n], RESULT [m] and DEVICE [m, n]."""
-    rows, failures = np.zeros(len(results), KEPT), failures_of(elements, devices)
+    """Return rows of `CASE_RESULT`, shape [m], from ELEMENT [m, n], RESULT [m] and DEVICE [m, n]."""
+    rows, failures = np.zeros(len(results), CASE_RESULT), failures_of(elements, devices)
     for name in RESULT.names or ():
         rows[name] = results[name]
     rows["device_failures"] = failures.count
@@ -64,13 +64,13 @@ OUTCOMES = tuple(outcome.value for outcome in Outcome)
 """Names of the outcomes, in the order of the flags."""
 
 
-def empty(count: int) -> dict[str, NDArray[np.generic]]:
-    """Return room for the results of ``count`` cases, by name."""
+def empty_columns(count: int) -> dict[str, NDArray[np.generic]]:
+    """Return columns for the results of ``count`` cases, by name, to be filled."""
     return {q.name: np.zeros(count, q.dtype) for q in QUANTITIES}
 
 
-def fill(columns: dict[str, NDArray[np.generic]], start: int, results: NDArray[np.void]) -> None:
-    """Put rows of `KEPT` into their places from ``start`` on."""
+def fill_columns(columns: dict[str, NDArray[np.generic]], start: int, results: NDArray[np.void]) -> None:
+    """Write rows of `CASE_RESULT` into the columns, from ``start`` on."""
     place = slice(start, start + len(results))
     overturned = results["outcome"] == OVERTURNED_OUTCOME
     for name, column in columns.items():

@@ -1,4 +1,4 @@
-"""`sweep`: a case along axes, as a labelled dataset."""
+"""`sweep`: a case along axes as a labelled dataset, on request with the histories of every case."""
 
 from __future__ import annotations
 
@@ -8,16 +8,35 @@ import numpy as np
 import xarray as xr
 
 from stayput.ensemble.axes import make_grid, unit_of
-from stayput.ensemble.histories import histories_of
-from stayput.ensemble.many import run_grid
+from stayput.ensemble.many import groups_of, prepared_motions, run_grid
 from stayput.ensemble.results import OUTCOMES, QUANTITIES
+from stayput.errors import InputError
+from stayput.execution import Call, ThreadExecutor
+from stayput.mechanics import columns as col
+from stayput.quantities import HISTORIES
+from stayput.simulation import trace_held
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from numpy.typing import NDArray
+
     from stayput.ensemble.axes import Axes
     from stayput.ensemble.grid import Grid
     from stayput.simulation import Case
+
+HISTORY_COLUMNS = {
+    "slide": col.H_SLIDE,
+    "slide_rate": col.H_SLIDE_RATE,
+    "tilt": col.H_TILT,
+    "tilt_rate": col.H_TILT_RATE,
+    "x": col.H_X,
+    "z": col.H_Z,
+}
+"""Columns of a history in the arrays of the mechanics."""
+
+MOST_NUMBERS = 2**27
+"""Most numbers in all histories together: 1 GiB."""
 
 
 def sweep(
@@ -35,11 +54,11 @@ def sweep(
     Parameters
     ----------
     case : Case
-        What no axis changes.
+        The base case: what no axis changes.
     axes : mapping
         Dotted paths and their values: ``{"body.width": [...], "room.right_wall.gap": [...]}``. The cases
-        are all combinations. A tuple of paths with a tuple of lists is one axis, along which the values go
-        together; its dimension has the name of the first. Paths are those of `simulate_many`.
+        are all combinations. A tuple of paths with a tuple of lists is one axis, along which the values
+        change together; its dimension has the name of the first. Paths are those of `simulate_many`.
     histories : sequence of str
         Histories to keep of every case: ``slide``, ``slide_rate``, ``tilt``, ``tilt_rate``, ``x``, ``z``;
         over ``time``, NaN after the end of a case. They need motions of one time step.
@@ -58,7 +77,7 @@ def sweep(
         As for `simulate_many`, or an unknown history.
     """
     grid = make_grid(case, axes)
-    times, kept = histories_of(grid, tuple(histories), threads) if histories else (None, {})
+    times, traced = _histories(grid, tuple(histories), threads) if histories else (None, {})
     columns = run_grid(grid, threads=threads, client=client, chunk=chunk, progress=progress)
     data = _frame(grid, case)
     dims = [axis.name for axis in grid.axes]
@@ -72,7 +91,7 @@ def sweep(
         data[quantity.name] = (dims, columns[quantity.name].reshape(grid.shape), attributes)
     if times is not None:
         data = data.assign_coords(time=("time", times, {"units": "s"}))
-        for name, (values, attributes) in kept.items():
+        for name, (values, attributes) in traced.items():
             data[name] = ((*dims, "time"), values, attributes)
     return data
 
@@ -87,3 +106,45 @@ def _frame(grid: Grid, case: Case) -> xr.Dataset:
                 {path: (axis.name, np.asarray(labels), {"units": unit} if unit else {})}
             )
     return data
+
+
+def _histories(
+    grid: Grid, names: tuple[str, ...], threads: int | None
+) -> tuple[NDArray[np.float64], dict[str, tuple[NDArray[np.float64], dict[str, Any]]]]:
+    """Return the times [s], and by name the values over the grid's axes and time, with their attributes.
+
+    Values after the end of a case are NaN.
+
+    Raises
+    ------
+    InputError
+        An unknown name, motions of different time steps, or more numbers than `MOST_NUMBERS`.
+    """
+    for name in names:
+        if name not in HISTORIES:
+            raise InputError("ensemble.unknown_history", "histories", name=name, known=", ".join(HISTORIES))
+    motions = prepared_motions(grid.motions, groups_of(grid))
+    steps = sorted({motion.dt for motion in motions.values()})
+    if len(steps) > 1:
+        raise InputError("ensemble.time_steps_differ", "motion", steps=steps)
+    samples = max(len(motion.along) for motion in motions.values())
+    numbers = len(grid) * samples * len(names)
+    if numbers > MOST_NUMBERS:
+        raise InputError("ensemble.histories_too_long", "histories", numbers=numbers, most=MOST_NUMBERS)
+    tables = {name: np.full((len(grid), samples), np.nan) for name in names}
+
+    def run(place: int) -> None:
+        block = grid.block(place, place + 1)
+        (cases, elements), motion = block.held(), motions[int(block.group()[0])]
+        history = trace_held(cases[0], elements[0], motion)[0].history
+        for name in names:
+            tables[name][place, : len(history)] = history[:, HISTORY_COLUMNS[name]]
+
+    with ThreadExecutor(threads) as executor:
+        for _ in executor.as_completed(Call(run, place) for place in range(len(grid))):
+            pass
+    shape = (*grid.shape, samples)
+    return np.arange(samples, dtype=np.float64) * steps[0], {
+        name: (values.reshape(shape), {"units": HISTORIES[name][0], "long_name": HISTORIES[name][1]})
+        for name, values in tables.items()
+    }

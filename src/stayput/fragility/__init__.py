@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from stayput.fragility.bootstrap import Bootstrap, bootstrap
 from stayput.fragility.capacity import Capacity
 from stayput.fragility.curve import FragilityCurve, State, fragility_curve
 from stayput.fragility.intensity_measures import (
@@ -13,14 +12,15 @@ from stayput.fragility.intensity_measures import (
     PGA,
     PGV,
     IntensityMeasure,
+    spectral_acceleration,
 )
+from stayput.fragility.isotonic import Isotonic
+from stayput.fragility.lognormal import LognormalFit
 from stayput.fragility.nrml import write_nrml
-from stayput.fragility.observed import Level
 from stayput.fragility.paired import Difference, difference
 from stayput.fragility.pelicun import write_pelicun
-from stayput.fragility.precision import Plan, samples_needed
-from stayput.fragility.probabilities import Probability, probability, wilson
-from stayput.fragility.trials import Trials
+from stayput.fragility.probabilities import Plan, Probability, probability, samples_needed, wilson
+from stayput.fragility.trials import Level, Trials
 
 __all__ = [
     "INTENSITY_MEASURES",
@@ -29,21 +29,22 @@ __all__ = [
     "PFV",
     "PGA",
     "PGV",
-    "Bootstrap",
     "Capacity",
     "Difference",
     "FragilityCurve",
     "IntensityMeasure",
+    "Isotonic",
     "Level",
+    "LognormalFit",
     "Plan",
     "Probability",
     "State",
     "Trials",
-    "bootstrap",
     "difference",
     "fragility_curve",
     "probability",
     "samples_needed",
+    "spectral_acceleration",
     "wilson",
     "write_nrml",
     "write_pelicun",

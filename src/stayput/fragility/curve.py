@@ -1,4 +1,4 @@
-"""A fragility curve: the probability of falling over an intensity, fitted by maximum likelihood."""
+"""Fragility curves by isotonic regression: the probability of falling over an intensity."""
 
 from __future__ import annotations
 
@@ -8,18 +8,13 @@ from enum import StrEnum
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.special import ndtr
 
 from stayput.errors import within
-from stayput.fragility.capacity import (
-    Capacity,
-    bracketed_capacity,
-    fitted_capacity,
-    unknown_capacity,
-)
-from stayput.fragility.observed import Level, observed_levels
-from stayput.fragility.probabilities import student
-from stayput.fragility.probit import derivatives, fit, information, separated, solved
+from stayput.fragility.capacity import Capacity, capacity_of, unknown_capacity
+from stayput.fragility.isotonic import Isotonic
+from stayput.fragility.lognormal import LognormalFit, lognormal
+from stayput.fragility.trials import Level, observed_levels
+from stayput.wording import counted
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -27,12 +22,8 @@ if TYPE_CHECKING:
     from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.fragility.trials import Trials
 
-
-_DECISIVE = 1e-6
-"""Share of the information's determinant that must be left without any one motion."""
-
-_UNKNOWN = 1e12
-"""Variance of a parameter that is not known."""
+METHOD = "isotonic"
+"""How every curve is fitted, as data and texts say it."""
 
 
 class State(StrEnum):
@@ -48,7 +39,7 @@ class State(StrEnum):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FragilityCurve:
-    """The probability of falling p = Φ((u − μ)/β), with u the intensity I or the logarithm of a peak.
+    """The probability of falling over an intensity, by isotonic regression; see `stayput.fragility.isotonic`.
 
     Parameters
     ----------
@@ -57,19 +48,21 @@ class FragilityCurve:
     trials : Trials
         What it was fitted to.
     state : State
-        Whether there is a curve; what follows is NaN where there is none.
-    ab, covariance : ndarray, shapes (2,), (2, 2)
-        Parameters of p = Φ(a + b u), and their covariance.
+        Whether there is a curve; its probability is NaN where there is none.
     levels : tuple of Level
         Observed shares, from the weakest level to the strongest.
+    rising : Isotonic
+        The rising shares nearest to them, and their band.
+    lognormal : LognormalFit, optional
+        The lognormal curve for loss tools, and whether it fits; none where there is no curve.
     """
 
     name: str
     trials: Trials
     state: State
-    ab: NDArray[np.float64]
-    covariance: NDArray[np.float64]
     levels: tuple[Level, ...] = field(repr=False)
+    rising: Isotonic = field(repr=False)
+    lognormal: LognormalFit | None = None
 
     @property
     def measure(self) -> IntensityMeasure:
@@ -77,46 +70,36 @@ class FragilityCurve:
         return self.trials.measure
 
     @property
-    def median(self) -> float:
-        """Parameter θ [SI], or μ of an intensity. It may lie outside what was run: `capacity` never does."""
-        return float(self.measure.value(-self.ab[0] / self.ab[1]))
+    def one_motion(self) -> bool:
+        """Whether all runs are of one motion: there is no band then, since nothing is known of others."""
+        return self.trials.one_motion
 
-    @property
-    def dispersion(self) -> float:
-        """Parameter β: standard deviation of the logarithm of the peak, or of the intensity, at falling."""
-        return float(1.0 / self.ab[1])
-
-    @property
-    def dispersion_interval(self) -> tuple[float, float]:
-        """95 % interval of β."""
-        half = self._quantile * math.sqrt(self.covariance[1, 1])
-        slope = float(self.ab[1])
-        return 1.0 / (slope + half), 1.0 / (slope - half) if slope > half else math.inf
-
-    @property
-    def log_dispersion(self) -> float:
-        """Standard deviation of the logarithm of the shaking: β of a peak, β ln(10)/2 of an intensity."""
-        return self.dispersion * (0.5 * math.log(10.0) if self.measure.is_logarithm else 1.0)
-
-    @property
-    def _quantile(self) -> float:
-        motion = self.trials.motion
-        return student(round(float(self.trials.runs.sum())) if motion is None else int(motion.max()) + 1)
-
-    def _linear(self, im: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        u = self.measure.coordinate(im)
-        v = self.covariance
-        variance = v[0, 0] + 2.0 * u * v[0, 1] + u * u * v[1, 1]
-        return self.ab[0] + self.ab[1] * u, self._quantile * np.sqrt(np.maximum(variance, 0.0))
+    def grid(self, points: int) -> NDArray[np.float64]:
+        """Return intensities [SI], shape (points,), evenly spread over the levels as the curve is drawn."""
+        u = self.rising.u
+        return self.measure.value(np.linspace(float(u[0]), float(u[-1]), points))
 
     def probability(self, im: ArrayLike) -> NDArray[np.float64]:
-        """Return the probability of falling at intensities [SI]."""
-        return ndtr(self._linear(im)[0])
+        """Return the probability of falling at intensities [SI]; NaN outside what was run."""
+        u = self._inside(im)
+        return self.rising.at(u) if self.state is State.FITTED else np.full(u.shape, math.nan)
 
     def band(self, im: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return the ends of the 95 % interval of the probability at each intensity [SI]."""
-        middle, half = self._linear(im)
-        return ndtr(middle - half), ndtr(middle + half)
+        """Return the ends of the 95 % interval of the probability at each intensity [SI].
+
+        They are NaN outside what was run, and where there is one motion only.
+        """
+        u = self._inside(im)
+        if self.state is not State.FITTED or self.one_motion:
+            return np.full(u.shape, math.nan), np.full(u.shape, math.nan)
+        return self.rising.band(u)
+
+    def _inside(self, im: ArrayLike) -> NDArray[np.float64]:
+        """Return coordinates; those that rounding has put just outside the levels are put on their ends."""
+        u, ends = self.measure.coordinate(im), self.rising.u
+        near = 1e-9 * max(float(ends[-1] - ends[0]), 1e-300)
+        clipped = np.clip(u, ends[0], ends[-1])
+        return np.where(np.abs(u - clipped) <= near, clipped, u)
 
     def capacity(self, share: float = 0.5) -> Capacity:
         """Return the intensity at which a share of the pieces falls.
@@ -126,25 +109,25 @@ class FragilityCurve:
         InputError
             A share that is not between 0.001 and 0.999.
         """
-        share = within("Share", share, 1e-3, 1.0 - 1e-3)
-        if self.state is State.FITTED:
-            return fitted_capacity(self.trials, share, self.ab, self.covariance, self._quantile)
+        share = within("fragility.share", share, 1e-3, 1.0 - 1e-3)
         if self.state is State.NO_TREND:
-            return unknown_capacity(self.trials, share)
-        return bracketed_capacity(self.trials, self.levels, share)
-
-    @property
-    def misfit(self) -> float:
-        """Largest difference between an observed share and the curve."""
-        return max(
-            abs(level.probability.estimate - float(self.probability(level.im))) for level in self.levels
-        )
+            return unknown_capacity(self.measure, share, self.one_motion)
+        return capacity_of(self.measure, self.rising, share, self.one_motion)
 
     @property
     def text(self) -> str:
-        """What the runs say, in a sentence."""
+        """The result in a sentence or two."""
+        alone = (
+            " One motion tells nothing of how motions scatter: there are no intervals."
+            if self.one_motion
+            else ""
+        )
+        return self._told + alone
+
+    @property
+    def _told(self) -> str:
         measure = self.measure
-        runs, first, last = f"{int(self.trials.runs.sum())} runs", self.levels[0], self.levels[-1]
+        runs, first, last = counted(int(self.trials.runs.sum()), "run"), self.levels[0], self.levels[-1]
         if self.state is State.FITTED:
             return f"Half fall at {measure.key} {self.capacity(0.5).text}, 10 % at {self.capacity(0.1).text}."
         if self.state is State.NONE_FELL:
@@ -157,18 +140,14 @@ class FragilityCurve:
             )
         if self.state is State.ABRUPT:
             return (
-                "No level has falls and a higher one runs that stood, so there is no curve: "
+                "All stand up to a level and all fall from the next on, so there is no curve: "
                 f"half fall at {measure.key} {self.capacity(0.5).text}."
             )
         return f"The share of falls does not grow with {measure.key} in {runs}, so there is no curve."
 
 
 def fragility_curve(trials: Trials, name: str = "") -> FragilityCurve:
-    """Fit a fragility curve by maximum likelihood.
-
-    Runs of one motion are alike, so the covariance of the parameters is that of the jackknife over the
-    motions, to first order (MacKinnon, Nielsen and Webb 2023); without motions it is the inverse of the
-    observed information.
+    """Fit a fragility curve by isotonic regression.
 
     Parameters
     ----------
@@ -180,73 +159,31 @@ def fragility_curve(trials: Trials, name: str = "") -> FragilityCurve:
     Returns
     -------
     FragilityCurve
-        Its ``state`` says whether there is a curve.
+        Its ``state`` says whether there is a curve, its ``lognormal`` whether loss tools can be given one.
 
     Examples
     --------
     >>> from stayput.fragility import PGA, Trials
-    >>> curve = fragility_curve(Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 20, 36], [40, 40, 40]))
-    >>> round(curve.median, 3), round(curve.dispersion, 3)
-    (4.0, 0.541)
+    >>> curve = fragility_curve(Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40]))
+    >>> curve.capacity(0.5).text
+    '4.17 m/s² (3.22 to 5.23)'
+    >>> curve.lognormal.text
+    'A lognormal curve fits: median 4.07 m/s², dispersion 0.541 (p = 0.82, at most 1 points off).'
     """
-    u = trials.measure.coordinate(trials.im)
     levels = observed_levels(trials)
-    fell, stood = trials.fell[np.newaxis], (trials.runs - trials.fell)[np.newaxis]
-    state = _state(u, fell, stood)
-    nothing = np.full(2, np.nan), np.full((2, 2), np.nan)
-    if state is not State.FITTED:
-        return FragilityCurve(name, trials, state, *nothing, levels)
-    middle, spread = float(u.mean()), float(u.std())
-    v = (u - middle) / spread
-    ab = fit(v, fell, stood)
-    if not ab[0, 1] > 0.0:
-        return FragilityCurve(name, trials, State.NO_TREND, *nothing, levels)
-    slope, curvature = derivatives(v, fell, stood, ab)
-    covariance = _covariance(v, slope[0], curvature[0], trials.motion)
-    # from v to u: b_u = b_v / spread, a_u = a_v − b_u middle
-    turn = np.array([[1.0, -middle / spread], [0.0, 1.0 / spread]])
-    in_u = np.einsum("ij,jk,lk->il", turn, covariance, turn)
-    return FragilityCurve(name, trials, state, np.einsum("ij,j->i", turn, ab[0]), in_u, levels)
+    rising = Isotonic.of(trials.measure, levels)
+    state = _state(trials, rising.share)
+    wanted = state is State.FITTED and not trials.one_motion
+    return FragilityCurve(name, trials, state, levels, rising, lognormal(trials, levels) if wanted else None)
 
 
-def _determinant(matrices: NDArray[np.float64]) -> NDArray[np.float64]:
-    return matrices[:, 0, 0] * matrices[:, 1, 1] - matrices[:, 0, 1] * matrices[:, 1, 0]
-
-
-def _state(u: NDArray[np.float64], fell: NDArray[np.float64], stood: NDArray[np.float64]) -> State:
-    if fell.sum() == 0.0:
+def _state(trials: Trials, share: NDArray[np.float64]) -> State:
+    if not trials.fell.any():
         return State.NONE_FELL
-    if stood.sum() == 0.0:
+    if (trials.fell == trials.runs).all():
         return State.ALL_FELL
-    if u.min() == u.max():
+    if len(share) == 1:
         return State.ONE_LEVEL
-    (first_fall,), (last_fall,), (first_stand,), (last_stand,) = separated(u, fell, stood)
-    if last_stand <= first_fall:
-        return State.ABRUPT
-    return State.NO_TREND if last_fall <= first_stand else State.FITTED
-
-
-def _covariance(
-    v: NDArray[np.float64],
-    slope: NDArray[np.float64],
-    curvature: NDArray[np.float64],
-    motion: NDArray[np.intp] | None,
-) -> NDArray[np.float64]:
-    """Return the covariance of (a, b): without motions H⁻¹; with them (M − 1)/M Σ δ δᵀ, δ = (H − H_m)⁻¹ s_m.
-
-    H is the information, H_m and s_m a motion's part of it and its score; δ is the change of (a, b) when
-    the motion is left out, by one step of Newton's. Where all hangs on one motion it is as good as infinite.
-    """
-    whole = information(v, curvature[np.newaxis])
-    if motion is None:
-        (p, q), (_, r) = whole[0].tolist()
-        return np.array([[r, -q], [-q, p]]) / (p * r - q * q)
-    terms = (slope, slope * v, curvature, curvature * v, curvature * v * v)
-    s_a, s_b, h_aa, h_ab, h_bb = (np.bincount(motion, term).astype(np.float64) for term in terms)
-    part = np.stack((h_aa, h_ab, h_ab, h_bb), axis=1).reshape(-1, 2, 2)
-    left = whole - part
-    if _determinant(left).min() < _DECISIVE * float(_determinant(whole)[0]):
-        return np.diag((_UNKNOWN, _UNKNOWN))
-    change = solved(left, np.stack((s_a, s_b), axis=1))
-    count = len(change)
-    return (count - 1.0) / count * np.einsum("mi,mj->ij", change, change)
+    if share[0] == share[-1]:
+        return State.NO_TREND
+    return State.FITTED if ((share > 0.0) & (share < 1.0)).any() else State.ABRUPT

@@ -1,4 +1,4 @@
-"""What a fragility curve is drawn against."""
+"""Intensity measures, over which fragility curves are drawn."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
+from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -30,6 +32,8 @@ class IntensityMeasure:
     is_logarithm : bool
         Whether it is a logarithm of the shaking already, as an intensity is. A curve is then normal in it;
         otherwise it is lognormal.
+    period : float, optional
+        Period of a spectral acceleration [s]; none of another measure.
     """
 
     key: str
@@ -37,11 +41,17 @@ class IntensityMeasure:
     unit: str
     shown: float = 1.0
     is_logarithm: bool = False
+    period: float | None = None
 
     @property
     def label(self) -> str:
         """Name and unit, as for an axis."""
         return f"{self.name} [{self.unit}]" if self.unit else self.name
+
+    @property
+    def least(self) -> float:
+        """Lower bound of the values: 0 of a peak, −∞ of an intensity."""
+        return -np.inf if self.is_logarithm else 0.0
 
     def coordinate(self, im: ArrayLike) -> NDArray[np.float64]:
         """Return the coordinate u in which a curve is normal: the intensity I, or ln of a peak."""
@@ -70,8 +80,10 @@ class IntensityMeasure:
         values = np.array(im, np.float64)
         good = np.isfinite(values) & (self.is_logarithm | (values > 0.0))
         if not good.all():
-            allowed = "a finite number" if self.is_logarithm else "larger than 0"
-            raise InputError(f"A value of {self.key} is {values[~good][0]:g}; it must be {allowed}.")
+            allowed = phrase("fragility.finite_number" if self.is_logarithm else "fragility.above_zero")
+            raise InputError(
+                "fragility.bad_intensity", measure=self.key, value=values[~good][0], allowed=allowed
+            )
         return values
 
 
@@ -90,5 +102,12 @@ PFA = IntensityMeasure("PFA", "peak floor acceleration", "m/s²")
 PFV = IntensityMeasure("PFV", "peak floor velocity", "cm/s", 100.0)
 """Peak velocity of the floor that the body stands on [m/s], shown in cm/s."""
 
+
+def spectral_acceleration(period: float) -> IntensityMeasure:
+    """Return Sa at a period [s]: 5 % damping, geometric mean of the horizontal components, shown in g."""
+    name = f"spectral acceleration at {period:g} s"
+    return IntensityMeasure(f"Sa_{period:g}", name, "g", 1.0 / STANDARD_GRAVITY, period=period)
+
+
 INTENSITY_MEASURES = {measure.key: measure for measure in (JMA_INTENSITY, PGA, PGV, PFA, PFV)}
-"""All of them by key."""
+"""The measures that fragility curves are drawn against, by key."""

@@ -1,9 +1,9 @@
 """Fragility curves as OpenQuake's fragility model, NRML 0.5.
 
-Over a peak they are its continuous functions, lognormal and given by mean and standard deviation of the
-peak itself, not of its logarithm (OpenQuake manual, fragility models). Over JMA's intensity, in which a
-curve is normal, they are its discrete functions: probabilities at levels. OpenQuake has no measure of a
-floor's motion, so curves over one are refused.
+Over a peak a lognormal that fits is written as a continuous function, given by mean and standard deviation
+of the peak itself, not of its logarithm (OpenQuake manual, fragility models). Over JMA's intensity, and where
+no lognormal fits, the curve is written as a discrete function: its probabilities at the levels. OpenQuake has
+no measure of a floor's motion, so curves over one are refused.
 """
 
 from __future__ import annotations
@@ -12,18 +12,18 @@ import math
 import xml.etree.ElementTree as ET
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from stayput.errors import InputError
 from stayput.files import check_target, draft
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PGA, PGV
 from stayput.fragility.labels import identifiers
+from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
     from stayput.fragility.curve import FragilityCurve
+    from stayput.fragility.lognormal import LognormalFit
 
 NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
 """Namespace of the format."""
@@ -31,20 +31,16 @@ NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
 LIMIT_STATE = "overturned"
 """The one limit state."""
 
-_STANDARD_GRAVITY = 9.80665
-
 MEASURES = {
-    PGA.key: ("PGA", 1.0 / _STANDARD_GRAVITY),
+    PGA.key: ("PGA", 1.0 / STANDARD_GRAVITY),
     PGV.key: ("PGV", 100.0),
     JMA_INTENSITY.key: ("JMA", 1.0),
 }
 """Name, and number in OpenQuake's unit (g, cm/s) over the SI number, of each measure that it has."""
 
 _REACH = 4.0
-"""Dispersions on both sides of the median over which a curve is written; beyond, OpenQuake keeps its ends."""
-
-_LEVELS = 65
-"""Levels of a discrete function, an eighth of a dispersion apart."""
+"""Dispersions on both sides of the median over which a lognormal is written; beyond, OpenQuake keeps its
+ends."""
 
 
 def lognormal_moments(median: float, dispersion: float) -> tuple[float, float]:
@@ -60,16 +56,22 @@ def nrml_xml(curves: Sequence[FragilityCurve], description: str = "") -> str:
     root = ET.Element(_tag("nrml"))
     about = {"id": "stayput", "assetCategory": "contents", "lossCategory": "contents"}
     model = ET.SubElement(root, _tag("fragilityModel"), about)
-    told = description or "Overturning of furniture, simulated by stayput"
-    ET.SubElement(model, _tag("description")).text = told.encode("ascii", "replace").decode("ascii")
+    text = description or "Overturning of furniture, simulated by stayput"
+    ET.SubElement(model, _tag("description")).text = text.encode("ascii", "replace").decode("ascii")
     ET.SubElement(model, _tag("limitStates")).text = LIMIT_STATE
     for name, curve in zip(names, curves, strict=True):
         if curve.measure.key not in MEASURES:
             raise InputError(
-                f"The curve {curve.name!r} is over {curve.measure.key}; in NRML it must be over "
-                f"{', '.join(MEASURES)}."
+                "fragility.not_in_nrml",
+                name=repr(curve.name),
+                measure=curve.measure.key,
+                allowed=", ".join(MEASURES),
             )
-        (_add_discrete if curve.measure.is_logarithm else _add_lognormal)(model, name, curve)
+        fitted = curve.lognormal
+        if fitted is not None and fitted.fits and not curve.measure.is_logarithm:
+            _add_lognormal(model, name, fitted)
+        else:
+            _add_discrete(model, name, curve)
     ET.indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, encoding="unicode") + "\n"
 
@@ -78,7 +80,7 @@ def _tag(name: str) -> str:
     return f"{{{NAMESPACE}}}{name}"
 
 
-def _add_lognormal(model: ET.Element, name: str, curve: FragilityCurve) -> None:
+def _add_lognormal(model: ET.Element, name: str, curve: LognormalFit) -> None:
     imt, factor = MEASURES[curve.measure.key]
     median, beta = curve.median * factor, curve.dispersion
     mean, deviation = lognormal_moments(median, beta)
@@ -94,14 +96,12 @@ def _add_lognormal(model: ET.Element, name: str, curve: FragilityCurve) -> None:
 
 
 def _add_discrete(model: ET.Element, name: str, curve: FragilityCurve) -> None:
-    imt, _ = MEASURES[curve.measure.key]
-    z = np.linspace(-_REACH, _REACH, _LEVELS)
-    levels = curve.median + curve.dispersion * z
-    levels = levels[levels > 0.0]
+    imt, factor = MEASURES[curve.measure.key]
+    levels = [level.im * factor for level in curve.levels]
     function = ET.SubElement(model, _tag("fragilityFunction"), {"id": name, "format": "discrete"})
-    ends = {"imt": imt, "noDamageLimit": f"{levels[0]:.6f}"}
-    ET.SubElement(function, _tag("imls"), ends).text = " ".join(f"{level:.6f}" for level in levels)
-    shares = " ".join(f"{p:.6f}" for p in curve.probability(levels))
+    ends = {"imt": imt, "noDamageLimit": f"{levels[0]:.6g}"}
+    ET.SubElement(function, _tag("imls"), ends).text = " ".join(f"{level:.6g}" for level in levels)
+    shares = " ".join(f"{p:.6f}" for p in curve.rising.share)
     ET.SubElement(function, _tag("poes"), {"ls": LIMIT_STATE}).text = shares
 
 
@@ -111,7 +111,7 @@ def write_nrml(curves: Sequence[FragilityCurve], path: str | Path, description: 
     Parameters
     ----------
     curves : sequence of FragilityCurve
-        Fitted curves with different names, over PGA, PGV or JMA's intensity.
+        Fitted curves of several motions with different names, over PGA, PGV or JMA's intensity.
     path : str or Path
         The file, whose name ends in .xml.
     description : str
@@ -120,8 +120,8 @@ def write_nrml(curves: Sequence[FragilityCurve], path: str | Path, description: 
     Raises
     ------
     InputError
-        A curve that is not fitted or is over a floor's motion, names that are alike, or a path that cannot
-        be written.
+        A curve that is not fitted, is of one motion or is over a floor's motion, names that are alike, or a
+        path that cannot be written.
     """
     text = nrml_xml(curves, description)
     with draft(check_target(path, (".xml",))) as unfinished:

@@ -1,7 +1,8 @@
 """Fragility curves as a component library of pelicun, the tool for FEMA P-58 assessments.
 
 Format: pelicun's damage model parameters (its ``fragility.csv``), one component a row, whose single limit
-state LS1 is the fall. Names of demands and units are those of pelicun 3.10 and its model library.
+state LS1 is the fall. A limit state is lognormal there (normal in JMA's intensity), so only curves that
+are so too can be written. Names of demands and units are those of pelicun 3.10 and its model library.
 """
 
 from __future__ import annotations
@@ -10,9 +11,12 @@ import csv
 import io
 from typing import TYPE_CHECKING
 
+from stayput.catalogue import phrase
+from stayput.errors import InputError
 from stayput.files import check_target, draft
 from stayput.fragility.intensity_measures import JMA_INTENSITY, PFA, PFV, PGA, PGV
 from stayput.fragility.labels import identifiers
+from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,11 +43,9 @@ JMA_DEMAND = "JMA Instrumental Intensity"
 JMA_OPTION = {JMA_DEMAND: {"Acronym": "JMA", "UnitType": "unitless"}}
 """What that option must hold for curves over JMA's intensity."""
 
-_STANDARD_GRAVITY = 9.80665
-
 DEMANDS = {
-    PGA.key: ("Peak Ground Acceleration", "g", 1.0 / _STANDARD_GRAVITY),
-    PFA.key: ("Peak Floor Acceleration", "g", 1.0 / _STANDARD_GRAVITY),
+    PGA.key: ("Peak Ground Acceleration", "g", 1.0 / STANDARD_GRAVITY),
+    PFA.key: ("Peak Floor Acceleration", "g", 1.0 / STANDARD_GRAVITY),
     PGV.key: ("Peak Ground Velocity", "cmps", 100.0),
     PFV.key: ("Peak Floor Velocity", "cmps", 100.0),
     JMA_INTENSITY.key: (JMA_DEMAND, "unitless", 1.0),
@@ -57,10 +59,14 @@ def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(HEADER)
     for name, curve in zip(identifiers(curves), curves, strict=True):
+        found = curve.lognormal
+        if found is None or not found.fits:
+            fit = phrase("fragility.no_lognormal") if found is None else found.text
+            raise InputError("fragility.not_lognormal", name=repr(curve.name), fit=fit)
         demand, unit, factor = DEMANDS[curve.measure.key]
         # Theta_1 of "lognormal" is the standard deviation of the logarithm, of "normal_std" that of the value
         family = "normal_std" if curve.measure.is_logarithm else "lognormal"
-        parameters = (family, repr(curve.median * factor), repr(curve.dispersion))
+        parameters = (family, repr(found.median * factor), repr(found.dispersion))
         writer.writerow((name, 0, demand, unit, 0, 1, *parameters))
     return text.getvalue()
 
@@ -73,14 +79,15 @@ def write_pelicun(curves: Sequence[FragilityCurve], path: str | Path) -> None:
     Parameters
     ----------
     curves : sequence of FragilityCurve
-        Fitted curves with different names, over any measures.
+        Curves that a lognormal fits, with different names, over any measures.
     path : str or Path
         The file, whose name ends in .csv.
 
     Raises
     ------
     InputError
-        A curve that is not fitted, names that are alike, or a path that cannot be written.
+        A curve that is not fitted, is of one motion or that no lognormal fits, names that are alike, or a
+        path that cannot be written.
     """
     text = pelicun_csv(curves)
     with draft(check_target(path, (".csv",))) as unfinished:

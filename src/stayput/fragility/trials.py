@@ -1,14 +1,14 @@
-"""Counted falls over a measure of intensity, of any layout, as a list of cells."""
+"""Counted falls over an intensity measure, of any layout, as a list of cells, and shares by level."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.fragility.probabilities import checked_runs
+from stayput.fragility.probabilities import Probability, checked_runs, probability_of_counts
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,7 +33,7 @@ class Trials:
     level : ndarray of int, shape (cells,)
         Group in which a cell's observed fraction is shown.
     motion : ndarray of int, shape (cells,), optional
-        Motion of each cell, where the cells of a motion are alike; None where all runs are independent.
+        Motion of each cell, since the runs of a motion are alike; None where all runs are independent.
     missing : int
         Runs that were given up; they are in no cell.
     """
@@ -49,6 +49,16 @@ class Trials:
     def __len__(self) -> int:
         return len(self.im)
 
+    @property
+    def motions(self) -> int:
+        """How many motions there are; 0 where all runs are independent, and each has its own."""
+        return 0 if self.motion is None else int(self.motion.max()) + 1
+
+    @property
+    def one_motion(self) -> bool:
+        """Whether all runs are of one motion, so that they tell nothing of how motions scatter."""
+        return self.motions == 1
+
     @classmethod
     def from_runs(
         cls, measure: IntensityMeasure, im: ArrayLike, fallen: ArrayLike, missing: ArrayLike | None = None
@@ -60,7 +70,8 @@ class Trials:
         measure : IntensityMeasure
             What ``im`` is.
         im : array_like, shape (levels,) or (levels, motions)
-            Intensity of the levels, or of each motion at each level [SI].
+            Intensity of the levels, or of each motion at each level [SI]. Where the levels overlap, the
+            observed fractions are those of as many groups of about equal size.
         fallen : array_like of bool, shape (levels, motions, samples)
             Whether it fell.
         missing : array_like of bool, same shape, optional
@@ -75,12 +86,18 @@ class Trials:
         values = measure.checked(im)
         if values.shape not in (fell.shape[:1], fell.shape[:2]):
             raise InputError(
-                f"The shape of the intensities is {values.shape}; with runs of shape {fell.shape} it must be "
-                f"{fell.shape[:1]} or {fell.shape[:2]}."
+                "fragility.intensity_shape",
+                shape=str(values.shape),
+                runs=str(fell.shape),
+                levels=str(fell.shape[:1]),
+                motions=str(fell.shape[:2]),
             )
         if values.ndim == 1:
             values = np.repeat(values[:, np.newaxis], fell.shape[1], axis=1)
         level, motion = np.indices(values.shape)
+        if (values.max(axis=1)[:-1] >= values.min(axis=1)[1:]).any():
+            # levels of another measure than this one: motions of one level differ in it
+            level = _groups(values, len(values))
         counts = (fell & ~given_up).sum(axis=2), (~given_up).sum(axis=2)
         k, n = (each.ravel() for each in counts)
         lost = int(given_up.sum())
@@ -106,15 +123,11 @@ class Trials:
         """
         values, k, n = measure.checked(im), np.array(fell, np.float64), np.array(runs, np.float64)
         if not values.ndim == 1 <= len(values) or not values.shape == k.shape == n.shape:
-            raise InputError(
-                f"The shapes are {values.shape}, {k.shape}, {n.shape}; they must be lists of one length."
-            )
+            im_shape, fell_shape, runs_shape = (str(each.shape) for each in (values, k, n))
+            raise InputError("fragility.list_shapes", im=im_shape, fell=fell_shape, runs=runs_shape)
         bad = ~((k >= 0.0) & (k <= n) & (k == np.rint(k)) & (n == np.rint(n)))
         if bad.any():
-            raise InputError(
-                f"A level has {k[bad][0]:g} falls of {n[bad][0]:g} runs; it must have whole numbers, no more "
-                "falls than runs."
-            )
+            raise InputError("fragility.bad_counts", fell=k[bad][0], runs=n[bad][0])
         return cls._of_cells(measure, values, k, n, np.arange(len(values)), None)
 
     @classmethod
@@ -151,10 +164,10 @@ class Trials:
         fell, _ = checked_runs(fallen, None, 1)
         values = measure.checked(im)
         if values.shape != fell.shape or (motion is not None and len(motion) != len(fell)):
-            raise InputError(f"There are {len(fell)} runs; there must be an intensity and a motion for each.")
+            raise InputError("fragility.row_lengths", runs=len(fell))
         different, place = np.unique(values, return_inverse=True)
         if len(different) > groups:
-            place = (np.argsort(np.argsort(values, kind="stable"), kind="stable") * groups) // len(values)
+            place = _groups(values, groups)
         names = None
         if motion is not None:
             numbers: dict[object, int] = {}
@@ -174,11 +187,11 @@ class Trials:
     ) -> Trials:
         used = runs > 0
         if not used.any():
-            raise InputError("All runs were given up or there are none; a curve needs at least one run.")
+            raise InputError("fragility.no_runs")
         names = None
         if motion is not None:
-            different, names = np.unique(motion[used], return_inverse=True)
-            names = names.astype(np.intp) if len(different) > 1 else None
+            _, names = np.unique(motion[used], return_inverse=True)
+            names = names.astype(np.intp)
         return cls(
             measure,
             im[used],
@@ -188,3 +201,49 @@ class Trials:
             names,
             missing,
         )
+
+
+def _groups(values: NDArray[np.float64], groups: int) -> NDArray[np.intp]:
+    """Return the group of each value, of groups of about equal size."""
+    rank = np.argsort(np.argsort(values, axis=None, kind="stable"), kind="stable")
+    return ((rank * groups) // values.size).reshape(values.shape)
+
+
+@dataclass(frozen=True, slots=True)
+class Level:
+    """A group of cells of about one intensity.
+
+    Parameters
+    ----------
+    im, lowest, highest : float
+        Mean (of the logarithm, for a peak), smallest and largest intensity [SI].
+    probability : Probability
+        What was observed.
+    """
+
+    im: float
+    lowest: float
+    highest: float
+    probability: Probability
+
+
+def observed_levels(trials: Trials) -> tuple[Level, ...]:
+    """Return the levels of some trials, from the weakest to the strongest."""
+    found: list[Level] = []
+    u = trials.measure.coordinate(trials.im)
+    for number in np.unique(trials.level):
+        inside = trials.level == number
+        k, n = trials.fell[inside], trials.runs[inside]
+        if trials.motion is not None:
+            names = trials.motion[inside]
+            k, n = np.bincount(names, k), np.bincount(names, n)
+        else:
+            k, n = k.sum(keepdims=True), n.sum(keepdims=True)
+        middle = trials.measure.value(np.average(u[inside], weights=trials.runs[inside]))
+        ends = trials.im[inside].min(), trials.im[inside].max()
+        share = probability_of_counts(k, n)
+        if trials.motions > 1 == share.motions:
+            # the only one of the motions here says nothing of the others
+            share = replace(share, low=0.0, high=1.0)
+        found.append(Level(float(middle), float(ends[0]), float(ends[1]), share))
+    return tuple(sorted(found, key=lambda level: level.im))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from stayput.errors import InputError
+from stayput.extras import absent
 
 
 def arrow() -> Any:
@@ -18,7 +18,7 @@ def arrow() -> Any:
     try:
         import pyarrow
     except ImportError:
-        raise InputError("An assessment needs PyArrow; install stayput[inventory].") from None
+        raise absent("An assessment", "PyArrow", "inventory") from None
     return pyarrow
 
 

@@ -12,28 +12,34 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import stayput
-from stayput.ensemble.tasks import thread_count
+from stayput.catalogue import phrase
 from stayput.errors import InputError, within
+from stayput.execution import DaskExecutor, ThreadExecutor
+from stayput.extras import absent
 from stayput.inventory.arrow import arrow, dataset, parquet
 from stayput.inventory.city import read_cities
-from stayput.inventory.crews import Cluster, Threads
-from stayput.inventory.folder import MANIFEST, WORK, claimed, digest_of, durable, read_json, write_json
-from stayput.inventory.places import read_shakemap
-from stayput.inventory.plan import REJECTS, STORE, csv_text, make_plan
-from stayput.inventory.records import Flat
+from stayput.inventory.folder import MANIFEST, WORK, check_parts, claimed, digest_of
+from stayput.inventory.places import measure_about, read_shakemap
+from stayput.inventory.plan import REJECTS, STORE, make_plan
+from stayput.inventory.records import UNITS, Flat
 from stayput.inventory.report import report_html
-from stayput.inventory.results import PIECES, Writer
+from stayput.inventory.results import PIECES, Writer, part_names
 from stayput.inventory.store import Store
 from stayput.inventory.summary import COLUMNS, summarise
 from stayput.inventory.work import Work
+from stayput.inventory.workspace import read_json
+from stayput.montecarlo.counting import SLIDE_LIMIT
 from stayput.progress import bar
-from stayput.verification.compare import SLIDE_LIMIT
+from stayput.spreadsheets import csv_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
+    from stayput.catalogue import Phrase
+    from stayput.execution import Executor
     from stayput.inventory.city import Cities
     from stayput.inventory.summary import Summary
+    from stayput.inventory.workspace import Workspace
 
 MEMORY = 2 * 2**30
 """Memory that an assessment keeps below [bytes]."""
@@ -48,15 +54,15 @@ REPORT, SUMMARY = "report.html", ("summary.parquet", "summary.csv")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Assessment:
-    """What an assessment came to; the results lie in its folder.
+    """The result of an assessment; its tables are in its folder.
 
     Parameters
     ----------
     folder : Path
         Where they are.
     facts : dict
-        Rows, empty rows, pieces, rejects, choices (combinations of piece, measures, floor and event), units
-        (those of them that differ), how the table was read, columns that were not used.
+        Counts of rows, empty rows, pieces, rejects, choices (combinations of piece, measures, floor and
+        event) and units (the different ones among them), how the table was read, columns that were not used.
     summary : Summary
         Totals by event, building and storey, and the worst pieces.
     runs : int
@@ -132,7 +138,7 @@ def assess(
     progress : bool, optional
         Whether to draw bars on standard error; default on a terminal.
     say : callable, optional
-        Told in a sentence where the cluster's dashboard is, and when it has no worker.
+        Called with sentences: where the cluster's dashboard is, and when it has no worker.
 
     Raises
     ------
@@ -141,38 +147,49 @@ def assess(
         full; a cluster that is gone.
     """
     began = time.perf_counter()
-    limit, room = within("Slide limit", slide_limit, 0.0, 1e3, "m"), memory_of(memory)
+    limit, room = within("inventory.slide_limit", slide_limit, 0.0, 1e3, "m"), memory_of(memory)
     if scheduler is not None and client is not None:
-        raise InputError("A scheduler is given beside a client; it must be one of the two.")
+        raise InputError("inventory.scheduler_and_client", "scheduler")
     arrow()
     table, folder = Path(inventory), Path(out)
     if not table.is_file():
-        raise InputError(f"The inventory is {str(table)!r}; it must be a file.")
+        raise InputError("inventory.not_a_file", "inventory", path=repr(str(table)))
     grid = None if shakemap is None else Path(shakemap)
+    files = {"inventory": table} | ({} if grid is None else {"shake map": grid})
+    digests = {name: _digest(name, path) for name, path in files.items()}
     cities = read_cities(scenario, None if grid is None else read_shakemap(grid))
     inputs = {
-        "inventory": digest_of(table),
+        "inventory": digests["inventory"],
         "scenario": [city.digest for city in cities.all],
-        "shake map": None if grid is None else digest_of(grid),
+        "shake map": digests.get("shake map"),
         "slide limit": limit,
     }
-    with _full_disk(folder), claimed(folder, inputs) as work:
+
+    def still_the_same() -> None:
+        for name, path in files.items():
+            if _digest(name, path) != digests[name]:
+                raise InputError("inventory.changed", file=_called(name), path=repr(str(path)))
+
+    with _full_disk(folder), claimed(folder, inputs) as space:
         plan = digest_of_inputs(inputs)
         with bar(_rows_about(table), "Reading", progress, "rows") as tell:
-            facts = make_plan(work, table, cities, room // 16, tell)
-        store = Store(work / "plan" / STORE, room // 16)
+            facts = make_plan(space, table, cities, room // 16, tell, still_the_same)
+        check_parts(folder / PIECES, set(part_names(facts["parts"])))
+        store = Store(space.folder / "plan" / STORE, room // 16)
         try:
-            ready = Work(store, cities, work / "units", plan, slide_limit=limit, room_for_floors=room // 8)
+            ready = Work(store, cities, space, plan, slide_limit=limit, room_for_floors=room // 8)
             started = time.perf_counter()
             _simulate(ready, threads, scheduler, client, progress, say)
             simulating = time.perf_counter() - started
         finally:
             store.close()
-        told = _told(cities, limit, ready)
-        _write(folder, work, plan, facts, told, ready, progress)
-        summary = _sum_up(folder, work, facts, told)
+        manifest = _manifest(cities, limit, ready)
+        _write(folder, space, plan, facts, manifest, ready, progress)
+        summary = _sum_up(folder, space, facts, manifest)
         asked = read_json(folder / MANIFEST) or {}
-        write_json(folder / MANIFEST, {"inputs": asked["inputs"], "plan": facts, "assessment": told})
+        space.write_json(
+            folder / MANIFEST, {"inputs": asked["inputs"], "plan": facts, "assessment": manifest}
+        )
     return Assessment(folder, facts, summary, ready.runs, time.perf_counter() - began, simulating)
 
 
@@ -187,31 +204,47 @@ def memory_of(given: float | str) -> int:
     if isinstance(given, str):
         found = re.fullmatch(r"\s*([\d.]+)\s*([kmgt]?)(i?b)?\s*", given, re.IGNORECASE | re.ASCII)
         if found is None or found[1].count(".") > 1 or found[1] == ".":
-            raise InputError(f"The memory is {given!r}; it must be written like 2GB.")
+            raise InputError("inventory.memory_format", "memory", memory=repr(given))
         given = float(found[1]) * _UNITS[found[2].lower()]
-    return int(within("Memory", given, 2**28, 2**50, "bytes"))
+    return int(within("inventory.memory", given, 2**28, 2**50, "bytes"))
 
 
 def digest_of_inputs(inputs: dict[str, Any]) -> str:
-    """Return what tells a plan from others."""
+    """Return the digest that identifies a plan."""
     import hashlib
     import json
 
     return hashlib.sha256(json.dumps([inputs, stayput.__version__]).encode()).hexdigest()
 
 
+def _digest(name: str, path: Path) -> str:
+    try:
+        return digest_of(path)
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        raise InputError(
+            "inventory.unreadable", file=_called(name), path=repr(str(path)), reason=reason
+        ) from None
+
+
+def _called(name: str) -> Phrase:
+    """Return what a sentence calls an input: the inventory or the shake map."""
+    return phrase(f"inventory.the_{name.replace(' ', '_')}")
+
+
 @contextmanager
 def _full_disk(folder: Path) -> Generator[None]:
-    """Turn what the system says of a disk into a sentence."""
+    """Turn errors of the disk into an `InputError`."""
     import sqlite3
 
     try:
         yield
     except (OSError, sqlite3.OperationalError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
+        where = getattr(error, "filename2", None) or getattr(error, "filename", None)
+        at = phrase("inventory.at_path", path=repr(str(where))) if where else ""
         raise InputError(
-            f"The folder is {str(folder)!r}; it could not be written: {reason}. What is complete is kept, "
-            "and the same command goes on from it."
+            "inventory.unwritable", "out", folder=repr(str(folder)), reason=reason, at=at
         ) from error
 
 
@@ -242,51 +275,47 @@ def _simulate(
         return
     with (
         bar(work.left, "Simulating", progress, "units") as tell,
-        _crew(work, threads, scheduler, client, say) as crew,
+        _executor(threads, scheduler, client, say) as executor,
     ):
-        work.run(crew, tell, time.monotonic)
+        work.run(executor, tell, time.monotonic)
 
 
 @contextmanager
-def _crew(
-    work: Work, threads: int | None, scheduler: str | None, client: Any, say: Callable[[str], None] | None
-) -> Generator[Threads | Cluster]:
+def _executor(
+    threads: int | None, scheduler: str | None, client: Any, say: Callable[[str], None] | None
+) -> Generator[Executor]:
     if scheduler is None and client is None:
-        own = Threads(thread_count(threads), work.ground)
-        try:
-            yield own
-        finally:
-            own.close()
+        with ThreadExecutor(threads) as executor:
+            yield executor
         return
     try:
         from dask.distributed import Client
     except ImportError:
-        raise InputError("A cluster needs Dask; install stayput[cluster].") from None
+        raise absent("A cluster", "Dask", "cluster") from None
     made = None
     if client is None:
         try:
             client = made = Client(scheduler, timeout=CONNECTING, set_as_default=False)
         except (OSError, TimeoutError, ValueError) as error:
-            raise InputError(f"The scheduler is {scheduler!r}; it could not be reached: {error}.") from None
+            raise InputError(
+                "inventory.no_scheduler", "scheduler", scheduler=repr(scheduler), reason=str(error)
+            ) from None
     try:
         if say is not None:
             say(f"Dashboard of the cluster: {client.dashboard_link}")
-        crew = Cluster(client, work.ground, say)
-        try:
-            yield crew
-        finally:
-            crew.close()
+        with DaskExecutor(client, notify=say, cluster_lost="inventory.cluster_lost") as executor:
+            yield executor
     finally:
         if made is not None:
             made.close(timeout=5)
 
 
-def _told(cities: Cities, limit: float, work: Work) -> dict[str, Any]:
+def _manifest(cities: Cities, limit: float, work: Work) -> dict[str, Any]:
     strengths = _strengths(work)
     return {
         "version": stayput.__version__,
         "slide limit": limit,
-        "shake map": None if cities.shakemap is None else cities.strength.about,
+        "shake map": None if cities.shakemap is None else measure_about(cities.measure),
         "scenarios": [
             {
                 "name": city.name,
@@ -299,40 +328,42 @@ def _told(cities: Cities, limit: float, work: Work) -> dict[str, Any]:
                 "seed": one.seed,
                 "precision": one.precision,
             }
-            for city, one in zip(cities.all, work.samplings, strict=True)
+            for city, one in zip(cities.all, work.settings, strict=True)
         ],
     }
 
 
 def _write(
     folder: Path,
-    work: Path,
+    space: Workspace,
     plan: str,
     facts: dict[str, Any],
-    told: dict[str, Any],
+    manifest: dict[str, Any],
     ready: Work,
     progress: bool | None,
 ) -> None:
     import json
 
-    flat = Flat(work / "units.flat")
-    flat.gather(work / "units", plan, facts["units"])
-    about = {"stayput": json.dumps({"inputs": plan, **told}, sort_keys=True)}
-    with bar(facts["pieces"] * len(ready.cities.events), "Writing", progress, "rows") as tell:
-        Writer(folder, work, flat, about, _strengths(ready)).write(facts["parts"], tell)
-    flat.path.unlink()
+    flat = Flat(space.draft())
+    try:
+        flat.gather(space.folder / UNITS, plan, facts["units"])
+        about = {"stayput": json.dumps({"inputs": plan, **manifest}, sort_keys=True)}
+        with bar(facts["pieces"] * len(ready.cities.events), "Writing", progress, "rows") as tell:
+            Writer(folder, space, flat, about, _strengths(ready)).write(facts["parts"], tell)
+    finally:
+        flat.path.unlink(missing_ok=True)
     for name in REJECTS:
-        with durable(folder / name) as file, (work / "plan" / name).open("rb") as source:
+        with space.durable(folder / name) as file, (space.folder / "plan" / name).open("rb") as source:
             shutil.copyfileobj(source, file)
 
 
 def _strengths(work: Work) -> Callable[[str, float | None], tuple[float, float | None]]:
-    """Return what tells JMA's intensity, and Sa [g] from a map, of the ground of a scenario."""
+    """Return a function of a scenario and a map's level: JMA's intensity, and Sa [g], of the ground."""
     places = {city.name: n for n, city in enumerate(work.cities.all)}
-    period = work.cities.strength.period
+    period = work.cities.measure.period
 
     @lru_cache(maxsize=10_000)
-    def found(station: str, level: float | None) -> tuple[float, float | None]:
+    def strengths(station: str, level: float | None) -> tuple[float, float | None]:
         ground, shaking = work.ground(places[station]), work.cities.all[places[station]].scenario.shaking
         wanted = shaking.wanted_intensity if level is None else level
         if period is None and wanted is not None:
@@ -341,27 +372,28 @@ def _strengths(work: Work) -> Callable[[str, float | None], tuple[float, float |
         sa = None if period is None or level is None else 10.0**level
         return ground.median_intensity(factors), sa
 
-    return found
+    return strengths
 
 
-def _sum_up(folder: Path, work: Path, facts: dict[str, Any], told: dict[str, Any]) -> Summary:
+def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dict[str, Any]) -> Summary:
     pa, pq = arrow(), parquet()
 
     summary = summarise(folder / PIECES)
     rows = summary.rows()
-    kinds: list[Any] = [pa.string(), pa.string(), pa.int32(), pa.int64(), pa.int64(), *[pa.float64()] * 6]
+    whole, number = pa.int64(), pa.float64()
+    kinds: list[Any] = [pa.string(), pa.string(), pa.int32(), whole, whole, *[number] * 6, whole]
     schema = pa.schema(list(zip(COLUMNS, kinds, strict=True)))
     columns: list[Any] = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in COLUMNS]
-    with durable(folder / SUMMARY[0]) as file:
+    with space.durable(folder / SUMMARY[0]) as file:
         pq.write_table(pa.table(dict(zip(COLUMNS, columns, strict=True)), schema=schema), file)
-    with durable(folder / SUMMARY[1]) as file:
+    with space.durable(folder / SUMMARY[1]) as file:
         file.write(csv_text(list(COLUMNS), rows).encode())
     first: list[Any] = []
     for batch in pq.ParquetFile(folder / REJECTS[0]).iter_batches(20):
         first = batch.to_pylist()
         break
-    with durable(folder / REPORT) as file:
-        file.write(report_html(summary, facts, told, first).encode())
+    with space.durable(folder / REPORT) as file:
+        file.write(report_html(summary, facts, manifest, first).encode())
     return summary
 
 

@@ -1,13 +1,17 @@
-"""Cells of an inventory: what one may hold, and the sentence where it does not."""
+"""Cells of an inventory: reading them as text and numbers, and refusing what they may not hold."""
 
 from __future__ import annotations
 
 import math
 import re
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, within
+
+if TYPE_CHECKING:
+    from stayput.catalogue import Phrase
 
 LONGEST = 1000
 """Most characters of a cell."""
@@ -16,26 +20,26 @@ SHOWN = 40
 """Characters of a cell that a sentence shows."""
 
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ufeff]")
-"""What nobody sees, and what turns the order of other letters."""
+"""Control characters, invisible ones, and those that change the direction of the text."""
 
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 
 
 @dataclass(frozen=True, slots=True)
 class Unusable:
-    """A cell that can be nothing: a formula, a date, an error of the spreadsheet.
+    """A cell that cannot be used: a formula, a date, an error of the spreadsheet.
 
     Parameters
     ----------
-    what : str
+    what : Phrase
         What it is, with its article.
     """
 
-    what: str
+    what: Phrase
 
 
 Cell: TypeAlias = "str | float | int | Unusable | None"
-"""What a table gives: text, a number, nothing, or something that is of no use."""
+"""A cell of a table: text, a number, nothing, or something that cannot be used."""
 
 
 def plain(name: str, cell: Cell) -> str | float | int | None:
@@ -47,20 +51,20 @@ def plain(name: str, cell: Cell) -> str | float | int | None:
         A formula or the like, or a text that is too long or goes over several lines.
     """
     if isinstance(cell, Unusable):
-        raise InputError(f"{name} is {cell.what}; it must be a plain text or number.")
+        raise InputError("inventory.unusable", name, name=name, what=cell.what)
     if not isinstance(cell, str):
         return cell
     if not cell:
         return None
     if len(cell) > LONGEST:
-        raise InputError(f"{name} has {len(cell)} characters; it must have at most {LONGEST}.")
+        raise InputError("inventory.too_long", name, name=name, count=len(cell), most=LONGEST)
     text = cell.strip()
     if "\n" in text or "\r" in text:
-        raise InputError(f"{name} goes over several lines; it must be one line (is a quote missing?).")
+        raise InputError("inventory.several_lines", name, name=name)
     if _CONTROL.search(text) is not None:
-        raise InputError(f"{name} has a control character or an invisible one; it must be plain text.")
+        raise InputError("inventory.control_character", name, name=name)
     if text.startswith("="):
-        raise InputError(f"{name} is a formula; it must be a plain text or number.")
+        raise InputError("inventory.unusable", name, name=name, what=phrase("inventory.cell_formula"))
     return text or None
 
 
@@ -83,7 +87,7 @@ def text_of(name: str, cell: Cell, longest: int = 200) -> str | None:
         value = int(value)
     text = None if value is None else str(value)
     if text is not None and len(text) > longest:
-        raise InputError(f"{name} has {len(text)} characters; it must have at most {longest}.")
+        raise InputError("inventory.too_long", name, name=name, count=len(text), most=longest)
     return text
 
 
@@ -98,15 +102,25 @@ def number_of(name: str, cell: Cell, unit: str = "") -> float | None:
     value = plain(name, cell)
     if value is None:
         return None
-    allowed = f"it must be a plain number{f' in {unit}' if unit else ''}"
     if isinstance(value, str):
         if _NUMBER.fullmatch(value) is None:
-            hint = ", without its unit" if unit and re.match(r"[+-]?[\d.,]+\s*[^\d.,]+$", value) else ""
-            raise InputError(f"{name} is {shown(value)}; {allowed}{hint}.")
+            has_unit = bool(unit) and re.match(r"[+-]?[\d.,]+\s*[^\d.,]+$", value) is not None
+            raise _not_a_plain_number(name, shown(value), unit, has_unit)
         value = float(value)
     if not math.isfinite(value):
-        raise InputError(f"{name} is {value}; {allowed}.")
+        raise _not_a_plain_number(name, str(value), unit, False)
     return float(value)
+
+
+def _not_a_plain_number(name: str, value: str, unit: str, has_unit: bool) -> InputError:
+    return InputError(
+        "inventory.not_plain_number",
+        name,
+        name=name,
+        value=value,
+        unit=phrase("inventory.in_unit", unit=unit) if unit else "",
+        hint=phrase("inventory.without_unit") if has_unit else "",
+    )
 
 
 def whole_of(name: str, cell: Cell, low: int, high: int) -> int | None:
@@ -121,8 +135,8 @@ def whole_of(name: str, cell: Cell, low: int, high: int) -> int | None:
     if value is None:
         return None
     if not value.is_integer():
-        raise InputError(f"{name} is {value:g}; it must be a whole number.")
-    return int(within(name, value, low, high))
+        raise InputError("inventory.not_whole", name, name=name, value=value)
+    return int(within(name, value, low, high, field=name))
 
 
 def numbers_of(name: str, cell: Cell, unit: str = "", most: int = 100) -> tuple[float, ...]:
@@ -138,9 +152,8 @@ def numbers_of(name: str, cell: Cell, unit: str = "", most: int = 100) -> tuple[
         return ()
     parts = value.split(";") if isinstance(value, str) else [value]
     if len(parts) > most:
-        raise InputError(f"{name} has {len(parts)} numbers; it must have at most {most}.")
+        raise InputError("inventory.too_many_numbers", name, name=name, count=len(parts), most=most)
     found = [number_of(name, part, unit) for part in parts]
-    missing = InputError(f"{name} is {shown(value)}; between its semicolons there must be numbers.")
-    if any(one is None for one in found):
-        raise missing
-    return tuple(one for one in found if one is not None)
+    if any(number is None for number in found):
+        raise InputError("inventory.missing_number", name, name=name, value=shown(value))
+    return tuple(number for number in found if number is not None)

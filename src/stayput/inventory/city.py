@@ -12,20 +12,20 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 
 from pydantic import ValidationError
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
+from stayput.fragility import JMA_INTENSITY
 from stayput.inventory.places import distances
-from stayput.inventory.strength import JMA
 from stayput.scenario import Scenario
 from stayput.scenario.fields import Table, Text, between
-from stayput.scenario.messages import sentence_of
-from stayput.scenario.reading import scenario_table
-from stayput.scenario.writing import scenario_toml
+from stayput.scenario.messages import refusal_of
+from stayput.scenario.toml import read_toml
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from stayput.fragility import IntensityMeasure
     from stayput.inventory.places import ShakeMap
-    from stayput.inventory.strength import Strength
     from stayput.motion.suites import Suite
     from stayput.scenario.building import BuildingTable
 
@@ -71,8 +71,8 @@ class City:
 
     @cached_property
     def digest(self) -> str:
-        """What tells it from others: the scenario, its buildings and the samples of its motions."""
-        found = hashlib.sha256(scenario_toml(self.scenario).encode())
+        """Digest of the scenario, its buildings and the samples of its motions."""
+        found = hashlib.sha256(self.scenario.to_toml().encode())
         place = None if self.station is None else self.station.model_dump()
         tables = {name: table.model_dump() for name, table in sorted(self.buildings.items())}
         found.update(json.dumps([self.name, place, tables]).encode())
@@ -84,7 +84,7 @@ class City:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Event:
+class Earthquake:
     """One earthquake: a scenario for all pieces, or the stations of which each piece takes the nearest.
 
     Parameters
@@ -108,7 +108,7 @@ class Cities:
     """All scenarios of an assessment."""
 
     all: tuple[City, ...]
-    events: tuple[Event, ...]
+    events: tuple[Earthquake, ...]
     shakemap: ShakeMap | None = None
 
     @cached_property
@@ -124,23 +124,21 @@ class Cities:
         for city in self.all:
             for name, table in city.buildings.items():
                 if found.setdefault(name, table) != table:
-                    raise InputError(
-                        f"The building {name!r} is another one in {city.name}; it must be the same."
-                    )
+                    raise InputError("inventory.other_building", name=repr(name), scenario=city.name)
         return found
 
     @property
-    def strength(self) -> Strength:
-        """What says how strong the ground shakes: the map's measure, else JMA's intensity."""
-        return JMA if self.shakemap is None else self.shakemap.strength
+    def measure(self) -> IntensityMeasure:
+        """What levels of the ground are of: the map's measure, else JMA's intensity."""
+        return JMA_INTENSITY if self.shakemap is None else self.shakemap.measure
 
     @property
     def needs_places(self) -> bool:
         """Whether each piece needs a latitude and a longitude."""
         return self.shakemap is not None or any(event.lats for event in self.events)
 
-    def met(self, lat: float | None, lon: float | None) -> list[tuple[Event, int, float | None]]:
-        """Return what a piece meets: each event, its scenario there, and a level from a map.
+    def events_at(self, lat: float | None, lon: float | None) -> list[tuple[Earthquake, int, float | None]]:
+        """Return the events at a place: each with its scenario there, and a level from a map.
 
         Raises
         ------
@@ -151,9 +149,9 @@ class Cities:
             return [(event, event.stations[0], None) for event in self.events]
         if lat is None or lon is None:
             name = "lat" if lat is None else "lon"
-            raise InputError(f"{name} is missing; it must be given where there are stations or a shake map.")
+            raise InputError("inventory.place_missing", name, name=name)
         level = None if self.shakemap is None else self.shakemap.at(lat, lon)
-        found: list[tuple[Event, int, float | None]] = []
+        found: list[tuple[Earthquake, int, float | None]] = []
         for event in self.events:
             near = int(distances(lat, lon, event.lats, event.lons).argmin()) if event.lats else 0
             found.append((event, event.stations[near], level))
@@ -174,12 +172,12 @@ def read_cities(path: str | Path, shakemap: ShakeMap | None = None) -> Cities:
     place = Path(path)
     files = sorted(place.glob("*.toml")) if place.is_dir() else [place]
     if not files:
-        raise InputError(f"The folder of scenarios is {str(place)!r}; it must hold files that end in .toml.")
+        raise InputError("inventory.no_scenarios", "scenario", path=repr(str(place)))
     cities = tuple(read_city(file) for file in files)
     located = [city for city in cities if city.station is not None]
     if located and len(located) < len(cities):
         other = next(city.name for city in cities if city.station is None)
-        raise InputError(f"{other}.toml has no [station], and others have one; all must have it or none.")
+        raise InputError("inventory.station_missing", "station", name=other)
     if shakemap is not None:
         _check_map(cities)
     return Cities(cities, _events(cities, place.stem), shakemap)
@@ -187,25 +185,23 @@ def read_cities(path: str | Path, shakemap: ShakeMap | None = None) -> Cities:
 
 def _check_map(cities: Sequence[City]) -> None:
     if len(cities) > 1 or cities[0].station is not None:
-        raise InputError(
-            "A shake map is given beside stations or several scenarios; it goes with one scenario."
-        )
+        raise InputError("inventory.map_beside_stations", "shakemap")
     if cities[0].scenario.shaking.scale is not None:
-        raise InputError("shaking.scale is given beside a shake map, which says how strong it shakes.")
+        raise InputError("inventory.scale_beside_map", "shaking.scale")
 
 
-def _events(cities: Sequence[City], folder: str) -> tuple[Event, ...]:
+def _events(cities: Sequence[City], folder: str) -> tuple[Earthquake, ...]:
     if cities[0].station is None:
-        return tuple(Event(city.name, (place,)) for place, city in enumerate(cities))
+        return tuple(Earthquake(city.name, (place,)) for place, city in enumerate(cities))
     groups: dict[str, list[int]] = {}
     for place, city in enumerate(cities):
         assert city.station is not None
         groups.setdefault(city.station.event or folder, []).append(place)
-    found: list[Event] = []
+    found: list[Earthquake] = []
     for name, places in groups.items():
         tables = [table for place in places if (table := cities[place].station) is not None]
         lats, lons = tuple(one.lat for one in tables), tuple(one.lon for one in tables)
-        found.append(Event(name, tuple(places), lats, lons))
+        found.append(Earthquake(name, tuple(places), lats, lons))
     return tuple(found)
 
 
@@ -217,29 +213,32 @@ def read_city(file: Path) -> City:
     InputError
         What is wrong, after the file's name.
     """
+    data = dict(read_toml(file))
     try:
-        data = dict(scenario_table(file))
         buildings, station = data.pop("buildings", {}), data.pop("station", None)
         data.setdefault("furniture", ANY)
         scenario = Scenario.parse(data, file.parent)
         if scenario.contact != "coulomb":
-            raise InputError(f'The contact is "{scenario.contact}"; an assessment needs "coulomb".')
+            raise InputError(
+                "verification.needs_coulomb",
+                "contact",
+                contact=scenario.contact,
+                what=phrase("verification.an_assessment"),
+            )
         if not isinstance(buildings, dict):
-            raise InputError("buildings is not a table; it must be one of [buildings.NAME].")
+            raise InputError("inventory.buildings_not_a_table", "buildings")
         tables = cast("dict[str, object]", buildings)
         named = {name: building_table(f"buildings.{name}", one) for name, one in tables.items()}
         return City(file.stem, scenario, named, None if station is None else _station(station))
     except InputError as error:
-        said = str(error)
-        raise InputError(said if said.startswith("The scenario file") else f"{file.name}: {said}") from None
+        raise error.at(file.name) from None
 
 
 def _station(table: object) -> StationTable:
     try:
         return StationTable.model_validate(table)
     except ValidationError as error:
-        said = sentence_of(error.errors(), StationTable.model_json_schema())
-        raise InputError(f"station.{said}") from None
+        raise refusal_of(error.errors(), StationTable.model_json_schema(), "station") from None
 
 
 def building_table(name: str, table: object) -> BuildingTable:
@@ -261,7 +260,7 @@ def building_table(name: str, table: object) -> BuildingTable:
     try:
         building = Scenario.parse({"furniture": ANY, "shaking": shaking}).shaking.building
     except InputError as error:
-        raise InputError(str(error).replace("shaking.building", name)) from None
+        raise error.renamed("shaking.building", name) from None
     assert building is not None
     return building
 

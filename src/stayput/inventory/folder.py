@@ -1,27 +1,36 @@
-"""The folder of an assessment: whose it is, who works in it, and files that are whole or not there."""
+"""The folder of an assessment: which inputs it belongs to, its lock, and foreign files in it."""
 
 from __future__ import annotations
 
 import hashlib
-import json
-import os
-import secrets
-import shutil
+import re
 from contextlib import contextmanager
-from typing import IO, TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import stayput
+from stayput.catalogue import phrase
 from stayput.errors import InputError
+from stayput.inventory.workspace import (
+    BEGUN,
+    DRAFTS,
+    JOURNAL,
+    OWN,
+    Workspace,
+    entries,
+    in_the_way,
+    read_json,
+    recorded,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Mapping
     from pathlib import Path
 
-FORMAT = 2
+FORMAT = 3
 """Changes with the files' layout or meaning."""
 
-MANIFEST = "manifest.json"
-WORK = "work"
+MANIFEST, CLAIM = "manifest.json", "claim.json"
+WORK, LOCK = "work", ".lock"
 
 
 def digest_of(path: Path) -> str:
@@ -31,61 +40,11 @@ def digest_of(path: Path) -> str:
 
 
 @contextmanager
-def durable(path: Path) -> Generator[IO[bytes]]:
-    """Give a file to write; whole and on the disk it takes its name, else it is removed.
+def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Workspace]:
+    """Create the folder with its parents, or open it again, and lock it against other processes.
 
-    A process that is killed may leave one behind whose name begins with a dot: `sweep` removes it.
-    """
-    draft = path.with_name(f".{path.name}-{secrets.token_hex(4)}")
-    try:
-        with draft.open("wb") as file:
-            yield file
-            file.flush()
-            os.fsync(file.fileno())
-        draft.replace(path)
-        sync_folder(path.parent)
-    finally:
-        draft.unlink(missing_ok=True)
-
-
-def sync_folder(folder: Path) -> None:
-    """Bring a folder's names to the disk, where the system can."""
-    if os.name != "posix":
-        return
-    descriptor = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
-
-
-def write_json(path: Path, content: Mapping[str, Any]) -> None:
-    """Write a mapping as JSON, whole or not at all."""
-    with durable(path) as file:
-        file.write((json.dumps(content, indent=2, sort_keys=True) + "\n").encode())
-
-
-def read_json(path: Path) -> dict[str, Any] | None:
-    """Return what a JSON file says, or None where it is not there or not whole."""
-    try:
-        found: Any = json.loads(path.read_bytes())
-    except (OSError, ValueError):
-        return None
-    return cast("dict[str, Any]", found) if isinstance(found, dict) else None
-
-
-def sweep(folder: Path) -> None:
-    """Remove what killed processes left of files that they had begun."""
-    for path in sorted(folder.rglob(".*-????????")):
-        if path.is_dir():
-            shutil.rmtree(path)
-        else:
-            path.unlink(missing_ok=True)
-
-
-@contextmanager
-def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Path]:
-    """Make the folder, with those that it lies in, or take it up again; nobody else works in it meanwhile.
+    What the assessment is of stands in the manifest and, once more, in the work folder: where one of the
+    two is damaged or gone the other holds.
 
     Parameters
     ----------
@@ -102,42 +61,99 @@ def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Path]:
     for path in (folder, *folder.parents):
         if path.exists() and not path.is_dir():
             raise InputError(
-                f"The folder is {str(folder)!r}; it must be a folder, and {str(path)!r} is a file."
+                "inventory.folder_is_file", "out", folder=repr(str(folder)), path=repr(str(path))
             )
     folder.mkdir(parents=True, exist_ok=True)
+    _refuse_strangers(folder)  # before the lock, which would be a file in somebody else's folder
+    _inputs_before(folder)
     with _locked(folder):
+        _refuse_strangers(folder)
+        _refuse_what_is_in_the_way(folder)
         asked = {"format": FORMAT, "version of stayput": stayput.__version__, **inputs}
-        path = folder / MANIFEST
-        found = read_json(path)
-        if found is None:
-            strange = [one.name for one in folder.iterdir() if not one.name.startswith(".")]
-            if strange:
-                told = f"holds {strange[0]!r} and no assessment"
-                raise InputError(f"The folder {str(folder)!r} {told}; it must be empty or new.")
-            write_json(path, {"inputs": asked})
-        elif (before := found.get("inputs")) != asked:
-            told = cast("dict[str, Any]", before) if isinstance(before, dict) else {}
-            other = next((name for name in asked if told.get(name) != asked[name]), "list of inputs")
-            raise InputError(
-                f"The folder {str(folder)!r} holds an assessment of another {other}; "
-                "give the same one, or another folder."
-            )
+        before = _inputs_before(folder)
+        if before is not None and before != asked and _holds_results(folder):
+            other = next((name for name in asked if before.get(name) != asked[name]), "list of inputs")
+            other = phrase(f"inventory.input_{other.replace(' ', '_')}")
+            raise InputError("inventory.other_assessment", "out", folder=repr(str(folder)), other=other)
         (folder / WORK).mkdir(exist_ok=True)
-        sweep(folder)
-        yield folder / WORK
+        space = Workspace(folder / WORK)
+        for path in (folder / WORK / CLAIM, folder / MANIFEST):
+            said = read_json(path)
+            if said is None or said.get("inputs") != asked:
+                space.write_json(path, {"inputs": asked})
+        yield space
+
+
+def check_parts(folder: Path, names: set[str]) -> None:
+    """Refuse parts of results that are not among those of the plan: they would be read as results."""
+    if folder.is_dir():
+        for path in sorted(folder.glob("*.parquet")):
+            if path.name not in names:
+                raise in_the_way(folder, path.name)
+
+
+def _refuse_strangers(folder: Path) -> None:
+    """Refuse a folder without an assessment that holds more than the remains of a killed one."""
+    if (folder / MANIFEST).exists() or (folder / WORK / CLAIM).exists():
+        return
+    found = list(entries(folder, OWN))
+    tokens = recorded(folder / WORK / JOURNAL)  # after the drafts: each had its token there before
+    for entry in found:
+        if not BEGUN.fullmatch(entry) or not _is_left_of_ours(folder, entry, tokens):
+            name = entry.rstrip("/@")
+            raise InputError("inventory.strangers", "out", folder=repr(str(folder)), name=repr(name))
+
+
+def _refuse_what_is_in_the_way(folder: Path) -> None:
+    """Refuse entries that have the name of one of our files but another kind, or would be read as ours.
+
+    Files that somebody put beside the results are left alone.
+    """
+    for entry in entries(folder, OWN):
+        name = entry.rstrip("/@")
+        read = entry.startswith((f"{WORK}/plan/", "pieces/")) and not name.rpartition("/")[2].startswith(".")
+        if not OWN.fullmatch(entry) and (read or OWN.fullmatch(name) or OWN.fullmatch(f"{name}/")):
+            raise in_the_way(folder, entry)
+
+
+def _is_left_of_ours(folder: Path, entry: str, tokens: frozenset[str]) -> bool:
+    if entry == LOCK:
+        return (folder / entry).stat().st_size == 0
+    draft = re.match(rf"{WORK}/{DRAFTS}/(.+?)-", entry)
+    return draft is None or draft[1] in tokens
+
+
+def _inputs_before(folder: Path) -> dict[str, Any] | None:
+    """Return the inputs of the assessment in the folder, or None where the folder is new."""
+    said = (read_json(folder / MANIFEST), read_json(folder / WORK / CLAIM))
+    for one in said:
+        if one is not None and isinstance(inputs := one.get("inputs"), dict):
+            return cast("dict[str, Any]", inputs)
+    if (folder / MANIFEST).exists():
+        raise InputError("inventory.damaged_manifest", "out", folder=repr(str(folder)), manifest=MANIFEST)
+    return None
+
+
+def _holds_results(folder: Path) -> bool:
+    """Return whether there are results of the inputs; there are none where the table was refused."""
+    return not (folder / WORK / CLAIM).exists() or any(
+        (folder / name).exists() for name in (f"{WORK}/plan", "pieces", "report.html")
+    )
 
 
 @contextmanager
 def _locked(folder: Path) -> Generator[None]:
-    """Keep other processes out; the system gives the lock back when this one ends, however it ends."""
+    """Lock the folder against other processes; the system releases the lock when this one ends."""
     try:
         import fcntl
     except ImportError:  # pragma: no cover - not on this system
         yield
         return
-    with (folder / ".lock").open("ab") as file:
+    if (folder / LOCK).is_symlink():
+        raise in_the_way(folder, f"{LOCK}@")
+    with (folder / LOCK).open("ab") as file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
-            raise InputError(f"Another command is at work in {str(folder)!r}; wait until it ends.") from None
+            raise InputError("inventory.at_work", "out", folder=repr(str(folder))) from None
         yield

@@ -1,23 +1,74 @@
-"""Where pieces stand: the nearest station, and how strong a shake map says that the ground shakes there."""
+"""Places of an inventory: the nearest station, and shake maps."""
 
 from __future__ import annotations
 
 import csv
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, within
-from stayput.inventory.strength import Strength
+from stayput.fragility import JMA_INTENSITY, spectral_acceleration
+from stayput.montecarlo.hazard import level_of
+from stayput.motion.spectrum import DAMPING
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from numpy.typing import ArrayLike, NDArray
 
+    from stayput.fragility import IntensityMeasure
+
 PLACE = ("lat", "lon")
 LIMITS = ((-90.0, 90.0, "°"), (-180.0, 360.0, "°"))
+
+PERIODS = (0.01, 10.0)
+"""Shortest and longest period of an Sa [s]."""
+
+_SA = re.compile(r"sa_(\d{1,2}(?:\.\d{1,4})?)", re.ASCII)
+
+
+def measure_of(column: str) -> IntensityMeasure | None:
+    """Return the measure of a map's column, "intensity" or "sa_0.3", or None where it is another column.
+
+    Raises
+    ------
+    InputError
+        A period out of range.
+    """
+    if column == "intensity":
+        return JMA_INTENSITY
+    matched = _SA.fullmatch(column)
+    if matched is None:
+        return None
+    period = float(matched[1])
+    if not PERIODS[0] <= period <= PERIODS[1]:
+        low, high = PERIODS
+        raise InputError("inventory.period", column=repr(column), period=period, low=low, high=high)
+    return spectral_acceleration(period)
+
+
+def _value_limits(measure: IntensityMeasure) -> tuple[float, float, str]:
+    """Return the smallest and the largest value of a measure in a map, and their unit."""
+    return (-3.0, 9.0, "") if measure.period is None else (1e-6, 10.0, "g")
+
+
+def steps_of(measure: IntensityMeasure) -> int:
+    """Return into how many steps maps round a level: 0.1 of intensity, 1/40 of a decade of Sa."""
+    return 10 if measure.period is None else 40
+
+
+def measure_about(measure: IntensityMeasure) -> str:
+    """Return what a map's measure is, in words."""
+    if measure.period is None:
+        return "JMA intensity, rounded to 0.1"
+    return (
+        f"Sa at {measure.period:g} s, {100.0 * DAMPING:g} % damping, geometric mean of the horizontal "
+        "components, rounded by at most 3 %"
+    )
 
 
 def distances(lat: float, lon: float, lats: ArrayLike, lons: ArrayLike) -> NDArray[np.float64]:
@@ -38,19 +89,19 @@ def distances(lat: float, lon: float, lats: ArrayLike, lons: ArrayLike) -> NDArr
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ShakeMap:
-    """How strongly the ground shakes at places.
+    """A shake map: levels of the ground's shaking at places.
 
     Parameters
     ----------
-    strength : Strength
-        What is told.
+    measure : IntensityMeasure
+        What it maps: JMA's intensity or a spectral acceleration.
     lats, lons : ndarray
         Of a grid its latitudes and longitudes, both increasing; else of each place [°].
     levels : ndarray
-        Its levels; shape (lats, lons) on a grid, else (places,).
+        Its levels (see `stayput.montecarlo.hazard`); shape (lats, lons) on a grid, else (places,).
     """
 
-    strength: Strength
+    measure: IntensityMeasure
     lats: NDArray[np.float64]
     lons: NDArray[np.float64]
     levels: NDArray[np.float64]
@@ -64,12 +115,14 @@ class ShakeMap:
             The place lies outside the map.
         """
         for name, value, of in (("lat", lat, self.lats), ("lon", lon, self.lons)):
-            within(f"{name} on the shake map", value, float(of.min()), float(of.max()), "°")
+            called = phrase("inventory.on_the_map", name=name)
+            within(called, value, float(of.min()), float(of.max()), "°", name)
         if self.levels.ndim == 1:
-            found = float(self.levels[np.argmin(distances(lat, lon, self.lats, self.lons))])
+            level = float(self.levels[np.argmin(distances(lat, lon, self.lats, self.lons))])
         else:
-            found = self._bilinear(lat, lon)
-        return self.strength.rounded(found)
+            level = self._bilinear(lat, lon)
+        steps = steps_of(self.measure)
+        return round(level * steps) / steps
 
     def _bilinear(self, lat: float, lon: float) -> float:
         (i, u), (j, v) = _cell(self.lats, lat), _cell(self.lons, lon)
@@ -97,50 +150,49 @@ def read_shakemap(path: Path) -> ShakeMap:
             nothing: list[str] = []
             first: list[str] = next(reader, nothing)
             header = [name.strip().lower() for name in first]
-            strength, column = _strength(header)
+            measure, column = _measure(header)
             columns = [header.index(name) for name in (*PLACE, column)]
             for number, row in enumerate(reader, 2):
                 if any(cell.strip() for cell in row):
-                    lat, lon, value = _checked(number, row, columns, column, strength)
-                    before, _ = rows.setdefault((lat, lon), (number, strength.level(value)))
+                    lat, lon, value = _checked(number, row, columns, column, measure)
+                    before, _ = rows.setdefault((lat, lon), (number, level_of(measure, value)))
                     if before != number:
                         raise InputError(
-                            f"Row {number} of the shake map is at {lat:g}°, {lon:g}°, as row {before} is; "
-                            "each place must be there once."
+                            "inventory.map_place_twice", row=number, lat=lat, lon=lon, before=before
                         )
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
-        raise InputError(f"The shake map is {str(path)!r}; it could not be read: {reason}.") from None
+        file = phrase("inventory.the_shake_map")
+        raise InputError("inventory.unreadable", file=file, path=repr(str(path)), reason=reason) from None
     except (UnicodeDecodeError, csv.Error):
-        raise InputError(f"The shake map is {str(path)!r}; it must be CSV, a text in UTF-8.") from None
+        raise InputError("inventory.map_not_csv", "shakemap", path=repr(str(path))) from None
     if not rows:
-        raise InputError(f"The shake map is {str(path)!r}; it must have at least one place.")
+        raise InputError("inventory.map_empty", "shakemap", path=repr(str(path)))
     lat, lon = np.array(list(rows)).T
     levels = np.array([level for _, level in rows.values()])
     lats, lons = np.unique(lat), np.unique(lon)
     if min(len(lats), len(lons)) < 2 or len(lats) * len(lons) != len(rows):
-        return ShakeMap(strength, lat, lon, levels)
+        return ShakeMap(measure, lat, lon, levels)
     grid = np.empty((len(lats), len(lons)))
     grid[np.searchsorted(lats, lat), np.searchsorted(lons, lon)] = levels
-    return ShakeMap(strength, lats, lons, grid)
+    return ShakeMap(measure, lats, lons, grid)
 
 
-def _strength(header: list[str]) -> tuple[Strength, str]:
-    told = [(found, name) for name in header if (found := Strength.of(name)) is not None]
-    if len(told) != 1 or sorted(header) != sorted((*PLACE, told[0][1])):
-        raise InputError(
-            f"The shake map has the columns {', '.join(header) or 'of an empty file'}; they must be lat, lon "
-            "and one of intensity (JMA's) and sa_T, Sa [g] at 5 % damping at a period T [s], such as sa_0.3."
-        )
-    return told[0]
+def _measure(header: list[str]) -> tuple[IntensityMeasure, str]:
+    measures = [(measure, name) for name in header if (measure := measure_of(name)) is not None]
+    if len(measures) != 1 or sorted(header) != sorted((*PLACE, measures[0][1])):
+        columns = ", ".join(header) or phrase("inventory.of_an_empty_file")
+        raise InputError("inventory.map_columns", "shakemap", columns=columns)
+    return measures[0]
 
 
 def _checked(
-    number: int, row: list[str], columns: list[int], name: str, strength: Strength
+    number: int, row: list[str], columns: list[int], name: str, measure: IntensityMeasure
 ) -> tuple[float, ...]:
     if len(row) != len(columns):
-        raise InputError(f"Row {number} of the shake map has {len(row)} cells; it must have {len(columns)}.")
+        raise InputError("inventory.map_cells", row=number, cells=len(row), columns=len(columns))
+    limits = (*LIMITS, _value_limits(measure))
     return tuple(
-        within(f"{told} in row {number} of the shake map", row[place], *limits)  # type: ignore[arg-type]
-        for told, place, limits in zip((*PLACE, name), columns, (*LIMITS, strength.limits), strict=True)
+        within(phrase("inventory.in_row_of_the_map", name=column, row=number), row[place], *limit)  # type: ignore[arg-type]
+        for column, place, limit in zip((*PLACE, name), columns, limits, strict=True)
     )

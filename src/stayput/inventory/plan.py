@@ -1,23 +1,22 @@
-"""From the table to a plan on disk: rows that are checked, rejects with their reasons, units of work."""
+"""The plan of an assessment on disk: checked rows, rejects with their reasons, simulation units."""
 
 from __future__ import annotations
 
 import csv
-import io
 import os
-import secrets
-import shutil
 from contextlib import closing
 from typing import TYPE_CHECKING, Any, Self
 
 from stayput.errors import InputError
 from stayput.inventory.arrow import arrow, parquet
 from stayput.inventory.cells import Unusable
-from stayput.inventory.folder import digest_of, read_json, sync_folder, write_json
+from stayput.inventory.folder import digest_of
 from stayput.inventory.header import header_of
-from stayput.inventory.pieces import Reader
+from stayput.inventory.items import RowReader
 from stayput.inventory.store import Store
 from stayput.inventory.tables import open_table
+from stayput.inventory.workspace import read_json, remove, sync_folder
+from stayput.spreadsheets import harmless
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -26,7 +25,8 @@ if TYPE_CHECKING:
     from stayput.inventory.cells import Cell
     from stayput.inventory.city import Cities
     from stayput.inventory.header import Header
-    from stayput.inventory.pieces import Piece
+    from stayput.inventory.items import Item
+    from stayput.inventory.workspace import Workspace
 
 IN_A_PART = 20_000
 """Rows of the inventory in a part of the results."""
@@ -34,7 +34,7 @@ IN_A_PART = 20_000
 REJECTS = ("rejects.parquet", "rejects.csv")
 ROWS, STORE, SUMS = "rows", "plan.sqlite", "sums.json"
 
-_TELL = 2000  # rows between words of progress
+_TELL = 2000  # rows between updates of the progress bar
 
 
 def schema() -> Any:
@@ -57,8 +57,16 @@ def schema() -> Any:
             ("options", pa.list_(pa.string())),
             ("costs", pa.list_(pa.float64())),
             ("units", pa.list_(pa.int64())),
+            ("not_possible", not_possible()),
         ]
     )
+
+
+def not_possible() -> Any:
+    """Return the type of the sets of measures that cannot be put in place: their names, and why not."""
+    pa = arrow()
+
+    return pa.list_(pa.struct([("name", pa.string()), ("reason", pa.string())]))
 
 
 class Rejects:
@@ -78,21 +86,23 @@ class Rejects:
 
     def add(self, row: int, name: object, reason: str) -> None:
         """Add a row."""
-        told = "" if name is None or isinstance(name, Unusable) else str(name)[:200]
-        self.waiting.append((row, told, reason))
+        identifier = "" if name is None or isinstance(name, Unusable) else str(name)[:200]
+        self.waiting.append((row, identifier, reason))
         self.count += 1
         if len(self.waiting) >= IN_A_PART:
             self.flush()
 
     def flush(self) -> None:
-        """Write what waits."""
+        """Write the rows that are buffered."""
         pa = arrow()
 
         if not self.waiting:
             return
         columns = dict(zip(self.schema.names, map(list, zip(*self.waiting, strict=True)), strict=True))
         self.parquet.write_table(pa.table(columns, schema=self.schema))
-        self.lines.writerows([(row, _harmless(name), reason) for row, name, reason in self.waiting])
+        self.lines.writerows(
+            (row, harmless(" ".join(name.split())), harmless(reason)) for row, name, reason in self.waiting
+        )
         self.waiting.clear()
 
     def __enter__(self) -> Self:
@@ -109,66 +119,61 @@ class Rejects:
             self.text.close()
 
 
-def _harmless(text: str) -> str:
-    """Return a text that a spreadsheet does not take for a formula, on one line."""
-    plain = " ".join(text.split())
-    return f"'{plain}" if plain.startswith(("=", "+", "-", "@")) else plain
-
-
 def make_plan(
-    work: Path, inventory: Path, cities: Cities, cache: int, tell: Callable[[int], None]
+    space: Workspace,
+    inventory: Path,
+    cities: Cities,
+    cache: int,
+    tell: Callable[[int], None],
+    still_the_same: Callable[[], None] = lambda: None,
 ) -> dict[str, Any]:
-    """Read and check the whole inventory, once; return what is known of the plan.
+    """Read and check the whole inventory, once; return the facts of the plan.
 
-    A plan that is there already is taken if it is whole; a broken one is made again, with the same numbers,
-    so that what was simulated of it still holds.
+    An existing plan is used if it is complete; a damaged one is made again, with the same numbers of units,
+    so that what was simulated of it stays valid.
 
     Parameters
     ----------
-    work : Path
-        Folder of the plan.
+    space : Workspace
+        Where the plan goes.
     inventory : Path
         The table.
     cities : Cities
         The scenarios.
     cache : int
-        Bytes for the cache of the data base.
+        Bytes for the cache of the data base; four times as many are for the texts of a workbook.
     tell : callable
-        Told of rows that are read.
+        Called with the number of rows that were just read.
+    still_the_same : callable, optional
+        Called when all is read; raises where the table is no longer that which was asked for.
 
     Raises
     ------
     InputError
         A table that cannot be read, a wrong header, or no row.
     """
-    place = work / "plan"
+    place = space.folder / "plan"
     if place.exists() and not _is_whole(place):
-        broken = _draft_of(place)
-        place.replace(broken)
-        shutil.rmtree(broken)
+        remove(place)
     if not place.exists():
-        draft = _draft_of(place)
+        draft = space.draft()
         draft.mkdir()
         try:
             (draft / ROWS).mkdir()
             _fill(draft, inventory, cities, cache, tell)
-            write_json(draft / SUMS, _sums(draft))
+            still_the_same()
+            space.write_json(draft / SUMS, _sums(draft))
             for path in draft.rglob("*"):
                 if path.is_file():
                     with path.open("rb+") as file:
                         os.fsync(file.fileno())
             draft.replace(place)
-            sync_folder(work)
+            sync_folder(space.folder)
         finally:
             if draft.exists():
-                shutil.rmtree(draft)
+                remove(draft)
     with closing(Store(place / STORE)) as store:
         return store.facts()
-
-
-def _draft_of(place: Path) -> Path:
-    """Return a name beside a folder that is swept up if it is left behind."""
-    return place.with_name(f".{place.name}-{secrets.token_hex(4)}")
 
 
 def _sums(place: Path) -> dict[str, str]:
@@ -182,9 +187,9 @@ def _is_whole(place: Path) -> bool:
 
 
 def _fill(folder: Path, inventory: Path, cities: Cities, cache: int, tell: Callable[[int], None]) -> None:
-    reader = Reader(cities)
+    reader = RowReader(cities)
     seen = empty = parts = pieces = choices = 0
-    waiting: list[tuple[Piece, list[list[int]]]] = []
+    waiting: list[tuple[Item, list[list[int]]]] = []
 
     def flush() -> None:
         nonlocal parts
@@ -195,7 +200,7 @@ def _fill(folder: Path, inventory: Path, cities: Cities, cache: int, tell: Calla
 
     with closing(Store(folder / STORE, cache)) as store:
         store.begin()
-        with Rejects(folder) as rejects, open_table(inventory) as table:
+        with Rejects(folder) as rejects, open_table(inventory, 4 * cache) as table:
             header = header_of(table.header)
             for number, cells in table.rows:
                 seen += 1
@@ -204,17 +209,25 @@ def _fill(folder: Path, inventory: Path, cities: Cities, cache: int, tell: Calla
                 if not isinstance(cells, InputError) and all(cell in (None, "") for cell in cells):
                     empty += 1
                     continue
-                found = _checked(number, cells, header, reader, store, rejects)
-                if found is not None:
-                    units = [store.units_of(met) for met in found.met]
+                item = _checked(number, cells, header, reader, store, rejects)
+                if item is not None:
+                    units = [
+                        store.units_of(
+                            exposure.ground,
+                            exposure.storey,
+                            exposure.thing,
+                            [option.spec for option in exposure.options],
+                        )
+                        for exposure in item.exposures
+                    ]
                     choices += sum(map(len, units))
                     pieces += 1
-                    waiting.append((found, units))
+                    waiting.append((item, units))
                     if len(waiting) >= IN_A_PART:
                         flush()
             flush()
         if seen == empty:
-            raise InputError(f"The inventory is {str(inventory)!r}; it must have a row below its header.")
+            raise InputError("inventory.no_rows", "inventory", path=repr(str(inventory)))
         store.finish(
             {
                 "rows": seen,
@@ -234,29 +247,27 @@ def _checked(
     number: int,
     cells: list[Cell] | InputError,
     header: Header,
-    reader: Reader,
+    reader: RowReader,
     store: Store,
     rejects: Rejects,
-) -> Piece | None:
+) -> Item | None:
     name: Cell = None
     try:
         if isinstance(cells, InputError):
             raise cells
         place = header.places["id"]
         name = cells[place] if place < len(cells) else None
-        piece = reader.piece(number, header.cells(cells))
+        piece = reader.item(number, header.cells(cells))
         first = store.row_of(piece.id, number)
         if first != number:
-            raise InputError(
-                f"id is {piece.id!r}, which is that of row {first}; every row must have its own."
-            )
+            raise InputError("inventory.id_twice", "id", id=repr(piece.id), row=first)
     except InputError as error:
         rejects.add(number, name, str(error))
         return None
     return piece
 
 
-def _write_rows(path: Path, rows: list[tuple[Piece, list[list[int]]]], cities: Cities) -> None:
+def _write_rows(path: Path, rows: list[tuple[Item, list[list[int]]]], cities: Cities) -> None:
     pa, pq = arrow(), parquet()
 
     lines: Iterator[tuple[Any, ...]] = (
@@ -267,27 +278,19 @@ def _write_rows(path: Path, rows: list[tuple[Piece, list[list[int]]]], cities: C
             piece.value,
             piece.lat,
             piece.lon,
-            met.event,
-            cities.all[met.station].name,
-            met.level,
-            met.building,
-            None if met.building is None else met.storey,
-            [option.name for option in met.options],
-            list(piece.costs) or None,
+            exposure.event,
+            cities.all[exposure.station].name,
+            exposure.level,
+            exposure.building,
+            None if exposure.building is None else exposure.storey,
+            [option.name for option in exposure.options],
+            list(exposure.costs) or None,
             numbers,
+            [{"name": name, "reason": reason} for name, reason in exposure.impossible],
         )
         for piece, units in rows
-        for met, numbers in zip(piece.met, units, strict=True)
+        for exposure, numbers in zip(piece.exposures, units, strict=True)
     )
     columns = [list(column) for column in zip(*lines, strict=True)]
     table = pa.table(dict(zip(schema().names, columns, strict=True)), schema=schema())
     pq.write_table(table, path, compression="zstd")
-
-
-def csv_text(names: list[str], rows: list[list[Any]]) -> str:
-    """Return a table as CSV."""
-    text = io.StringIO()
-    lines = csv.writer(text)
-    lines.writerow(names)
-    lines.writerows([["" if cell is None else cell for cell in row] for row in rows])
-    return text.getvalue()

@@ -1,4 +1,4 @@
-"""What became of a unit of work, in numbers of a fixed size, and files of them that cannot be half there."""
+"""Outcomes of simulation units as records of a fixed size, in files that are checked by their digest."""
 
 from __future__ import annotations
 
@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.inventory.folder import durable
-from stayput.verification.verdict import EVENTS
+from stayput.montecarlo.counting import EVENTS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
     from numpy.typing import NDArray
+
+    from stayput.inventory.workspace import Workspace
 
 RECORD = np.dtype(
     [
@@ -33,15 +34,18 @@ RECORD = np.dtype(
 ESTIMATE, LOW, HIGH = range(3)
 MEDIAN, P90, MEAN = range(3)
 
+UNITS = "units"
+"""Folder of the records."""
+
 _SUM = 32  # bytes of SHA-256
 
 
-def write_records(folder: Path, records: NDArray[np.void], plan: str) -> Path:
+def write_records(space: Workspace, records: NDArray[np.void], plan: str) -> Path:
     """Write records to a file of their own, named by their content.
 
     Parameters
     ----------
-    folder : Path
+    space : Workspace
         Where.
     records : ndarray of RECORD
         The records.
@@ -50,14 +54,14 @@ def write_records(folder: Path, records: NDArray[np.void], plan: str) -> Path:
     """
     content = records.tobytes()
     total = hashlib.sha256(plan.encode() + content).digest()
-    path = folder / f"{total.hex()[:24]}.units"
-    with durable(path) as file:
+    path = space.folder / UNITS / f"{total.hex()[:24]}.units"
+    with space.durable(path) as file:
         file.write(content + total)
     return path
 
 
 def read_records(path: Path, plan: str) -> NDArray[np.void] | None:
-    """Return the records of a file, or None where it is not whole or belongs to another plan."""
+    """Return the records of a file, or None where it is incomplete or belongs to another plan."""
     content = path.read_bytes()
     body, total = content[:-_SUM], content[-_SUM:]
     if len(total) < _SUM or len(body) % RECORD.itemsize:
@@ -68,22 +72,20 @@ def read_records(path: Path, plan: str) -> NDArray[np.void] | None:
 
 
 def all_records(folder: Path, plan: str) -> Iterator[NDArray[np.void]]:
-    """Give the records of all whole files of a folder; others are removed."""
+    """Yield the records of all complete files of a folder."""
     for path in sorted(folder.glob("*.units")):
         found = read_records(path, plan)
-        if found is None:
-            path.unlink()
-        else:
+        if found is not None:
             yield found
 
 
 class Flat:
-    """The records of all units in one file, by their numbers, read without holding them all.
+    """One file with the records of all units by number, of which only the wanted ones are read into memory.
 
     Parameters
     ----------
     path : Path
-        The file.
+        The file; it is made.
     """
 
     def __init__(self, path: Path) -> None:
@@ -92,7 +94,7 @@ class Flat:
     def gather(self, folder: Path, plan: str, units: int) -> None:
         """Write the file from the records of a folder, of which every unit has one."""
         size = RECORD.itemsize
-        with durable(self.path) as file:
+        with self.path.open("xb") as file:
             file.truncate(units * size)
             for records in all_records(folder, plan):
                 ordered = records[np.argsort(records["unit"], kind="stable")]

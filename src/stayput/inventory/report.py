@@ -10,8 +10,10 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from stayput.fragility.probabilities import percent
+from stayput.inventory.items import NO_MEASURE
 from stayput.report.palette import INK, PAPER, rgb
 from stayput.report.verdict.svg import element, label
+from stayput.wording import counted
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -73,12 +75,12 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str) -
     parts: list[str] = []
     for j, storey in enumerate(storeys):
         y = TOP + ROW * j
-        told = f"{storey}F" if storey else "ground"
-        parts.append(label(LEFT - 8.0, y + 0.7 * ROW, told, "axis", "end"))
+        floor = f"{storey}F" if storey else "ground"
+        parts.append(label(LEFT - 8.0, y + 0.7 * ROW, floor, "axis", "end"))
         for i, building in enumerate(buildings):
             total = totals.get((building, storey))
             if total is not None:
-                where = f"{building or 'no building'}, {told}"
+                where = f"{building or 'no building'}, {floor}"
                 parts.append(_map_cell(LEFT + CELL * i, y, total, best, where))
     y = TOP + ROW * len(storeys) + 12.0
     for i, building in enumerate(buildings):
@@ -104,7 +106,7 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str) -
 
 
 def _by_number(name: str) -> list[tuple[bool, int, str]]:
-    """Return what sorts names with the numbers in them by size: 2 wood before 10 RC."""
+    """Return a sort key that takes the numbers in a name by size: 2 wood before 10 RC."""
     parts = re.findall(r"\d+|\D+", name)
     return [(not part.isdecimal(), int(part) if part.isdecimal() else 0, part) for part in parts]
 
@@ -118,12 +120,12 @@ def _storeys(there: set[int]) -> list[int]:
 def _map_cell(x: float, y: float, total: Total, best: bool, where: str) -> str:
     share = total.share_best if best else total.share
     fill = "#ffffff" if math.isnan(share) else colour(share)
-    told = "?" if math.isnan(share) else percent(share)
-    title = element("title", Markup.escape(f"{where}: {told} % of {total.pieces:,} pieces"))
+    text_shown = "?" if math.isnan(share) else percent(share)
+    title = element("title", Markup.escape(f"{where}: {text_shown} % of {counted(total.pieces, 'piece')}"))
     box = element("rect", title, x=x, y=y, width=CELL - 2.0, height=ROW - 2.0, fill=fill, class_="cell")
     text = element(
         "text",
-        told,
+        str(Markup.escape(text_shown)),
         x=x + 0.5 * CELL - 1.0,
         y=y + 0.68 * ROW,
         class_="share",
@@ -133,14 +135,21 @@ def _map_cell(x: float, y: float, total: Total, best: bool, where: str) -> str:
     return box + text
 
 
+def _share(value: float) -> str:
+    return "unknown" if math.isnan(value) else f"{percent(value)} %"
+
+
 def _amount(value: float | None) -> str:
     return "" if value is None else f"{value:,.0f}"
 
 
 def report_html(
-    summary: Summary, facts: Mapping[str, Any], told: Mapping[str, Any], rejects: Sequence[Mapping[str, Any]]
+    summary: Summary,
+    facts: Mapping[str, Any],
+    manifest: Mapping[str, Any],
+    rejects: Sequence[Mapping[str, Any]],
 ) -> str:
-    """Return the report.
+    """Return the report as HTML.
 
     Parameters
     ----------
@@ -148,7 +157,7 @@ def report_html(
         What the results come to.
     facts : mapping
         What is known of the plan.
-    told : mapping
+    manifest : mapping
         What the manifest says of the assessment.
     rejects : sequence
         The first rows that were not assessed.
@@ -177,11 +186,14 @@ def report_html(
     environment.filters["amount"] = _amount
     page = environment.get_template("report.html")
     return page.render(
+        counted=counted,
+        share=_share,
         maps=maps,
         worst=summary.worst,
         by_cost=any(row["best_by_cost"] is not None for row in summary.worst),
         facts=facts,
-        told=told,
+        manifest=manifest,
         rejects=rejects[:REJECTS_SHOWN],
+        no_measure=NO_MEASURE,
         ramp=[(share, colour(share), _ink(colour(share))) for share in (0.0, 0.25, 0.5, 0.75, 1.0)],
     )

@@ -1,4 +1,4 @@
-"""The results: one row a piece and event, in parts of Parquet that are whole or not there."""
+"""The results: Parquet files with a row for each piece and event, written atomically."""
 
 from __future__ import annotations
 
@@ -11,18 +11,20 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.inventory.arrow import arrow, parquet
-from stayput.inventory.folder import durable, read_json, write_json
-from stayput.inventory.pieces import NO_MEASURE
-from stayput.inventory.plan import ROWS
+from stayput.inventory.items import NO_MEASURE
+from stayput.inventory.plan import ROWS, not_possible
 from stayput.inventory.records import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90, Flat
-from stayput.verification.ranking import severity
-from stayput.verification.verdict import EVENTS, OVERTURNED
+from stayput.inventory.workspace import read_json
+from stayput.montecarlo.counting import EVENTS, OVERTURNED
+from stayput.verification.compare import severity
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
     from pathlib import Path
 
     from numpy.typing import NDArray
+
+    from stayput.inventory.workspace import Workspace
 
 PIECES = "pieces"
 GROUND = ("intensity", "sa")
@@ -40,9 +42,9 @@ def schema(metadata: Mapping[str, str]) -> Any:
 
     def chances(of: str) -> list[Any]:
         return [
-            number(f"{event}{end}", f"{told} {event.replace('_', ' ')}{of}")
+            number(f"{event}{end}", f"{about} {event.replace('_', ' ')}{of}")
             for event in EVENTS
-            for end, told in _ENDS
+            for end, about in _ENDS
         ]
 
     slides = [
@@ -77,22 +79,25 @@ def schema(metadata: Mapping[str, str]) -> Any:
         *(one for one in chances(", without a measure") if not one.name.startswith("device_failed")),
         *slides,
         number("expected_loss", "count · value · probability of overturning, without a measure"),
-        number("best", "the measure that lowers the risk most; none where none does", pa.string()),
+        number("best", "the measure that lowers the risk most; 'none' where none does", pa.string()),
         number("best_overturned", "probability of overturning with it"),
         number("best_overturned_low", "95 % interval from"),
         number("best_overturned_high", "95 % interval to"),
         number("risk_reduction", "probability of overturning without a measure less that with the best"),
         number("best_expected_loss", "count · value · probability of overturning with the best"),
-        number("best_by_cost", "the measure that is most worth its cost; none where none is", pa.string()),
+        number("best_by_cost", "the measure that is most worth its cost; 'none' where none is", pa.string()),
         number("best_by_cost_gain", "loss avoided less cost (with a value), or risk reduction per cost"),
         pa.field("options", pa.list_(option), metadata={"about": "each set of measures, none first"}),
+        number(
+            "not_possible", "sets of measures that cannot be put in place, with the reason", not_possible()
+        ),
     ]
     return pa.schema(fields, metadata=dict(metadata))
 
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """What is best of a row's options: its place, and by cost its place and gain."""
+    """The best of a row's options by risk, and by cost with its gain; options by their place."""
 
     best: int
     by_cost: int | None
@@ -104,8 +109,9 @@ def choose(
 ) -> Choice:
     """Choose among options, that without a measure first.
 
-    By risk: the order of `stayput.verification.ranking`; a measure that ranks no better than none is not
-    taken.
+    By risk: ranked by `stayput.verification.compare.severity`, where a piece that overturns is as bad as one
+    that also slid or hit a wall: the other events count only beyond the probability of overturning. A
+    measure that ranks no better than none is not taken: then none of them helps.
     By cost: with a value, the largest loss avoided less cost; else the largest fall of the probability of
     overturning for its cost.
 
@@ -121,9 +127,10 @@ def choose(
         Loss if a piece overturns.
     """
     shares = records["chances"][:, :, ESTIMATE]
+    beyond = np.fmax(shares, shares[:, [EVENTS.index(OVERTURNED)]])
     ranks = [
         severity({e: SimpleNamespace(estimate=p) for e, p in zip(EVENTS, row, strict=True)}, size)  # type: ignore[dict-item]
-        for row, size in zip(shares.tolist(), sizes, strict=True)
+        for row, size in zip(beyond.tolist(), sizes, strict=True)
     ]
     best = min(range(len(ranks)), key=lambda n: (ranks[n], n))
     if best and not ranks[best][:-1] < ranks[0][:-1]:
@@ -142,17 +149,24 @@ def choose(
     return Choice(best, place + 1, float(gains[place]))
 
 
+def part_names(parts: int) -> list[str]:
+    """Return the names of the parts of the results."""
+    return [f"part-{number:06d}.parquet" for number in range(parts)]
+
+
 class Writer:
     """Writes the parts of the results.
 
     Parameters
     ----------
-    folder, work : Path
-        Where results go, and where the plan is.
+    folder : Path
+        Where results go.
+    space : Workspace
+        Where the plan is.
     flat : Flat
         Outcomes of all units.
     metadata : mapping
-        What every part says of the assessment.
+        Metadata of every part.
     strengths : callable
         The numbers of `GROUND` of a scenario and a level from a map.
     """
@@ -160,39 +174,36 @@ class Writer:
     def __init__(
         self,
         folder: Path,
-        work: Path,
+        space: Workspace,
         flat: Flat,
         metadata: Mapping[str, str],
         strengths: Callable[[str, float | None], tuple[float, float | None]],
     ) -> None:
-        self.folder, self.work, self.flat = folder / PIECES, work, flat
+        self.folder, self.space, self.flat = folder / PIECES, space, flat
         self.schema = schema(metadata)
         self.strengths = strengths
         self.folder.mkdir(exist_ok=True)
-        (work / "sums").mkdir(exist_ok=True)
+        (space.folder / "sums").mkdir(exist_ok=True)
         self.options = [field.name for field in self.schema.field("options").type.value_type]
 
     def write(self, parts: int, tell: Callable[[int], None]) -> None:
-        """Write all parts that are not whole; remove what does not belong there."""
-        names = [f"part-{number:06d}.parquet" for number in range(parts)]
-        for strange in {path.name for path in self.folder.iterdir()} - set(names):
-            (self.folder / strange).unlink()
-        for name in names:
+        """Write all parts that are not complete yet."""
+        for name in part_names(parts):
             tell(self._part(name))
 
     def _part(self, name: str) -> int:
-        note = self.work / "sums" / f"{name}.json"
+        note = self.space.folder / "sums" / f"{name}.json"
         target = self.folder / name
         said = read_json(note)
-        if said is not None and target.exists():
+        if said is not None and isinstance(rows := said.get("rows"), int) and target.exists():
             content = target.read_bytes()
             if hashlib.sha256(content).hexdigest() == said.get("sha256"):
-                return int(said["rows"])
-        table = self._table(self.work / "plan" / ROWS / name)
+                return rows
+        table = self._table(self.space.folder / "plan" / ROWS / name)
         content = _parquet(table)
-        with durable(target) as file:
+        with self.space.durable(target) as file:
             file.write(content)
-        write_json(note, {"rows": table.num_rows, "sha256": hashlib.sha256(content).hexdigest()})
+        self.space.write_json(note, {"rows": table.num_rows, "sha256": hashlib.sha256(content).hexdigest()})
         return table.num_rows
 
     def _table(self, path: Path) -> Any:

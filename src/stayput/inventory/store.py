@@ -1,4 +1,8 @@
-"""What is to be simulated, each thing once, on disk: bodies in rooms, options, sites, and units of them."""
+"""SQLite store of deduplicated simulation units.
+
+A unit is a body in a room, with a set of measures, at a site (a storey under a shaking of the ground). Each
+of these is identified by a spec: a text that keeps every bit of its numbers.
+"""
 
 from __future__ import annotations
 
@@ -8,14 +12,20 @@ import sqlite3
 from collections import OrderedDict
 from typing import TYPE_CHECKING, Any
 
+from stayput.cases import State, from_leaves, leaves
+from stayput.measures import MEASURES, parameters
+from stayput.scenario.building import BuildingTable
+
 if TYPE_CHECKING:
-    from collections.abc import Hashable, Iterator
+    from collections.abc import Hashable, Iterable, Iterator
     from pathlib import Path
 
-    from stayput.inventory.pieces import Meeting
+    from stayput.body import Body
+    from stayput.measures import Measure
+    from stayput.room import Room
 
 KEPT = 400_000
-"""Numbers of things and of units that are kept in memory."""
+"""Numbers of pieces and of units that are kept in memory."""
 
 _TABLES = """
 CREATE TABLE things (id INTEGER PRIMARY KEY, digest BLOB UNIQUE NOT NULL, spec TEXT NOT NULL);
@@ -29,8 +39,8 @@ CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 """
 
 
-class Numbers:
-    """Numbers by key, the newest in memory."""
+class NumberCache:
+    """Cache of row numbers by key, of which the oldest are dropped."""
 
     def __init__(self, most: int = KEPT) -> None:
         self.most = most
@@ -59,7 +69,7 @@ class Store:
         self.base = sqlite3.connect(path, isolation_level=None)
         self.base.execute(f"PRAGMA cache_size = -{max(cache // 1024, 1024)}")
         self.base.execute("PRAGMA temp_store = FILE")
-        self.things, self.options, self.sites, self.units = (Numbers() for _ in range(4))
+        self.things, self.options, self.sites, self.units = (NumberCache() for _ in range(4))
         self.next_unit = 0
 
     def begin(self) -> None:
@@ -93,17 +103,30 @@ class Store:
             return int(self.base.execute("SELECT row FROM ids WHERE id = ?", (name,)).fetchone()[0])
         return row
 
-    def units_of(self, met: Meeting) -> list[int]:
-        """Return the numbers of the units of a piece under an event, one an option; new ones are added."""
-        site = self._number(self.sites, (met.ground, met.storey), "sites", ("ground", "storey"))
-        thing = self._thing(met.thing)
-        found: list[int] = []
-        for option in met.options:
-            number = self._number(self.options, (option.spec,), "options", ("spec",))
-            found.append(self._unit(site, number, thing))
-        return found
+    def units_of(self, ground: str, storey: int, thing: str, options: Iterable[str]) -> list[int]:
+        """Return the numbers of the units of a piece at a site, one for each option; new ones are added.
 
-    def _number(self, kept: Numbers, key: tuple[str | int, ...], table: str, columns: tuple[str, ...]) -> int:
+        Parameters
+        ----------
+        ground : str
+            Spec of the shaking of its building.
+        storey : int
+            The storey.
+        thing : str
+            Spec of the piece in its room.
+        options : iterable of str
+            Specs of the sets of measures.
+        """
+        site = self._number(self.sites, (ground, storey), "sites", ("ground", "storey"))
+        number = self._thing(thing)
+        return [
+            self._unit(site, self._number(self.options, (spec,), "options", ("spec",)), number)
+            for spec in options
+        ]
+
+    def _number(
+        self, kept: NumberCache, key: tuple[str | int, ...], table: str, columns: tuple[str, ...]
+    ) -> int:
         if key in kept.found:
             return kept.found[key]
         where = " AND ".join(f"{column} = ?" for column in columns)
@@ -168,3 +191,40 @@ class Store:
     def work_left(self) -> dict[int, int]:
         """Return how many units each option has."""
         return dict(self.base.execute("SELECT option, COUNT(*) FROM units GROUP BY option"))
+
+
+def ground_spec(station: int, level: float | None, building: BuildingTable | None) -> str:
+    """Return what tells the shaking of a building from others: scenario, level from a map, building."""
+    table = None if building is None else building.model_dump(exclude_defaults=True)
+    return json.dumps([station, level, table], sort_keys=True)
+
+
+def ground_of(spec: str) -> tuple[int, float | None, BuildingTable | None]:
+    """Return the scenario, the level and the building of a spec; the inverse of `ground_spec`."""
+    station, level, table = json.loads(spec)
+    return station, level, None if table is None else BuildingTable.model_validate(table)
+
+
+def thing_spec(body: Body, room: Room) -> str:
+    """Return a body in a room as text, each number with all its bits."""
+    return json.dumps(leaves(body, room, State(), 1.0))
+
+
+def thing_of(spec: str) -> tuple[Body, Room]:
+    """Return the body and the room of a spec; the inverse of `thing_spec`."""
+    body, room, _ = from_leaves(json.loads(spec))
+    return body, room
+
+
+def measures_spec(measures: tuple[Measure, ...]) -> str:
+    """Return measures as text."""
+    tables = [
+        {"type": one.kind, **{about.name: getattr(one, about.name) for about in parameters(one)}}
+        for one in measures
+    ]
+    return json.dumps(tables, sort_keys=True)
+
+
+def measures_of(spec: str) -> tuple[Measure, ...]:
+    """Return the measures of a spec; the inverse of `measures_spec`."""
+    return tuple(MEASURES[table.pop("type")](**table) for table in json.loads(spec))

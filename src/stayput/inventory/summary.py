@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from stayput.inventory.arrow import parquet
+from stayput.inventory.items import NO_MEASURE
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -27,8 +28,10 @@ COLUMNS = (
     "share_overturned_best",
     "expected_loss",
     "expected_loss_best",
+    "pieces_helped",
 )
-"""Columns of the summary: pieces counts every piece of a row; ``best`` is with each row's best measure."""
+"""Columns of the summary: pieces counts every piece of a row; ``best`` is with each row's best measure.
+Helped are those that one of their measures helps."""
 
 READ = (
     "row",
@@ -47,6 +50,7 @@ READ = (
     "best_by_cost",
     "expected_loss",
     "best_expected_loss",
+    "not_possible",
 )
 
 
@@ -61,6 +65,7 @@ class Total:
     loss: float | None = None
     loss_best: float | None = None
     unknown: int = 0
+    helped: int = 0
 
     def add(self, row: dict[str, Any]) -> None:
         """Add a row; one whose runs were all given up counts as unknown."""
@@ -69,6 +74,7 @@ class Total:
         if row["overturned"] != row["overturned"]:
             self.unknown += row["count"]
             return
+        self.helped += row["count"] * (row["best"] != NO_MEASURE)
         self.fallen += row["count"] * row["overturned"]
         self.fallen_best += row["count"] * row["best_overturned"]
         if row["expected_loss"] is not None:
@@ -94,7 +100,7 @@ Place = tuple[str, str, int]
 
 @dataclass(slots=True)
 class Summary:
-    """What the results come to.
+    """Totals of the results.
 
     Parameters
     ----------
@@ -125,6 +131,7 @@ class Summary:
                 of.share_best,
                 of.loss,
                 of.loss_best,
+                of.helped,
             ]
             for (event, building, storey), of in sorted(self.places.items())
         ]

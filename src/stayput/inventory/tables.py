@@ -5,15 +5,16 @@ from __future__ import annotations
 import codecs
 import csv
 import re
-import zipfile
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from datetime import date, time
 from decimal import Decimal
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any, cast
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
+from stayput.extras import absent
 from stayput.inventory.arrow import arrow, parquet
 from stayput.inventory.cells import Unusable
 
@@ -22,22 +23,20 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.inventory.cells import Cell
+    from stayput.inventory.workbook import SheetCell
 
 ENCODINGS = ("utf-8-sig", "cp932")
-"""What a CSV file is read as: the first of these in which all of it is text. The first is UTF-8, with
+"""Encodings of a CSV file: the first in which all of it can be decoded is used. The first is UTF-8, with
 or without a byte order mark; the second is Japan's Windows encoding."""
 
 LARGEST_CELL = 2**24
 """Characters of a cell, or from a quote that opens, after which a CSV file is given up."""
 
-LARGEST_SHEET = 2**33
-"""Largest size of an unpacked workbook [bytes]."""
-
 BATCH = 8192
 """Rows of a Parquet file that are read at a time."""
 
 UNITS_SHOWN = frozenset(("mm", "cm", "m", "㎜", "㎝", "in", "ft", "g", "kg", "㎏", "t", "lb", "lbs", "°"))
-"""Units in formats of a workbook's numbers with which a number is not taken."""
+"""Units in a cell's number format for which the cell is refused."""
 
 _LITERAL = re.compile(r'"([^"]*)"|\\(.)')
 
@@ -46,7 +45,7 @@ Row = tuple[int, "list[Cell] | InputError"]
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
+class OpenTable:
     """An open inventory.
 
     Parameters
@@ -65,8 +64,15 @@ class Table:
 
 
 @contextmanager
-def open_table(path: Path) -> Generator[Table]:
+def open_table(path: Path, memory: int = 2**29) -> Generator[OpenTable]:
     """Open an inventory for reading from its beginning.
+
+    Parameters
+    ----------
+    path : Path
+        The table.
+    memory : int
+        Bytes that the texts of a workbook may take.
 
     Raises
     ------
@@ -76,10 +82,12 @@ def open_table(path: Path) -> Generator[Table]:
     openers: dict[str, Callable[[Path], Any]] = {
         ".csv": _csv,
         ".parquet": _parquet,
-        ".xlsx": _excel,
+        ".xlsx": partial(_excel, memory=memory),
     }
     if path.suffix.lower() not in openers:
-        raise InputError(f"The inventory is {str(path)!r}; its name must end in {', '.join(openers)}.")
+        raise InputError(
+            "inventory.file_ending", "inventory", path=repr(str(path)), endings=", ".join(openers)
+        )
     with ExitStack() as stack:
         with _readable(path):
             table = stack.enter_context(openers[path.suffix.lower()](path))
@@ -93,19 +101,23 @@ def _guarded(path: Path, rows: Iterator[Row]) -> Iterator[Row]:
 
 @contextmanager
 def _readable(path: Path) -> Generator[None]:
-    """Turn what a system or a library says of a broken file into a sentence."""
+    """Turn errors of the system or of a library about a broken file into an `InputError`."""
     try:
         yield
     except InputError:
         raise
     except OSError as error:
-        reason = (error.strerror or str(error)).lower().rstrip(".")
-        raise InputError(f"The inventory is {str(path)!r}; it could not be read: {reason}.") from None
+        reason = _one_line(error.strerror or str(error)).lower()
+        file = phrase("inventory.the_inventory")
+        raise InputError("inventory.unreadable", file=file, path=repr(str(path)), reason=reason) from None
     except Exception as error:  # of a broken file libraries say this or that
-        told = " ".join(str(error).split())[:200].rstrip(".")
-        raise InputError(
-            f"The inventory is {str(path)!r}; it must be whole, and is broken: {told}."
-        ) from error
+        reason = _one_line(str(error))
+        raise InputError("inventory.broken", "inventory", path=repr(str(path)), reason=reason) from error
+
+
+def _one_line(text: str) -> str:
+    """Return the beginning of what a library says, without the stop at its end."""
+    return " ".join(text.split())[:200].rstrip(" .")
 
 
 def _encoding(path: Path) -> str:
@@ -121,11 +133,11 @@ def _encoding(path: Path) -> str:
                     return encoding
             except UnicodeDecodeError:
                 continue
-    raise InputError(f"The inventory is {str(path)!r}; it must be a text in UTF-8 or cp932.")
+    raise InputError("inventory.encoding", "inventory", path=repr(str(path)))
 
 
 @contextmanager
-def _csv(path: Path) -> Generator[Table]:
+def _csv(path: Path) -> Generator[OpenTable]:
     encoding = _encoding(path)
     before = csv.field_size_limit(LARGEST_CELL)
     try:
@@ -133,11 +145,11 @@ def _csv(path: Path) -> Generator[Table]:
             rows = _csv_rows(csv.reader(file, strict=True))
             first = next(rows, None)
             if first is None or isinstance(first[1], InputError):
-                told = "it is empty" if first is None else str(first[1])
-                raise InputError(
-                    f"The inventory is {str(path)!r}; its first row must name the columns: {told}."
-                )
-            yield Table(first[1], rows, "UTF-8" if encoding == "utf-8-sig" else encoding)
+                reason = phrase("inventory.is_empty")
+                if first is not None and isinstance(error := first[1], InputError):
+                    reason = error.told("en"), error.told("ja")
+                raise InputError("inventory.first_row", "inventory", path=repr(str(path)), reason=reason)
+            yield OpenTable(first[1], rows, "UTF-8" if encoding == "utf-8-sig" else encoding)
     finally:
         csv.field_size_limit(before)
 
@@ -152,30 +164,26 @@ def _csv_rows(reader: Any) -> Iterator[Row]:
         except StopIteration:
             return
         except csv.Error as error:
-            where = f"In row {number} of the inventory (line {line})"
             if "unexpected end" in str(error):
-                raise InputError(f"{where} a quote opens that does not close; it must close.") from None
+                raise InputError("inventory.open_quote", row=number, line=line) from None
             if "field limit" in str(error):
-                raise InputError(
-                    f"{where} a cell goes beyond {LARGEST_CELL:,} characters; it must be shorter "
-                    "(is a quote not closed?)."
-                ) from None
-            yield number, InputError(f"The row cannot be read: {str(error).rstrip('.')}.")
+                raise InputError("inventory.long_cell", row=number, line=line, most=LARGEST_CELL) from None
+            yield number, InputError("inventory.bad_row", reason=str(error).rstrip("."))
             continue
         yield number, cast("list[Cell]", row)
 
 
 @contextmanager
-def _parquet(path: Path) -> Generator[Table]:
+def _parquet(path: Path) -> Generator[OpenTable]:
     pa, pq = arrow(), parquet()
 
     try:
         file: Any = pq.ParquetFile(path)
     except pa.ArrowInvalid:
-        raise InputError(f"The inventory is {str(path)!r}; it must be a Parquet file.") from None
+        raise InputError("inventory.not_parquet", "inventory", path=repr(str(path))) from None
     with file:
         names = cast("list[Cell]", list(file.schema_arrow.names))
-        yield Table(names, _parquet_rows(file), "Parquet")
+        yield OpenTable(names, _parquet_rows(file), "Parquet")
 
 
 def _parquet_rows(file: Any) -> Iterator[Row]:
@@ -192,70 +200,62 @@ def _cell(value: Any) -> Cell:
         case None | str():
             return value
         case bool():
-            return Unusable("true or false")
+            return Unusable(phrase("inventory.cell_bool"))
         case int() | float():
             return value
         case Decimal():
             return float(value)
         case date() | time():
-            return Unusable("a date")
+            return Unusable(phrase("inventory.cell_date"))
         case _:
-            return Unusable("neither text nor number")
+            return Unusable(phrase("inventory.cell_other"))
 
 
 @contextmanager
-def _excel(path: Path) -> Generator[Table]:
-    import openpyxl
+def _excel(path: Path, memory: int) -> Generator[OpenTable]:
+    try:
+        from stayput.inventory.workbook import open_workbook
+    except ModuleNotFoundError as error:
+        raise absent("A workbook", error.name or "a library", "inventory") from None
 
-    wrong = InputError(f"The inventory is {str(path)!r}; it must be an Excel workbook.")
-    try:
-        with zipfile.ZipFile(path) as packed:
-            size = sum(part.file_size for part in packed.infolist())
-    except zipfile.BadZipFile:
-        raise wrong from None
-    if size > LARGEST_SHEET:
-        raise InputError(f"The inventory is {str(path)!r}; unpacked it must be below 8 GiB.")
-    try:
-        book: Any = openpyxl.load_workbook(path, read_only=True, data_only=False, keep_links=False)
-    except OSError:
-        raise
-    except Exception:  # of a file that is no workbook it says this or that
-        raise wrong from None
-    try:
-        sheets: list[Any] = book.worksheets
-        if not sheets:
-            raise wrong
-        sheet = sheets[0]
-        rows = _excel_rows(sheet)
+    with open_workbook(path, memory) as book:
+        title, *others = book.names
+        rows = _excel_rows(book.rows(title))
         first = next(rows, None)
         if first is None or isinstance(first[1], InputError):
-            raise InputError(f"The inventory is {str(path)!r}; its first sheet must not be empty.")
-        others = [other.title for other in sheets[1:]]
-        told = f"sheet {sheet.title!r}" + (f"; not {', '.join(map(repr, others))}" if others else "")
-        yield Table(first[1], rows, told)
-    finally:
-        book.close()
+            raise InputError("inventory.empty_sheet", "inventory", path=repr(str(path)))
+        how = f"sheet {title!r}" + (f"; not {', '.join(map(repr, others))}" if others else "")
+        yield OpenTable(first[1], rows, how)
 
 
-def _excel_rows(sheet: Any) -> Iterator[Row]:
-    sheet.reset_dimensions()  # what the file says of its size may be wrong
-    width = 0
-    for number, row in enumerate(sheet.iter_rows(), 1):
-        cells = [_excel_cell(cell) for cell in row]
-        while len(cells) > width and cells[-1] is None:
-            cells.pop()
-        width = width or len(cells)
-        yield number, cells + [None] * (width - len(cells))
+def _excel_rows(rows: Iterator[tuple[int, dict[int, SheetCell]]]) -> Iterator[Row]:
+    width = expected = 0
+    for number, cells in rows:
+        while (expected := expected + 1) < number:  # rows that the file leaves out are empty
+            yield expected, cast("list[Cell]", [None] * width)
+        last = max(cells, default=0)
+        row = [_excel_cell(cells[column]) if column in cells else None for column in range(1, last + 1)]
+        width = width or last
+        yield number, row + [None] * (width - last)
 
 
-def _excel_cell(cell: Any) -> Cell:
-    if cell.data_type == "f":
-        return Unusable("a formula")
-    if cell.data_type == "e":
-        return Unusable(f"an error of the spreadsheet ({cell.value})")
-    if cell.data_type == "n" and cell.value is not None and (unit := _unit_shown(cell.number_format)):
-        return Unusable(f"a number that is shown in {unit}")
-    return _cell(cell.value)
+def _excel_cell(cell: SheetCell) -> Cell:
+    if cell.formula:
+        return Unusable(phrase("inventory.cell_formula"))
+    match cell.kind:
+        case "e":
+            return Unusable(phrase("inventory.cell_error", error=cell.value[:40]))
+        case "b":
+            return Unusable(phrase("inventory.cell_bool"))
+        case "n" | "d":
+            if cell.is_date:
+                return Unusable(phrase("inventory.cell_date"))
+            unit = _unit_shown(cell.number_format)
+            if unit is None:
+                return cell.number()
+            return Unusable(phrase("inventory.cell_unit", unit=unit))
+        case _:
+            return cell.value
 
 
 @lru_cache(maxsize=1000)
@@ -263,5 +263,5 @@ def _unit_shown(number_format: str) -> str | None:
     """Return the unit that a number format adds: the number may be in that unit, and nobody sees it."""
     if "%" in number_format:
         return "%"
-    told = "".join(quoted or single for quoted, single in _LITERAL.findall(number_format)).strip()
-    return told if told.lower() in UNITS_SHOWN else None
+    unit = "".join(quoted or single for quoted, single in _LITERAL.findall(number_format)).strip()
+    return unit if unit.lower() in UNITS_SHOWN else None

@@ -1,26 +1,30 @@
-"""The work of a plan in tasks of about a second, whoever does them: `stayput.inventory.crews`."""
+"""The simulation units of a plan, cut into tasks of about a second for an executor to run."""
 
 from __future__ import annotations
 
 from collections import deque
+from contextlib import closing
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.inventory.floors import Floor, Ground, floors_of
-from stayput.inventory.records import RECORD, all_records, write_records
-from stayput.inventory.specs import ground_of
-from stayput.inventory.units import Sampling, Unit, evaluate
+from stayput.execution import Call, Shared
+from stayput.inventory.records import RECORD, UNITS, all_records, write_records
+from stayput.inventory.store import ground_of
+from stayput.inventory.units import Unit, evaluate
+from stayput.montecarlo.hazard import Ground, PreparedFloor
+from stayput.montecarlo.sampling import Settings
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator
-    from pathlib import Path
 
     from numpy.typing import NDArray
 
+    from stayput.execution import Executor
     from stayput.inventory.city import Cities
     from stayput.inventory.store import Store
+    from stayput.inventory.workspace import Workspace
     from stayput.scenario.building import BuildingTable
 
 SECONDS = 1.0
@@ -30,18 +34,15 @@ FIRST_GUESS = {False: 3e-4, True: 6e-3}
 """Time of a run before any was measured, without and with devices [s]."""
 
 KEEP_AFTER, KEEP_UNITS = 5.0, 50_000
-"""Outcomes are written after so many seconds or units: what a kill may cost."""
-
-AHEAD = 3
-"""Tasks handed in for each thread."""
+"""Outcomes are written after so many seconds or units: what is lost where the process is killed."""
 
 SAMPLE_BYTES = 40
 """Bytes of a floor's motion for each sample: two components, as they are made and as they are kept."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Shaken:
-    """What is needed to shake the storeys of one building: made once, for all tasks there.
+class FloorRequest:
+    """A request for the floor motions of one building: computed once, for all tasks there.
 
     Parameters
     ----------
@@ -60,60 +61,46 @@ class Shaken:
     storeys: tuple[int, ...]
     factors: NDArray[np.float64]
 
-    def floors(self, ground: Ground) -> dict[int, Floor]:
+    def floors(self, ground: Ground) -> dict[int, PreparedFloor]:
         """Return what shakes the furniture of each storey."""
-        return floors_of(ground, self.building, self.storeys, self.factors)
+        floors, scales = ground.floors(self.building, self.storeys, self.factors, threads=1)
+        if self.building is None:  # the same motions for all
+            return dict.fromkeys(self.storeys, PreparedFloor.of(ground.acting, scales))
+        return {
+            storey: PreparedFloor.of(motions, scales)
+            for storey, motions in zip(self.storeys, floors, strict=True)
+        }
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Task:
-    """Units of one storey, the same measures together."""
+class UnitTask:
+    """Units of one storey, grouped by their measures, as one task of an executor."""
 
-    shaken: Shaken
+    request: FloorRequest
     storey: int
-    sampling: Sampling
+    settings: Settings
     groups: tuple[tuple[int, str, tuple[Unit, ...]], ...]
 
-    def run(self, floors: dict[int, Floor]) -> Done:
+    def run(self, floors: dict[int, PreparedFloor]) -> TaskOutcome:
         """Simulate the units on this thread."""
         found = [
-            (option, *evaluate(units, measures, floors[self.storey], self.sampling))
+            (option, *evaluate(units, measures, floors[self.storey], self.settings))
             for option, measures, units in self.groups
         ]
         records = np.concatenate([one[1] for one in found])
-        return Done(records, tuple((option, runs, seconds) for option, _, runs, seconds in found))
+        return TaskOutcome(records, tuple((option, runs, seconds) for option, _, runs, seconds in found))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Done:
+class TaskOutcome:
     """Outcomes of a task, and for each option the runs and the seconds."""
 
     records: NDArray[np.void]
     costs: tuple[tuple[int, int, float], ...]
 
 
-class Crew(Protocol):
-    """Who does the tasks."""
-
-    def width(self) -> int:
-        """Return how many tasks are done at a time."""
-        ...
-
-    def hand_in(self, task: Task) -> None:
-        """Take a task; the floors it needs are made where they are not yet."""
-        ...
-
-    def done(self) -> Iterator[Done]:
-        """Give what is done, at least one task's where there are any."""
-        ...
-
-    def waiting(self) -> int:
-        """Return how many tasks are not done."""
-        ...
-
-
 class Costs:
-    """Seconds a run for each option, measured as the work goes on."""
+    """Measured time of a run for each option [s], from which the size of tasks follows."""
 
     def __init__(self, options: dict[int, str], left: dict[int, int], runs: int) -> None:
         self.mean = {number: FIRST_GUESS["{" in spec] for number, spec in options.items()}
@@ -125,8 +112,8 @@ class Costs:
         """Return the time of a unit [s]."""
         return self.mean[option] * self.runs
 
-    def learn(self, done: Done) -> None:
-        """Take in what a task took."""
+    def learn(self, done: TaskOutcome) -> None:
+        """Update the times by those of a task."""
         for option, runs, seconds in done.costs:
             total = self.seen.setdefault(option, [0.0, 0.0])
             total[0] += seconds
@@ -140,7 +127,7 @@ class Costs:
 
 
 class Work:
-    """All units of a plan, those done already left out.
+    """The units of a plan that are not done yet.
 
     Parameters
     ----------
@@ -148,7 +135,7 @@ class Work:
         The plan.
     cities : Cities
         The scenarios.
-    folder : Path
+    space : Workspace
         Where outcomes are kept.
     plan : str
         Digest of the plan.
@@ -162,22 +149,23 @@ class Work:
         self,
         store: Store,
         cities: Cities,
-        folder: Path,
+        space: Workspace,
         plan: str,
         *,
         slide_limit: float,
         room_for_floors: int,
     ) -> None:
-        self.store, self.cities, self.folder, self.plan = store, cities, folder, plan
+        self.store, self.cities, self.space, self.plan = store, cities, space, plan
         self.room_for_floors = room_for_floors
+        folder = space.folder / UNITS
         folder.mkdir(exist_ok=True)
         self.done = np.zeros(store.facts()["units"], np.bool_)
         for records in all_records(folder, plan):
             self.done[records["unit"]] = True
         self.grounds: dict[int, Ground] = {}
-        self.samplings = [sampling_of(cities, place, slide_limit) for place in range(len(cities.all))]
+        self.settings = [Settings.of(city.scenario, len(city.ground), slide_limit) for city in cities.all]
         self.options = store.option_specs()
-        runs = max(one.motions * one.samples for one in self.samplings)
+        runs = max(one.motions * one.samples for one in self.settings)
         self.costs = Costs(self.options, store.work_left(), runs)
         self.runs, self.seconds = 0, 0.0
 
@@ -191,20 +179,23 @@ class Work:
         if station not in self.grounds:
             city = self.cities.all[station]
             vertical = bool(city.scenario.shaking.vertical)
-            self.grounds[station] = Ground.of(city.ground, vertical, self.cities.strength)
+            ground = Ground(city.ground, vertical, self.cities.measure)
+            _ = ground.to_jma_zero  # the intensity is reported in any case: refuse a still motion now
+            self.grounds[station] = ground
         return self.grounds[station]
 
-    def tasks(self, width: Callable[[], int]) -> Generator[Task]:
-        """Give tasks, each for one storey, those of a building one after another."""
+    def tasks(self, width: Callable[[], int]) -> Generator[UnitTask]:
+        """Yield tasks, each for one storey, those of a building one after another."""
         for spec, sites in self.store.grounds():
             station, level, building = ground_of(spec)
             ground, shaking = self.ground(station), self.cities.all[station].scenario.shaking
             wanted = shaking.wanted_intensity if level is None else level
             factors = ground.factors(wanted, 1.0 if shaking.scale is None else shaking.scale)
             for some in self._storeys_at_a_time(ground, sites):
-                shaken = Shaken(station, building, tuple(storey for _, storey in some), factors)
+                storeys = tuple(storey for _, storey in some)
+                request = FloorRequest(station, building, storeys, factors)
                 for site, storey in some:
-                    yield from self._tasks_at(site, storey, shaken, self.samplings[station], width)
+                    yield from self._tasks_at(site, storey, request, width)
 
     def _storeys_at_a_time(
         self, ground: Ground, sites: list[tuple[int, int]]
@@ -215,16 +206,16 @@ class Work:
             yield sites[start : start + many]
 
     def _tasks_at(
-        self, site: int, storey: int, shaken: Shaken, sampling: Sampling, width: Callable[[], int]
-    ) -> Iterator[Task]:
+        self, site: int, storey: int, request: FloorRequest, width: Callable[[], int]
+    ) -> Iterator[UnitTask]:
         groups: dict[int, list[Unit]] = {}
         time = 0.0
 
-        def task() -> Task:
-            return Task(
-                shaken,
+        def task() -> UnitTask:
+            return UnitTask(
+                request,
                 storey,
-                sampling,
+                self.settings[request.station],
                 tuple((option, self.options[option], tuple(units)) for option, units in groups.items()),
             )
 
@@ -240,49 +231,53 @@ class Work:
         if groups:
             yield task()
 
-    def run(self, crew: Crew, tell: Callable[[int], None], clock: Callable[[], float]) -> None:
-        """Have all tasks done, and keep their outcomes as they come.
+    def _calls(self, width: Callable[[], int]) -> Iterator[Call[TaskOutcome]]:
+        """Yield the tasks as calls; the motions of the ground and of a building's floors are made once."""
+        grounds: dict[int, Shared[Ground]] = {}
+        request: FloorRequest | None = None
+        floors: Shared[dict[int, PreparedFloor]] | None = None
+        for task in self.tasks(width):
+            if task.request is not request:
+                request = task.request
+                if request.station not in grounds:
+                    grounds[request.station] = Shared.value(self.ground(request.station))
+                floors = Shared(request.floors, grounds[request.station])
+            yield Call(task.run, floors)
+
+    def run(self, executor: Executor, tell: Callable[[int], None], clock: Callable[[], float]) -> None:
+        """Run all tasks on an executor, and write their outcomes as they come.
 
         Parameters
         ----------
-        crew : Crew
-            Who does them.
+        executor : Executor
+            Runs them.
         tell : callable
-            Told of units that are done.
+            Called with the number of units that were just done.
         clock : callable
             The time [s].
         """
         waiting: deque[NDArray[np.void]] = deque()
         kept_at = clock()
-        tasks = self.tasks(crew.width)
-        more = True
 
         def keep() -> None:
             nonlocal kept_at
             if waiting:
-                write_records(self.folder, np.concatenate(waiting), self.plan)
+                write_records(self.space, np.concatenate(waiting), self.plan)
                 waiting.clear()
             kept_at = clock()
 
         try:
-            while True:
-                while more and crew.waiting() < AHEAD * crew.width():
-                    task = next(tasks, None)
-                    if task is None:
-                        more = False
-                    else:
-                        crew.hand_in(task)
-                if not more and not crew.waiting():
-                    break
-                for found in crew.done():
-                    self._take(found, waiting, tell)
-                if clock() - kept_at > KEEP_AFTER or sum(map(len, waiting)) >= KEEP_UNITS:
-                    keep()
+            with closing(executor.as_completed(self._calls(executor.width))) as outcomes:
+                for _, outcome in outcomes:
+                    self._take(outcome, waiting, tell)
+                    if clock() - kept_at > KEEP_AFTER or sum(map(len, waiting)) >= KEEP_UNITS:
+                        keep()
         finally:
-            tasks.close()
             keep()
 
-    def _take(self, found: Done, waiting: deque[NDArray[np.void]], tell: Callable[[int], None]) -> None:
+    def _take(
+        self, found: TaskOutcome, waiting: deque[NDArray[np.void]], tell: Callable[[int], None]
+    ) -> None:
         self.costs.learn(found)
         self.runs += sum(runs for _, runs, _ in found.costs)
         self.seconds += sum(seconds for _, _, seconds in found.costs)
@@ -292,11 +287,3 @@ class Work:
         if len(fresh):
             waiting.append(fresh)
         tell(len(fresh))
-
-
-def sampling_of(cities: Cities, station: int, slide_limit: float) -> Sampling:
-    """Return what a scenario says of its samples: as many for each motion as a verification takes."""
-    city = cities.all[station]
-    said, motions = city.scenario.uncertainty, len(city.ground)
-    samples = max(1, -(-said.samples // motions))
-    return Sampling(motions, samples, said.seed, said.precision, slide_limit, city.scenario.gravity)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, damper
 from stayput.measures.measure import Held, Measure, wall_behind
@@ -12,6 +13,7 @@ from stayput.measures.parameters import choice, parameter
 
 if TYPE_CHECKING:
     from stayput.body import Body
+    from stayput.catalogue import Phrase
     from stayput.room import Room
 
 REACH = 0.15
@@ -30,9 +32,9 @@ class Bracket(Measure):
     height: float
     damping: float
 
-    def where(self) -> str | None:
+    def where(self) -> Phrase | None:
         """Return the height on the wall."""
-        return f"on the wall at {self.height:g} times the height"
+        return phrase("measures.on_wall", height=self.height)
 
     def _strength(self) -> float:
         return self.count * self.strength
@@ -42,7 +44,7 @@ class Bracket(Measure):
         gap = wall_behind(self, room).gap
         if gap > REACH:
             raise InputError(
-                f"{self.label[0]} stands {gap:g} m from the wall; the gap must be at most {REACH:g} m."
+                "measures.too_far", "room.left_wall.gap", measure=self.label, gap=gap, most=REACH
             )
         k, most = self.count * self.stiffness, self._strength()
         c = damper(self.damping, k, body.mass)
@@ -80,7 +82,7 @@ class LBracket(Bracket):
     )
 
     count: int = parameter(2, "", 1, 20, ("number of brackets", "個数"))
-    strength: float = parameter(1500.0, "N", 1.0, 1e6, ("strength of one", "1個の強さ"))
+    strength: float = parameter(1500.0, "N", 1.0, 1e6, ("strength of one", "1個の強さ"), decides=True)
     stiffness: float = parameter(300e3, "N/m", 1e3, 1e8, ("stiffness of one", "1個の剛性"))
     slack: float = parameter(0.0005, "m", 0.0, 0.1, ("slack", "がた"))
     ultimate: float = parameter(0.005, "m", 0.0, 0.1, ("plastic elongation at failure", "破断までの塑性伸び"))
@@ -111,7 +113,7 @@ class LBracketInBoard(Bracket):
     )
 
     count: int = parameter(2, "", 1, 20, ("number of brackets", "個数"))
-    strength: float = parameter(150.0, "N", 1.0, 1e6, ("strength of one", "1個の強さ"))
+    strength: float = parameter(150.0, "N", 1.0, 1e6, ("strength of one", "1個の強さ"), decides=True)
     stiffness: float = parameter(100e3, "N/m", 1e3, 1e8, ("stiffness of one", "1個の剛性"))
     slack: float = parameter(0.0005, "m", 0.0, 0.1, ("slack", "がた"))
     ultimate: float = parameter(0.0, "m", 0.0, 0.1, ("plastic elongation at failure", "破断までの塑性伸び"))

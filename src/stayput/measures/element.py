@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.cases import State, standing_corners
-from stayput.mechanics.restrained.columns import AXIAL, ELEMENT, PLANAR
+from stayput.mechanics.devices.columns import AXIAL, ELEMENT, PLANAR
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from stayput.body import Body
+    from stayput.catalogue import Phrase
     from stayput.room import Floor, Room
 
 STATIC = ("static friction", "静止摩擦係数")
@@ -23,12 +24,12 @@ KINETIC = ("kinetic friction", "動摩擦係数")
 
 def static_of(surface: str) -> Any:
     """Return the parameter for the static friction of a surface."""
-    return parameter(SURFACES[surface][0], "", *FRICTION_RANGE, STATIC, Confidence.MEDIUM)
+    return parameter(SURFACES[surface][0], "", *FRICTION_RANGE, STATIC, Confidence.MEDIUM, decides=True)
 
 
 def kinetic_of(surface: str) -> Any:
     """Return the parameter for the kinetic friction of a surface."""
-    return parameter(SURFACES[surface][1], "", *FRICTION_RANGE, KINETIC, Confidence.MEDIUM)
+    return parameter(SURFACES[surface][1], "", *FRICTION_RANGE, KINETIC, Confidence.MEDIUM, decides=True)
 
 
 def with_friction(floor: Floor, static: float, kinetic: float) -> Floor:
@@ -59,11 +60,14 @@ class OtherFriction(Measure):
         Measure.__post_init__(self)
         if self.kinetic_friction > self.static_friction:
             raise InputError(
-                f"{self.label[0]} kinetic_friction is {self.kinetic_friction:g}; "
-                f"it must not be above static_friction, {self.static_friction:g}."
+                "measures.kinetic_above_static",
+                "kinetic_friction",
+                measure=self.label,
+                kinetic=self.kinetic_friction,
+                static=self.static_friction,
             )
 
-    def where(self) -> str | None:
+    def where(self) -> Phrase | None:
         """Return the place under the base."""
         return UNDER_THE_BASE
 

@@ -13,6 +13,7 @@ from stayput.measures.parameters import parameter
 
 if TYPE_CHECKING:
     from stayput.body import Body
+    from stayput.catalogue import Phrase
     from stayput.room import Room
 
 
@@ -38,12 +39,21 @@ class GelMats(Measure):
     )
     acts_on: ClassVar[str] = "the base"
 
-    area: float = parameter(0.04 * 0.04, "m²", 1e-5, 1.0, ("area of one pad", "1枚の面積"))
+    area: float = parameter(0.04 * 0.04, "m²", 1e-5, 1.0, ("area of one pad", "1枚の面積"), decides=True)
     count: int = parameter(4, "", 2, 100, ("number of pads", "枚数"))
-    tension: float = parameter(100e3, "Pa", 1e2, 1e7, ("label stress in tension", "引張強さ（表示値）"))
-    shear: float = parameter(50e3, "Pa", 1e2, 1e7, ("label stress in shear", "せん断強さ（表示値）"))
+    tension: float = parameter(
+        100e3, "Pa", 1e2, 1e7, ("label stress in tension", "引張強さ（表示値）"), decides=True
+    )
+    shear: float = parameter(
+        50e3, "Pa", 1e2, 1e7, ("label stress in shear", "せん断強さ（表示値）"), decides=True
+    )
     realism: float = parameter(
-        0.7, "", 0.0, 1.0, ("part of the label's strength that is reached", "表示値に対する実際の割合")
+        0.7,
+        "",
+        0.0,
+        1.0,
+        ("part of the label's strength that is reached", "表示値に対する実際の割合"),
+        decides=True,
     )
     thickness: float = parameter(0.005, "m", 5e-4, 0.05, ("thickness", "厚さ"))
     modulus: float = parameter(300e3, "Pa", 1e3, 1e8, ("Young's modulus", "ヤング率"))
@@ -51,7 +61,7 @@ class GelMats(Measure):
     static_friction: float = static_of("rubber pad")
     kinetic_friction: float = kinetic_of("rubber pad")
 
-    def where(self) -> str | None:
+    def where(self) -> Phrase | None:
         """Return the place under the base."""
         return UNDER_THE_BASE
 

@@ -14,6 +14,7 @@ from stayput.room import FRICTION_RANGE
 
 if TYPE_CHECKING:
     from stayput.body import Body
+    from stayput.catalogue import Phrase
     from stayput.room import Room
 
 
@@ -35,9 +36,9 @@ class BaseIsolator(Measure):
     )
     acts_on: ClassVar[str] = "the base"
 
-    static_friction: float = parameter(0.05, "", *FRICTION_RANGE, STATIC)
-    kinetic_friction: float = parameter(0.04, "", *FRICTION_RANGE, KINETIC)
-    stroke: float = parameter(0.1, "m", 1e-3, 5.0, ("stroke to either side", "片側の可動範囲"))
+    static_friction: float = parameter(0.05, "", *FRICTION_RANGE, STATIC, decides=True)
+    kinetic_friction: float = parameter(0.04, "", *FRICTION_RANGE, KINETIC, decides=True)
+    stroke: float = parameter(0.1, "m", 1e-3, 5.0, ("stroke to either side", "片側の可動範囲"), decides=True)
     stop_stiffness: float = parameter(200e3, "N/m", 1e3, 1e8, ("stiffness of the stops", "ストッパーの剛性"))
     damping: float = parameter(0.2, "", 0.0, 2.0, ("damping ratio of the stops", "ストッパーの減衰定数"))
 
@@ -45,11 +46,14 @@ class BaseIsolator(Measure):
         Measure.__post_init__(self)
         if self.kinetic_friction > self.static_friction:
             raise InputError(
-                f"{self.label[0]} kinetic_friction is {self.kinetic_friction:g}; "
-                f"it must not be above static_friction, {self.static_friction:g}."
+                "measures.kinetic_above_static",
+                "kinetic_friction",
+                measure=self.label,
+                kinetic=self.kinetic_friction,
+                static=self.static_friction,
             )
 
-    def where(self) -> str | None:
+    def where(self) -> Phrase | None:
         """Return the place under the base."""
         return UNDER_THE_BASE
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.measure import Held, Measure
 from stayput.measures.parameters import parameter
 
 if TYPE_CHECKING:
     from stayput.body import Body
+    from stayput.catalogue import Phrase
     from stayput.room import Room
 
 
@@ -62,8 +64,7 @@ class Ballast(Measure):
         """Return the body with the mass across its width."""
         if self.height > body.height:
             raise InputError(
-                f"{self.label[0]} height is {self.height:g} m; "
-                f"it must be at most the piece's, {body.height:g} m."
+                "measures.height", "height", measure=self.label, height=self.height, most=body.height
             )
         return Held(with_mass(body, self.mass, self.height, (body.width, 0.0)), room, (), (self,))
 
@@ -85,9 +86,9 @@ class LowerShelves(Measure):
 
     share: float = parameter(0.2, "", 0.0, 0.45, ("part of the mass that is moved", "移す質量の割合"))
 
-    def where(self) -> str | None:
+    def where(self) -> Phrase | None:
         """Return the shelves."""
-        return "on the shelves"
+        return phrase("measures.on_shelves")
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with a uniform mass moved from its upper half to its lower half.
@@ -101,6 +102,5 @@ class LowerShelves(Measure):
         try:
             lighter = with_mass(body, -moved, 1.5 * half, (body.width, half))
         except InputError:  # what is left would have no inertia
-            told = f"{self.label[0]} share is {self.share:g}; so much is not in the upper half of this piece."
-            raise InputError(told) from None
+            raise InputError("measures.share", "share", measure=self.label, share=self.share) from None
         return Held(with_mass(lighter, moved, 0.5 * half, (body.width, half)), room, (), (self,))

@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, rows_of
 from stayput.measures.parameters import check, parameters
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.body import Body
+    from stayput.catalogue import Phrase
     from stayput.room import Room, Wall
 
 
@@ -68,9 +70,9 @@ class Measure(ABC):
 
     def __post_init__(self) -> None:
         for about in parameters(self):
-            check(about, getattr(self, about.name), self.label[0])
+            check(about, getattr(self, about.name), self.label)
 
-    def where(self) -> str | None:
+    def where(self) -> Phrase | None:
         """Return the place where only one measure can be, or None if it takes up none."""
         return None
 
@@ -85,7 +87,7 @@ class Measure(ABC):
         """
 
 
-UNDER_THE_BASE = "under the base"
+UNDER_THE_BASE = phrase("measures.under_base")
 
 _ORDER = ("the body", "the room", "the base", "the tie")
 
@@ -126,19 +128,18 @@ def element_rows(held: Held, strength: float | Sequence[float] = 1.0) -> NDArray
 
 def refuse_conflicts(measures: Iterable[Measure]) -> None:
     """Raise `InputError` where two measures take up one place."""
-    taken: dict[str, Measure] = {}
+    taken: dict[Phrase, Measure] = {}
     for measure in measures:
         if not isinstance(measure, Measure):  # pyright: ignore[reportUnnecessaryIsInstance]
-            raise InputError(f"A measure is {measure!r}; it must be one of stayput.measures.")
+            raise InputError("measures.no_measure", value=repr(measure))
         place = measure.where()
         if place is None:
             continue
         if place in taken:
-            first, second = taken[place].label[0], measure.label[0]
-            pair = (
-                f"{first} is given twice" if first == second else f"{first} and {second} are given together"
-            )
-            raise InputError(f"{pair}, both {place}; only one of them can be there.")
+            first = taken[place].label
+            if first == measure.label:
+                raise InputError("measures.twice", measure=first, place=place)
+            raise InputError("measures.same_place", first=first, second=measure.label, place=place)
         taken[place] = measure
 
 
@@ -151,5 +152,5 @@ def wall_behind(measure: Measure, room: Room) -> Wall:
         There is none.
     """
     if room.left_wall is None:
-        raise InputError(f"{measure.label[0]} needs a wall at the back; the room must have a left_wall.")
+        raise InputError("measures.no_wall", "room.left_wall", measure=measure.label)
     return room.left_wall

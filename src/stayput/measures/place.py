@@ -5,11 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
+from stayput.catalogue import phrase
 from stayput.measures.measure import Held, Measure, wall_behind
 from stayput.measures.parameters import parameter
 
 if TYPE_CHECKING:
     from stayput.body import Body
+    from stayput.catalogue import Phrase
     from stayput.room import Room
 
 GAP = ("gap to the wall behind", "背面の壁とのすき間")
@@ -23,9 +25,9 @@ class OtherGap(Measure):
 
     gap: float
 
-    def where(self) -> str | None:
+    def where(self) -> Phrase | None:
         """Return the distance from the wall."""
-        return "at a distance from the wall"
+        return phrase("measures.at_distance")
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the room with the wall at this distance."""

@@ -5,14 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest
 from stayput.measures.measure import Held, Measure
 from stayput.measures.parameters import parameter
-from stayput.room import Ceiling
+from stayput.room import FRICTION_RANGE, Ceiling
 
 if TYPE_CHECKING:
     from stayput.body import Body
+    from stayput.catalogue import Phrase
     from stayput.room import Room
 
 SHORTEST, LONGEST = 0.02, 2.0
@@ -41,12 +43,17 @@ class TensionPole(Measure):
     )
 
     count: int = parameter(2, "", 1, 20, ("number of poles", "本数"))
-    preload: float = parameter(150.0, "N", 1.0, 1e4, ("preload of one", "1本の突っ張り力"))
+    preload: float = parameter(150.0, "N", 1.0, 1e4, ("preload of one", "1本の突っ張り力"), decides=True)
     stiffness: float = parameter(
         40e3, "N/m", 1e3, 1e8, ("stiffness of one with the ceiling", "天井を含む1本の剛性")
     )
     strength: float = parameter(
-        500.0, "N", 1.0, 1e6, ("force that the ceiling bears from one", "天井の強さ（1本あたり）")
+        500.0,
+        "N",
+        1.0,
+        1e6,
+        ("force that the ceiling bears from one", "天井の強さ（1本あたり）"),
+        decides=True,
     )
     give: float = parameter(
         0.01, "m", 0.0, 0.5, ("dent at which the ceiling breaks", "天井が破れるまでのへこみ")
@@ -54,7 +61,9 @@ class TensionPole(Measure):
     sideways_stiffness: float = parameter(
         20e3, "N/m", 1e2, 1e8, ("stiffness of one sideways", "1本の水平剛性")
     )
-    friction: float = parameter(0.4, "", 0.0, 3.0, ("friction on the ceiling", "天井との摩擦係数"))
+    friction: float = parameter(
+        0.4, "", *FRICTION_RANGE, ("friction on the ceiling", "天井との摩擦係数"), decides=True
+    )
     setback: float = parameter(0.05, "m", 0.0, 5.0, ("distance from the back of the piece", "背面からの距離"))
     ceiling_height: float | None = parameter(
         None,
@@ -67,35 +76,36 @@ class TensionPole(Measure):
     def __post_init__(self) -> None:
         Measure.__post_init__(self)
         if self.preload >= self.strength:
+            preload, strength = self.preload, self.strength
             raise InputError(
-                f"{self.label[0]} preload is {self.preload:g} N; "
-                f"it must be below the ceiling's strength, {self.strength:g} N."
+                "measures.preload", "preload", measure=self.label, preload=preload, strength=strength
             )
 
-    def where(self) -> str | None:
+    def where(self) -> Phrase | None:
         """Return the place on the top."""
-        return f"on the top, {self.setback:g} m from the back"
+        return phrase("measures.on_top", setback=self.setback)
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its top to the ceiling."""
         if room.ceiling is None:
             if self.ceiling_height is None:
-                raise InputError(
-                    f"{self.label[0]} need a ceiling; the room must have one, or ceiling_height be given."
-                )
+                raise InputError("measures.no_ceiling", "room.ceiling", measure=self.label)
             room = replace(room, ceiling=Ceiling(self.ceiling_height))
         if self.setback > body.width:
             raise InputError(
-                f"{self.label[0]} setback is {self.setback:g} m; "
-                f"it must be at most the width, {body.width:g} m."
+                "measures.setback", "setback", measure=self.label, setback=self.setback, width=body.width
             )
         assert room.ceiling is not None
         point = (-body.width / 2 + self.setback, body.height)
         space = room.ceiling.height - at_rest(body, point)[1]
         if not SHORTEST <= space <= LONGEST:
             raise InputError(
-                f"{self.label[0]} have {space:g} m below the ceiling; "
-                f"it must be between {SHORTEST:g} and {LONGEST:g} m."
+                "measures.length",
+                "room.ceiling.height",
+                measure=self.label,
+                space=space,
+                low=SHORTEST,
+                high=LONGEST,
             )
         n, k = self.count, self.count * self.stiffness
         pushes = Line(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.mechanics.restrained.columns import (
+from stayput.mechanics.devices.columns import (
     DRAWN_OUT,
     DROPPED_OUT,
     F_NORMAL,

@@ -220,7 +220,8 @@ def shapes(held: Held, x: float, z: float, tilt: float, broken: Iterable[int] = 
     Returns
     -------
     list of dict
-        ``kind``: "line" or "polygon"; ``points``: pairs (x, z) [m]; ``role``: what it is made of.
+        ``kind``: "line" or "polygon"; ``points``: pairs (x, z) [m]; ``role``: what it is made of; ``broken``:
+        whether it is what is left of a device that failed.
     """
     gone = set(broken)
     x_g, z_g = held.body.centre_of_gravity
@@ -233,7 +234,12 @@ def shapes(held: Held, x: float, z: float, tilt: float, broken: Iterable[int] = 
         return x + u * cos + v * sin, z + v * cos - u * sin
 
     return [
-        {"kind": shape.kind, "points": [placed(*point) for point in shape.points], "role": shape.role}
+        {
+            "kind": shape.kind,
+            "points": [placed(*point) for point in shape.points],
+            "role": shape.role,
+            "broken": shape.when == "broken",
+        }
         for shape in sketch(held)
         if shape.when == "always" or (shape.when == "broken") == (shape.element in gone)
     ]

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest, damper
 from stayput.measures.measure import Held, Measure, wall_behind
@@ -13,6 +14,7 @@ from stayput.measures.parameters import parameter
 
 if TYPE_CHECKING:
     from stayput.body import Body
+    from stayput.catalogue import Phrase
     from stayput.room import Room
 
 
@@ -29,17 +31,16 @@ class Tie(Measure):
     height: float
     damping: float
 
-    def where(self) -> str | None:
+    def where(self) -> Phrase | None:
         """Return the height on the wall."""
-        return f"tied to the wall at {self.height:g} times the height"
+        return phrase("measures.tied", height=self.height)
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its top to the wall."""
         wall = wall_behind(self, room)
         if self.setback > body.width:
             raise InputError(
-                f"{self.label[0]} setback is {self.setback:g} m; "
-                f"it must be at most the width, {body.width:g} m."
+                "measures.setback", "setback", measure=self.label, setback=self.setback, width=body.width
             )
         point = (-body.width / 2 + self.setback, self.height * body.height)
         x, z = at_rest(body, point)
@@ -48,8 +49,7 @@ class Tie(Measure):
         top = math.inf if room.ceiling is None else room.ceiling.height
         if not 0.0 <= z + rise <= top:
             raise InputError(
-                f"{self.label[0]} angle is {self.angle:g} rad, which puts its anchor at {z + rise:g} m; "
-                "it must be between floor and ceiling."
+                "measures.anchor", "angle", measure=self.label, angle=self.angle, height=z + rise
             )
         k = self.count * self.stiffness
         most = self.count * self.strength
@@ -86,9 +86,9 @@ class Belt(Tie):
     )
 
     count: int = parameter(2, "", 1, 20, ("number of belts", "本数"))
-    strength: float = parameter(1500.0, "N", 1.0, 1e6, ("strength of one", "1本の強さ"))
+    strength: float = parameter(1500.0, "N", 1.0, 1e6, ("strength of one", "1本の強さ"), decides=True)
     stiffness: float = parameter(50e3, "N/m", 1e3, 1e8, ("stiffness of one", "1本の剛性"))
-    slack: float = parameter(0.01, "m", 0.0, 0.5, ("slack", "たるみ"))
+    slack: float = parameter(0.01, "m", 0.0, 0.5, ("slack", "たるみ"), decides=True)
     setback: float = parameter(0.1, "m", 0.02, 5.0, SETBACK)
     angle: float = parameter(0.5, "rad", -1.4, 1.4, ANGLE)
     height: float = parameter(1.0, "", 0.1, 1.0, HEIGHT)
@@ -113,9 +113,9 @@ class Chain(Tie):
     )
 
     count: int = parameter(2, "", 1, 20, ("number of chains", "本数"))
-    strength: float = parameter(1000.0, "N", 1.0, 1e6, ("strength of one", "1本の強さ"))
+    strength: float = parameter(1000.0, "N", 1.0, 1e6, ("strength of one", "1本の強さ"), decides=True)
     stiffness: float = parameter(200e3, "N/m", 1e3, 1e8, ("stiffness of one", "1本の剛性"))
-    slack: float = parameter(0.02, "m", 0.0, 0.5, ("slack", "たるみ"))
+    slack: float = parameter(0.02, "m", 0.0, 0.5, ("slack", "たるみ"), decides=True)
     setback: float = parameter(0.1, "m", 0.02, 5.0, SETBACK)
     angle: float = parameter(0.5, "rad", -1.4, 1.4, ANGLE)
     height: float = parameter(1.0, "", 0.1, 1.0, HEIGHT)

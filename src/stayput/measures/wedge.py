@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
@@ -11,6 +12,7 @@ from stayput.measures.parameters import parameter
 
 if TYPE_CHECKING:
     from stayput.body import Body
+    from stayput.catalogue import Phrase
     from stayput.room import Room
 
 
@@ -19,7 +21,8 @@ class WedgeStopper(Measure):
     """A stopper of rubber pushed under the front edge: the piece leans back, and its front does not slide.
 
     The front corner of the base is lower by the thickness, so the body rests tilted back; that corner has the
-    rubber's friction, and the other one the floor's.
+    rubber's friction, and the other one the floor's. The base stays where it is: before a near wall the
+    stopper goes in no farther than until the top touches the wall.
     """
 
     kind: ClassVar[str] = "wedge_stopper"
@@ -36,21 +39,62 @@ class WedgeStopper(Measure):
     )
     acts_on: ClassVar[str] = "the base"
 
-    thickness: float = parameter(0.007, "m", 5e-4, 0.1, ("thickness at the front edge", "前端の厚さ"))
+    thickness: float = parameter(
+        0.007, "m", 5e-4, 0.1, ("thickness at the front edge", "前端の厚さ"), decides=True
+    )
     static_friction: float = static_of("rubber pad")
     kinetic_friction: float = kinetic_of("rubber pad")
 
-    def where(self) -> str | None:
+    def where(self) -> Phrase | None:
         """Return the place under the base."""
         return UNDER_THE_BASE
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body tilted back, with rubber at the front edge."""
         left, right = body.base_heights
-        body = replace(body, base_heights=(left, right - self.thickness))
+        low = right - self.thickness
+        if room.left_wall is not None:
+            # tilted by φ, the top's back corner stands (h − z_A) sin φ right of the base's
+            sine = (_reach(body)[0] - room.left_wall.gap) / (body.height - left)
+            if sine > -1.0:
+                low = max(low, left + body.width * math.tan(math.asin(sine)))
+        leaning = replace(body, base_heights=(left, low))
+        room = _seen_from_the_leaning_body(room, body, leaning)
         floor = replace(
             room.floor,
             right_edge_static_friction=self.static_friction,
             right_edge_kinetic_friction=self.kinetic_friction,
         )
-        return Held(body, replace(room, floor=floor), (), (self,))
+        return Held(leaning, replace(room, floor=floor), (), (self,))
+
+
+def _seen_from_the_leaning_body(room: Room, body: Body, leaning: Body) -> Room:
+    """Return the room with the walls where they were from the base's back corner.
+
+    A wall's gap is from the side of the body that is nearest to it as it rests: a leaning one's top corner.
+    """
+    (back, front), (leaning_back, leaning_front) = _reach(body), _reach(leaning)
+    left, right = room.left_wall, room.right_wall
+    return replace(
+        room,
+        left_wall=None if left is None else replace(left, gap=max(0.0, left.gap + leaning_back - back)),
+        right_wall=None if right is None else replace(right, gap=max(0.0, right.gap + front - leaning_front)),
+    )
+
+
+def _reach(body: Body) -> tuple[float, float]:
+    """Return how far a body at rest reaches left and right of the base's back corner [m].
+
+    Its centre of gravity plays no part, not even in the last bit: draws of it do not move the walls.
+    """
+    left, right = body.base_heights
+    tilt = math.atan2(right - left, body.width)
+    sin, cos = math.sin(tilt), math.cos(tilt)
+    corners = (
+        (0.0, 0.0),
+        (body.width, right - left),
+        (0.0, body.height - left),
+        (body.width, body.height - left),
+    )
+    across = [u * cos + v * sin for u, v in corners]
+    return min(across), max(across)

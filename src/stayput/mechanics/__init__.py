@@ -1,1 +1,1 @@
-"""How a body moves: small compiled functions, scalars in and out (`engine.run_batch` ties them together)."""
+"""Dynamics of the rigid body: an event-driven solver compiled by Numba, entered at `engine.run_batch`."""

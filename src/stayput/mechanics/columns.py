@@ -1,4 +1,4 @@
-"""The tables that the compiled functions read and write, and the numbers of modes and contacts."""
+"""Record layouts (NumPy dtypes) and integer codes (contacts, modes, events) of the compiled solver."""
 
 from __future__ import annotations
 
@@ -37,19 +37,19 @@ CASE = np.dtype(
     ],
     align=True,
 )
-"""One case, apart from its motion; a column of these is what the batch runs."""
+"""One case without its motion; the batch runs an array of these."""
 
 STATE = np.dtype(
     [
         ("x", "f8"),  # G, right of where the middle of the base stood [m]
         ("z", "f8"),  # G above the floor [m]
-        ("theta", "f8"),
+        ("theta", "f8"),  # from the upright body's position, unlike the tilts that are reported [rad]
         ("sin", "f8"),  # of θ
         ("cos", "f8"),
         ("vx", "f8"),
         ("vz", "f8"),
         ("omega", "f8"),
-        ("alpha", "f8"),  # θ̈ just before the last event, for looking a moment ahead
+        ("alpha", "f8"),  # θ̈ just before the last event, for the look-ahead when a mode is chosen
         ("tau", "f8"),  # time since the sample k [s]
         ("k", "i8"),
         ("kind", "i8"),  # the mode: one of the constants below, with its contacts and slip directions
@@ -57,16 +57,16 @@ STATE = np.dtype(
         ("j", "i8"),
         ("d", "i8"),
         ("dj", "i8"),
-        ("closed", "i8"),  # bits of the contacts that touch
-        ("present", "i8"),  # bits of the contacts that this room has
-        ("low", "f8"),  # the loads (ẍ_G, G) that leave a held body at rest lie between two rays:
+        ("closed", "i8"),  # bits of the closed contacts
+        ("present", "i8"),  # bits of the contacts that exist in this room
+        ("low", "f8"),  # a body at rest stays there while the load (ẍ_G, G) lies between two rays:
         ("low_up", "f8"),  # (low, low_up) and (high, high_up)
         ("high", "f8"),
         ("high_up", "f8"),
         ("rest", "f8"),  # tilt with both base corners on the floor [rad]
-        ("foot_a", "f8"),  # place of A at rest and slide 0 [m]
+        ("foot_a", "f8"),  # x of corner A at rest with slide 0 [m]
         ("foot_b", "f8"),
-        ("settle", "f8"),  # rate at which a contact opens in a bounce that is over [m/s]
+        ("settle_rate", "f8"),  # a contact that opens no faster than this after an impact stays closed [m/s]
         ("hit", "i8"),  # bits of the contacts that closed in the last event
         ("peak_tilt", "f8"),
         ("peak_slide", "f8"),
@@ -79,7 +79,8 @@ STATE = np.dtype(
     align=True,
 )
 
-# contacts: corner on plane
+# contacts: a corner of the body (A, B of the base, C, D of the top) on a plane (0 floor, 1 right wall,
+# 2 left wall, 3 ceiling)
 A_FLOOR, B_FLOOR, B_RIGHT, D_RIGHT, A_LEFT, C_LEFT, C_CEILING, D_CEILING = range(8)
 CORNER = (0, 1, 1, 3, 0, 2, 2, 3)
 PLANE = (0, 0, 1, 1, 2, 2, 3, 3)
@@ -104,18 +105,18 @@ CONTACT = np.dtype(
 
 ROW = np.dtype(
     [
-        ("nx", "f8"),  # normal, and its lever about G
+        ("nx", "f8"),  # unit normal, and its lever arm about G [m]
         ("nz", "f8"),
         ("nl", "f8"),
-        ("tx", "f8"),  # tangent, and its lever
+        ("tx", "f8"),  # unit tangent, and its lever arm [m]
         ("tz", "f8"),
         ("tl", "f8"),
-        ("bias_n", "f8"),  # rates without forces at the contacts
+        ("bias_n", "f8"),  # normal and tangential rates without contact forces
         ("bias_t", "f8"),
-        ("target", "f8"),  # the normal rate of a contact that presses
-        ("mu_stick", "f8"),  # coefficients of friction of the corner alone
+        ("target", "f8"),  # normal rate that a pressing contact must have
+        ("mu_stick", "f8"),  # static and kinetic coefficients while this corner alone is in contact
         ("mu_slip", "f8"),
-        ("flat_stick", "f8"),  # and where the plane's other corner is closed too
+        ("flat_stick", "f8"),  # the same while the plane's other corner is closed too
         ("flat_slip_right", "f8"),
         ("flat_slip_left", "f8"),
         ("slipping", "f8"),  # direction of slip, 0 where there is none
@@ -123,22 +124,24 @@ ROW = np.dtype(
     ],
     align=True,
 )
-"""A closed contact in the small contact problem."""
+"""A closed contact in the contact problem (see `contact`): its row of the Jacobian, rates and friction."""
 
-# modes
-HELD, FLAT, STICK, SLIP, WEDGE, FLIGHT, OVERTURNED, FAILED = range(8)
+# Modes of the solver: which contacts carry load, and whether they slip. `sampling.public_mode` maps them to
+# `stayput.Mode`: REST of a tilted body held by a wall, and LEAN (slipping on two planes at once), are both
+# Mode.LEAN, the theory page's "lean"; any mode without a floor contact is Mode.FLIGHT.
+REST, SLIDE, ROCK, SLIDE_ROCK, LEAN, FLIGHT, OVERTURNED, FAILED = range(8)
 
-# why a mode ended
+# why an integration in one mode returned: end of record, contact closed, force or slip limit, overturned
 ENDED, CLOSED, LIMIT, TURNED_OVER = range(4)
 
-# columns of the history, one row a sample
+# columns of the history; one row per sample
 H_X, H_Z, H_TILT, H_TILT_RATE, H_SLIDE, H_SLIDE_RATE, H_MODE, H_REACHED = range(8)
 HISTORY = 8
 
-# modes as the user knows them, in the order of `stayput.simulation.Mode`
+# public modes, in the order of `stayput.simulation.Mode`
 REST_MODE, SLIDE_MODE, ROCK_MODE, SLIDE_ROCK_MODE, FLIGHT_MODE, LEAN_MODE, OVERTURNED_MODE = range(7)
 
-# columns of the list of events, and their kinds in the order of `stayput.simulation.EventKind`
+# columns of the event list, and event kinds in the order of `stayput.simulation.EventKind`
 E_TIME, E_KIND, E_MODE, E_TILT, E_TILT_RATE, E_SLIDE, E_SLIDE_RATE = range(7)
 EVENT = 7
 (
@@ -168,7 +171,7 @@ RESULT = np.dtype(
         ("end", "f8"),  # s
         ("peak_slide", "f8"),  # m
         ("residual_slide", "f8"),
-        ("peak_tilt", "f8"),  # rad
+        ("peak_tilt", "f8"),  # from rest, as all tilts that are reported [rad]
         ("residual_tilt", "f8"),
         ("floor_impacts", "i8"),
         ("wall_impacts", "i8"),
@@ -177,4 +180,4 @@ RESULT = np.dtype(
     ],
     align=True,
 )
-"""What the batch keeps of a case."""
+"""Result of one case in a batch."""

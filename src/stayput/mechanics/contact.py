@@ -1,10 +1,10 @@
-"""The small contact problem: consistent forces, or impulses, at all closed contacts at once.
+"""Contact problem: the consistent forces, or impulses, at all closed contacts at once.
 
 Forces and impulses obey the same relation. With the rows j of a contact (its normal n or tangent t,
 and the lever about G) and unit mass, M = diag(1, 1, I), rate⁺ = bias + Σ (j M⁻¹ jᵀ) λ, where the rates
-are accelerations and λ forces, or velocities and λ impulses. A *pattern* says which contacts press and
+are accelerations and λ forces, or velocities and λ impulses. An *active set* says which contacts press and
 whether each sticks (T free) or slips (T = −μ d N); it is consistent when N ≥ 0, |T| ≤ μN where it sticks,
-it slips in the direction assumed, and no contact left out closes further (Shenton 1996 for one block).
+it slips in the direction assumed, and no inactive contact closes further (Shenton 1996 for one block).
 """
 
 from __future__ import annotations
@@ -13,24 +13,25 @@ import math
 
 from stayput.compiled import inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, PLANE
-from stayput.mechanics.geometry import arm_at, given_or, own_friction
+from stayput.mechanics.geometry import arm_at, own_friction, value_or
 
-STUCK = 1e-10
-"""A contact whose slip rate is not larger than this sticks [m/s]."""
+STICK_RATE = 1e-10
+"""Slip rate up to which a contact sticks [m/s]."""
 
-JAMMED = 1e-6
-"""A slip for which (I + kσ)/I is not larger than this cannot be carried on: Painlevé's limit is zero."""
+PAINLEVE_LIMIT = 1e-6
+"""Least (I + kσ)/I at which slip can continue; at zero no finite force is consistent (Painlevé 1895)."""
 
-OPEN = 100.0
-"""A contact may be left out of a pattern if it closes by less than this many tolerances.
+CLOSING_SLACK = 100.0
+"""Closing rate, in tolerances, up to which a contact may be inactive.
 
-More than one: a force within the tolerance may be left out as well as taken.
+Larger than one, so that a contact force within the tolerance is accepted whether it is in the active set or
+not.
 """
 
 
 @inner
-def tabulate(rows, contacts, closed, sin, cos, case):
-    """List the closed contacts: normals, tangents, levers and coefficients of friction."""
+def fill_rows(rows, contacts, closed, sin, cos, case):
+    """Fill one row per closed contact: normal, tangent, lever arms and coefficients of friction."""
     count = 0
     c = 0
     while closed >> c:
@@ -50,14 +51,14 @@ def tabulate(rows, contacts, closed, sin, cos, case):
         for k in range(2):
             row = rows[k]
             static, kinetic = own_friction(case, k)
-            row.flat_stick = given_or(static, case.static_friction)
-            row.flat_slip_right, row.flat_slip_left = given_or(kinetic, right), given_or(kinetic, left)
+            row.flat_stick = value_or(static, case.static_friction)
+            row.flat_slip_right, row.flat_slip_left = value_or(kinetic, right), value_or(kinetic, left)
     return count
 
 
 @inner
 def base_friction(case, edge, reach, kappa):
-    """Kinetic coefficient of the flat base; G is ``reach`` behind the leading corner and κ above it.
+    """Kinetic coefficient of the flat base, G being ``reach`` behind the leading corner and κ above it.
 
     A body tips when its friction is larger than reach/κ. If the edge's own friction is too small to keep
     it tipped, the base's falls with the load on the trailing corner to the ratio at which that is zero.
@@ -67,20 +68,20 @@ def base_friction(case, edge, reach, kappa):
 
 
 @inner
-def turned(px, pz, qx, qz):
-    """Positive where q lies to the left, against the clock, of p."""
+def cross(px, pz, qx, qz):
+    """Cross product p × q: positive where q lies counterclockwise of p."""
     return px * qz - pz * qx
 
 
 @inner
-def one_ray(lx, lz, hx, hz):
-    """Whether a cone of loads is one ray, as on a floor without friction: its other half is not in it."""
-    return turned(lx, lz, hx, hz) == 0.0 and lx * hx + lz * hz > 0.0
+def is_single_ray(lx, lz, hx, hz):
+    """Whether a cone of loads is a single ray (frictionless floor), which excludes the opposite ray."""
+    return cross(lx, lz, hx, hz) == 0.0 and lx * hx + lz * hz > 0.0
 
 
 @inner
 def holding_cone(rows, first, count, lifted):
-    """Loads (ẍ_G, G) under which contacts that do not slip can hold the body still.
+    """Cone of loads (ẍ_G, G) that sticking contacts can balance.
 
     The forces that friction allows form a cone spanned by two edges at each contact. Those without moment
     about G are spanned by pairs of edges; they form the cone of loads.
@@ -90,7 +91,7 @@ def holding_cone(rows, first, count, lifted):
     first, count : int
         The rows of the contacts: from ``first``, ``count`` of them.
     lifted : int
-        Row of a base corner that bears nothing, so that the other has a corner's friction; −1 for none.
+        Row of a base corner that carries no load, so that the other has a corner's friction; −1 for none.
 
     Returns
     -------
@@ -99,7 +100,7 @@ def holding_cone(rows, first, count, lifted):
         it is the whole plane.
     """
     lx = lz = hx = hz = 0.0
-    found = False
+    exists = False
     for p in range(2 * first, 2 * (first + count)):
         rp = rows[p >> 1]
         mu = (1.0 - 2.0 * (p & 1)) * (rp.flat_stick if lifted < 0 else rp.mu_stick)
@@ -112,19 +113,19 @@ def holding_cone(rows, first, count, lifted):
             if none or pl * ql > 0.0 or (pl == 0.0 and ql == 0.0):
                 continue
             fx, fz = abs(ql) * px + abs(pl) * qx, abs(ql) * pz + abs(pl) * qz
-            if fz > 1e-12 * abs(fx):
+            if fz > 1e-12 * abs(fx):  # rays are scaled to G = 1 where they can be
                 fx, fz = fx / fz, 1.0
-            if not found:
-                found, lx, lz, hx, hz = True, fx, fz, fx, fz
+            if not exists:
+                exists, lx, lz, hx, hz = True, fx, fz, fx, fz
                 continue
-            before_low, behind_high = turned(fx, fz, lx, lz) < 0.0, turned(hx, hz, fx, fz) < 0.0
+            before_low, behind_high = cross(fx, fz, lx, lz) < 0.0, cross(hx, hz, fx, fz) < 0.0
             if before_low and behind_high:
                 return True, 0.0, 0.0, 0.0, 0.0
             if before_low:
                 lx, lz = fx, fz
             elif behind_high:
                 hx, hz = fx, fz
-    return found, lx, lz, hx, hz
+    return exists, lx, lz, hx, hz
 
 
 @inner
@@ -133,34 +134,38 @@ def _coupling(jx, jz, jl, fx, fz, fl, I):
 
 
 @inner
-def _push(row, side, mu):
-    """Force per unit normal force of a contact that slips to ``side``."""
+def _force_per_normal(row, side, mu):
+    """Contact force per unit normal force, for slip to ``side``."""
     return row.nx - side * mu * row.tx, row.nz - side * mu * row.tz, row.nl - side * mu * row.tl
 
 
 @inner
 def _normal_rate(row, fx, fz, fl, I):
-    """Normal rate of a contact under a total force."""
+    """Normal rate of a contact under the total contact force."""
     return row.bias_n + _coupling(row.nx, row.nz, row.nl, fx, fz, fl, I)
 
 
 @inner
 def _tangential_rate(row, fx, fz, fl, I):
-    """Tangential rate of a contact under a total force."""
+    """Tangential rate of a contact under the total contact force."""
     return row.bias_t + _coupling(row.tx, row.tz, row.tl, fx, fz, fl, I)
 
 
 @inner
 def _others_stay_open(rows, count, i, j, fx, fz, fl, I, tolerance):
     for k in range(count):
-        if k != i and k != j and _normal_rate(rows[k], fx, fz, fl, I) < rows[k].target - OPEN * tolerance:
+        if (
+            k != i
+            and k != j
+            and _normal_rate(rows[k], fx, fz, fl, I) < rows[k].target - CLOSING_SLACK * tolerance
+        ):
             return False
     return True
 
 
 @inner
 def one_sticks(rows, count, i, I, tolerance):
-    """Only contact i presses, and sticks: whether that is consistent, and the total force."""
+    """Active set {i sticks}: whether it is consistent, and the total force."""
     row = rows[i]
     nn = _coupling(row.nx, row.nz, row.nl, row.nx, row.nz, row.nl, I)
     tt = _coupling(row.tx, row.tz, row.tl, row.tx, row.tz, row.tl, I)
@@ -175,11 +180,11 @@ def one_sticks(rows, count, i, I, tolerance):
 
 @inner
 def one_slips(rows, count, i, side, I, tolerance):
-    """Only contact i presses, and slips to ``side``."""
+    """Active set {i slips to ``side``}: whether it is consistent, and the total force."""
     row = rows[i]
-    fx, fz, fl = _push(row, side, row.mu_slip)
+    fx, fz, fl = _force_per_normal(row, side, row.mu_slip)
     press = _coupling(row.nx, row.nz, row.nl, fx, fz, fl, I)
-    if press <= JAMMED:
+    if press <= PAINLEVE_LIMIT:
         return False, 0.0, 0.0, 0.0
     N = (row.target - row.bias_n) / press
     fx, fz, fl = N * fx, N * fz, N * fl
@@ -188,14 +193,14 @@ def one_slips(rows, count, i, side, I, tolerance):
 
 
 @inner
-def press_of_two(ri, side_i, rj, side_j, I):
-    """Normal forces of two contacts that slip, and the total force; the first is NaN where they jam."""
+def forces_of_slipping_pair(ri, side_i, rj, side_j, I):
+    """Normal forces of two slipping contacts, and the total force; the first is NaN where the two jam."""
     mu_i, mu_j = ri.mu_slip, rj.mu_slip
     if PLANE[ri.index] == PLANE[rj.index]:
         mu_i = ri.flat_slip_right if side_i > 0.0 else ri.flat_slip_left
         mu_j = rj.flat_slip_right if side_j > 0.0 else rj.flat_slip_left
-    ix, iz, il = _push(ri, side_i, mu_i)
-    jx, jz, jl = _push(rj, side_j, mu_j)
+    ix, iz, il = _force_per_normal(ri, side_i, mu_i)
+    jx, jz, jl = _force_per_normal(rj, side_j, mu_j)
     ii = _coupling(ri.nx, ri.nz, ri.nl, ix, iz, il, I)
     ij = _coupling(ri.nx, ri.nz, ri.nl, jx, jz, jl, I)
     ji = _coupling(rj.nx, rj.nz, rj.nl, ix, iz, il, I)
@@ -210,12 +215,12 @@ def press_of_two(ri, side_i, rj, side_j, I):
 
 @inner
 def both_slip(rows, count, i, side_i, j, side_j, I, tolerance):
-    """Contacts i and j press, and slip to their sides.
+    """Active set {i and j slip to their sides}: whether it is consistent, and the total force.
 
-    On one plane either may press with nothing; on two planes one that does not press is left out.
+    On one plane either normal force may be zero; on two planes a contact that does not press is inactive.
     """
     ri, rj = rows[i], rows[j]
-    Ni, Nj, fx, fz, fl = press_of_two(ri, side_i, rj, side_j, I)
+    Ni, Nj, fx, fz, fl = forces_of_slipping_pair(ri, side_i, rj, side_j, I)
     least = -tolerance if PLANE[ri.index] == PLANE[rj.index] else tolerance
     ok = Ni >= least and Nj >= least
     if ok and ri.slipping == 0.0:
@@ -227,11 +232,11 @@ def both_slip(rows, count, i, side_i, j, side_j, I, tolerance):
 
 @inner
 def sticks_beside(rows, count, i, j, side_j, I, tolerance):
-    """Contact i sticks while j presses: on one plane j sticks with it, else it slips to ``side_j``."""
+    """Active set {i sticks; j sticks on the same plane, else slips to ``side_j``}; as `both_slip`."""
     ri, rj = rows[i], rows[j]
     same_plane = PLANE[ri.index] == PLANE[rj.index]
-    jx, jz, jl = _push(rj, 0.0 if same_plane else side_j, rj.mu_slip)
-    # unknowns N_i, T_i, N_j; rows n_i, t_i, n_j
+    jx, jz, jl = _force_per_normal(rj, 0.0 if same_plane else side_j, rj.mu_slip)
+    # unknowns N_i, T_i, N_j; equations in the directions n_i, t_i, n_j; solved by Cramer's rule
     a11 = _coupling(ri.nx, ri.nz, ri.nl, ri.nx, ri.nz, ri.nl, I)
     a12 = _coupling(ri.nx, ri.nz, ri.nl, ri.tx, ri.tz, ri.tl, I)
     a13 = _coupling(ri.nx, ri.nz, ri.nl, jx, jz, jl, I)
@@ -267,9 +272,9 @@ def sticks_beside(rows, count, i, j, side_j, I, tolerance):
 
 
 @inner
-def none_presses(rows, count, tolerance):
-    """Whether no contact closes without a force."""
+def no_contact_closes(rows, count, tolerance):
+    """Whether no contact would close if all contact forces were zero."""
     for k in range(count):
-        if rows[k].bias_n < rows[k].target - OPEN * tolerance:
+        if rows[k].bias_n < rows[k].target - CLOSING_SLACK * tolerance:
             return False
     return True

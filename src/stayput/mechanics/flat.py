@@ -1,4 +1,4 @@
-"""Rest and sliding: a body that does not turn, in closed form."""
+"""Rest and flat sliding: the modes without rotation, in closed form."""
 
 from __future__ import annotations
 
@@ -6,17 +6,19 @@ import math
 
 from stayput.compiled import entry, inner
 from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, ENDED, LIMIT, PLANE
-from stayput.mechanics.contact import STUCK, base_friction, one_ray, turned
-from stayput.mechanics.geometry import along, arm, gap, given_or, own_friction
-from stayput.mechanics.motion import loads, note_sample, pass_time
+from stayput.mechanics.contact import STICK_RATE, base_friction, cross, is_single_ray
+from stayput.mechanics.geometry import arm, gap, own_friction, to_plane_axes, value_or
 from stayput.mechanics.roots import closed_level, first_zero
+from stayput.mechanics.sampling import advance_clock, loads, record_sample
 
 BLOCK = 16
-"""Samples a block of the extremes that let rest be skipped."""
+"""Samples per block of load extremes, by which rest is skipped."""
 
 
-BARELY = 1e-8
-"""A slip that starts is not over before this: its mode was chosen a moment ahead [s]."""
+MIN_SLIP_TIME = 1e-8
+"""Shortest slip [s]: the mode was chosen at `modes.LOOKAHEAD`, so a slip that starts now may still seem to
+stop.
+"""
 
 
 @entry
@@ -32,20 +34,20 @@ def block_extremes(values, low, high):
 
 @inner
 def _lowest(p, low, high):
-    """Smallest product of p with a value between low and high."""
+    """Minimum of p × value over values between low and high."""
     return p * low if p >= 0.0 else p * high
 
 
 @inner
-def _block_holds(case, s, block, a_low, a_high, z_low, z_high):
-    """Whether the loads of a whole block of the record leave the body at rest."""
+def _block_stays_at_rest(case, s, block, a_low, a_high, z_low, z_high):
+    """Whether the body stays at rest throughout a block of the record, by the extremes of its loads."""
     k = case.scale
     a0, a1, z0, z1 = k * a_low[block], k * a_high[block], k * z_low[block], k * z_high[block]
     if k < 0.0:
         a0, a1, z0, z1 = a1, a0, z1, z0
     z0, z1 = case.gravity + z0, case.gravity + z1
     if (
-        one_ray(s.low, s.low_up, s.high, s.high_up)
+        is_single_ray(s.low, s.low_up, s.high, s.high_up)
         and _lowest(s.low, a0, a1) + _lowest(s.low_up, z0, z1) < 0.0
     ):
         return False
@@ -56,8 +58,8 @@ def _block_holds(case, s, block, a_low, a_high, z_low, z_high):
 
 
 @inner
-def _leaves_at(f0, f1, h):
-    """Time in a step at which a linear function becomes positive; h where it does not."""
+def _time_until_positive(f0, f1, h):
+    """Time in a step at which a linear function becomes positive, or h."""
     if f1 <= 0.0:
         return h
     if f0 >= 0.0:
@@ -66,36 +68,36 @@ def _leaves_at(f0, f1, h):
 
 
 @inner
-def advance_held(case, s, ax, az, dt, extremes, history):
-    """Keep the body exactly where it is, to the time when the contacts can hold it no longer."""
+def advance_rest(case, s, ax, az, dt, extremes, history):
+    """Advance a body at rest, exactly unmoved, until the contacts can no longer balance the load."""
     a_low, a_high, z_low, z_high = extremes
     last = ax.shape[0] - 1
     per_second = case.scale / dt
     keeps = history.shape[0] > 0
-    thin = one_ray(s.low, s.low_up, s.high, s.high_up)
+    thin = is_single_ray(s.low, s.low_up, s.high, s.high_up)
     while s.k < last:
         if s.tau == 0.0 and s.k % BLOCK == 0 and not keeps:
             block = s.k // BLOCK
-            if _block_holds(case, s, block, a_low, a_high, z_low, z_high):
+            if _block_stays_at_rest(case, s, block, a_low, a_high, z_low, z_high):
                 s.k = min(last, s.k + BLOCK)
                 continue
         h = dt - s.tau
         a0, _, G0, _ = loads(case, ax, az, per_second, s.k, s.tau)
         a1, G1 = case.scale * ax[s.k + 1], case.gravity + case.scale * az[s.k + 1]
-        low1, high1 = turned(a1, G1, s.low, s.low_up), turned(s.high, s.high_up, a1, G1)
-        low0, high0 = turned(a0, G0, s.low, s.low_up), turned(s.high, s.high_up, a0, G0)
+        low1, high1 = cross(a1, G1, s.low, s.low_up), cross(s.high, s.high_up, a1, G1)
+        low0, high0 = cross(a0, G0, s.low, s.low_up), cross(s.high, s.high_up, a0, G0)
         along0 = a0 * s.low + G0 * s.low_up if thin else 0.0
         along1 = a1 * s.low + G1 * s.low_up if thin else 0.0
         beyond = min(low1, high1, along1) < 0.0
         if beyond or (s.tau > 0.0 and min(low0, high0, along0) < 0.0):
-            t = min(_leaves_at(-low0, -low1, h), _leaves_at(-high0, -high1, h))
-            t = min(t, _leaves_at(-along0, -along1, h))
+            t = min(_time_until_positive(-low0, -low1, h), _time_until_positive(-high0, -high1, h))
+            t = min(t, _time_until_positive(-along0, -along1, h))
             if t < h:
                 s.tau += t
                 return LIMIT
         s.k += 1
         s.tau = 0.0
-        note_sample(history, case, s)
+        record_sample(history, case, s)
     return ENDED
 
 
@@ -105,7 +107,7 @@ def _first_stop(v, p, p_rate, h):
     if v == 0.0:  # divide out a start at zero
         if p_rate != 0.0:
             t = -2.0 * p / p_rate
-            if BARELY < t <= h:
+            if MIN_SLIP_TIME < t <= h:
                 return t
         return -1.0
     if p_rate == 0.0:
@@ -127,8 +129,8 @@ def _first_stop(v, p, p_rate, h):
 
 
 @inner
-def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
-    """Slide the body flat along its plane with the coefficient ``friction`` to its next event."""
+def advance_slide(contacts, case, s, ax, az, dt, friction, lifts, history):
+    """Advance a body that slides flat with the coefficient ``friction`` to its next event."""
     con = contacts[s.i]
     cf, sf = con.cos, con.sin
     d = float(s.d)
@@ -141,28 +143,28 @@ def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
         drive = d * (cf * a + sf * G) + friction * N  # deceleration in the direction of slip
         drive_rate = d * (cf * a_rate + sf * G_rate) + friction * N_rate
         h = dt - s.tau
-        v = d * along(con, s.vx, s.vz)[0]
-        if abs(v) <= STUCK:
+        v = d * to_plane_axes(con, s.vx, s.vz)[0]
+        if abs(v) <= STICK_RATE:
             v = 0.0
         outcome = ENDED
         t = _first_stop(v, drive, drive_rate, h)
         if t >= 0.0:
             h, outcome = t, LIMIT
         if lifts and N + N_rate * h < 0.0:
-            t = _leaves_at(-N, -N - N_rate * h, h)
+            t = _time_until_positive(-N, -N - N_rate * h, h)
             if t < h or outcome == ENDED:
                 h, outcome = t, LIMIT
         if not lifts:  # the paper's body rocks where the load is beyond (b/h)g, sliding or not
             a1, G1 = a + a_rate * h, G + G_rate * h
             t = min(
-                _leaves_at(-turned(a, G, s.low, s.low_up), -turned(a1, G1, s.low, s.low_up), h),
-                _leaves_at(-turned(s.high, s.high_up, a, G), -turned(s.high, s.high_up, a1, G1), h),
+                _time_until_positive(-cross(a, G, s.low, s.low_up), -cross(a1, G1, s.low, s.low_up), h),
+                _time_until_positive(-cross(s.high, s.high_up, a, G), -cross(s.high, s.high_up, a1, G1), h),
             )
             if t < h:
                 h, outcome = t, LIMIT
         c = 0
         while others >> c:
-            side = d * along(contacts[c], cf, sf)[1]  # the gap opens with the slip, or closes
+            side = d * to_plane_axes(contacts[c], cf, sf)[1]  # + where the slip opens the gap
             if others >> c & 1 and side != 0.0:
                 g0 = gap(contacts[c], s)
                 g1 = g0 + side * h * (v - h * (drive / 2.0 + h * drive_rate / 6.0))
@@ -172,7 +174,7 @@ def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
                 if t >= 0.0:
                     rate = side * (v - t * (drive + 0.5 * t * drive_rate))
                     left = g0 - level + side * t * (v - t * (drive / 2.0 + t * drive_rate / 6.0))
-                    if rate < 0.0:  # on the motion itself
+                    if rate < 0.0:  # one Newton step on the exact motion; first_zero uses its quintic
                         t = min(h, max(0.5 * t, t - left / rate))
                     h, outcome, s.hit = t, CLOSED, 1 << c
             c += 1
@@ -183,16 +185,31 @@ def advance_flat(contacts, case, s, ax, az, dt, friction, lifts, history):
         if outcome == LIMIT and abs(speed) < 1e-10:
             s.vx = s.vz = 0.0
         s.steps += 1
-        if pass_time(s, h, dt):
-            note_sample(history, case, s)
+        if advance_clock(s, h, dt):
+            record_sample(history, case, s)
         if outcome != ENDED:
             return outcome
     return ENDED
 
 
 @inner
-def flat_friction(contacts, case, s):
-    """Kinetic coefficient of a body that slides flat: on the floor by the corners' loads."""
+def load_weighted_friction(contacts, s, left, right, d):
+    """Kinetic coefficient of a flat base slipping to side d: the mean of its corners', weighted by load.
+
+    A corner's share of the load is proportional to the other's lever arm about G, friction included. A corner
+    that friction would lift carries none: under the paper's rules a body that would tip goes on sliding flat.
+    """
+    if left == right:
+        return left
+    sigma, kappa = arm(contacts[B_FLOOR], s)
+    on_left = max(0.0, sigma - d * right * kappa)
+    on_right = max(0.0, d * left * kappa - arm(contacts[A_FLOOR], s)[0])
+    return (left * on_left + right * on_right) / (on_left + on_right)
+
+
+@inner
+def slide_friction(contacts, case, s):
+    """Kinetic coefficient of a body that slides flat; on the floor, weighted by the corners' loads."""
     con = contacts[s.i]
     if PLANE[s.i] > 0:
         return con.mu_kinetic
@@ -200,13 +217,7 @@ def flat_friction(contacts, case, s):
     sigma, kappa = arm(leading, s)
     base = base_friction(case, leading.mu_kinetic, abs(sigma), kappa)
     left, right = (
-        given_or(own_friction(case, A_FLOOR)[1], base),
-        given_or(own_friction(case, B_FLOOR)[1], base),
+        value_or(own_friction(case, A_FLOOR)[1], base),
+        value_or(own_friction(case, B_FLOOR)[1], base),
     )
-    if left == right:
-        return left
-    # each corner's share of the load is as the other's arm about G, friction included
-    d = float(s.d)
-    on_left = arm(contacts[B_FLOOR], s)[0] - d * right * kappa
-    on_right = d * left * kappa - arm(contacts[A_FLOOR], s)[0]
-    return (left * on_left + right * on_right) / (on_left + on_right)
+    return load_weighted_friction(contacts, s, left, right, float(s.d))

@@ -1,38 +1,41 @@
-"""Rocking and slide-rocking: a body on one fulcrum, from one event to the next."""
+"""Rocking and slide-rocking: integration of a body on one fulcrum to its next event."""
 
 from __future__ import annotations
 
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.columns import CLOSED, CORNER, ENDED, LIMIT, SLIP, TURNED_OVER
-from stayput.mechanics.contact import JAMMED
-from stayput.mechanics.geometry import HALF_TURN, along, arm_at, sin_cos
-from stayput.mechanics.motion import loads, note_sample, pass_time
-from stayput.mechanics.roots import closed_level, falls_inside, first_zero, narrowed, secant
+from stayput.mechanics.columns import CLOSED, CORNER, ENDED, LIMIT, PLANE, SLIDE_ROCK, TURNED_OVER
+from stayput.mechanics.contact import PAINLEVE_LIMIT
+from stayput.mechanics.geometry import RIGHT_ANGLE, arm_at, sin_cos, slide_of, to_plane_axes
+from stayput.mechanics.roots import closed_level, first_zero, illinois_update, parabola_negative_at, secant
+from stayput.mechanics.sampling import advance_clock, loads, record_sample
 from stayput.mechanics.series import rock_series, slide_rock_series, step_within, tilt_after
 
 NEAR_LIMIT = 0.01
-"""A margin smaller than this part of g at either end of a step is also looked at in its middle."""
+"""Margin, as a part of g, below which at either end of a step it is also evaluated at the midpoint."""
 
 SLACK_FORCE, SLACK_SLIP = 1e-8, 5e-11
-"""A margin that starts at its limit has passed it when it is this far beyond [m/s², m/s]."""
+"""Slack by which a margin that starts a step at its limit must fall below it to count as an event [m/s²,
+m/s].
+"""
 
-BORNE = 1e9
-"""What a wall adds to the friction of a fulcrum that stands at it [m/s²]."""
+WALL_SUPPORT = 1e9
+"""Friction limit added on the side of a wall that blocks the fulcrum's slip [m/s²]: practically infinite."""
 
 LOCATED = 1e-13
-"""A limit is located to this part of a second [s]."""
+"""Tolerance to which a crossing is located [s]."""
 
 
 @inline
 def margins(law, sigma, kappa, omega, A, G, slip):
-    """What must stay positive on a fulcrum, and the tilt acceleration.
+    """Event margins of a body on a fulcrum, positive while the mode lasts, and the tilt acceleration.
 
-    Sticking: μN − T and μN + T. Slipping: N, as long as the slip is not jammed, and the slip rate in its
-    direction. law holds whether it
-    sticks, I, −1/(I+r²), μ or μ', d, and the sign of N: under the paper's rules the fulcrum can pull, and a
-    wall at the base can keep one that sticks from slipping to the side d.
+    Sticking: μN − T and μN + T. Slipping: N (negative where the slip jams), and the slip rate in its
+    direction.
+
+    ``law`` is (whether it sticks, I, −1/(I+r²), μ or μ', d, sign of N). Under the paper's rules the fulcrum
+    can pull, and a wall at the base can block a sticking fulcrum's slip to the side d.
     """
     stick, I, q, mu, d, sign = law
     if stick:
@@ -40,36 +43,36 @@ def margins(law, sigma, kappa, omega, A, G, slip):
         N = G + alpha * sigma - omega * omega * kappa
         T = A + alpha * kappa + omega * omega * sigma
         return (
-            sign * mu * N - T + (BORNE if d < 0.0 else 0.0),
-            sign * mu * N + T + (BORNE if d > 0.0 else 0.0),
+            sign * mu * N - T + (WALL_SUPPORT if d < 0.0 else 0.0),
+            sign * mu * N + T + (WALL_SUPPORT if d > 0.0 else 0.0),
             alpha,
         )
     k = sigma - sign * mu * d * kappa
     M = I + k * sigma
     alpha = -k * (G - omega * omega * kappa) / M
     N = sign * (G + alpha * sigma - omega * omega * kappa)
-    return (N if M > 0.5 * JAMMED * I else -1.0), d * slip, alpha
+    return (N if M > 0.5 * PAINLEVE_LIMIT * I else -1.0), d * slip, alpha
 
 
 @inline
 def slip_after(flow, mu_d, sigma, kappa, omega, t):
     """Slip rate of the fulcrum after a time t.
 
-    The friction on a slipping fulcrum, −μ'd N, makes ẋ + μ'd ż change with the loads alone: flow holds
-    its value and that of x + μ'd z at the start of the step, and the load A + μ'd Γ with its rate.
+    As the friction of a slipping fulcrum is −μ'd N, ẋ + μ'd ż depends on the loads alone. ``flow`` is the
+    value of that sum and of x + μ'd z at the start of the step, and the load A + μ'd Γ with its rate.
     """
     return flow[0] - t * (flow[2] + 0.5 * t * flow[3]) - omega * (mu_d * sigma + kappa)
 
 
 @inline
 def place_after(flow, mu_d, kappa, t):
-    """Place of G along the plane after a time t of slipping."""
+    """Position of G along the plane after a time t of slipping."""
     return flow[1] - mu_d * kappa + t * (flow[0] - t * (flow[2] / 2.0 + t * flow[3] / 6.0))
 
 
 @inline
 def state_after(t, law, con, foot, sin0, cos0, series, flow, load):
-    """State at a time t in a step: θ, θ̇, sin θ, cos θ, σ, κ, slip rate, place of the fulcrum, margins, θ̈."""
+    """State at a time t in a step: θ, θ̇, sin θ, cos θ, σ, κ, slip rate, fulcrum position, margins, θ̈."""
     theta, omega = tilt_after(series, t)
     sin, cos = sin_cos(theta, series[0], sin0, cos0)
     sigma, kappa = arm_at(con, sin, cos)
@@ -84,27 +87,31 @@ def state_after(t, law, con, foot, sin0, cos0, series, flow, load):
 
 @inner
 def margins_after(t, law, con, sin0, cos0, series, flow, load):
-    """The margins at a time t in a step."""
+    """Event margins at a time t in a step."""
     end = state_after(t, law, con, 0.0, sin0, cos0, series, flow, load)
     return end[8], end[9]
 
 
 @inline
 def limit_level(m0, slack):
-    """Value at which a margin counts as passed in a step that starts with m0; see `closed_level`."""
+    """Value below which a margin is crossed in a step that starts with m0; see `roots.closed_level`."""
     return 0.0 if m0 > slack else min(m0, 0.0) - slack
 
 
 @inner
 def first_limit(f0, g0, f1, g1, h, law, con, sin0, cos0, series, flow, load):
-    """Time of the first margin that becomes negative in a step, or −1."""
+    """Time of the first crossing of a margin in a step, or −1.
+
+    A parabola through start, middle and end says where a margin may be negative: also inside the step, where
+    it is positive at both ends.
+    """
     f_level, g_level = limit_level(f0, SLACK_FORCE), limit_level(g0, SLACK_FORCE if law[0] else SLACK_SLIP)
     fm, gm = margins_after(0.5 * h, law, con, sin0, cos0, series, flow, load)
     first = -1.0
-    u = falls_inside(f0 - f_level, fm - f_level, f1 - f_level)
+    u = parabola_negative_at(f0 - f_level, fm - f_level, f1 - f_level)
     if u > 0.0:
         first = _locate(True, f_level, f0, u * h, law, con, sin0, cos0, series, flow, load)
-    u = falls_inside(g0 - g_level, gm - g_level, g1 - g_level)
+    u = parabola_negative_at(g0 - g_level, gm - g_level, g1 - g_level)
     if u > 0.0:
         t = _locate(False, g_level, g0, u * h, law, con, sin0, cos0, series, flow, load)
         if t >= 0.0 and (first < 0.0 or t < first):
@@ -114,11 +121,12 @@ def first_limit(f0, g0, f1, g1, h, law, con, sin0, cos0, series, flow, load):
 
 @inner
 def _locate(is_f, level, m0, high, law, con, sin0, cos0, series, flow, load):
-    """Time at which a margin falls below its level, at or before ``high``; −1 where it is not below there."""
+    """Time at which a margin crosses its level before ``high``; −1 where it is not below it at ``high``."""
     f, g = margins_after(high, law, con, sin0, cos0, series, flow, load)
     m_high = (f if is_f else g) - level
     if m_high >= 0.0:
         return -1.0
+    # at the start the margin is at or above its level, at ``high`` below: an Illinois search between the two
     bracket = (0.0, m0 - level, high, m_high, 0)
     last = high
     for _ in range(100):
@@ -126,16 +134,17 @@ def _locate(is_f, level, m0, high, law, con, sin0, cos0, series, flow, load):
         if abs(t - last) <= LOCATED:
             return t
         f, g = margins_after(t, law, con, sin0, cos0, series, flow, load)
-        bracket = narrowed(bracket, t, (f if is_f else g) - level)
+        bracket = illinois_update(bracket, t, (f if is_f else g) - level)
         last = t
     return last
 
 
 @inline
 def distance(other, u, v, sin, cos):
-    """Corner (u, v) of the fulcrum's from it: across and along the normal of another contact's plane [m].
+    """Offset of a corner from the fulcrum, across and along the normal of another contact's plane [m].
 
-    Its rate of change with θ is the first, that of the first is minus the second.
+    (u, v) is the offset in the body's axes. With θ the second component changes at the rate of the first, and
+    the first at minus the second.
     """
     x, z = u * cos + v * sin, v * cos - u * sin
     return -other.sin * z - other.cos * x, other.cos * z - other.sin * x
@@ -143,34 +152,35 @@ def distance(other, u, v, sin, cos):
 
 @inner
 def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, mu_d):
-    """Time at which another contact closes in a step, or −1, and its bit.
+    """Time at which another contact first closes in a step, or −1, and its bit.
 
     Parameters
     ----------
     start, end : tuple of float
-        sin θ, cos θ, θ̇, θ̈ and, of the fulcrum along its plane, place [m], rate and second rate.
+        sin θ, cos θ, θ̇, θ̈, and the fulcrum's position along its plane [m] with its first and second
+        derivatives.
     foot0, foot1 : float
-        Place of the fulcrum in the room at the start of the step [m].
+        x and z of the fulcrum at the start of the step [m].
     """
     con, corner = contacts[s.i], CORNER[s.i]
     sin0, cos0, omega0, alpha0, place0, slip0, push0 = start
     sin1, cos1, omega1, alpha1, place1, slip1, push1 = end
-    # no more than this the body turns and the fulcrum runs in the step
+    # upper bounds of rotation and fulcrum travel in the step, by which distant contacts are skipped
     turn = h * (abs(omega0) + abs(omega1) + h * (abs(alpha0) + abs(alpha1)))
     run = h * (abs(slip0) + abs(slip1) + h * (abs(push0) + abs(push1)))
     first, hit = -1.0, 0
     others = s.present & ~(1 << s.i)
     c = 0
     while others >> c:
-        if others >> c & 1 and (CORNER[c] != corner or s.kind == SLIP):
+        if others >> c & 1 and (CORNER[c] != corner or s.kind == SLIDE_ROCK):
             other = contacts[c]
             u, v = case.u[CORNER[c]] - case.u[corner], case.v[CORNER[c]] - case.v[corner]
-            clear = along(other, foot0, foot1)[1] + other.offset
+            clear = to_plane_axes(other, foot0, foot1)[1] + other.offset
             across0, up0 = distance(other, u, v, sin0, cos0)
             if clear + up0 > (abs(u) + abs(v)) * turn + run:
                 c += 1
-                continue  # too far away to be reached in this step
-            aside = along(other, con.cos, con.sin)[1]  # of the fulcrum's plane from the other
+                continue  # out of reach in this step
+            aside = to_plane_axes(other, con.cos, con.sin)[1]  # fulcrum's plane along the other's normal
             across1, up1 = distance(other, u, v, sin1, cos1)
             level = closed_level(clear + up0)
             g0, g1 = clear + up0 - level, clear + up1 + aside * (place1 - place0) - level
@@ -178,16 +188,16 @@ def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, 
             c0 = alpha0 * across0 - omega0 * omega0 * up0 + aside * push0
             c1 = alpha1 * across1 - omega1 * omega1 * up1 + aside * push1
             t = first_zero(g0, v0, c0, g1, v1, c1, h)
-            if t > 0.0:  # on the series itself
+            if t > 0.0:  # one Newton step on the series itself, since first_zero works on a quintic
                 theta, omega = tilt_after(series, t)
                 sin, cos = sin_cos(theta, series[0], sin0, cos0)
-                across, up = distance(other, u, v, sin, cos)
+                corner_right, up = distance(other, u, v, sin, cos)
                 sigma, kappa = arm_at(con, sin, cos)
                 moved, slip = 0.0, 0.0
-                if s.kind == SLIP:
+                if s.kind == SLIDE_ROCK:
                     moved = place_after(flow, mu_d, kappa, t) + sigma - place0
                     slip = slip_after(flow, mu_d, sigma, kappa, omega, t)
-                rate = omega * across + aside * slip
+                rate = omega * corner_right + aside * slip
                 if rate < 0.0:
                     t = min(h, max(0.5 * t, t - (clear + up + aside * moved - level) / rate))
             if t >= 0.0 and (first < 0.0 or t < first):
@@ -198,12 +208,12 @@ def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, 
 
 @inner
 def turned_over_at(series, theta1, h):
-    """Time at which the tilt reaches a right angle before the end of a step."""
-    bound = math.copysign(HALF_TURN, theta1)
+    """Time at which the tilt reaches 90° in a step, by bisection and one Newton step."""
+    bound = math.copysign(RIGHT_ANGLE, theta1)
     low, high = 0.0, h
     for _ in range(60):
         t = 0.5 * (low + high)
-        if abs(tilt_after(series, t)[0]) >= HALF_TURN:
+        if abs(tilt_after(series, t)[0]) >= RIGHT_ANGLE:
             high = t
         else:
             low = t
@@ -214,26 +224,26 @@ def turned_over_at(series, theta1, h):
 
 
 @inner
-def largest_tilt(series, omega1, h):
-    """Magnitude of the tilt where the rotation turns inside a step."""
+def turning_tilt(series, omega1, h):
+    """Extreme tilt inside a step, where the rotation reverses: two Newton steps from the secant."""
     t = h * series[1] / (series[1] - omega1)
     for _ in range(2):
         rate = tilt_after(series, t)[1]
         bend = 2.0 * series[2] + t * (6.0 * series[3] + t * (12.0 * series[4] + t * 20.0 * series[5]))
         if bend != 0.0:
             t = min(h, max(0.0, t - rate / bend))
-    return abs(tilt_after(series, t)[0])
+    return tilt_after(series, t)[0]
 
 
 @inline
 def slip_push(law, end, A):
-    """Acceleration of the slip of the fulcrum in a state from `state_after`, under the load A."""
+    """Slip acceleration of the fulcrum in a state from `state_after`, under the load A."""
     return -law[3] * law[4] * end[8] - A - end[10] * end[5] - end[1] * end[1] * end[4]
 
 
 @inline
 def first_event(contacts, case, s, law, start, end, h, near, series, flow, load):
-    """Why and when the motion ends in a step from ``start`` to ``end``; ENDED where it does not."""
+    """Kind and time of the first event in a step from ``start`` to ``end``; ENDED where there is none."""
     con = contacts[s.i]
     foot = start[7]
     stick, d, mu_d = law[0], law[4], law[3] * law[4] * law[5]
@@ -254,12 +264,12 @@ def first_event(contacts, case, s, law, start, end, h, near, series, flow, load)
         mu_d,
     )
     why = CLOSED if first >= 0.0 else ENDED
-    if abs(end[0]) >= HALF_TURN:
+    if abs(end[0]) >= RIGHT_ANGLE:
         t = turned_over_at(series, end[0], h)
         if first < 0.0 or t < first:
             first, why = t, TURNED_OVER
     f0, g0, f1, g1 = start[8], start[9], end[8], end[9]
-    # a slip rate can fall to zero inside the step only if it falls first and rises afterwards
+    # a slip rate positive at both ends can be zero inside only if it first decreases and then increases
     close = min(g0, g1) <= near if stick else g1 <= 0.0 or (d * push0 < 0.0 < d * push1)
     if close or min(f0, f1) <= near:
         t = first_limit(f0, g0, f1, g1, h, law, con, start[2], start[3], series, flow, load)
@@ -269,8 +279,34 @@ def first_event(contacts, case, s, law, start, end, h, near, series, flow, load)
 
 
 @inner
+def _note_slides(con, case, s, law, foot, series, flow, load, start, end, h):
+    """Update the peak slide in a step of a body that rotates about a corner at a wall or the ceiling.
+
+    Its base is off the floor, so the slide reverses without an event.
+    """
+    write_back(con, start, s)
+    rate0 = slide_of(case, s)[1]
+    write_back(con, end, s)
+    slide, rate1 = slide_of(case, s)
+    s.peak_slide = max(s.peak_slide, abs(slide))
+    if rate0 * rate1 >= 0.0:
+        return
+    low, high = 0.0, h
+    for _ in range(30):  # bisection; in so small a rotation the slide rate has one zero
+        t = 0.5 * (low + high)
+        write_back(con, state_after(t, law, con, foot, start[2], start[3], series, flow, load), s)
+        slide, rate = slide_of(case, s)
+        low, high = (t, high) if rate * rate0 > 0.0 else (low, t)
+    s.peak_slide = max(s.peak_slide, abs(slide))
+
+
+@inner
 def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history):
-    """Move a body that rocks on the fulcrum s.i, sticking or slipping, to its next event.
+    """Advance a body that rocks on the fulcrum s.i, sticking or slipping, to its next event.
+
+    Each pass of the loop takes one step: expand the tilt in a Taylor series, choose the step by its last
+    term, evaluate the state at the end, find the first event inside, and shorten the step to it. The state is
+    kept in the axes of the fulcrum's plane and written back when the history or the end needs it.
 
     Parameters
     ----------
@@ -285,7 +321,7 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history)
         ENDED, CLOSED (s.hit says which contacts), LIMIT (a force or the slip rate) or TURNED_OVER.
     """
     con = contacts[s.i]
-    stick = s.kind != SLIP
+    stick = s.kind != SLIDE_ROCK
     I, cf, sf = case.inertia, con.cos, con.sin
     d, sign = float(s.d), -1.0 if s.dj < 0 else 1.0
     mu = con.mu_static if stick else con.mu_kinetic
@@ -298,7 +334,7 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history)
 
     a, a_rate, G, G_rate = loads(case, ax, az, per_second, s.k, s.tau)
     sigma, kappa = arm_at(con, s.sin, s.cos)
-    xi, v_xi = along(con, s.x, s.z)[0], along(con, s.vx, s.vz)[0]
+    xi, v_xi = to_plane_axes(con, s.x, s.z)[0], to_plane_axes(con, s.vx, s.vz)[0]
     slip = v_xi - s.omega * kappa
     f, g, alpha = margins(law, sigma, kappa, s.omega, cf * a + sf * G, cf * G - sf * a, slip)
     start = (s.theta, s.omega, s.sin, s.cos, sigma, kappa, slip, xi + sigma, f, g, alpha)
@@ -325,13 +361,15 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history)
             h = event
             end = state_after(h, law, con, foot, sin, cos, series, flow, load)
         s.steps += 1
-        s.peak_tilt = max(s.peak_tilt, abs(end[0]))
-        if omega * end[1] < 0.0 and abs(theta) + h * (abs(omega) + abs(end[1])) > s.peak_tilt:
-            s.peak_tilt = max(s.peak_tilt, largest_tilt(series, end[1], h))
+        s.peak_tilt = max(s.peak_tilt, abs(end[0] - s.rest))
+        if omega * end[1] < 0.0 and abs(theta - s.rest) + h * (abs(omega) + abs(end[1])) > s.peak_tilt:
+            s.peak_tilt = max(s.peak_tilt, abs(turning_tilt(series, end[1], h) - s.rest))
+        if PLANE[s.i] > 0:
+            _note_slides(con, case, s, law, foot, series, flow, load, start, end, h)
         start = end
-        if pass_time(s, h, dt) and history.shape[0] > 0:
+        if advance_clock(s, h, dt) and history.shape[0] > 0:
             write_back(con, start, s)
-            note_sample(history, case, s)
+            record_sample(history, case, s)
     s.alpha = start[10]
     write_back(con, start, s)
     return why
@@ -339,7 +377,7 @@ def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history)
 
 @inline
 def write_back(con, state, s):
-    """Put a state from `state_after` into the room's axes."""
+    """Write a state from `state_after` into the record, in the room's axes."""
     s.theta, s.omega, s.sin, s.cos, sigma, kappa, slip, foot, _, _, _ = state
     xi, v_xi = foot - sigma, slip + s.omega * kappa
     height, lift = kappa - con.offset, s.omega * sigma

@@ -15,12 +15,12 @@ from stayput.compiled import inline, inner
 from stayput.mechanics.columns import A_FLOOR, CONTACTS, CORNER, FLOOR_BITS, PLANE
 
 GAP_TOLERANCE = 1e-10
-"""A contact is closed when its gap is not larger than this [m]."""
+"""Gap up to which a contact is closed [m]."""
 
-HALF_TURN = math.pi / 2
+RIGHT_ANGLE = math.pi / 2
 
-SETTLED = 1e-7
-"""A bounce that would not rise higher than this part of the base's length is over."""
+MIN_REBOUND = 1e-7
+"""Rebound height, as a part of the base length, below which a bounce has ended."""
 
 
 @inner
@@ -31,7 +31,7 @@ def turn_to(s, theta):
 
 @inline
 def sin_cos(theta, theta0, sin0, cos0):
-    """Sine and cosine of a tilt near another whose sine and cosine are known."""
+    """Sine and cosine of a tilt near theta0, whose own are known: a Taylor series, to rounding."""
     turn = theta - theta0
     if abs(turn) > 0.1:
         return math.sin(theta), math.cos(theta)
@@ -43,47 +43,47 @@ def sin_cos(theta, theta0, sin0, cos0):
 
 
 @inline
-def across(case, corner, s):
-    """Corner right of G [m]."""
+def corner_right(case, corner, s):
+    """Horizontal distance of a corner from G, + right [m]."""
     return case.u[corner] * s.cos + case.v[corner] * s.sin
 
 
 @inline
-def above(case, corner, s):
-    """Corner above G [m]."""
+def corner_up(case, corner, s):
+    """Vertical distance of a corner from G, + up [m]."""
     return case.v[corner] * s.cos - case.u[corner] * s.sin
 
 
 @inner
 def stand_flat(case, s):
-    """Put both base corners on the floor where they are."""
+    """Set the body down on both base corners, its horizontal position unchanged."""
     turn_to(s, s.rest)
-    s.z = -above(case, 0, s)
+    s.z = -corner_up(case, 0, s)
 
 
 @inline
 def own_friction(case, c):
-    """Static and kinetic coefficient of a base corner's own, NaN where it has none; ``c`` is its contact."""
+    """Static and kinetic friction of a base corner alone, NaN where it has none; ``c`` is its contact."""
     if c == A_FLOOR:
         return case.left_edge_static_friction, case.left_edge_kinetic_friction
     return case.right_edge_static_friction, case.right_edge_kinetic_friction
 
 
 @inline
-def given_or(value, other):
-    """Return the value, or the other where it is NaN."""
+def value_or(value, other):
+    """Return the value, or the other one where it is NaN."""
     return other if math.isnan(value) else value
 
 
 @inner
 def set_up(case, contacts, s):
-    """Fill the contact table of a case and the state's constants; the body at rest at slide 0."""
+    """Fill the contact table of a case and the constants of its state, with the body at rest at slide 0."""
     s.rest = math.atan2(case.v[1] - case.v[0], case.u[1] - case.u[0])
     stand_flat(case, s)
-    s.x = -0.5 * (across(case, 0, s) + across(case, 1, s))
-    s.foot_a, s.foot_b = s.x + across(case, 0, s), s.x + across(case, 1, s)
+    s.x = -0.5 * (corner_right(case, 0, s) + corner_right(case, 1, s))
+    s.foot_a, s.foot_b = s.x + corner_right(case, 0, s), s.x + corner_right(case, 1, s)
     base = math.hypot(case.u[1] - case.u[0], case.v[1] - case.v[0])
-    s.settle = math.sqrt(2.0 * SETTLED * base * case.gravity)
+    s.settle_rate = math.sqrt(2.0 * MIN_REBOUND * base * case.gravity)
     s.present = FLOOR_BITS
     if math.isfinite(case.right_distance):
         s.present |= 0b00001100
@@ -92,8 +92,8 @@ def set_up(case, contacts, s):
     if math.isfinite(case.ceiling_distance):
         s.present |= 0b11000000
     # the clear distance to a wall is that of the body at rest at slide 0
-    rightmost = max(s.foot_b, s.x + across(case, 3, s))
-    leftmost = min(s.foot_a, s.x + across(case, 2, s))
+    rightmost = max(s.foot_b, s.x + corner_right(case, 3, s))
+    leftmost = min(s.foot_a, s.x + corner_right(case, 2, s))
     for c in range(CONTACTS):
         if not s.present >> c & 1:
             continue
@@ -104,8 +104,8 @@ def set_up(case, contacts, s):
             con.cos, con.sin = 1.0, 0.0
             con.offset = 0.0
             static, kinetic = own_friction(case, c)
-            con.mu_static = given_or(static, case.edge_static_friction)
-            con.mu_kinetic = given_or(kinetic, case.edge_kinetic_friction)
+            con.mu_static = value_or(static, case.edge_static_friction)
+            con.mu_kinetic = value_or(kinetic, case.edge_kinetic_friction)
             con.restitution = case.normal_restitution
         elif plane == 1:
             con.cos, con.sin = 0.0, 1.0
@@ -127,18 +127,18 @@ def set_up(case, contacts, s):
 
 @inline
 def arm_at(con, sin, cos):
-    """σ and κ of a contact at the tilt with this sine and cosine [m]."""
+    """Lever arms σ and κ of a contact at the tilt with this sine and cosine [m]."""
     return con.sigma * cos - con.kappa * sin, con.kappa * cos + con.sigma * sin
 
 
 @inline
 def arm(con, s):
-    """σ and κ of a contact [m]."""
+    """Lever arms σ and κ of a contact in the present state [m]."""
     return arm_at(con, s.sin, s.cos)
 
 
 @inline
-def along(con, x, z):
+def to_plane_axes(con, x, z):
     """Components of a vector along the plane's tangent and normal."""
     return con.cos * x + con.sin * z, con.cos * z - con.sin * x
 
@@ -147,26 +147,26 @@ def along(con, x, z):
 def gap(con, s):
     """Distance of the contact's corner from its plane [m]."""
     _, kappa = arm(con, s)
-    return along(con, s.x, s.z)[1] + con.offset - kappa
+    return to_plane_axes(con, s.x, s.z)[1] + con.offset - kappa
 
 
 @inline
 def gap_rate(con, s):
-    """Rate of the gap [m/s]."""
+    """Rate of change of the gap, + opening [m/s]."""
     sigma, _ = arm(con, s)
-    return along(con, s.vx, s.vz)[1] - s.omega * sigma
+    return to_plane_axes(con, s.vx, s.vz)[1] - s.omega * sigma
 
 
 @inline
 def slip_rate(con, s):
-    """Rate of the contact's corner along its plane [m/s]."""
+    """Velocity of the contact's corner along its plane [m/s]."""
     _, kappa = arm(con, s)
-    return along(con, s.vx, s.vz)[0] - s.omega * kappa
+    return to_plane_axes(con, s.vx, s.vz)[0] - s.omega * kappa
 
 
 @inner
 def touching(contacts, s):
-    """Bits of the contacts whose gap is closed."""
+    """Bits of the contacts whose gap is within `GAP_TOLERANCE`."""
     bits = 0
     c = 0
     while s.present >> c:
@@ -178,14 +178,14 @@ def touching(contacts, s):
 
 @inner
 def slide_of(case, s):
-    """Slide and its rate, measured at the lower base corner: the fulcrum [m, m/s]."""
+    """Slide and its rate, measured at the fulcrum (the lower base corner) [m, m/s]."""
     lower = 1 if s.theta > s.rest else 0
     foot = s.foot_b if lower == 1 else s.foot_a
-    return s.x + across(case, lower, s) - foot, s.vx + s.omega * above(case, lower, s)
+    return s.x + corner_right(case, lower, s) - foot, s.vx + s.omega * corner_up(case, lower, s)
 
 
 @inner
-def note_peaks(case, s):
-    """Keep the largest tilt and slide so far."""
-    s.peak_tilt = max(s.peak_tilt, abs(s.theta))
+def update_peaks(case, s):
+    """Update the peak tilt (from rest) and the peak slide."""
+    s.peak_tilt = max(s.peak_tilt, abs(s.theta - s.rest))
     s.peak_slide = max(s.peak_slide, abs(slide_of(case, s)[0]))

@@ -1,4 +1,4 @@
-"""Impacts under ``contact="coulomb"``: impulses at all closed contacts at once.
+"""Impacts under ``contact="coulomb"``: simultaneous impulses at all closed contacts.
 
 Newton's restitution in the normal direction, Amontons–Coulomb friction between the impulses, then the
 factor e of Eq. 3.14 on the rotation rate where the fulcrum changes. Newton's restitution with friction
@@ -13,36 +13,36 @@ import math
 from stayput.compiled import inner
 from stayput.mechanics.columns import FLOOR_BITS, PLANE
 from stayput.mechanics.contact import (
-    STUCK,
+    STICK_RATE,
     both_slip,
+    fill_rows,
     one_slips,
     one_sticks,
     sticks_beside,
-    tabulate,
 )
-from stayput.mechanics.geometry import along, arm, gap_rate, slip_rate
+from stayput.mechanics.geometry import arm, gap_rate, slip_rate, to_plane_axes
 
 TOLERANCE = 1e-13
-"""Slack of the inequalities between rates [m/s]."""
+"""Tolerance of the inequalities between velocities [m/s]."""
 
 CLOSING = 1e-11
-"""A contact that closes faster than this takes an impulse [m/s]."""
+"""Closing rate above which a contact takes an impulse [m/s]."""
 
-ROUNDS = 200
-"""Single impulses in a row before a pile-up of contacts is taken to stop dead."""
+MAX_SEQUENTIAL_IMPULSES = 200
+"""Single impulses in a row after which the body is brought to a complete stop."""
 
 
 @inner
 def _tabulate(rows, contacts, closed, case, s):
-    """List the contacts of an impact, with the rates before it and the normal rates wanted after it."""
-    count = tabulate(rows, contacts, closed, s.sin, s.cos, case)
+    """Fill the rows of an impact: velocities before it, and the normal velocities required after it."""
+    count = fill_rows(rows, contacts, closed, s.sin, s.cos, case)
     for k in range(count):
         row = rows[k]
         con = contacts[row.index]
         row.bias_n, row.bias_t = gap_rate(con, s), slip_rate(con, s)
         rebound = -con.restitution * min(row.bias_n, 0.0)
-        row.target = rebound if rebound > s.settle else 0.0
-        if abs(row.bias_t) <= STUCK:
+        row.target = rebound if rebound > s.settle_rate else 0.0
+        if abs(row.bias_t) <= STICK_RATE:
             row.mu_slip = row.mu_stick
             row.flat_slip_right = row.flat_slip_left = row.flat_stick
         else:
@@ -53,8 +53,8 @@ def _tabulate(rows, contacts, closed, case, s):
 
 
 @inner
-def _lesser(best, ok, fx, fz, fl, I):
-    """Of two sets of impulses the consistent one, or of two such the one that changes the motion less."""
+def _smaller_change(best, ok, fx, fz, fl, I):
+    """Of two sets of impulses the consistent one; where both are, the one with less change of motion."""
     size = fx * fx + fz * fz + fl * fl / I
     if ok and (not best[0] or size < best[1]):
         return True, size, fx, fz, fl
@@ -62,19 +62,22 @@ def _lesser(best, ok, fx, fz, fl, I):
 
 
 @inner
-def _consistent(rows, count, I):
-    """Find the consistent set of impulses: one contact, else two; where more than one is, the least."""
+def _consistent_impulses(rows, count, I):
+    """Find the consistent set of impulses: active sets of one contact first, then of two.
+
+    Among consistent sets of the same size, the one that changes the motion least.
+    """
     best = (False, 0.0, 0.0, 0.0, 0.0)
     for i in range(count):
         if rows[i].bias_n >= -CLOSING:
             continue
         ok, fx, fz, fl = one_sticks(rows, count, i, I, TOLERANCE)
-        best = _lesser(best, ok, fx, fz, fl, I)
+        best = _smaller_change(best, ok, fx, fz, fl, I)
         if ok:
             continue
         for side in (1.0, -1.0):
             ok, fx, fz, fl = one_slips(rows, count, i, side, I, TOLERANCE)
-            best = _lesser(best, ok, fx, fz, fl, I)
+            best = _smaller_change(best, ok, fx, fz, fl, I)
     if best[0]:
         return best[0], best[2], best[3], best[4]
     for i in range(count):
@@ -83,7 +86,7 @@ def _consistent(rows, count, I):
                 continue
             for side in (1.0, -1.0):
                 ok, fx, fz, fl = sticks_beside(rows, count, i, j, side, I, TOLERANCE)
-                best = _lesser(best, ok, fx, fz, fl, I)
+                best = _smaller_change(best, ok, fx, fz, fl, I)
                 if j < i:
                     continue
                 same = PLANE[rows[i].index] == PLANE[rows[j].index]
@@ -91,15 +94,15 @@ def _consistent(rows, count, I):
                     if same and side_j != side:
                         continue
                     ok, fx, fz, fl = both_slip(rows, count, i, side, j, side_j, I, TOLERANCE)
-                    best = _lesser(best, ok, fx, fz, fl, I)
+                    best = _smaller_change(best, ok, fx, fz, fl, I)
     return best[0], best[2], best[3], best[4]
 
 
 @inner
-def _one_after_another(rows, contacts, closed, case, s):
-    """Where more than two contacts must press: single impulses at the contact that closes fastest."""
+def _sequential_impulses(rows, contacts, closed, case, s):
+    """Sequential impulses, each at the contact that closes fastest: for impacts of more than two contacts."""
     I = case.inertia
-    for _ in range(ROUNDS):
+    for _ in range(MAX_SEQUENTIAL_IMPULSES):
         count = _tabulate(rows, contacts, closed, case, s)
         worst, fastest = -1, -1e-9
         for k in range(count):
@@ -127,7 +130,7 @@ def _energy(I, vx, vz, omega):
 
 @inner
 def collide(rows, contacts, closed, case, s):
-    """Change the velocities of the state by the impact at the closed contacts."""
+    """Apply the impact at the closed contacts to the velocities of the state."""
     I = case.inertia
     before = _energy(I, s.vx, s.vz, s.omega)
     count = _tabulate(rows, contacts, closed, case, s)
@@ -136,17 +139,18 @@ def collide(rows, contacts, closed, case, s):
         landing = landing or rows[k].bias_n < -CLOSING
     if not landing:
         return
-    ok, fx, fz, fl = _consistent(rows, count, I)
+    ok, fx, fz, fl = _consistent_impulses(rows, count, I)
     if not ok:
-        _one_after_another(rows, contacts, closed, case, s)
+        _sequential_impulses(rows, contacts, closed, case, s)
         return
     if _energy(I, s.vx + fx, s.vz + fz, s.omega + fl / I) > before * (1.0 + 1e-12):
+        # Newton's restitution would create energy: plastic impulses instead, times 1 + the least restitution
         factor = 1.0
         for k in range(count):
             if rows[k].bias_n < -CLOSING:
                 factor = min(factor, rows[k].target / -rows[k].bias_n)
             rows[k].target = 0.0
-        ok, fx, fz, fl = _consistent(rows, count, I)
+        ok, fx, fz, fl = _consistent_impulses(rows, count, I)
         fx, fz, fl = (1.0 + factor) * fx, (1.0 + factor) * fz, (1.0 + factor) * fl
     s.vx += fx
     s.vz += fz
@@ -155,14 +159,14 @@ def collide(rows, contacts, closed, case, s):
 
 @inner
 def damp_change_of_fulcrum(contacts, fulcrum, case, s):
-    """Multiply the rotation rate by the floor's restitution, the velocity of the new fulcrum kept.
+    """Multiply the rotation rate by the floor's restitution, keeping the velocity of the new fulcrum.
 
-    On a slipping fulcrum less rotation can mean more energy; the factor is then the one that keeps it.
+    On a slipping fulcrum less rotation can mean more energy; the factor is then the one that conserves it.
     """
     con = contacts[fulcrum]
     sigma, kappa = arm(con, s)
     slip = slip_rate(con, s)
-    tangential, normal = along(con, s.vx, s.vz)
+    tangential, normal = to_plane_axes(con, s.vx, s.vz)
     lift = normal - s.omega * sigma
     inertia = case.inertia + sigma * sigma + kappa * kappa
     if s.omega == 0.0:
@@ -177,35 +181,35 @@ def damp_change_of_fulcrum(contacts, fulcrum, case, s):
 
 
 @inner
-def closing(contacts, bits, s):
-    """Those of the contacts whose gap is closing."""
-    found = 0
+def closing_contacts(contacts, bits, s):
+    """Bits of those contacts whose gap is closing."""
+    closing_bits = 0
     c = 0
     while bits >> c:
         if bits >> c & 1 and gap_rate(contacts[c], s) < -CLOSING:
-            found |= 1 << c
+            closing_bits |= 1 << c
         c += 1
-    return found
+    return closing_bits
 
 
 @inner
 def land(rows, contacts, closed, arrived, case, s):
-    """Carry out the impact of the contacts ``arrived`` together with all that are closed."""
+    """Apply the impact of the newly closed contacts ``arrived`` together with those already closed."""
     collide(rows, contacts, closed | arrived, case, s)
     landed = arrived & FLOOR_BITS
     if case.restitution < 1.0 and (landed == 1 or landed == 2) and closed & FLOOR_BITS == FLOOR_BITS - landed:
         other = 2 - landed  # contact number of the old fulcrum: B (1) where A (bit 1) has landed
-        if gap_rate(contacts[other], s) > STUCK:
+        if gap_rate(contacts[other], s) > STICK_RATE:
             damp_change_of_fulcrum(contacts, landed - 1, case, s)
 
 
 @inner
-def stop(contacts, c, I, s):
-    """Stop the corner of a contact by an impulse there; whether its friction and the others allow it."""
+def stop_corner(contacts, c, I, s):
+    """Impulse that stops a contact's corner: whether its friction allows it, and the velocities after it."""
     con = contacts[c]
     sigma, kappa = arm(con, s)
     slip, lift = slip_rate(con, s), gap_rate(con, s)
-    # impulses N and T that take the corner's rates away
+    # impulses N and T that bring the corner's velocity to zero
     nn, tt, nt = 1.0 + sigma * sigma / I, 1.0 + kappa * kappa / I, sigma * kappa / I
     det = nn * tt - nt * nt
     N, T = (-lift * tt + slip * nt) / det, (-slip * nn + lift * nt) / det
@@ -215,17 +219,17 @@ def stop(contacts, c, I, s):
 
 
 @inner
-def unjam(contacts, touching, case, s):
-    """Stop the corner that no force can keep slipping (Painlevé): an impact without a collision.
+def impact_without_collision(contacts, touching, case, s):
+    """Stop a corner whose slip no finite force is consistent with: Painlevé's impact without collision.
 
-    The corner is one whose stop lets no other contact close; where there is none, all motion stops.
+    The corner chosen is one whose stop closes no other contact; where there is none, all motion stops.
     """
     c = 0
     while touching >> c:
-        if touching >> c & 1 and abs(slip_rate(contacts[c], s)) > STUCK:
+        if touching >> c & 1 and abs(slip_rate(contacts[c], s)) > STICK_RATE:
             before = s.vx, s.vz, s.omega
-            ok, s.vx, s.vz, s.omega = stop(contacts, c, case.inertia, s)
-            if ok and not closing(contacts, touching & ~(1 << c), s):
+            ok, s.vx, s.vz, s.omega = stop_corner(contacts, c, case.inertia, s)
+            if ok and not closing_contacts(contacts, touching & ~(1 << c), s):
                 return
             s.vx, s.vz, s.omega = before
         c += 1

@@ -1,8 +1,8 @@
-"""The paper's rules (``contact="paper"``), as written: the fulcrum never lifts, nothing moves up.
+"""The paper's contact rules (``contact="paper"``), as written: the fulcrum never lifts, no vertical motion.
 
 Sliding starts at |ẍ_G| > μg, rocking at |ẍ_G| > (b/h)g whether or not the base slides; while the body
 rocks the fulcrum sticks, or slips with the rotational coefficients. A landing follows Eq. 3.14 and leaves
-the slip rate as it is. A hit on a wall turns the rotation rate round (Eq. 3.15, θ̇' = −e_w θ̇) and, where
+the slip rate as it is. A wall impact reverses the rotation rate (Eq. 3.15, θ̇' = −e_w θ̇) and, where
 the base itself meets the wall, the slip rate.
 """
 
@@ -19,17 +19,28 @@ from stayput.mechanics.columns import (
     C_CEILING,
     CORNER,
     D_CEILING,
-    FLAT,
     FLOOR_BITS,
-    HELD,
     PLANE,
-    SLIP,
-    STICK,
+    REST,
+    ROCK,
+    SLIDE,
+    SLIDE_ROCK,
 )
-from stayput.mechanics.contact import JAMMED, STUCK
+from stayput.mechanics.contact import PAINLEVE_LIMIT, STICK_RATE
+from stayput.mechanics.flat import load_weighted_friction
 from stayput.mechanics.fulcrum import margins
-from stayput.mechanics.geometry import along, arm, arm_at, gap_rate, slip_rate, stand_flat, turn_to
-from stayput.mechanics.modes import ALL_BUT_FLAT, MOMENT, pivot_on
+from stayput.mechanics.geometry import (
+    arm,
+    arm_at,
+    gap_rate,
+    own_friction,
+    slip_rate,
+    stand_flat,
+    to_plane_axes,
+    turn_to,
+    value_or,
+)
+from stayput.mechanics.modes import FLAT_TOLERANCE, LOOKAHEAD, set_pivot_velocity
 
 WALL_BITS = 0b11111100  # and the ceiling
 RIGHT_BITS, LEFT_BITS, CEILING_BITS = 0b00001100, 0b00110000, 0b11000000
@@ -37,8 +48,8 @@ RIGHT_BITS, LEFT_BITS, CEILING_BITS = 0b00001100, 0b00110000, 0b11000000
 
 @inner
 def _rock_on(contacts, s, kind, fulcrum, slip, d, sign):
-    """Let the body rock on a corner that moves along the floor at the rate ``slip``."""
-    pivot_on(contacts[fulcrum], s)
+    """Set a rocking mode about a corner that moves along the floor at the rate ``slip``."""
+    set_pivot_velocity(contacts[fulcrum], s)
     s.vx += slip
     s.kind, s.i, s.j, s.d, s.dj = kind, fulcrum, -1, int(d), int(sign)
     s.closed = 1 << fulcrum
@@ -46,9 +57,9 @@ def _rock_on(contacts, s, kind, fulcrum, slip, d, sign):
 
 @inner
 def choose_paper_mode(contacts, case, s, touch, a, a_rate):
-    """Set the mode that the paper's rules give, for the load a moment ahead."""
-    a += MOMENT * a_rate
-    if abs(s.theta - s.rest) < ALL_BUT_FLAT and s.omega == 0.0:
+    """Set the mode that the paper's rules give, for the load `modes.LOOKAHEAD` later."""
+    a += LOOKAHEAD * a_rate
+    if abs(s.theta - s.rest) < FLAT_TOLERANCE and s.omega == 0.0:
         _choose_flat(contacts, case, s, touch, a)
         s.alpha = 0.0
         return
@@ -67,8 +78,11 @@ def _choose_flat(contacts, case, s, touch, a):
     sigma_a, kappa_a = arm(contacts[A_FLOOR], s)
     sigma_b, kappa_b = arm(contacts[B_FLOOR], s)
     low, high = -sigma_b / kappa_b, -sigma_a / kappa_a  # of ẍ_G/g: beyond them the body rocks
-    slide_low = slide_high = case.static_friction
-    slip = s.vx if abs(s.vx) > STUCK else 0.0
+    left = value_or(own_friction(case, A_FLOOR)[0], case.static_friction)
+    right = value_or(own_friction(case, B_FLOOR)[0], case.static_friction)
+    slide_low = load_weighted_friction(contacts, s, left, right, 1.0)
+    slide_high = load_weighted_friction(contacts, s, left, right, -1.0)
+    slip = s.vx if abs(s.vx) > STICK_RATE else 0.0
     s.vz = 0.0
     if touch & RIGHT_BITS:  # flush against a wall it neither rocks nor slides that way
         low, slide_low, slip = -math.inf, math.inf, min(slip, 0.0)
@@ -83,31 +97,31 @@ def _choose_flat(contacts, case, s, touch, a):
     s.i, s.j, s.closed = A_FLOOR, B_FLOOR, FLOOR_BITS | touch & WALL_BITS
     s.vx = slip
     if slip == 0.0 and max(low, -slide_low) * g <= a <= min(high, slide_high) * g:
-        s.kind = HELD
+        s.kind = REST
         _bound(s, max(low, -slide_low), min(high, slide_high))
         return
-    s.kind = FLAT
+    s.kind = SLIDE
     _bound(s, low if a >= low * g else -math.inf, high if a <= high * g else math.inf)  # else it cannot rock
     s.d = s.dj = int(math.copysign(1.0, slip if slip != 0.0 else -a))
 
 
 @inner
 def _bound(s, low, high):
-    """Keep the mode while ẍ_G/g is between these."""
+    """Set the range of ẍ_G/g in which the mode lasts."""
     s.low, s.low_up = (low, 1.0) if low > -math.inf else (-1.0, 0.0)
     s.high, s.high_up = (high, 1.0) if high < math.inf else (1.0, 0.0)
 
 
 @inner
 def _opens(law, sigma, kappa, slip, a, g, fulcrum):
-    """Whether a fulcrum that slips lets the other corner of a flat body rise."""
+    """Whether rocking on a slipping fulcrum lifts the other corner of a flat body."""
     alpha = margins(law, sigma, kappa, 0.0, a, g, slip)[2]
     return (alpha > 0.0) == (fulcrum == B_FLOOR)
 
 
 @inner
 def _starts_rocking(contacts, case, s, fulcrum, slip, a):
-    """Rock on a corner that slips on, where that opens the other corner, or else on one that sticks."""
+    """Start rocking about a fulcrum that keeps slipping where that lifts the other corner, else sticks."""
     con = contacts[fulcrum]
     I, g = case.inertia, case.gravity
     sigma, kappa = arm(con, s)
@@ -115,49 +129,49 @@ def _starts_rocking(contacts, case, s, fulcrum, slip, a):
     if slip != 0.0:
         d = math.copysign(1.0, slip)
         if _opens((False, I, q, con.mu_kinetic, d, 1.0), sigma, kappa, slip, a, g, fulcrum):
-            _rock_on(contacts, s, SLIP, fulcrum, slip, d, 1.0)
+            _rock_on(contacts, s, SLIDE_ROCK, fulcrum, slip, d, 1.0)
             return True
     f, f2, _ = margins((True, I, q, con.mu_static, 0.0, 1.0), sigma, kappa, 0.0, a, g, 0.0)
     if f >= 0.0 and f2 >= 0.0:
-        _rock_on(contacts, s, STICK, fulcrum, 0.0, 0.0, 1.0)
+        _rock_on(contacts, s, ROCK, fulcrum, 0.0, 0.0, 1.0)
         return True
     d = -1.0 if f < 0.0 else 1.0
     if slip == 0.0 and _opens((False, I, q, con.mu_kinetic, d, 1.0), sigma, kappa, 0.0, a, g, fulcrum):
-        _rock_on(contacts, s, SLIP, fulcrum, 0.0, d, 1.0)
+        _rock_on(contacts, s, SLIDE_ROCK, fulcrum, 0.0, d, 1.0)
         return True
     return False
 
 
 @inner
 def _choose_fulcrum(contacts, case, s, touch, fulcrum, slip, a):
-    """Rock on: the fulcrum slips on, sticks where it can, or starts to slip.
+    """Choose whether the fulcrum of a rocking body keeps slipping, sticks, or starts to slip.
 
-    The rules let the fulcrum pull; its friction then is that of the force's magnitude. One whose friction
-    no slip can bear (Painlevé) stops.
+    Under these rules the fulcrum can pull; its friction then follows the magnitude of the normal force. A
+    slip that no friction is consistent with (Painlevé) stops.
     """
     con = contacts[fulcrum]
     I, g = case.inertia, case.gravity
-    turn = MOMENT * s.omega
+    turn = LOOKAHEAD * s.omega
     sigma, kappa = arm_at(con, s.sin + turn * s.cos, s.cos - turn * s.sin)
-    omega = s.omega + MOMENT * s.alpha
+    omega = s.omega + LOOKAHEAD * s.alpha
     q = -1.0 / (I + sigma * sigma + kappa * kappa)
     d = math.copysign(1.0, slip)
-    if abs(slip) <= STUCK:
+    if abs(slip) <= STICK_RATE:
         N = g + q * (kappa * a + sigma * g) * sigma - omega * omega * kappa
         sign = math.copysign(1.0, N)
         f, f2, _ = margins((True, I, q, con.mu_static, 0.0, sign), sigma, kappa, omega, a, g, 0.0)
         if f >= 0.0 and f2 >= 0.0:
-            _rock_on(contacts, s, STICK, fulcrum, 0.0, 0.0, sign)
+            _rock_on(contacts, s, ROCK, fulcrum, 0.0, 0.0, sign)
             return
         d = -1.0 if f < 0.0 else 1.0
         if touch & 1 << (A_LEFT if d < 0.0 else B_RIGHT):
-            _rock_on(contacts, s, STICK, fulcrum, 0.0, d, sign)
+            _rock_on(contacts, s, ROCK, fulcrum, 0.0, d, sign)
             return
     sign = math.copysign(1.0, g - omega * omega * kappa)
-    if I + (sigma - sign * con.mu_kinetic * d * kappa) * sigma > JAMMED * I:
-        _rock_on(contacts, s, SLIP, fulcrum, slip, d, sign)
+    if I + (sigma - sign * con.mu_kinetic * d * kappa) * sigma > PAINLEVE_LIMIT * I:
+        _rock_on(contacts, s, SLIDE_ROCK, fulcrum, slip, d, sign)
     else:
-        _rock_on(contacts, s, STICK, fulcrum, 0.0, 0.0, 1.0)
+        _rock_on(contacts, s, ROCK, fulcrum, 0.0, 0.0, 1.0)
 
 
 @inner
@@ -165,21 +179,21 @@ def _closes_by_turning(contacts, c, fulcrum, omega, s):
     """Whether a rotation about the fulcrum closes another contact."""
     sigma, kappa = arm(contacts[fulcrum], s)
     side, _ = arm(contacts[c], s)
-    return omega * (along(contacts[c], kappa, sigma)[1] - side) < 0.0
+    return omega * (to_plane_axes(contacts[c], kappa, sigma)[1] - side) < 0.0
 
 
 @inner
 def _slides_under_ceiling(contacts, case, s, touch, fulcrum):
-    """Let a tilted body that its friction presses against the ceiling slide along as it is."""
+    """Slide a tilted body, without rotation, where friction presses it to the ceiling; whether it does."""
     con = contacts[fulcrum]
     slip = slip_rate(con, s)
-    if s.omega != 0.0 or abs(slip) <= STUCK or not touch & CEILING_BITS:
+    if s.omega != 0.0 or abs(slip) <= STICK_RATE or not touch & CEILING_BITS:
         return False
     sigma, kappa = arm(con, s)
     alpha = math.copysign(1.0, slip) * con.mu_kinetic * kappa - sigma  # in sign
     for c in (C_CEILING, D_CEILING):
         if touch >> c & 1 and _closes_by_turning(contacts, c, fulcrum, alpha, s):
-            s.kind = FLAT
+            s.kind = SLIDE
             s.i = s.j = fulcrum
             s.d = s.dj = int(math.copysign(1.0, slip))
             s.closed = 1 << fulcrum | touch & CEILING_BITS
@@ -191,7 +205,7 @@ def _slides_under_ceiling(contacts, case, s, touch, fulcrum):
 
 @inner
 def _leans(contacts, case, s, touch, fulcrum, a):
-    """Hold a tilted body against a wall while its weight and the load press it there."""
+    """Rest a tilted body against a wall while weight and load press it there; whether they do."""
     if s.omega != 0.0:
         return False
     sigma, kappa = arm(contacts[fulcrum], s)
@@ -201,7 +215,7 @@ def _leans(contacts, case, s, touch, fulcrum, a):
     c = 0
     while walls >> c:
         if walls >> c & 1 and _closes_by_turning(contacts, c, fulcrum, alpha, s):
-            s.kind = HELD
+            s.kind = REST
             s.closed = 1 << fulcrum | walls
             _bound(s, -math.inf if alpha > 0.0 else ratio, ratio if alpha > 0.0 else math.inf)
             s.vx = s.vz = 0.0
@@ -212,7 +226,7 @@ def _leans(contacts, case, s, touch, fulcrum, a):
 
 @inner
 def collide_by_paper(contacts, case, s):
-    """Change the velocities of the state by the paper's collision rules."""
+    """Apply the paper's impact rules to the velocities of the state."""
     old = s.i
     slip = slip_rate(contacts[old], s)
     if s.hit & FLOOR_BITS:
@@ -220,13 +234,13 @@ def collide_by_paper(contacts, case, s):
         turn_to(s, s.rest)
         sigma, kappa = arm(contacts[new], s)
         sigma_old, kappa_old = arm(contacts[old], s)
-        kept = case.inertia + sigma * sigma_old + kappa * kappa_old
-        s.omega *= max(0.0, case.restitution * kept / (case.inertia + sigma * sigma + kappa * kappa))
-        if abs(s.omega * (sigma - sigma_old)) <= s.settle:
+        transferred = case.inertia + sigma * sigma_old + kappa * kappa_old
+        s.omega *= max(0.0, case.restitution * transferred / (case.inertia + sigma * sigma + kappa * kappa))
+        if abs(s.omega * (sigma - sigma_old)) <= s.settle_rate:
             s.omega = 0.0
         _rock_on(contacts, s, s.kind, new, slip, s.d, s.dj)
         return
-    for top in (False, True):  # the base first
+    for top in (False, True):  # base corners before top corners
         c = A_FLOOR
         while s.hit >> c:
             if s.hit >> c & 1 and (CORNER[c] >= 2) == top and gap_rate(contacts[c], s) < 0.0:
@@ -236,18 +250,18 @@ def collide_by_paper(contacts, case, s):
 
 @inner
 def _bounce(contacts, c, s):
-    """Turn round what closes a contact with a wall or the ceiling: the rotation, the slip, or both."""
+    """Reverse the motion that closes a contact with a wall or the ceiling: rotation, slip, or both."""
     wall, old = contacts[c], s.i
     slip = slip_rate(contacts[old], s)
-    reach = slip * (0.0, 1.0, -1.0, 0.0)[PLANE[c]]  # towards the wall; the ceiling leaves the slip as it is
-    if s.kind != FLAT and _closes_by_turning(contacts, c, old, s.omega, s):
+    reach = slip * (0.0, 1.0, -1.0, 0.0)[PLANE[c]]  # + towards the wall; a ceiling does not affect the slip
+    if s.kind != SLIDE and _closes_by_turning(contacts, c, old, s.omega, s):
         s.omega *= -wall.restitution
         _, lever = arm(contacts[old], s)
-        if abs(s.omega * lever) <= s.settle:
+        if abs(s.omega * lever) <= s.settle_rate:
             s.omega = 0.0
-    if (CORNER[c] < 2 or s.kind != STICK) and reach > 0.0:
+    if (CORNER[c] < 2 or s.kind != ROCK) and reach > 0.0:
         slip *= -wall.restitution
-    if s.kind == FLAT:
-        s.vx = slip if abs(slip) > s.settle else 0.0
+    if s.kind == SLIDE:
+        s.vx = slip if abs(slip) > s.settle_rate else 0.0
         return
     _rock_on(contacts, s, s.kind, old, slip, s.d, s.dj)

@@ -1,4 +1,4 @@
-"""The first zero of a smooth function on a step, from its values and rates at both ends."""
+"""First zero of a smooth function within a step, from its values and derivatives at both ends."""
 
 from __future__ import annotations
 
@@ -6,23 +6,28 @@ import math
 
 from stayput.compiled import inline, inner
 
-TOUCHING = 1e-13
-"""A gap that is not larger than this at the start of a step is a contact that has just been closed [m]."""
+CONTACT_SLACK = 1e-13
+"""Gap at the start of a step up to which the contact is taken to have just been closed [m]."""
+
+MIN_START_VALUE = 1e-9
+"""Least starting value of a margin in a search, relative to its value at the end: keeps the secant off zero.
+"""
 
 
 @inline
 def closed_level(g0):
     """Gap at which a contact counts as closed in a step that starts with the gap g0 [m].
 
-    A contact that has just been closed and opens, or rests, must not be found closed again by rounding.
-    It is, when it comes this much further, which takes time: the same event cannot repeat for ever.
+    Rounding must not report a contact that has just been closed, and opens or rests, as closed again. It
+    counts only when it penetrates by `CONTACT_SLACK` more, which takes time, so the event cannot repeat
+    endlessly.
     """
-    return 0.0 if g0 > TOUCHING else min(g0, 0.0) - TOUCHING
+    return 0.0 if g0 > CONTACT_SLACK else min(g0, 0.0) - CONTACT_SLACK
 
 
 @inline
 def hermite(g0, v0, c0, g1, v1, c1, h):
-    """Coefficients, in u = τ/h, of the quintic with these values, rates and second rates at both ends."""
+    """Coefficients, in u = τ/h, of the quintic Hermite interpolant of value, rate and second rate."""
     a1, a2 = v0 * h, 0.5 * c0 * h * h
     b1, b2 = v1 * h, c1 * h * h
     e0 = g1 - g0 - a1 - a2
@@ -40,7 +45,7 @@ def hermite(g0, v0, c0, g1, v1, c1, h):
 
 @inline
 def horner(quintic, u):
-    """Value and derivative of a quintic."""
+    """Value and derivative of a quintic, by Horner's scheme."""
     c0, c1, c2, c3, c4, c5 = quintic
     p = c5
     q = p
@@ -57,11 +62,11 @@ def horner(quintic, u):
 
 @inner
 def root_between(quintic, high):
-    """Zero of a quintic between 0, where it is positive, and ``high``, where it is not."""
+    """Zero of a quintic between 0, where it is positive, and ``high``, where not: safeguarded Newton."""
     a0, a1, a2, _, _, _ = quintic
     low = 0.0
     root = math.sqrt(max(0.0, a1 * a1 - 4.0 * a2 * a0)) - a1
-    u = 2.0 * a0 / root if root > 0.0 else high  # the zero of the parabola at the start
+    u = 2.0 * a0 / root if root > 0.0 else high  # first guess: the zero of the parabola at the start
     if not u < high:
         u = high
     for _ in range(60):
@@ -73,7 +78,7 @@ def root_between(quintic, high):
         new = u - p / q if q != 0.0 else low
         if not low < new < high:
             new = 0.5 * (low + high)
-        if abs(new - u) <= 1e-6 * new:  # Newton's next step would be good to 1e-12 of it
+        if abs(new - u) <= 1e-6 * new:  # quadratic convergence: the next step would change it by 1e-12
             return new
         u = new
     return u
@@ -81,7 +86,7 @@ def root_between(quintic, high):
 
 @inner
 def lowest_inside(quintic, left, right):
-    """Where a quintic that is convex between ``left`` and ``right`` is least there."""
+    """Minimizer, between ``left`` and ``right``, of a quintic that is convex there."""
     _, slope = horner(quintic, left)
     if slope >= 0.0:
         return left
@@ -109,11 +114,11 @@ def lowest_inside(quintic, left, right):
 
 @inline
 def stays_positive(g0, v0, c0, g1, v1, c1, h):
-    """Whether a function, positive at the start, cannot have a zero on the step: not all that do are told."""
+    """Sufficient test that f, positive at the start, has no zero in the step; False is inconclusive."""
     if g1 < 0.0:
         return False
     if min(g0, g1) > 0.25 * h * h * max(abs(c0), abs(c1)) or (c0 <= 0.0 and c1 <= 0.0):
-        return True  # too far to fall to zero and rise again, or concave: least at an end
+        return True  # too large to dip to zero and return, or concave: least at an end
     if c0 < 0.0 or c1 < 0.0:
         return False
     if v0 >= 0.0 or v1 <= 0.0:
@@ -123,14 +128,14 @@ def stays_positive(g0, v0, c0, g1, v1, c1, h):
 
 @inline
 def first_zero(g0, v0, c0, g1, v1, c1, h):
-    """Time of the first zero that a function, positive at the start, falls through on (0, h], or −1.
+    """Time of the first downward zero crossing on (0, h] of a function positive at the start, or −1.
 
-    Between the ends its second rate is taken to change sign at most once.
+    The second derivative is assumed to change sign at most once in between.
 
     Parameters
     ----------
     g0, v0, c0, g1, v1, c1 : float
-        Value, rate and second rate at both ends.
+        Value, first and second derivative at both ends.
     h : float
         Length of the step [s].
     """
@@ -144,7 +149,7 @@ def _zero_of_quintic(g0, v0, c0, g1, v1, c1, h):
     quintic = hermite(g0, v0, c0, g1, v1, c1, h)
     if g1 < 0.0 and v1 <= 0.0:
         return h * root_between(quintic, 1.0)
-    # lowest inside, where it is convex: the first zero is before that place, if it is negative there
+    # an interior minimum lies where it is convex; if it is negative there, the first zero is before it
     turn = c0 / (c0 - c1) if c0 * c1 < 0.0 else 1.0
     u = lowest_inside(quintic, 0.0, turn) if c0 >= 0.0 else lowest_inside(quintic, turn, 1.0)
     if horner(quintic, u)[0] < 0.0:
@@ -153,11 +158,8 @@ def _zero_of_quintic(g0, v0, c0, g1, v1, c1, h):
 
 
 @inner
-def falls_inside(f0, fm, f1):
-    """Where, as a fraction of a step, a function with these values at start, middle and end is negative.
-
-    Returns −1 where the parabola through them is nowhere negative.
-    """
+def parabola_negative_at(f0, fm, f1):
+    """Fraction of a step at which the parabola through start, middle and end is negative, or −1."""
     if fm < 0.0:
         return 0.5
     curvature = 2.0 * (f0 - 2.0 * fm + f1)
@@ -173,7 +175,7 @@ def falls_inside(f0, fm, f1):
 
 @inline
 def secant(low, f_low, high, f_high):
-    """Next guess of a bracketed zero, kept off the ends of the bracket."""
+    """Secant estimate of a bracketed zero, kept off the ends of the bracket."""
     guess = low + (high - low) * f_low / (f_low - f_high)
     edge = 1e-3 * (high - low)
     if math.isnan(guess):
@@ -182,10 +184,11 @@ def secant(low, f_low, high, f_high):
 
 
 @inline
-def narrowed(bracket, t, f):
-    """Bracket (low, its value, high, its value, last side) after the value f at t: the Illinois method.
+def illinois_update(bracket, t, f):
+    """Update a bracket (low, its value, high, its value, last side) by f(t): the Illinois method.
 
-    The value at an end that stays for the second time is halved, so that the next guess falls beyond.
+    The value at an end retained twice is halved, so that the next secant falls beyond the zero (Dowell and
+    Jarratt 1971).
     """
     low, f_low, high, f_high, side = bracket
     if f > 0.0:

@@ -1,4 +1,4 @@
-"""Python's way into the compiled functions: one case with its history, or a batch of cases."""
+"""Python interface of the compiled solver: one case with its history, or a batch of cases."""
 
 from __future__ import annotations
 
@@ -15,18 +15,15 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 MAX_EVENTS = 1_000_000
-"""Events after which a run is given up, reported as failed."""
+"""Events after which a run is stopped and reported as failed."""
 
 TOLERANCE = 1e-10
-"""Largest last term of the tilt's series in a step [rad]."""
-
-LISTED_EVENTS = 4096
-"""Events that there is room for at first; a run with more is run again with room for all."""
+"""Largest last term of the tilt's Taylor series in a step [rad]."""
 
 
 @dataclass(frozen=True, slots=True)
 class TracedEvent:
-    """An event in numbers."""
+    """One event as returned by the solver, its kind and mode as integer codes."""
 
     time: float
     kind: int
@@ -39,7 +36,10 @@ class TracedEvent:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Traced:
-    """A run in numbers: the kinds, modes and outcomes by their place in the user's lists."""
+    """A run as returned by the solver: modes, event kinds and outcome as integer codes (see `columns`).
+
+    ``history`` has shape [samples, HISTORY], ``listed`` one row per event, shape [events, EVENT].
+    """
 
     outcome: int
     end: float
@@ -51,11 +51,19 @@ class Traced:
     wall_impacts: int
     steps: int
     history: NDArray[np.float64]
-    events: tuple[TracedEvent, ...]
+    listed: NDArray[np.float64]
+
+    @property
+    def events(self) -> tuple[TracedEvent, ...]:
+        """The events as objects."""
+        return tuple(
+            TracedEvent(time, int(kind), int(mode), *state)
+            for time, kind, mode, *state in self.listed.tolist()
+        )
 
 
 def extremes(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the smallest and largest value over blocks of segments, so that rest can be skipped."""
+    """Return minimum and maximum over blocks of the record, by which rest is skipped."""
     blocks = max(1, -(-(len(values) - 1) // BLOCK))
     low, high = np.empty(blocks), np.empty(blocks)
     block_extremes(values, low, high)
@@ -64,7 +72,7 @@ def extremes(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Shaking:
-    """A motion as the compiled code reads it, for one contact law."""
+    """A motion prepared for the solver, for one contact law."""
 
     along: NDArray[np.float64]
     up: NDArray[np.float64]
@@ -74,7 +82,7 @@ class Shaking:
 
 
 def shaking(along: NDArray[np.float64], up: NDArray[np.float64] | None, dt: float, law: int) -> Shaking:
-    """Prepare a motion: once for all cases under it.
+    """Prepare a motion for the solver, once for all cases under it.
 
     Parameters
     ----------
@@ -83,22 +91,19 @@ def shaking(along: NDArray[np.float64], up: NDArray[np.float64] | None, dt: floa
     dt : float
         Time between samples [s].
     law : int
-        0 for "coulomb", 1 for "paper", whose rules know no vertical motion.
+        0 for "coulomb", 1 for "paper", whose rules have no vertical motion.
     """
     along = np.array(along, np.float64)  # copied: compiled code is for writable arrays
     up = np.zeros(len(along)) if up is None or law == 1 else np.array(up, np.float64)
     return Shaking(along, up, dt, law, (*extremes(along), *extremes(up)))
 
 
-def traced_events(listed: NDArray[np.float64]) -> tuple[TracedEvent, ...]:
-    """Return listed events, one row each, as values."""
-    return tuple(
-        TracedEvent(float(row[0]), int(row[1]), int(row[2]), *(float(value) for value in row[3:]))
-        for row in listed
-    )
+def event_buffer() -> NDArray[np.float64]:
+    """Return a buffer for the most events a run can have; pages that are not written take no memory."""
+    return np.zeros((MAX_EVENTS, col.EVENT))
 
 
-def _room_for_contacts() -> tuple[NDArray[np.void], NDArray[np.void]]:
+def _contact_buffers() -> tuple[NDArray[np.void], NDArray[np.void]]:
     return np.zeros(col.CONTACTS, col.CONTACT), np.zeros(col.CONTACTS, col.ROW)
 
 
@@ -122,21 +127,16 @@ def trace(
     """
     cases = np.array([case])
     loads = motion.along, motion.up, motion.dt, motion.bounds, motion.law
-    room = *_room_for_contacts(), np.zeros(1, col.STATE)
+    room = *_contact_buffers(), np.zeros(1, col.STATE)
     history = np.zeros((len(motion.along), col.HISTORY))
-    listed = np.zeros((LISTED_EVENTS, col.EVENT))
+    listed = event_buffer()
     results = np.zeros(1, col.RESULT)
-    while True:
-        run_batch(cases, *loads, tolerance, max_step, MAX_EVENTS, *room, history, listed, results)
-        if results["events"][0] <= len(listed):
-            break
-        listed = np.zeros((results["events"][0], col.EVENT))
-        history[:] = 0.0
-    return traced(results[0], history, listed)
+    run_batch(cases, *loads, tolerance, max_step, MAX_EVENTS, *room, history, listed, results)
+    return traced(results[0], history, listed[: results["events"][0]])
 
 
 def traced(result: np.void, history: NDArray[np.float64], listed: NDArray[np.float64]) -> Traced:
-    """Return a run in numbers, from its row of results, its history and its list of events."""
+    """Assemble a run from its row of results, its history and its events."""
     reached = int(history[:, col.H_REACHED].sum())
     return Traced(
         outcome=int(result["outcome"]),
@@ -149,7 +149,7 @@ def traced(result: np.void, history: NDArray[np.float64], listed: NDArray[np.flo
         wall_impacts=int(result["wall_impacts"]),
         steps=int(result["steps"]),
         history=history[:reached],
-        events=traced_events(listed[: int(result["events"])]),
+        listed=listed.copy(),  # a view would keep the whole buffer alive
     )
 
 
@@ -169,12 +169,12 @@ def run_cases(
     motion, tolerance, max_step
         As for `trace`.
     max_events : int
-        Events after which a case is given up.
+        Events after which a case is stopped and reported as failed.
     """
     loads = motion.along, motion.up, motion.dt, motion.bounds, motion.law
     results = np.zeros(len(cases), col.RESULT)
     nothing = np.zeros((0, col.HISTORY)), np.zeros((0, col.EVENT))
-    room = _room_for_contacts()
+    room = _contact_buffers()
     states = np.zeros(1, col.STATE)
     run_batch(cases, *loads, tolerance, max_step, max_events, *room, states, *nothing, results)
     return results

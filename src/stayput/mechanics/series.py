@@ -1,4 +1,4 @@
-"""The equations of a body on one fulcrum, as Taylor series of the tilt.
+"""Taylor series of the tilt of a body on one fulcrum, sticking or slipping.
 
 With J_G/m = I, the corner at σ = r sin(β−θ), κ = r cos(β−θ) from G, and the loads A, Γ linear in time
 over a step (the record is piecewise linear), the fulcrum either sticks (Eqs. 3.12, 3.13)
@@ -9,8 +9,8 @@ or slips in the direction d (Eqs. 3.10 and 3.11 together with the rotation)
 
     k = σ − μ'd κ,   θ̈ = −k (Γ − κ θ̇²) / (I + k σ).
 
-Their right-hand sides are products of series whose coefficients follow from one another, so the series
-of θ up to τ⁷ costs about as much as two evaluations and is its own dense output.
+The right-hand sides are products of series whose coefficients follow by recurrence, so the series of θ up to
+τ⁷ costs about as much as two evaluations, and provides dense output.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ def rock_series(q, sg0, ka0, theta, omega, load):
     """Coefficients θ₀..θ₇ of a rocking body.
 
     q = −1/(I+r²); σ and κ at the start; load = (A, its rate, Γ, its rate). From σ' = −κθ̇ and κ' = σθ̇ follow
-    n σₙ = −Σ kθ_k κ_{n−k} and n κₙ = Σ kθ_k σ_{n−k}; the newest θ stands first, added last: a processor
-    works out what goes before while it waits.
+    n σₙ = −Σ kθ_k κ_{n−k} and n κₙ = Σ kθ_k σ_{n−k}; sums are written so that the newest coefficient
+    is added last: the processor computes the rest while it waits for it.
     """
     A0, A1, G0, G1 = load
     t1 = omega
@@ -124,7 +124,7 @@ def slide_rock_series(I, mu_d, sg0, ka0, theta, omega, load):
 
 @inline
 def tilt_after(series, h):
-    """Tilt and rate of the series after a time h; the newest coefficients are added last."""
+    """Tilt and tilt rate from the series after a time h; the newest coefficients are added last."""
     theta, omega, t2, t3, t4, t5, t6, t7 = series
     h2 = h * h
     h3 = h2 * h
@@ -139,8 +139,8 @@ def tilt_after(series, h):
 def step_within(h, series, tolerance):
     """Longest step, at most h, whose last term θ₇h⁷ stays within the tolerance [rad].
 
-    Every other term vanishes where the motion is even in time, as at a release from rest; so the term
-    before the last must stay within 16 tolerances too, which it else does by itself.
+    Where the motion is even in time, as at a release from rest, every other term vanishes and the last one
+    says nothing; so the term before it must stay within 16 tolerances too, which otherwise follows by itself.
     """
     h3 = h * h * h
     last = h3 * h3 * max(abs(series[7]) * h, abs(series[6]) * 0.0625)

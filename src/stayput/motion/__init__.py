@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from stayput.motion.builtin import near_fault
-from stayput.motion.peaks import Peaks
+from stayput.motion.integrals import Peaks
 from stayput.motion.readers import read_motion
 from stayput.motion.record import Motion
 from stayput.motion.synthetic import pulse, sine

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import random
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -54,8 +54,12 @@ def _band(t: NDArray[np.float64], corner: float, draw: random.Random) -> NDArray
     return np.diff(shaped, 2) / _DT**2 / math.sqrt(0.5 * float(size @ size))
 
 
-def _settled(a: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Take off two smooth bumps so that velocity and displacement end at zero, in whole quanta."""
+def _ending_at_rest(a: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Take off two smooth bumps so that velocity and displacement end at zero, in whole quanta.
+
+    `stayput.motion.processing.ending_at_rest` does so to the last quantum; this record keeps the bits
+    that it always had.
+    """
     window = np.sin(math.pi * t / t[-1]) ** 2
     bumps = np.stack((window, window * (t / t[-1] - 0.5)))
     moments = np.stack((np.ones_like(t), t))  # ∫a dt and ∫a t dt: both ends of the record are zero
@@ -82,9 +86,9 @@ def near_fault() -> Motion:
     """
     t = _DT * np.arange(_SAMPLES, dtype=np.float64)
     draw = random.Random(_SEED)
-    found: dict[str, NDArray[np.float64]] = {}
+    samples: dict[str, Any] = {}
     for name, (velocity, nu, strength, corner) in _PARTS.items():
         pulse = velocity * mavroeidis_papageorgiou(t - _PULSE_TIME, 1.0 / 0.9, 2.0, nu)
-        found[name] = _settled(pulse + strength * _band(t, corner, draw), t)
+        samples[name] = _ending_at_rest(pulse + strength * _band(t, corner, draw), t)
     source = "Mavroeidis-Papageorgiou pulse and a random band, fixed seed; not a recorded earthquake"
-    return Motion(_DT, **found, name="synthetic near-fault motion", synthetic=True, source=source)
+    return Motion(_DT, **samples, name="synthetic near-fault motion", synthetic=True, source=source)

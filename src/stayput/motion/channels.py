@@ -1,28 +1,48 @@
-"""From the channels of a file to the components of a motion."""
+"""The channels of a file, or of ObsPy's traces, and how they become the components of a motion."""
 
 from __future__ import annotations
 
 import math
 import re
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple, TypedDict
 
 import numpy as np
 
-from stayput.errors import InputError
-from stayput.motion.record import Motion
+from stayput.catalogue import phrase
+from stayput.errors import InputError, InputWarning, warn
+from stayput.motion.processing import check_size
+from stayput.motion.units import STANDARD_GRAVITY, unit_factor
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
+
+_UNNAMED = "(unnamed)"
+
 _VERTICAL = re.compile(r"UD\d?|UPDOWN|UP|[A-Z]{0,2}Z|V|VER|VERT|VERTICAL")
 _DOWN = re.compile(r"DOWN|DWN|DN")
-_DIRECTIONS = {"N": "0", "NS": "0", "NORTH": "0", "360": "0", "E": "90", "EW": "90", "EAST": "90"}
+_AZIMUTHS = {"N": "0", "NS": "0", "NORTH": "0", "360": "0", "E": "90", "EW": "90", "EAST": "90"}
 _UPWARDS = {"UD", "UP", "Z", "V", "VER", "VERT", "VERTICAL", "UPDOWN"}
-_PEAK_TOLERANCE = 0.01
+_SEED_CODE = re.compile(r"[A-Z][HLGN][NEZ]")  # band, instrument and direction of a seismometer's channel
+
+_DOUBTFUL_PEAK = 5.0  # g; no more than a handful of records are larger, a wrong unit nearly always is
+_PEAK_TOLERANCE = 0.01  # headers round the peak, or take it before the last correction
 _PEAK_ROUNDING = 1e-5  # m/s², a header's last digit
+_LENGTH_TOLERANCE = 0.01  # published components of one record differ by some samples at their end
+_START_TOLERANCE = 0.01  # of a time step, between the starts of two traces
+
+# How names and headers write the upper floor of a building: "42nd Floor", "floor42", "42F", "42階". A number
+# of storeys ("52-STORY BLDG", "12階建") and a floor below the ground ("地下2階") are not meant.
+_ORDINAL = r"(?<![0-9])([0-9]{1,3}) ?(?:st|nd|rd|th)[ _-]{1,2}(?:floor|flr?|storey|story|level)(?![a-z])"
+_NUMBERED = r"(?<![a-z])(?:floor|storey|story)[ _-]?([0-9]{1,3})(?![0-9])"
+_SHORT = r"(?<![a-z0-9.])([0-9]{1,3})(?:f|fl|flr)(?![a-z0-9])"
+_JAPANESE = r"(?<!地下)(?<![0-9])([0-9]{1,3}) ?階(?!建)"
+_UPPER_FLOOR = re.compile(f"{_ORDINAL}|{_NUMBERED}|{_SHORT}|{_JAPANESE}", re.IGNORECASE)
+_ROOF = re.compile(r"(?<![a-z])(?:roof|rooftop|penthouse)(?![a-z])|屋上", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +63,8 @@ class Channel:
         Largest magnitude as the file's header states it [m/s²].
     note : str
         What else the motion's ``source`` should say.
+    location : str
+        What the file says of the place, as of a floor of a building.
     """
 
     label: str
@@ -51,6 +73,38 @@ class Channel:
     name: str = ""
     peak: float | None = None
     note: str = ""
+    location: str = ""
+
+
+class Listing(NamedTuple):
+    """The channels of a file, and which one became x.
+
+    Attributes
+    ----------
+    names : tuple of str
+        What chooses each one: its direction where no other has it, else its place ("channel 2").
+    vertical : tuple of bool
+        Whether each one is vertical.
+    used : int
+        Index of the one that became x.
+    """
+
+    names: tuple[str, ...]
+    vertical: tuple[bool, ...]
+    used: int
+
+
+class MotionFields(TypedDict):
+    """What a file's channels say of a motion: arguments of `Motion`."""
+
+    dt: float
+    x: NDArray[np.float64]
+    y: NDArray[np.float64] | None
+    z: NDArray[np.float64] | None
+    name: str
+    source: str
+    floor: str
+    listing: Listing
 
 
 def plain_label(label: str) -> str:
@@ -66,77 +120,107 @@ def is_vertical(label: str) -> bool:
     return bool(_VERTICAL.fullmatch(plain) or _DOWN.fullmatch(plain))
 
 
-def _meanings(label: str) -> set[str]:
+def labels_phrase(labels: Sequence[str], *, numbered: bool = False) -> Phrase:
+    """Return the labels of channels as a listing in both languages, with their places where asked for."""
+    english, japanese = (
+        comma.join(
+            f"{label or _UNNAMED} (channel {i})" if numbered else label or _UNNAMED
+            for i, label in enumerate(labels, start=1)
+        )
+        for comma in (", ", "、")
+    )
+    return english, japanese
+
+
+def _spellings(label: str) -> set[str]:
+    """Return what a direction may be called, so that "NS", "HNN" and "360" are the same one."""
     plain = plain_label(label)
-    seed = re.fullmatch(r"[A-Z][HLGN][NEZ]", plain)  # band, instrument, direction
-    code = plain[-1] if seed else plain
-    if code in _UPWARDS:
-        return {plain, code, "up"}
-    return {plain, code, _DIRECTIONS.get(code, code)}
+    code = plain[-1] if _SEED_CODE.fullmatch(plain) else plain
+    return {plain, code, "up" if code in _UPWARDS else _AZIMUTHS.get(code, code)}
 
 
-def check_peak(channel: Channel) -> None:
+def _chosen(channels: Sequence[Channel], component: str) -> int:
+    """Return the index of the channel that the caller names: its place, its label, or another spelling."""
+    wanted = str(component).strip()
+    labels = [channel.label for channel in channels]
+    labelled = [i for i, label in enumerate(labels) if label]
+    place = re.fullmatch(r"(?:ch|chan|channel)\s*([0-9]{1,4})", wanted.lower())
+    if place:
+        matches = [int(place[1]) - 1] if 1 <= int(place[1]) <= len(channels) else []
+    else:
+        # An exact label comes first: of "360" and "NS" in one file, each names its own channel.
+        matches = [i for i in labelled if plain_label(labels[i]) == plain_label(wanted)]
+        matches = matches or [i for i in labelled if _spellings(labels[i]) & _spellings(wanted)]
+    if len(matches) == 1:
+        return matches[0]
+    code = "motion.ambiguous_channel" if matches else "motion.no_such_channel"
+    listing = labels_phrase(labels, numbered=True)
+    raise InputError(code, "component", component=component, channels=listing)
+
+
+def _assigned(channels: Sequence[Channel], component: str | None) -> dict[str, Channel]:
+    """Return which channel becomes which component: x, and y and z where only one channel can be meant."""
+    vertical = [i for i, channel in enumerate(channels) if is_vertical(channel.label)]
+    horizontal = [i for i in range(len(channels)) if i not in vertical]
+    if component is not None:
+        x = _chosen(channels, component)
+    elif len(horizontal) > 2 or len(vertical) > 1:
+        labels = labels_phrase([channel.label for channel in channels], numbered=True)
+        raise InputError("motion.many_channels", "component", count=len(channels), channels=labels)
+    else:
+        x = (horizontal or vertical)[0]
+    assigned = {"x": channels[x]}
+    if x in horizontal and len(horizontal) <= 2 and len(vertical) <= 1:
+        others = {"y": [i for i in horizontal if i != x], "z": vertical}
+        assigned |= {name: channels[places[0]] for name, places in others.items() if places}
+    return assigned
+
+
+def _warn_of_choice(x: Channel, channels: Sequence[Channel]) -> None:
+    """Warn of the channel that became x where the caller named none and the file does not say either."""
+    horizontal = [channel.label for channel in channels if not is_vertical(channel.label)]
+    if not horizontal:
+        warn(InputWarning("motion.vertical_alone", "component", label=x.label))
+    elif len(horizontal) > 1 and {plain_label(label) for label in horizontal} != {"X", "Y"}:
+        taken = (x.label, f"「{x.label}」") if x.label else phrase("motion.the_first")
+        listing = labels_phrase(horizontal)
+        warn(InputWarning("motion.x_chosen", "component", channels=listing, label=taken))
+
+
+def _check_header_peak(channel: Channel) -> None:
     """Raise `InputError` when a channel's samples contradict the peak in its header by more than 1 %."""
     if channel.peak is None or not math.isfinite(channel.peak) or channel.peak == 0.0:
         return
-    found, stated = float(np.abs(channel.acceleration).max()), abs(channel.peak)
-    if abs(found - stated) > _PEAK_TOLERANCE * stated + _PEAK_ROUNDING:
-        raise InputError(
-            f"The header's peak acceleration is {stated:g} m/s² and the samples' is {found:g} m/s²; "
-            f"they must agree within 1 %, so the file is damaged."
-        )
+    peak, stated = float(np.abs(channel.acceleration).max()), abs(channel.peak)
+    if abs(peak - stated) > _PEAK_TOLERANCE * stated + _PEAK_ROUNDING:
+        raise InputError("motion.peak_differs", stated=stated, peak=peak)
+
+
+def _check_sizes(components: Mapping[str, Channel]) -> None:
+    """Refuse an impossible acceleration and warn of a doubtful one: the unit is probably wrong."""
+    for name, channel in components.items():
+        if not channel.acceleration.size:  # refused by `Motion`
+            continue
+        check_size(name, channel.acceleration, "unit")
+        peak = float(np.abs(channel.acceleration).max()) / STANDARD_GRAVITY
+        if peak > _DOUBTFUL_PEAK:
+            warn(InputWarning("motion.large_peak", "unit", component=name, peak=peak, limit=_DOUBTFUL_PEAK))
 
 
 def common_length(lengths: Mapping[str, int]) -> tuple[int, str]:
     """Return the shortest of lengths that differ by at most 1 %, and a note that says what was cut."""
     shortest, longest = min(lengths.values()), max(lengths.values())
-    if longest - shortest > 0.01 * longest:
+    if longest - shortest > _LENGTH_TOLERANCE * longest:
         listing = ", ".join(f"{name} {length}" for name, length in lengths.items())
-        raise InputError(f"The components have {listing} samples; their lengths must agree within 1 %.")
+        raise InputError("motion.lengths_differ", listing=listing)
     cut = ", ".join(f"{name} from {length}" for name, length in lengths.items() if length > shortest)
     return shortest, f"; cut to {shortest} samples: {cut}" if cut else ""
 
 
-def _chosen(channels: Sequence[Channel], component: str) -> int:
-    wanted = str(component).strip()
-    position = re.fullmatch(r"(?:ch|chan|channel)\s*([0-9]{1,4})", wanted.lower())
-    if position:
-        matches = [int(position[1]) - 1] if 1 <= int(position[1]) <= len(channels) else []
-    else:
-        matches = [
-            i for i, c in enumerate(channels) if c.label and plain_label(c.label) == plain_label(wanted)
-        ]
-        matches = matches or [
-            i for i, c in enumerate(channels) if c.label and _meanings(c.label) & _meanings(wanted)
-        ]
-    if len(matches) == 1:
-        return matches[0]
-    listing = ", ".join(f"{c.label or '(unnamed)'} (channel {i + 1})" for i, c in enumerate(channels))
-    what = "more than one channel" if matches else "no channel"
-    raise InputError(f"The component {component!r} is {what} of the file; it must be one of {listing}.")
-
-
-def _arranged(channels: Sequence[Channel], component: str | None) -> dict[str, Channel]:
-    vertical = [i for i, c in enumerate(channels) if is_vertical(c.label)]
-    level = [i for i in range(len(channels)) if i not in vertical]
-    if component is not None:
-        x = _chosen(channels, component)
-    elif len(level) > 2 or len(vertical) > 1:
-        labels = ", ".join(f"{c.label or '(unnamed)'} (channel {i + 1})" for i, c in enumerate(channels))
-        raise InputError(f"The file has {len(channels)} channels; component must name one of {labels}.")
-    else:
-        x = (level or vertical)[0]
-    found = {"x": channels[x]}
-    if x in level and len(level) <= 2 and len(vertical) <= 1:
-        others = {"y": [i for i in level if i != x], "z": vertical}
-        found |= {name: channels[places[0]] for name, places in others.items() if places}
-    return found
-
-
-def motion_of_channels(
+def motion_fields(
     channels: Sequence[Channel], component: str | None, source: str, name: str = ""
-) -> Motion:
-    """Make a motion of a file's channels.
+) -> MotionFields:
+    """Return the arguments of the `Motion` that a file's channels make.
 
     The chosen channel becomes x, the other horizontal one y, the vertical one z, up. A file of more than
     two horizontal channels or one vertical one (a building's array) gives only the chosen channel.
@@ -150,47 +234,125 @@ def motion_of_channels(
     source : str
         The file's format.
     name : str
-        Used when the file names neither event nor station.
+        Used when the file names neither event nor station; the file's name.
 
     Raises
     ------
     InputError
         No such channel or more than one, different time steps or lengths, a peak unlike the header's.
+
+    Warns
+    -----
+    InputWarning
+        The channel had to be chosen, or its peak is above 5 g.
     """
     for channel in channels:
-        check_peak(channel)
-    found = _arranged(channels, component)
-    first = found["x"]
-    for key, channel in found.items():
-        if not math.isclose(channel.dt, first.dt, rel_tol=1e-6):
-            raise InputError(
-                f"The channels' dt are {first.dt:g} s and {channel.dt:g} s; they must be the same."
-            )
+        _check_header_peak(channel)
+    components = _assigned(channels, component)
+    x = components["x"]
+    if component is None:
+        _warn_of_choice(x, channels)
+    _check_sizes(components)
+    listing = _listing(channels, x)
+    for key, channel in components.items():
+        if not math.isclose(channel.dt, x.dt, rel_tol=1e-6):  # steps are written with six digits or more
+            raise InputError("motion.channel_dt_differs", dt=x.dt, other=channel.dt)
         if _DOWN.fullmatch(plain_label(channel.label)):
-            turned = replace(
-                channel, acceleration=-channel.acceleration, note=f"{channel.note}, sign changed to up"
-            )
-            found[key] = turned
-    length, cut = common_length({key: len(channel.acceleration) for key, channel in found.items()})
-    roles = ", ".join(f"{key} = {c.label or 'unnamed'}{c.note}" for key, c in found.items())
-    arrays: dict[str, Any] = {key: channel.acceleration[:length] for key, channel in found.items()}
-    title = ", ".join(part for part in (first.name, first.label) if part) if first.name else name
-    return Motion(first.dt, **arrays, name=title, source=f"{source}: {roles}{cut}")
+            note = f"{channel.note}, sign changed to up"
+            components[key] = replace(channel, acceleration=-channel.acceleration, note=note)
+    length, cut = common_length({key: len(channel.acceleration) for key, channel in components.items()})
+    roles = ", ".join(f"{key} = {c.label or 'unnamed'}{c.note}" for key, c in components.items())
+    samples = {key: channel.acceleration[:length] for key, channel in components.items()}
+    floor = upper_floor((name, x.label, x.name, x.location))
+    place = f"; recorded on {floor}" if floor else ""
+    return {
+        "dt": x.dt,
+        "x": samples["x"],
+        "y": samples.get("y"),
+        "z": samples.get("z"),
+        "name": ", ".join(part for part in (x.name, x.label) if part) if x.name else name,
+        "source": f"{source}: {roles}{cut}{place}",
+        "floor": floor,
+        "listing": listing,
+    }
 
 
-def combined(parts: Mapping[str, Motion | None], name: str | None) -> Motion:
-    """Make one motion of the x of one for each component; see `Motion.combine`."""
-    given = {key: motion for key, motion in parts.items() if motion is not None}
-    dt = given["x"].dt
-    for key, motion in given.items():
-        if not math.isclose(motion.dt, dt, rel_tol=1e-6):
-            raise InputError(
-                f"The {key} motion's dt is {motion.dt:g} s; it must be the x motion's, {dt:g} s."
-            )
-    length, cut = common_length({key: len(motion) for key, motion in given.items()})
-    arrays: dict[str, Any] = {key: motion.x[:length] for key, motion in given.items()}
-    source = "; ".join(f"{key}: {motion.name} ({motion.source})" for key, motion in given.items()) + cut
-    synthetic = any(motion.synthetic for motion in given.values())
-    return Motion(
-        dt, **arrays, name=given["x"].name if name is None else name, synthetic=synthetic, source=source
+def _listing(channels: Sequence[Channel], x: Channel) -> Listing:
+    labels = [channel.label for channel in channels]
+    plain = [plain_label(label) for label in labels]
+    names = (
+        label if plain[i] and plain.count(plain[i]) == 1 else f"channel {i + 1}"
+        for i, label in enumerate(labels)
     )
+    place = next(i for i, channel in enumerate(channels) if channel is x)
+    return Listing(tuple(names), tuple(is_vertical(label) for label in labels), place)
+
+
+def channels_of_traces(traces: Iterable[Any], unit: str, name: str | None) -> list[Channel]:
+    """Return the channels of ObsPy's traces; ObsPy itself is not needed.
+
+    Parameters
+    ----------
+    traces : iterable of obspy.Trace
+        One complete trace a channel, all of one start.
+    unit : str
+        Unit of the traces' numbers as they stand.
+    name : str, optional
+        What they are called; default network and station.
+
+    Raises
+    ------
+    InputError
+        No traces, gaps, different starts, an unknown unit.
+    """
+    factor = unit_factor(unit)
+    items = list(traces)
+    if not items:
+        raise InputError("motion.no_traces")
+    channels: list[Channel] = []
+    start = items[0].stats.starttime
+    for trace in items:
+        stats = trace.stats
+        code, dt = str(stats.channel), float(stats.delta)
+        if any(channel.label == code for channel in channels):
+            raise InputError("motion.trace_repeated", channel=code)
+        if np.ma.is_masked(trace.data):
+            raise InputError("motion.trace_gaps", channel=code)
+        late = float(stats.starttime - start)
+        if abs(late) > _START_TOLERANCE * dt:
+            raise InputError("motion.trace_start", channel=code, late=late)
+        station = ".".join(part for part in (str(stats.network), str(stats.station)) if part)
+        channels.append(Channel(code, factor * np.asarray(trace.data, dtype=np.float64), dt, name or station))
+    return channels
+
+
+def upper_floor(texts: Iterable[str]) -> str:
+    """Return the upper floor of a building that texts name, "floor 42" or "roof"; "" where they name none.
+
+    A first floor, a ground floor and a basement are none.
+
+    Parameters
+    ----------
+    texts : iterable of str
+        A record's name and what its header says.
+    """
+    for text in texts:
+        for match in _UPPER_FLOOR.finditer(text):
+            if (floor := int(next(filter(None, match.groups())))) > 1:
+                return f"floor {floor}"
+        if _ROOF.search(text):
+            return "roof"
+    return ""
+
+
+def floor_phrase(floor: str) -> Phrase:
+    """Return the `Motion.floor` of a motion in both languages: "floor 42", "storey 5" or "roof"."""
+    kind, _, number = floor.partition(" ")
+    if kind in ("floor", "storey"):
+        return phrase(f"motion.{kind}_number", number=number)
+    return phrase("motion.roof") if kind == "roof" else (floor, floor)
+
+
+def upper_floor_warning(floor: str) -> InputWarning:
+    """Return the warning that a record is of an upper floor, not of the ground."""
+    return InputWarning("motion.upper_floor", floor=floor_phrase(floor))

@@ -1,4 +1,4 @@
-"""Integrals of an acceleration that is linear between its samples, without approximation.
+"""Integrals and peaks of an acceleration that is linear between its samples, without approximation.
 
 In a segment of length h the acceleration is a(τ) = a₀ + sτ with s = (a₁ − a₀)/h, so the velocity is a
 parabola, the displacement a cubic, and ∫a² a cubic too: every peak below is the peak of those curves,
@@ -7,9 +7,13 @@ not of their samples. The floor starts at rest.
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -85,3 +89,49 @@ def time_of_share(a: NDArray[np.float64], dt: float, share: float) -> float:
     else:
         tau = rest / (a0 * a0) if a0 * a0 > 0.0 else dt
     return i * dt + min(max(tau, 0.0), dt)
+
+
+def arias_intensity(a: NDArray[np.float64], dt: float) -> float:
+    """Return π/(2g)·∫a² dt [m/s] of an acceleration [m/s²], shape (n,) (Arias 1970)."""
+    return math.pi / (2.0 * STANDARD_GRAVITY) * float(square(a, dt)[-1])
+
+
+def significant_duration(a: NDArray[np.float64], dt: float) -> float:
+    """Return the time in which ∫a² dt grows from 5 % to 95 % [s] (Trifunac and Brady 1975)."""
+    return time_of_share(a, dt, 0.95) - time_of_share(a, dt, 0.05)
+
+
+@dataclass(frozen=True, slots=True)
+class Peaks:
+    """Peaks and integral measures of one component.
+
+    Parameters
+    ----------
+    pga, pgv, pgd : float
+        Largest magnitude of acceleration [m/s²], velocity [m/s] and displacement [m].
+    arias : float
+        Arias intensity [m/s].
+    cav : float
+        Cumulative absolute velocity ∫|a| dt [m/s] (EPRI 1988, without the later thresholds).
+    significant_duration : float
+        D5–95 [s].
+    """
+
+    pga: float
+    pgv: float
+    pgd: float
+    arias: float
+    cav: float
+    significant_duration: float
+
+    @classmethod
+    def of(cls, a: NDArray[np.float64], dt: float) -> Peaks:
+        """Return the peaks of an acceleration [m/s²], shape (n,), of time step dt [s]."""
+        return cls(
+            pga=float(np.abs(a).max()),
+            pgv=peak_velocity(a, dt),
+            pgd=peak_displacement(a, dt),
+            arias=arias_intensity(a, dt),
+            cav=magnitude(a, dt),
+            significant_duration=significant_duration(a, dt),
+        )

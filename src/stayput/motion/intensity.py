@@ -1,8 +1,9 @@
-"""JMA's scales of shaking: instrumental intensity and its classes, and the class of long-period motion.
+"""Scales of intensity: JMA's instrumental intensity, its classes, long-period classes, regressions on peaks.
 
 Intensity: notification 4 of the Japan Meteorological Agency (1996). Class of long-period motion: the agency's
 scale of 2013, from the absolute-velocity response at 5 % damping (that its horizontal components are added as
-vectors is common knowledge, not re-checked).
+vectors is common knowledge, not re-checked). The published regressions on peaks are means over many records,
+with a scatter of about half a degree; none replaces the intensity that is computed from the record itself.
 """
 
 from __future__ import annotations
@@ -12,12 +13,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, finite
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from collections.abc import Iterable
 
-    from stayput.motion.record import Motion
+    from numpy.typing import NDArray
 
 EXCEEDED = 0.3
 """Time in all for which the level that counts is reached [s]."""
@@ -56,37 +58,45 @@ def intensity_filter(f: NDArray[np.float64]) -> NDArray[np.float64]:
     return weight
 
 
-def filtered_level(motion: Motion) -> float:
+def filtered_level(components: Iterable[NDArray[np.float64]], dt: float) -> float:
     """Return a₀ [gal]: the vector sum of the filtered components is at least this for 0.3 s in all.
+
+    Parameters
+    ----------
+    components : iterable of ndarray, shape (n,)
+        Accelerations of one motion [m/s²].
+    dt : float
+        Time step [s].
 
     Raises
     ------
     InputError
         A motion shorter than 0.3 s.
     """
-    n = len(motion)
-    counted = math.ceil(EXCEEDED / motion.dt - 1e-9)
+    rows = list(components)
+    n = len(rows[0])
+    counted = math.ceil(EXCEEDED / dt - 1e-9)
     if counted > n:
-        raise InputError(f"The motion lasts {motion.duration:g} s; an intensity needs at least {EXCEEDED} s.")
-    weight = intensity_filter(np.fft.rfftfreq(n, motion.dt).astype(np.float64))
+        raise InputError("motion.too_short_for_intensity", duration=(n - 1) * dt, least=EXCEEDED)
+    weight = intensity_filter(np.fft.rfftfreq(n, dt).astype(np.float64))
     total = np.zeros(n)
-    for a in motion.components.values():
+    for a in rows:
         total += np.fft.irfft(np.fft.rfft(100.0 * a) * weight, n) ** 2
     return math.sqrt(float(np.partition(total, n - counted)[n - counted]))
 
 
-def jma_intensity(motion: Motion) -> float:
-    """Return JMA's instrumental seismic intensity I = 2 log₁₀ a₀ + 0.94, not rounded.
+def jma_intensity(components: Iterable[NDArray[np.float64]], dt: float) -> float:
+    """Return JMA's instrumental seismic intensity I = 2 log₁₀ a₀ + 0.94, not rounded; see `filtered_level`.
 
     All components that are there count; JMA takes three. A motion times k has an intensity higher by
     2 log₁₀ k. A still floor's is −∞.
     """
-    level = filtered_level(motion)
+    level = filtered_level(components, dt)
     return 2.0 * math.log10(level) + 0.94 if level > 0.0 else -math.inf
 
 
 def published_intensity(intensity: float) -> float:
-    """Return an intensity as JMA publishes it: the second decimal rounded from the third, then cut to one."""
+    """Return an intensity as JMA publishes it: rounded to two decimals, then cut to one."""
     return math.floor(round(100.0 * intensity) / 10.0 + 1e-9) / 10.0 if math.isfinite(intensity) else 0.0
 
 
@@ -106,7 +116,7 @@ def intensity_of_class(name: str) -> float:
     """
     names = [known for known, _ in CLASSES]
     if name not in names:
-        raise InputError(f"The intensity is {name!r}; it must be a number or one of {', '.join(names)}.")
+        raise InputError("motion.unknown_intensity", "intensity", intensity=name, known=", ".join(names))
     i = names.index(name)
     if name == "0":
         return 0.25
@@ -114,35 +124,79 @@ def intensity_of_class(name: str) -> float:
     return start + 0.25 if name == "7" else 0.5 * (start + CLASSES[i + 1][1])
 
 
-def factor_to_intensity(motion: Motion, intensity: float) -> float:
-    """Return the factor on a motion that gives it an intensity.
+def factor_to_intensity(intensity: float, wanted: float) -> float:
+    """Return the factor on a motion of an intensity that gives it another one.
 
     Raises
     ------
     InputError
-        A still floor, or an intensity that is not finite.
+        The intensity of a still floor, or a wanted one that is not finite.
     """
-    wanted = finite("Intensity", intensity)
-    now = jma_intensity(motion)
-    if not math.isfinite(now):
-        raise InputError("The motion is a still floor; it cannot be scaled to an intensity.")
-    return 10.0 ** (0.5 * (wanted - now))
+    target = finite("motion.name_intensity", wanted, "intensity")
+    if not math.isfinite(intensity):
+        raise InputError("motion.still_floor")
+    return 10.0 ** (0.5 * (target - intensity))
 
 
-def long_period_response(motion: Motion) -> float:
+def long_period_response(x: NDArray[np.float64], y: NDArray[np.float64] | None, dt: float) -> float:
     """Return the largest absolute-velocity response Sva over 1.6 to 7.8 s, 5 % damping [m/s].
 
     The two horizontal components are added as vectors at every instant; of a motion without y it is x alone.
+
+    Parameters
+    ----------
+    x, y : ndarray, shape (n,)
+        Horizontal accelerations [m/s²].
+    dt : float
+        Time step [s].
     """
     from stayput.motion.oscillator import horizontal_velocities  # Numba takes its time to load
 
-    x = motion.x.copy()
-    y = np.zeros(len(x)) if motion.y is None else motion.y.copy()
+    # The compiled function takes writable arrays alone; a motion's cannot be written to.
+    across = np.zeros(len(x)) if y is None else y.copy()
     peaks = np.empty(len(LONG_PERIODS))
-    horizontal_velocities(x, y, motion.dt, LONG_PERIODS.copy(), 0.05, peaks)
+    horizontal_velocities(x.copy(), across, dt, LONG_PERIODS.copy(), 0.05, peaks)
     return float(peaks.max())
 
 
 def long_period_class(response: float) -> int:
     """Return JMA's class of long-period motion, 0 to 4, of an absolute-velocity response [m/s]."""
     return sum(response >= bound for bound in LONG_PERIOD_BOUNDS)
+
+
+def _logarithm(name: str, value: float, unit: str) -> float:
+    called = phrase(f"motion.name_{name}")
+    number = finite(called, value, name)
+    if not number > 0.0:
+        raise InputError("motion.not_positive", name, name=called, value=number, unit=unit)
+    return math.log10(100.0 * number)
+
+
+def jma_from_pgv(pgv: float) -> float:
+    """Return JMA's intensity 2.68 + 1.72 log₁₀ PGV[cm/s] of a peak velocity [m/s] (Midorikawa et al. 1999).
+
+    Made for intensities from 4 to 7.
+    """
+    return 2.68 + 1.72 * _logarithm("pgv", pgv, "m/s")
+
+
+def kawasumi(pga: float) -> float:
+    """Return the intensity 2 log₁₀ PGA[gal] + 0.7 of a peak acceleration [m/s²] (Kawasumi 1951)."""
+    return 2.0 * _logarithm("pga", pga, "m/s²") + 0.7
+
+
+def mercalli(pga: float, pgv: float) -> float:
+    """Return the modified Mercalli intensity, 1 to 10, of PGA [m/s²] and PGV [m/s] (Worden et al. 2012).
+
+    The mean of the two bilinear regressions of that paper, which were made for California; the larger
+    horizontal component counts.
+
+    Raises
+    ------
+    InputError
+        A peak that is not larger than 0.
+    """
+    a, v = _logarithm("pga", pga, "m/s²"), _logarithm("pgv", pgv, "m/s")
+    from_a = 1.78 + 1.55 * a if a <= 1.57 else -1.60 + 3.70 * a
+    from_v = 3.78 + 1.47 * v if v <= 0.53 else 2.89 + 3.16 * v
+    return min(10.0, max(1.0, 0.5 * (from_a + from_v)))

@@ -8,16 +8,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.motion.conversions import jma_from_pgv, kawasumi, mercalli
 from stayput.motion.frequency import mean_period
 from stayput.motion.intensity import (
     intensity_class,
-    jma_intensity,
+    jma_from_pgv,
+    kawasumi,
     long_period_class,
     long_period_response,
+    mercalli,
     published_intensity,
 )
-from stayput.motion.spectrum import PERIODS, response_spectrum
+from stayput.motion.response import PERIODS
 
 if TYPE_CHECKING:
     from stayput.motion.record import Motion
@@ -51,9 +52,9 @@ class SpectralMeasures:
     def of(cls, motion: Motion, component: str = "x") -> SpectralMeasures:
         """Return the measures of one component of a motion."""
         a = motion.components[component]
-        spectrum = response_spectrum(motion, PERIODS, 0.05, component)
-        housner = response_spectrum(motion, HOUSNER_PERIODS, 0.05, component).psv
-        damped = response_spectrum(motion, HOUSNER_PERIODS, 0.20, component).sv
+        spectrum = motion.spectrum(PERIODS, 0.05, component)
+        housner = motion.spectrum(HOUSNER_PERIODS, 0.05, component).psv
+        damped = motion.spectrum(HOUSNER_PERIODS, 0.20, component).sv
         span = float(HOUSNER_PERIODS[-1] - HOUSNER_PERIODS[0])
         moves = bool(np.any(a))
         return cls(
@@ -100,9 +101,9 @@ class Shaking:
     @classmethod
     def of(cls, motion: Motion) -> Shaking:
         """Return the intensities of a motion, of as many components as it has."""
-        intensity, response = jma_intensity(motion), long_period_response(motion)
-        peaks = [found for name, found in motion.peaks().items() if name != "z"]
-        pga, pgv = max(peak.pga for peak in peaks), max(peak.pgv for peak in peaks)
+        intensity, response = motion.intensity, long_period_response(motion.x, motion.y, motion.dt)
+        horizontal = [peaks for name, peaks in motion.peaks().items() if name != "z"]
+        pga, pgv = max(peaks.pga for peaks in horizontal), max(peaks.pgv for peaks in horizontal)
         moves = pga > 0.0
         return cls(
             intensity=intensity,

@@ -1,18 +1,28 @@
-"""What changes a record's samples on request: another time step, a baseline correction."""
+"""Rows of acceleration samples: which are accepted, resampling, baseline correction."""
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.motion.integrals import velocity
-from stayput.motion.samples import MOST_SAMPLES
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
+
+STEP_RANGE = (1e-6, 1.0)
+"""Smallest and largest time step that is accepted [s]."""
+
+LARGEST_ACCELERATION = 1e4
+"""Largest acceleration that is accepted [m/s²]."""
+
+MOST_SAMPLES = 20_000_000
+"""Largest number of samples that is accepted."""
 
 _KAISER_BETA = 8.0
 """Kaiser window of the anti-alias filter: about 80 dB of stop band."""
@@ -20,20 +30,79 @@ _KAISER_BETA = 8.0
 _TAPS_PER_STEP = 24
 """Half-length of the anti-alias filter, in steps of the coarser record."""
 
+QUANTUM = 1e-6
+"""Samples are whole multiples of this [m/s²], so that no library's last bit shows."""
+
+
+def check_size(component: str, samples: NDArray[np.float64], field: str) -> None:
+    """Raise `InputError` when an acceleration is larger than any that is accepted.
+
+    Parameters
+    ----------
+    component : str
+        What the samples are: "x", "y" or "z".
+    samples : ndarray, shape (n,)
+        Acceleration [m/s²].
+    field : str
+        Name of the input that is wrong.
+    """
+    index = int(np.abs(samples).argmax())
+    value = float(samples[index])
+    if abs(value) > LARGEST_ACCELERATION:
+        raise InputError(
+            "motion.samples_too_large",
+            field,
+            component=component,
+            index=index,
+            value=value,
+            low=-LARGEST_ACCELERATION,
+            high=LARGEST_ACCELERATION,
+        )
+
+
+def checked_samples(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """Return a read-only, contiguous copy of a row of accelerations [m/s²], shape (n,).
+
+    Raises
+    ------
+    InputError
+        Not one row of 2 or more finite, sane, real numbers without gaps.
+    """
+    if np.ma.is_masked(values):
+        raise InputError("motion.samples_masked", name, component=name)
+    try:
+        given = np.asarray(values)
+    except (TypeError, ValueError):
+        raise InputError("motion.samples_no_array", name, component=name) from None
+    if given.dtype.kind not in "iuf":
+        raise InputError("motion.samples_not_real", name, component=name, kind=given.dtype)
+    if given.ndim != 1:
+        raise InputError("motion.samples_shape", name, component=name, shape=str(given.shape))
+    if not 2 <= given.size <= MOST_SAMPLES:
+        raise InputError("motion.samples_count", name, component=name, count=given.size, most=MOST_SAMPLES)
+    array = np.array(given, dtype=np.float64, order="C")
+    bad = np.flatnonzero(~np.isfinite(array))
+    if bad.size:
+        value, index = float(array[bad[0]]), int(bad[0])
+        raise InputError("motion.samples_not_finite", name, component=name, value=value, index=index)
+    check_size(name, array, name)
+    array.setflags(write=False)
+    return array
+
 
 def whole_ratio(larger: float, smaller: float) -> int:
     """Return the whole number larger/smaller, or 0 when it is not whole (to 1e-6)."""
     ratio = larger / smaller
     nearest = round(ratio)
+    # A step of 0.01 s that was read as 0.0099999 s still is a hundredth.
     return nearest if nearest >= 1 and abs(ratio - nearest) <= 1e-6 * nearest else 0
 
 
 def refine(a: NDArray[np.float64], parts: int) -> NDArray[np.float64]:
     """Return the same piecewise linear function with each step cut into ``parts``, shape ((n−1)·parts+1,)."""
     if (len(a) - 1) * parts >= MOST_SAMPLES:
-        raise InputError(
-            f"The finer record would have {(len(a) - 1) * parts + 1} samples; {MOST_SAMPLES} are allowed."
-        )
+        count = (len(a) - 1) * parts + 1
+        raise InputError("motion.resampled_too_long", "dt", count=count, most=MOST_SAMPLES)
     steps = np.arange(parts) / parts
     cut = a[:-1, None] + np.diff(a)[:, None] * steps
     return np.append(cut.ravel(), a[-1])
@@ -58,9 +127,7 @@ def coarsen(a: NDArray[np.float64], steps: int) -> NDArray[np.float64]:
         Fewer than two samples would be left.
     """
     if len(a) <= steps:
-        raise InputError(
-            f"The record has {len(a)} samples; a step {steps} times as long needs at least {steps + 1}."
-        )
+        raise InputError("motion.resampled_too_short", "dt", count=len(a), ratio=steps, least=steps + 1)
     half = _TAPS_PER_STEP * steps
     window = np.kaiser(2 * half + 1, _KAISER_BETA)
     taps = np.sinc(0.8 / steps * np.arange(-half, half + 1)) * window
@@ -89,3 +156,75 @@ def without_baseline(a: NDArray[np.float64], dt: float, order: int) -> NDArray[n
     fit = np.linalg.lstsq(t[:, None] ** powers, velocity(a, dt), rcond=None)[0]
     length = dt * (len(a) - 1)
     return a - (t[:, None] ** (powers - 1)) @ (fit * powers) / length
+
+
+def fft_length(n: int) -> int:
+    """Return the power of two that holds n samples."""
+    return 1 << (n - 1).bit_length()
+
+
+def ending_at_rest(a: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return an acceleration whose velocity and displacement end at zero, in whole quanta.
+
+    Two smooth bumps as long as the record take off what is left of both; after rounding, a few quanta
+    near the middle take off the rest. With a₀ = aₙ = 0 the final velocity of the piecewise linear record
+    is dt Σ aᵢ and its final displacement dt² Σ (n − i) aᵢ, so both are sums of whole numbers.
+
+    Parameters
+    ----------
+    a : ndarray, shape (n,)
+        Acceleration [m/s²], zero at both ends.
+    """
+    tau = np.linspace(0.0, 1.0, len(a))
+    window = np.sin(math.pi * tau) ** 2
+    window[-1] = 0.0  # sin²π is 1.5e-32
+    slant = window * (tau - 0.5)  # the bumps' sums are those of an even and of an odd function
+    s0, s1 = float(np.sum(a)), float(np.sum(a * (tau - 0.5)))
+    a = a - s0 / float(np.sum(window)) * window - s1 / float(np.sum(slant * (tau - 0.5))) * slant
+    whole = np.rint(a / QUANTUM).astype(np.int64)
+    _add_quanta(whole, -int(whole.sum()))
+    place = np.arange(len(a), dtype=np.int64) - len(a) // 2
+    _add_couples(whole, -int(np.sum(whole * place)))
+    return whole.astype(np.float64) * QUANTUM
+
+
+def _add_quanta(whole: NDArray[np.int64], excess: int) -> None:
+    """Add ``excess`` quanta, each to a sample of its own about the middle."""
+    first = (len(whole) - abs(excess)) // 2
+    whole[first : first + abs(excess)] += 1 if excess > 0 else -1
+
+
+def _add_couples(whole: NDArray[np.int64], moment: int) -> None:
+    """Add pairs of opposite quanta whose distances sum to ``moment`` samples."""
+    sign = 1 if moment > 0 else -1
+    far = len(whole) // 2
+    pairs, rest = divmod(abs(moment), far)
+    first = (far - pairs) // 2
+    whole[first : first + pairs] -= sign
+    whole[first + far : first + far + pairs] += sign
+    if rest:
+        middle = (len(whole) - rest) // 2
+        whole[middle] -= sign
+        whole[middle + rest] += sign
+
+
+def whole(name: str, value: int, low: int, high: int) -> int:
+    """Return a whole number, or raise `InputError` when it is none or not from low to high.
+
+    Parameters
+    ----------
+    name : str
+        The argument; `stayput.catalogue.motion` has its name as ``name_<argument>``.
+    value : int
+        The number.
+    low, high : int
+        Smallest and largest that is allowed.
+    """
+    try:
+        number = int(value)
+    except (TypeError, ValueError, OverflowError):
+        number = low - 1
+    if number != value or not low <= number <= high:
+        called = phrase(f"motion.name_{name}")
+        raise InputError("motion.not_whole", name, name=called, value=value, low=low, high=high)
+    return number

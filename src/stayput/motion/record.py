@@ -9,12 +9,22 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.errors import InputError, finite, within
+from stayput.files import check_target, draft
 from stayput.motion import integrals
+from stayput.motion.channels import Listing, channels_of_traces, common_length, motion_fields
+from stayput.motion.integrals import Peaks
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
-from stayput.motion.peaks import Peaks, arias_intensity, significant_duration
-from stayput.motion.processing import coarsen, refine, whole_ratio, without_baseline
-from stayput.motion.samples import MOST_SAMPLES, STEP_RANGE, checked_samples
-from stayput.motion.spectrum import DAMPING, PERIODS, ResponseSpectrum, response_spectrum
+from stayput.motion.processing import (
+    MOST_SAMPLES,
+    STEP_RANGE,
+    checked_samples,
+    coarsen,
+    refine,
+    whole_ratio,
+    without_baseline,
+)
+from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, spectrum_of_samples
+from stayput.motion.writers import FORMATS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -51,6 +61,11 @@ class Motion:
         Whether it was computed, not recorded.
     source : str
         Where it comes from: format, unit, what was done to it.
+    floor : str
+        Upper floor of a building that it is of, recorded or computed: "floor 42", "storey 5", "roof"; ""
+        of the ground, or where nothing is known.
+    listing : Listing, optional
+        The channels of the file that it was read from.
 
     Raises
     ------
@@ -66,9 +81,11 @@ class Motion:
     name: str = ""
     synthetic: bool = False
     source: str = ""
+    floor: str = ""
+    listing: Listing | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "dt", within("Motion dt", self.dt, *STEP_RANGE, "s"))
+        object.__setattr__(self, "dt", within("motion.name_motion_dt", self.dt, *STEP_RANGE, "s", "dt"))
         for name in COMPONENTS:
             values = getattr(self, name)
             if name == "x" or values is not None:
@@ -76,7 +93,11 @@ class Motion:
         for name, values in self.components.items():
             if len(values) != len(self.x):
                 raise InputError(
-                    f"Motion {name} has {len(values)} samples and x has {len(self.x)}; they must be as many."
+                    "motion.components_differ",
+                    name,
+                    component=name,
+                    count=len(values),
+                    x_count=len(self.x),
                 )
 
     def __repr__(self) -> str:
@@ -91,8 +112,8 @@ class Motion:
             return NotImplemented
         mine, theirs = self.components, other.components
         return (
-            (self.dt, self.name, self.synthetic, self.source)
-            == (other.dt, other.name, other.synthetic, other.source)
+            (self.dt, self.name, self.synthetic, self.source, self.floor)
+            == (other.dt, other.name, other.synthetic, other.source, other.floor)
             and mine.keys() == theirs.keys()
             and all(np.array_equal(mine[name], theirs[name]) for name in mine)
         )
@@ -101,7 +122,17 @@ class Motion:
         return hash((self.dt, self.name, len(self), self.x.tobytes()))
 
     def __reduce__(self) -> tuple[Any, ...]:  # so that a pickled motion comes back checked and read-only
-        return Motion, (self.dt, self.x, self.y, self.z, self.name, self.synthetic, self.source)
+        return Motion, (
+            self.dt,
+            self.x,
+            self.y,
+            self.z,
+            self.name,
+            self.synthetic,
+            self.source,
+            self.floor,
+            self.listing,
+        )
 
     @property
     def components(self) -> dict[str, NDArray[np.float64]]:
@@ -147,12 +178,12 @@ class Motion:
     @property
     def arias(self) -> float:
         """Arias intensity of x, π/(2g)·∫a² dt [m/s] (Arias 1970)."""
-        return arias_intensity(self.x, self.dt)
+        return integrals.arias_intensity(self.x, self.dt)
 
     @property
     def significant_duration(self) -> float:
         """D5–95 of x: time in which ∫a² dt grows from 5 % to 95 % [s] (Trifunac and Brady 1975)."""
-        return significant_duration(self.x, self.dt)
+        return integrals.significant_duration(self.x, self.dt)
 
     @property
     def cav(self) -> float:
@@ -162,24 +193,44 @@ class Motion:
     @property
     def intensity(self) -> float:
         """JMA's instrumental intensity of all components, not rounded; −inf of a still floor."""
-        return jma_intensity(self)
+        return jma_intensity(self.components.values(), self.dt)
 
     def spectrum(
         self, periods: ArrayLike = PERIODS, damping: float = DAMPING, component: str = "x"
     ) -> ResponseSpectrum:
         """Return the response spectrum of a component; see `stayput.response_spectrum`."""
-        return response_spectrum(self, periods, damping, component)
+        return spectrum_of_samples(self.component(component).x, self.dt, periods, damping)
 
     def write(self, path: str | Path) -> Path:
-        """Write the motion to a file, .csv (columns) or .at2 (PEER); see `stayput.motion.writers`."""
-        from stayput.motion.writers import write_motion
+        """Write the motion to a file: columns (.csv, all components) or PEER AT2 (.at2, x alone).
 
-        return write_motion(self, path)
+        Parameters
+        ----------
+        path : str or Path
+            The file; its ending says the format.
+
+        Returns
+        -------
+        Path
+            The file.
+
+        Raises
+        ------
+        InputError
+            An unknown ending, a folder that does not exist, or several components for AT2.
+        """
+        target = check_target(path, tuple(FORMATS))
+        as_text = FORMATS[target.suffix.lower()]
+        text = as_text(self.dt, self.components, self.name, self.source, self.synthetic)
+        with draft(target) as unfinished:
+            unfinished.write_text(text, encoding="utf-8")
+        return target
 
     def component(self, name: str) -> Motion:
         """Return one component ("x", "y" or "z") as a motion of its own, along its x."""
         if name not in self.components:
-            raise InputError(f"The component is {name!r}; this motion has {', '.join(self.components)}.")
+            known = ", ".join(self.components)
+            raise InputError("motion.no_such_component", "component", component=name, known=known)
         return replace(self, x=self.components[name], y=None, z=None)
 
     def peaks(self) -> dict[str, Peaks]:
@@ -195,7 +246,7 @@ class Motion:
 
     def scaled(self, factor: float) -> Motion:
         """Return the motion with every component times ``factor``."""
-        k = finite("Motion scale", factor)
+        k = finite("motion.name_motion_scale", factor, "factor")
         return self._each(lambda a: k * a, source=self._note(f"scaled by {k:g}"))
 
     def to_intensity(self, intensity: float | str) -> Motion:
@@ -206,10 +257,9 @@ class Motion:
         InputError
             A still floor, or an intensity that is not known or needs an absurd factor.
         """
-        value = (
-            intensity_of_class(intensity) if isinstance(intensity, str) else finite("Intensity", intensity)
-        )
-        scaled = self.scaled(factor_to_intensity(self, within("Intensity", value, -3.0, 9.0)))
+        value = intensity_of_class(intensity) if isinstance(intensity, str) else intensity
+        value = within("motion.name_intensity", value, -3.0, 9.0, field="intensity")
+        scaled = self.scaled(factor_to_intensity(self.intensity, value))
         return replace(scaled, source=f"{scaled.source} (to JMA intensity {value:g})")
 
     def flipped(self) -> Motion:
@@ -225,22 +275,23 @@ class Motion:
         InputError
             There is no y component.
         """
-        turn = finite("Motion angle", angle)
+        turn = finite("motion.name_motion_angle", angle, "angle")
         if self.y is None:
-            raise InputError("The motion has no y component; rotated needs x and y (flipped does not).")
+            raise InputError("motion.rotation_without_y")
         c, s = math.cos(turn), math.sin(turn)
         source = self._note(f"turned by {math.degrees(turn):g}°")
         return replace(self, x=c * self.x + s * self.y, y=c * self.y - s * self.x, source=source)
 
     def trimmed(self, start: float = 0.0, end: float | None = None) -> Motion:
         """Return the samples with start ≤ t ≤ end [s]; the floor is at rest at the first of them."""
-        last = self.duration if end is None else within("Trim end", end, 0.0, self.duration + 1e-9, "s")
-        first = within("Trim start", start, 0.0, self.duration, "s")
+        longest = self.duration
+        last = longest
+        if end is not None:  # a duration that was printed and rounded up is the end too
+            last = within("motion.name_trim_end", end, 0.0, longest + 1e-9, "s", "end")
+        first = within("motion.name_trim_start", start, 0.0, longest, "s", "start")
         i, j = math.ceil(first / self.dt - 1e-6), math.floor(last / self.dt + 1e-6)
         if j - i < 1:
-            raise InputError(
-                f"The trim from {first:g} s to {last:g} s keeps fewer than 2 samples; it must keep 2."
-            )
+            raise InputError("motion.trim_too_short", "end", start=first, end=last)
         return self._each(
             lambda a: a[i : j + 1], source=self._note(f"trimmed to {i * self.dt:g}-{j * self.dt:g} s")
         )
@@ -251,7 +302,10 @@ class Motion:
         A record that does not begin or end at zero is joined to the still part by one time step's ramp.
         """
         most = MOST_SAMPLES * self.dt
-        lead, tail = (round(within("Padding", t, 0.0, most, "s") / self.dt) for t in (before, after))
+        lead, tail = (
+            round(within("motion.name_padding", time, 0.0, most, "s", field) / self.dt)
+            for field, time in (("before", before), ("after", after))
+        )
         source = self._note(f"padded by {lead * self.dt:g} s and {tail * self.dt:g} s")
         return self._each(lambda a: np.pad(a, (lead, tail)), source=source)
 
@@ -263,13 +317,13 @@ class Motion:
         so nothing is folded down; what is faster than that is lost, and up to one new step at the end.
         For any other step do one after the other.
         """
-        step = within("Motion dt", dt, *STEP_RANGE, "s")
+        step = within("motion.name_motion_dt", dt, *STEP_RANGE, "s", "dt")
         source = self._note(f"resampled from {self.dt:g} s to {step:g} s")
         if parts := whole_ratio(self.dt, step):
             return self._each(lambda a: refine(a, parts), dt=self.dt / parts, source=source)
         if steps := whole_ratio(step, self.dt):
             return self._each(lambda a: coarsen(a, steps), dt=step, source=source)
-        raise InputError(f"The new dt is {step:g} s; it must be a whole part or a multiple of {self.dt:g} s.")
+        raise InputError("motion.resampling_ratio", "dt", step=step, dt=self.dt)
 
     def baseline_corrected(self, order: int = 1) -> Motion:
         """Return the motion less a polynomial of time, fitted to the velocity by least squares.
@@ -280,7 +334,7 @@ class Motion:
             Of the polynomial taken from the acceleration: 0 a constant, 1 a line, up to 5.
         """
         if order not in range(6):
-            raise InputError(f"The baseline order is {order!r}; it must be a whole number from 0 to 5.")
+            raise InputError("motion.baseline_order", "order", order=order)
         source = self._note(f"baseline of order {order} removed")
         return self._each(lambda a: without_baseline(a, self.dt, order), source=source)
 
@@ -304,9 +358,21 @@ class Motion:
         InputError
             The time steps differ, or the lengths by more than 1 %.
         """
-        from stayput.motion.channels import combined
-
-        return combined({"x": x, "y": y, "z": z}, name)
+        given = {key: motion for key, motion in (("x", x), ("y", y), ("z", z)) if motion is not None}
+        for key, motion in given.items():
+            if not math.isclose(motion.dt, x.dt, rel_tol=1e-6):
+                raise InputError("motion.motion_dt_differs", key, component=key, dt=motion.dt, x_dt=x.dt)
+        length, cut = common_length({key: len(motion) for key, motion in given.items()})
+        sources = "; ".join(f"{key}: {motion.name} ({motion.source})" for key, motion in given.items())
+        samples: dict[str, Any] = {key: motion.x[:length] for key, motion in given.items()}
+        return cls(
+            x.dt,
+            **samples,
+            name=x.name if name is None else name,
+            synthetic=any(motion.synthetic for motion in given.values()),
+            source=f"{sources}{cut}",
+            floor=x.floor,
+        )
 
     @classmethod
     def from_obspy(
@@ -330,6 +396,5 @@ class Motion:
         InputError
             Gaps, different starts or steps, an unknown unit or component.
         """
-        from stayput.motion.traces import motion_of_traces
-
-        return motion_of_traces(traces, unit, component, name)
+        channels = channels_of_traces(traces, unit, name)
+        return cls(**motion_fields(channels, component, f"ObsPy traces [{unit}]"))

@@ -1,89 +1,20 @@
-"""Response spectra: what a motion does to oscillators of every period."""
+"""Response spectra of motions, of one and of many at once."""
 
 from __future__ import annotations
 
-import math
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
-from itertools import repeat
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from stayput.errors import InputError, within
+from stayput.execution import Call, ThreadExecutor
+from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, checked_periods
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
     from stayput.motion.record import Motion
 
-PERIODS: NDArray[np.float64] = np.geomspace(0.05, 10.0, 100)
-"""Periods at which a spectrum is taken where nothing is said [s], shape (100,)."""
-PERIODS.setflags(write=False)
-
-DAMPING = 0.05
-"""Damping ratio where nothing is said."""
-
-PERIOD_RANGE = (1e-3, 1e3)
-"""Shortest and longest period that is accepted [s]."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ResponseSpectrum:
-    """Largest responses of damped oscillators on the floor, over the length of the motion.
-
-    Parameters
-    ----------
-    periods : ndarray, shape (m,)
-        Natural periods T [s].
-    damping : float
-        Damping ratio.
-    sd : ndarray, shape (m,)
-        Displacement relative to the floor [m].
-    sv : ndarray, shape (m,)
-        Velocity relative to the floor [m/s].
-    sa : ndarray, shape (m,)
-        Absolute acceleration [m/s²].
-    sva : ndarray, shape (m,)
-        Absolute velocity [m/s].
-    """
-
-    periods: NDArray[np.float64]
-    damping: float
-    sd: NDArray[np.float64]
-    sv: NDArray[np.float64]
-    sa: NDArray[np.float64]
-    sva: NDArray[np.float64]
-
-    @property
-    def psv(self) -> NDArray[np.float64]:
-        """Pseudo-velocity ω·Sd [m/s], shape (m,)."""
-        return 2.0 * math.pi / self.periods * self.sd
-
-    @property
-    def psa(self) -> NDArray[np.float64]:
-        """Pseudo-acceleration ω²·Sd [m/s²], shape (m,)."""
-        return (2.0 * math.pi / self.periods) ** 2 * self.sd
-
-
-def checked_periods(periods: ArrayLike) -> NDArray[np.float64]:
-    """Return periods [s] as an increasing row of floats, shape (m,).
-
-    Raises
-    ------
-    InputError
-        No periods, or periods that are not increasing or out of range.
-    """
-    row = np.atleast_1d(np.array(periods, np.float64))
-    if row.ndim != 1 or row.size == 0:
-        raise InputError(f"The periods have shape {row.shape}; they must be one row of at least one.")
-    for period in row:
-        within("Period", period, *PERIOD_RANGE, "s")
-    if not np.all(np.diff(row) > 0.0):
-        raise InputError("The periods are not increasing; each must be longer than the one before it.")
-    return row
+__all__ = ["DAMPING", "PERIODS", "ResponseSpectrum", "response_spectrum", "spectra"]
 
 
 def response_spectrum(
@@ -114,14 +45,7 @@ def response_spectrum(
     InputError
         Periods or a damping out of range; a component that the motion has not.
     """
-    from stayput.motion.oscillator import RESPONSES, peak_responses  # Numba takes its time to load
-
-    row = checked_periods(periods)
-    zeta = within("Damping ratio", damping, 0.0, 0.95)
-    peaks = np.empty((len(row), RESPONSES))
-    peak_responses(motion.component(component).x.copy(), motion.dt, row, zeta, peaks)
-    sd, sv, sa, sva = (np.ascontiguousarray(column) for column in peaks.T)
-    return ResponseSpectrum(row, zeta, sd, sv, sa, sva)
+    return motion.spectrum(periods, damping, component)
 
 
 def spectra(
@@ -143,6 +67,7 @@ def spectra(
     threads : int, optional
         Threads; as many as there are cores by default. The bits do not depend on them.
     """
-    rows = checked_periods(periods)
-    with ThreadPoolExecutor(threads) as pool:
-        return list(pool.map(response_spectrum, motions, *map(repeat, (rows, damping, component))))
+    checked = checked_periods(periods)
+    with ThreadExecutor(threads) as executor:
+        calls = (Call(response_spectrum, motion, checked, damping, component) for motion in motions)
+        return list(executor.in_order(calls))

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.errors import InputError, within
+from stayput.motion.processing import LARGEST_ACCELERATION, MOST_SAMPLES, STEP_RANGE
 from stayput.motion.record import Motion
-from stayput.motion.samples import LARGEST_ACCELERATION, MOST_SAMPLES, STEP_RANGE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -27,9 +27,8 @@ def _steps(duration: float, dt: float, quiet: float) -> tuple[int, int, float]:
     step = duration / steps
     still = math.ceil(quiet / step - 1e-9)
     if steps + still >= MOST_SAMPLES:
-        raise InputError(
-            f"The motion would have {steps + still + 1} samples; it must have at most {MOST_SAMPLES}."
-        )
+        count = steps + still + 1
+        raise InputError("motion.too_many_samples", "duration", count=count, most=MOST_SAMPLES)
     return steps, still, step
 
 
@@ -77,15 +76,16 @@ def sine(
     >>> sine(5.0, 1.0).pga
     5.0
     """
-    a0 = within("Sine amplitude", amplitude, -LARGEST_ACCELERATION, LARGEST_ACCELERATION, "m/s²")
-    f = within("Sine frequency", frequency, 1e-3, 1e3, "Hz")
-    length = within("Sine duration", duration, 1e-3, 1e5, "s")
-    angle = within("Sine phase", phase, -1e3, 1e3, "rad")
-    still = within("Sine quiet", quiet, 0.0, 1e5, "s")
-    step = within("Sine dt", dt, *STEP_RANGE, "s")
+    largest = LARGEST_ACCELERATION
+    a0 = within("motion.name_sine_amplitude", amplitude, -largest, largest, "m/s²", "amplitude")
+    f = within("motion.name_sine_frequency", frequency, 1e-3, 1e3, "Hz", "frequency")
+    length = within("motion.name_sine_duration", duration, 1e-3, 1e5, "s", "duration")
+    angle = within("motion.name_sine_phase", phase, -1e3, 1e3, "rad", "phase")
+    still = within("motion.name_sine_quiet", quiet, 0.0, 1e5, "s", "quiet")
+    step = within("motion.name_sine_dt", dt, *STEP_RANGE, "s", "dt")
     if step * f * _FEWEST_STEPS > 1.0 + 1e-9:
         raise InputError(
-            f"Sine dt is {step:g} s; at most {1 / f / _FEWEST_STEPS:g} s, period/{_FEWEST_STEPS}, is allowed."
+            "motion.sine_step", "dt", step=step, most=1 / f / _FEWEST_STEPS, fewest=_FEWEST_STEPS
         )
     n, zeros, step = _steps(length, step, still)
     a = a0 * np.sin(2.0 * math.pi * f * step * np.arange(n + 1) + angle)
@@ -153,26 +153,30 @@ def pulse(
         An unknown kind, a value out of range, or a length where a frequency belongs or the reverse.
     """
     if kind not in PULSE_KINDS:
-        raise InputError(f"The pulse kind is {kind!r}; it must be one of {', '.join(PULSE_KINDS)}.")
+        raise InputError("motion.pulse_kind", "kind", kind=kind, known=", ".join(PULSE_KINDS))
     by_length = kind in PULSE_KINDS[:2]
     needed, other = (duration, frequency) if by_length else (frequency, duration)
     quantity = "duration" if by_length else "frequency"
     if needed is None or other is not None:
-        given = f"duration {duration} and frequency {frequency}"
-        raise InputError(f"A {kind} pulse is given {given}; it must be given its {quantity} only.")
+        code = "motion.pulse_needs_duration" if by_length else "motion.pulse_needs_frequency"
+        raise InputError(code, quantity, kind=kind, duration=duration, frequency=frequency)
     largest = LARGEST_ACCELERATION if kind != PULSE_KINDS[3] else 100.0
-    a0 = within("Pulse amplitude", amplitude, -largest, largest, "m/s" if kind == PULSE_KINDS[3] else "m/s²")
-    still = within("Pulse quiet", quiet, 0.0, 1e5, "s")
-    g, phase = within("Pulse gamma", gamma, 1.0, 50.0), within("Pulse nu", nu, -1e3, 1e3, "rad")
+    unit = "m/s" if kind == PULSE_KINDS[3] else "m/s²"
+    a0 = within("motion.name_pulse_amplitude", amplitude, -largest, largest, unit, "amplitude")
+    still = within("motion.name_pulse_quiet", quiet, 0.0, 1e5, "s", "quiet")
+    g = within("motion.name_pulse_gamma", gamma, 1.0, 50.0, field="gamma")
+    phase = within("motion.name_pulse_nu", nu, -1e3, 1e3, "rad", "nu")
     if by_length:
-        period = within("Pulse duration", needed, 1e-3, 1e3, "s")
+        period = within("motion.name_pulse_duration", needed, 1e-3, 1e3, "s", "duration")
         length = period
     else:
-        period = 1.0 / within("Pulse frequency", needed, 1e-3, 1e3, "Hz")
+        period = 1.0 / within("motion.name_pulse_frequency", needed, 1e-3, 1e3, "Hz", "frequency")
         length = period * (3.0 if kind == "ricker" else g)
-    step = min(1e-3, period / 200.0) if dt is None else within("Pulse dt", dt, *STEP_RANGE, "s")
+    step = min(1e-3, period / 200.0)
+    if dt is not None:
+        step = within("motion.name_pulse_dt", dt, *STEP_RANGE, "s", "dt")
     if step * _FEWEST_STEPS > period * (1.0 + 1e-9):
-        raise InputError(f"Pulse dt is {step:g} s; it must be at most a {_FEWEST_STEPS}th of {period:g} s.")
+        raise InputError("motion.pulse_step", "dt", step=step, fewest=_FEWEST_STEPS, period=period)
     half, zeros, step = _steps(length / 2.0, step, still)
     tau = np.arange(-half, half + 1, dtype=np.float64) * step
     if kind == "rectangular":
@@ -183,6 +187,5 @@ def pulse(
         a = _ricker(tau, 1.0 / period)
     else:
         a = mavroeidis_papageorgiou(tau, 1.0 / period, g, phase)
-    unit = "m/s" if kind == PULSE_KINDS[3] else "m/s²"
     name = f"{kind} pulse {a0:g} {unit}, {quantity} {needed:g} {'s' if by_length else 'Hz'}"
     return Motion(step, _then_quiet(a0 * a, zeros), name=name, synthetic=True, source=name)

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
-from stayput.errors import InputError
+from typing import TYPE_CHECKING
+
+from stayput.errors import InputError, excerpt
+
+if TYPE_CHECKING:
+    from stayput.catalogue import Phrase
 
 STANDARD_GRAVITY = 9.80665
 """Standard acceleration of gravity [m/s²]: one "g" of a record, and the default of a simulation."""
 
 ACCELERATION_UNITS = {"m/s²": 1.0, "cm/s²": 0.01, "gal": 0.01, "mm/s²": 0.001, "g": STANDARD_GRAVITY}
 """Size of each accepted unit [m/s²]."""
+
+UNIT_NAMES: Phrase = ", ".join(ACCELERATION_UNITS), "、".join(ACCELERATION_UNITS)
+"""The accepted units, as a sentence lists them."""
 
 
 def unit_factor(unit: str) -> float:
@@ -31,7 +39,5 @@ def unit_factor(unit: str) -> float:
         if plain.endswith(ending):
             plain = plain.removesuffix(ending) + "/s²"
     if plain not in ACCELERATION_UNITS:
-        raise InputError(
-            f"The unit of acceleration is {unit!r}; it must be one of {', '.join(ACCELERATION_UNITS)}."
-        )
+        raise InputError("motion.unknown_unit", "unit", unit=excerpt(str(unit)), known=UNIT_NAMES)
     return ACCELERATION_UNITS[plain]

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+import html
+import re
 import subprocess
 import tempfile
 from collections.abc import Callable
+from importlib import resources
 from typing import TYPE_CHECKING, TypeAlias
 
 from PIL import Image
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, within
 from stayput.files import check_animation, draft
+from stayput.report.embedding import inks_css, script_json, script_module
 from stayput.report.film import film_of
 from stayput.report.frames import Painter
-from stayput.report.player import player_page
+from stayput.report.palette import mode_looks
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -79,10 +84,10 @@ def animate_run(
         A value out of range, a path that cannot be written, or no ffmpeg for an MP4.
     """
     target = check_animation(path)
-    within("The animation's fps", fps, 1.0, 100.0)
-    within("The animation's speed", speed, 0.01, 100.0)
-    within("The animation's hold", hold, 0.0, 60.0, "s")
-    within("The animation's width", width, 200, 4000, "pixels")
+    within("runs.animation_fps", fps, 1.0, 100.0, field="fps")
+    within("runs.animation_speed", speed, 0.01, 100.0, field="speed")
+    within("runs.animation_hold", hold, 0.0, 60.0, "s", field="hold")
+    within("runs.animation_width", width, 200, 4000, "pixels", field="width")
     film = film_of(run, name)
     with draft(target) as unfinished:
         match target.suffix.lower():
@@ -102,7 +107,7 @@ def _images(
 ) -> Iterator[Image.Image]:
     painter = Painter(film, width - width % 2, round(0.375 * width) * 2)
     for i, time in enumerate(times):
-        yield painter.frame(film.at(float(time)))
+        yield painter.frame(float(time))
         if progress is not None:
             progress(i + 1, len(times))
 
@@ -150,6 +155,38 @@ def _write_mp4(
         if ffmpeg.returncode:
             messages.seek(0)
             said = messages.read().decode(errors="replace").strip().splitlines()
-            raise InputError(
-                f"ffmpeg could not write {path.suffix}: {said[-1] if said else 'no reason given'}."
-            )
+            reason = said[-1] if said else phrase("runs.no_reason")
+            raise InputError("runs.no_video", suffix=path.suffix, reason=reason)
+
+
+def player_page(film: Film, speed: float, hold: float) -> str:
+    """Return the HTML player: one file with the run in it, drawn by the browser as fast as its screen.
+
+    Parameters
+    ----------
+    film : Film
+        What is shown.
+    speed : float
+        Seconds of the run in one second, to start with.
+    hold : float
+        How long the last pose is held before the film starts again [s].
+    """
+    files = resources.files("stayput.report")
+    data = {
+        **film.scene.data(),
+        "title": film.title,
+        "motion": film.motion_title,
+        "caption": film.caption,
+        "speed": speed,
+        "hold_s": hold,
+        "modes": mode_looks("en"),
+    }
+    parts = {
+        "title": html.escape(film.title),
+        "inks": inks_css(),
+        "data": script_json(data),
+        "script": script_module(files.joinpath("player.js").read_text(encoding="utf-8")),
+    }
+    page = files.joinpath("player.html").read_text(encoding="utf-8")
+    # In one pass, as a title may hold a mark.
+    return re.sub(r"\{\{(title|inks|data|script)\}\}", lambda mark: parts[mark[1]], page)

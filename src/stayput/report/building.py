@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from matplotlib.ticker import MaxNLocator
 
+from stayput.catalogue import phrase, say
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
 from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.building.response import FloorResponse
+    from stayput.building.model import FloorResponse
     from stayput.motion import Motion
 
 LINES = (
@@ -72,8 +73,13 @@ def plot_building(
     figure = new_figure(12.0, 5.0)
     acceleration, velocity, spectra = figure.subplots(1, 3, width_ratios=[1.0, 1.0, 1.35])
     model = response.model
-    kind = "before yielding" if model.yields else "linear"
-    title = f"{model.name}, T1 = {model.periods[0]:.3g} s, {kind}: {motion_label(response.motion)}"
+    title = say(
+        "plots.building",
+        name=model.name,
+        period=model.periods[0],
+        kind=phrase("plots.yielding" if model.yields else "plots.linear"),
+        motion=motion_label(response.motion),
+    )
     figure.suptitle(drawable(title), fontsize=FONT + 1.0, color=INK)
     ground = response.motion.peaks()
     for name in response.acceleration:
@@ -84,21 +90,27 @@ def plot_building(
             "linewidth": 1.4,
         }
         acceleration.plot(
-            response.peak_acceleration(name), response.storeys, label=f"floors, {name}", **drawn
+            response.peak_acceleration(name),
+            response.storeys,
+            label=say("plots.floors", component=name),
+            **drawn,
         )
         velocity.plot(
-            100.0 * response.peak_velocity(name), response.storeys, label=f"floors, {name}", **drawn
+            100.0 * response.peak_velocity(name),
+            response.storeys,
+            label=say("plots.floors", component=name),
+            **drawn,
         )
     reference = {"color": MUTED, "linestyle": "--", "linewidth": 1.3}
     thumb = ground["x"].pga * height_factor(response)
-    acceleration.plot(thumb, response.storeys, label="ground's x times 1 + 2z/h", **reference)
-    velocity.axvline(100.0 * ground["x"].pgv, label="ground's x", **reference)
+    acceleration.plot(thumb, response.storeys, label=say("plots.thumb"), **reference)
+    velocity.axvline(100.0 * ground["x"].pgv, label=say("plots.ground_x"), **reference)
     for axis, label in (
-        (acceleration, "Peak floor acceleration [m/s²]"),
-        (velocity, "Peak floor velocity [cm/s]"),
+        (acceleration, "plots.peak_acceleration"),
+        (velocity, "plots.peak_velocity"),
     ):
         _storey_axis(axis, response)
-        axis.set_xlabel(label, fontsize=FONT)
+        axis.set_xlabel(say(label), fontsize=FONT)
         axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
     _draw_spectra(spectra, response, shown_storeys(response) if storeys is None else storeys)
     return saved(figure, path)
@@ -109,26 +121,26 @@ def _storey_axis(axis: Axes, response: FloorResponse) -> None:
     axis.set_xlim(left=0.0)
     axis.yaxis.set_major_locator(MaxNLocator(integer=True))
     axis.set_ylim(0.7, response.model.storeys + 1.3)
-    axis.set_ylabel(f"Floor of storey ({response.model.storeys + 1}: roof)", fontsize=FONT)
+    axis.set_ylabel(say("plots.storey", roof=response.model.storeys + 1), fontsize=FONT)
 
 
 def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int]) -> None:
     style(axis, zero=False)
     ground = response_spectrum(response.motion)
-    axis.plot(ground.periods, ground.sa, color=INK, linewidth=1.6, label="ground")
+    axis.plot(ground.periods, ground.sa, color=INK, linewidth=1.6, label=say("plots.ground"))
     for i, storey in enumerate(storeys):
         colour, line = LINES[i % len(LINES)]
-        found = response_spectrum(response.floor(storey))
+        spectrum = response_spectrum(response.floor(storey))
         label = response.model.place(storey)
-        axis.plot(found.periods, found.sa, color=colour, linestyle=line, linewidth=1.6, label=label)
+        axis.plot(spectrum.periods, spectrum.sa, color=colour, linestyle=line, linewidth=1.6, label=label)
     for i, period in enumerate(response.model.periods[:3]):
         if PERIODS[0] <= period <= PERIODS[-1]:
-            told = "natural periods" if i == 0 else None
-            axis.axvline(period, color=MUTED, linewidth=0.9, linestyle=":", label=told)
+            label_of_periods = say("plots.periods") if i == 0 else None
+            axis.axvline(period, color=MUTED, linewidth=0.9, linestyle=":", label=label_of_periods)
     plain_log(axis)
     axis.set_xlim(PERIODS[0], PERIODS[-1])
-    axis.set_xlabel("Period [s]", fontsize=FONT)
-    axis.set_ylabel(f"Floor spectrum Sa, x, {100.0 * DAMPING:g} % [m/s²]", fontsize=FONT)
+    axis.set_xlabel(say("plots.period"), fontsize=FONT)
+    axis.set_ylabel(say("plots.floor_sa", damping=100.0 * DAMPING), fontsize=FONT)
     axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
 
 
@@ -157,13 +169,13 @@ def plot_recorded_floor(
     figure = new_figure(11.0, 5.2)
     grid = figure.add_gridspec(3, 2, width_ratios=[1.3, 1.0])
     place, model = response.model.place(storey), response.model
-    title = f"{model.name}, T1 = {model.periods[0]:.3g} s: {place}, recorded and computed"
+    title = say("plots.recorded", name=model.name, period=model.periods[0], place=place)
     figure.suptitle(drawable(title), fontsize=FONT + 1.0, color=INK)
     spectra = figure.add_subplot(grid[:, 1])
     shown = (
-        ("ground, recorded", response.motion, INK, "-"),
-        (f"{place}, recorded", recorded, COMPONENT_COLOURS["x"], "-"),
-        (f"{place}, computed", computed, ALARM, "--"),
+        (say("plots.ground_recorded"), response.motion, INK, "-"),
+        (say("plots.place_recorded", place=place), recorded, COMPONENT_COLOURS["x"], "-"),
+        (say("plots.place_computed", place=place), computed, ALARM, "--"),
     )
     limit = 1.1 * max(motion.pga for _, motion, _, _ in shown)
     first: Axes | None = None
@@ -171,21 +183,21 @@ def plot_recorded_floor(
         axis = figure.add_subplot(grid[row, 0], sharex=first)
         first = first or axis
         style(axis)
-        peaks = f"{label}: {motion.pga:.2f} m/s², {100.0 * motion.pgv:.0f} cm/s"
+        peaks = say("plots.peaks", label=label, pga=motion.pga, pgv=100.0 * motion.pgv)
         axis.plot(motion.time, motion.x, color=colour, linewidth=0.9)
         axis.set_title(drawable(peaks), fontsize=FONT - 0.5, color=INK, loc="left")
         axis.set_ylim(-limit, limit)
         axis.tick_params(labelbottom=row == len(shown) - 1)
-        found = response_spectrum(motion)
-        spectra.plot(found.periods, found.sa, color=colour, linestyle=line, linewidth=1.6, label=label)
+        spectrum = response_spectrum(motion)
+        spectra.plot(spectrum.periods, spectrum.sa, color=colour, linestyle=line, linewidth=1.6, label=label)
         if row == 1:
-            axis.set_ylabel("Acceleration [m/s²]", fontsize=FONT)
+            axis.set_ylabel(say("plots.acceleration"), fontsize=FONT)
         if row == len(shown) - 1:
-            axis.set_xlabel("Time [s]", fontsize=FONT)
+            axis.set_xlabel(say("report.axis_time"), fontsize=FONT)
     style(spectra, zero=False)
     plain_log(spectra)
     spectra.set_xlim(PERIODS[0], PERIODS[-1])
-    spectra.set_xlabel("Period [s]", fontsize=FONT)
-    spectra.set_ylabel(f"Sa, {100.0 * DAMPING:g} % damping [m/s²]", fontsize=FONT)
+    spectra.set_xlabel(say("plots.period"), fontsize=FONT)
+    spectra.set_ylabel(say("plots.sa", damping=100.0 * DAMPING), fontsize=FONT)
     spectra.legend(loc="lower left", fontsize=FONT - 1.0, framealpha=0.85)
     return saved(figure, path)

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from stayput.files import PLOT_SUFFIXES, check_target, draft
+from stayput.report.fonts import with_fallback
 from stayput.report.palette import FAINT, INK, MUTED
 
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ def new_figure(width: float, height: float) -> Figure:
 
 def saved(figure: Figure, path: str | Path | None) -> Figure:
     """Save a figure where a path is given (PNG, SVG or PDF by its ending), whole or not at all."""
+    with_fallback(figure)
     if path is not None:
         target = check_target(path, PLOT_SUFFIXES)
         with draft(target) as unfinished:

@@ -1,31 +1,142 @@
-"""The font of the pictures: Matplotlib's own, so that every machine draws the same."""
+"""The font of the pictures: Matplotlib's own, so that every machine draws the same.
+
+What it has no letters for, such as a Japanese name, is drawn with a font of the machine that has them.
+"""
 
 from __future__ import annotations
 
 import re
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import matplotlib as mpl
+from matplotlib.font_manager import findSystemFonts, fontManager  # pyright: ignore[reportUnknownVariableType]
 from matplotlib.ft2font import FT2Font
+from matplotlib.text import Text
 from PIL import ImageFont
+
+from stayput.errors import InputWarning, warn
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 _FILE = Path(mpl.get_data_path()) / "fonts/ttf/DejaVuSans.ttf"
 _LEFT_OUT = "\N{HORIZONTAL ELLIPSIS}"
 
+PREFERRED = (
+    "NotoSansCJK-Regular",
+    "NotoSansCJKjp-Regular",
+    "NotoSansJP",
+    "SourceHanSans",
+    "ipaexg",
+    "ipagp",
+    "ipag",
+    "TakaoPGothic",
+    "VL-PGothic",
+    "Hiragino Sans GB",
+    "ヒラギノ角ゴシック W3",
+    "YuGothR",
+    "YuGothM",
+    "meiryo",
+    "msgothic",
+    "DroidSansFallback",
+)
+"""Sans serifs with Japanese letters, by the start of their file's name; any other font comes after."""
 
-def font(size: float) -> ImageFont.FreeTypeFont:
-    """Return the font for Pillow in a size [pixels]."""
-    return ImageFont.truetype(str(_FILE), round(size))
+
+@cache
+def font(size: float, file: Path = _FILE) -> ImageFont.FreeTypeFont:
+    """Return a font for Pillow in a size [pixels]."""
+    return ImageFont.truetype(str(file), round(size))
 
 
 def drawable(text: str) -> str:
-    """Return a text with an ellipsis for what the font cannot draw, such as a station's Japanese name."""
-    known = _characters()
-    kept = "".join(c if ord(c) in known or c.isspace() else "\0" for c in text)
+    """Return a text with an ellipsis for what no font of this machine can draw, which is warned of once."""
+    text = re.sub(r"[^\S\n]", " ", text)  # no font has a tab
+    missing = _missing(text)
+    if not missing:
+        return text
+    other = _other(missing)
+    nowhere = missing if other is None else missing - _characters(other)
+    if nowhere:
+        _warn("".join(sorted(nowhere))[:10])
+    return _without(text, nowhere)
+
+
+def with_face(text: str, size: float) -> tuple[str, ImageFont.FreeTypeFont]:
+    """Return a text and one font for all of it, for Pillow, which takes no second font."""
+    missing = _missing(text)
+    other = _other(missing) if missing else None
+    if other is None:
+        return drawable(text), font(size)
+    return _without(text, {c for c in drawable(text) if not c.isspace()} - _characters(other)), font(
+        size, other
+    )
+
+
+def with_fallback(figure: Figure) -> None:
+    """Give those texts of a figure a second font that have letters which the first one lacks."""
+    for text in figure.findobj(Text):
+        missing = _missing(text.get_text())
+        other = _other(missing) if missing else None
+        if other is not None:
+            text.set_fontfamily([*mpl.rcParams["font.family"], _family(other)])
+
+
+def _missing(text: str) -> frozenset[str]:
+    return frozenset(c for c in text if not c.isspace()) - _characters(_FILE)
+
+
+def _without(text: str, left_out: set[str] | frozenset[str]) -> str:
+    kept = "".join("\0" if c in left_out else c for c in text)
     return re.sub("\0+", _LEFT_OUT, kept)
 
 
 @cache
-def _characters() -> frozenset[int]:
-    return frozenset(FT2Font(str(_FILE)).get_charmap())
+def _characters(file: Path) -> frozenset[str]:
+    try:
+        return frozenset(map(chr, FT2Font(str(file)).get_charmap()))
+    except (OSError, RuntimeError):  # a file that is no font that FreeType reads
+        return frozenset()
+
+
+@cache
+def _other(characters: frozenset[str]) -> Path | None:
+    """Return the font of this machine that has the most of these characters, the preferred ones first."""
+    best, most = None, 0
+    for file in _system_fonts():
+        has = len(characters & _characters(file))
+        if has > most:
+            best, most = file, has
+        if most == len(characters):
+            break
+    return best
+
+
+@cache
+def _system_fonts() -> tuple[Path, ...]:
+    """Return the machine's fonts; they are looked for anew, as Matplotlib's list on disk may be older."""
+
+    def rank(file: Path) -> tuple[int, str]:
+        places = (n for n, start in enumerate(PREFERRED) if file.stem.startswith(start))
+        return next(places, len(PREFERRED)), str(file)
+
+    files: list[str] = findSystemFonts()
+    return tuple(sorted(map(Path, files), key=rank))
+
+
+@cache
+def _family(file: Path) -> str:
+    """Return the name by which Matplotlib finds a font, which is made known to it."""
+    fontManager.addfont(str(file))
+    return FT2Font(str(file)).family_name
+
+
+_warned: set[str] = set()
+
+
+def _warn(characters: str) -> None:
+    if not _warned:
+        _warned.add(characters)
+        warn(InputWarning("runs.no_letters", letters=characters, shown=_LEFT_OUT))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import say
 from stayput.errors import InputError
 from stayput.fragility.curve import State
 from stayput.motion.intensity import CLASSES
@@ -37,7 +38,7 @@ _LOOKS = (
 )
 """Colour, line and marker of each curve; the colours are those of Okabe and Ito, and a brown."""
 
-_POINTS = 200
+_POINTS = 381
 _TOP = 1.1
 
 
@@ -50,6 +51,9 @@ def plot_fragility(
     subtitle: str = "",
 ) -> Figure:
     """Plot fragility curves with their 95 % bands and the observed shares with their 95 % intervals.
+
+    The curves are isotonic, as is said below the title. One motion tells nothing of how motions scatter: its
+    curve has no band, and its bars are of its own runs.
 
     Parameters
     ----------
@@ -73,12 +77,10 @@ def plot_fragility(
         No curve or more than eight, curves over different measures, or a path that cannot be written.
     """
     if not 1 <= len(curves) <= len(_LOOKS):
-        raise InputError(f"There are {len(curves)} curves; a plot must have 1 to {len(_LOOKS)}.")
+        raise InputError("plots.curves_number", count=len(curves), most=len(_LOOKS))
     measures = {curve.measure.key: curve.measure for curve in curves}
     if len(measures) > 1:
-        raise InputError(
-            f"The curves are over {', '.join(measures)}; those of a plot must be over one measure."
-        )
+        raise InputError("plots.curves_measures", measures=", ".join(measures))
     (measure,) = measures.values()
     figure = new_figure(8.4, 5.4)
     axis: Axes = figure.subplots()
@@ -86,16 +88,18 @@ def plot_fragility(
     grid = _grid(curves, measure)
     shift = _shift(curves, measure)
     for place, curve in enumerate(curves):
-        _draw(axis, curve, grid, place, shift * (place - 0.5 * (len(curves) - 1)))
+        _draw(axis, curve, place, shift * (place - 0.5 * (len(curves) - 1)))
     _finish(axis, measure, grid)
     if here is not None:
-        told = f"this shaking: {measure.text(here)}"
+        label = say("report.here", value=measure.text(here))
         x = here * measure.shown
-        axis.plot([x, x], [-0.02, 1.02], color=INK, linewidth=1.6, linestyle=":", zorder=2, label=told)
+        axis.plot([x, x], [-0.02, 1.02], color=INK, linewidth=1.6, linestyle=":", zorder=2, label=label)
     if title:
         figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
-    if subtitle:
-        axis.set_title(drawable(subtitle), fontsize=FONT - 1.0, color=MUTED, loc="left")
+    alone = say("plots.no_bands") if any(curve.one_motion for curve in curves) else ""
+    label = say("plots.isotonic", alone=alone)
+    below = "\n".join((drawable(subtitle), label)) if subtitle else label
+    axis.set_title(below, fontsize=FONT - 1.0, color=MUTED, loc="left")
     figure.legend(
         loc="outside lower center",
         ncols=1 if max(len(_told(curve)) for curve in curves) > 52 or len(curves) < 3 else 2,
@@ -123,22 +127,23 @@ def _shift(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> float
 
 
 def _told(curve: FragilityCurve) -> str:
-    name = curve.name or "curve"
+    name, half = curve.name or say("plots.curve"), curve.capacity(0.5).text
     if curve.state is State.FITTED:
-        return f"{name}: half fall at {curve.capacity(0.5).text}"
-    return f"{name}: {curve.state.value}; half fall at {curve.capacity(0.5).text}"
+        return say("plots.half", name=name, half=half)
+    return say("plots.half_state", name=name, state=curve.state.value, half=half)
 
 
-def _draw(axis: Axes, curve: FragilityCurve, grid: NDArray[np.float64], place: int, shift: float) -> None:
+def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float) -> None:
     colour, line, marker = _LOOKS[place]
     measure = curve.measure
-    x = grid * measure.shown
     middles = measure.value(measure.coordinate([level.im for level in curve.levels]) + shift) * measure.shown
-    found = [level.probability for level in curve.levels]
-    shares = np.array([p.estimate for p in found])
-    ends = np.array([[p.estimate - p.low, p.high - p.estimate] for p in found]).T
+    probabilities = [level.probability for level in curve.levels]
+    shares = np.array([p.estimate for p in probabilities])
+    ends = np.array([[p.estimate - p.low, p.high - p.estimate] for p in probabilities]).T
     fitted = curve.state is State.FITTED
     if fitted:
+        grid = curve.grid(_POINTS)
+        x = grid * measure.shown
         low, high = curve.band(grid)
         axis.fill_between(x, low, high, color=colour, alpha=0.13, linewidth=0.0)
         axis.plot(x, curve.probability(grid), color=colour, linestyle=line, linewidth=2.0)
@@ -175,7 +180,7 @@ def _finish(axis: Axes, measure: IntensityMeasure, grid: NDArray[np.float64]) ->
     axis.set_ylim(-0.02, _TOP)
     axis.set_yticks(np.linspace(0.0, 1.0, 6), [f"{percent:.0f} %" for percent in np.linspace(0.0, 100.0, 6)])
     axis.set_xlabel(measure.label[0].upper() + measure.label[1:], fontsize=FONT)
-    axis.set_ylabel("Probability of overturning", fontsize=FONT)
+    axis.set_ylabel(say("plots.probability"), fontsize=FONT)
     if measure.is_logarithm:
         _mark_classes(axis, first, last)
 

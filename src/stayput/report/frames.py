@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PIL import Image, ImageDraw
 
-from stayput.report.film import section
-from stayput.report.fonts import drawable, font
+from stayput.catalogue import say
+from stayput.catalogue.names import MODES
+from stayput.report.fonts import font, with_face
 from stayput.report.palette import (
     ALARM,
     COMPONENT_COLOURS,
@@ -22,9 +23,11 @@ from stayput.report.palette import (
     ROOM,
     ROOM_SHADE,
 )
+from stayput.report.scene import room_data, section
 
 if TYPE_CHECKING:
-    from stayput.report.film import Film, Pose
+    from stayput.report.film import Film
+    from stayput.report.scene import Pose
 
 _SMOOTH = 2  # the scene is drawn so many times larger and reduced, which smooths its edges
 
@@ -54,22 +57,31 @@ class Painter:
         )
         self._scene = (width * _SMOOTH, (self._strip[1] - round(22 * unit) - self._header) * _SMOOTH)
         self._line = max(1, round(unit * _SMOOTH))
-        left, right, low, high = film.view
-        self._scale = min(self._scene[0] / (right - left), self._scene[1] / (high - low))
+        room, view = room_data(film.scene.runs[0]), film.scene.view
+        # A face of the room that the view leaves out would only be seen where the frame is wider than it.
+        left, right, ceiling = room["left_wall_x_m"], room["right_wall_x_m"], room["ceiling_z_m"]
+        self._left_wall = None if left is None or left < view.left else left
+        self._right_wall = None if right is None or right > view.right else right
+        self._ceiling = None if ceiling is None or ceiling > view.high else ceiling
+        self._scale = min(self._scene[0] / (view.right - view.left), self._scene[1] / (view.high - view.low))
         self._half = 0.5 * self._scene[0] / self._scale
-        self._middle = film.middle(2.0 * self._half)
-        self._low = low
+        self._middle = 0.5 * (view.left + view.right)
+        if (self._left_wall is None) != (self._right_wall is None):  # a single wall stays at its edge
+            one_left = self._right_wall is None
+            self._middle = view.left + self._half if one_left else view.right - self._half
+        self._low = view.low
         self._still = self._still_part()
 
-    def frame(self, pose: Pose) -> Image.Image:
-        """Return the frame of a pose, in RGB."""
+    def frame(self, time: float) -> Image.Image:
+        """Return the frame of an instant [s], in RGB."""
+        pose = self._film.scene.pose(time)
         image = self._still.copy()
         scene = self._draw_scene(pose)
         image.paste(scene.reduce(_SMOOTH), (0, self._header))
         draw = ImageDraw.Draw(image)
         self._draw_header(draw, pose)
         left, top, right, bottom = self._strip
-        start, end = float(self._film.history.time[0]), self._film.history.end
+        start, end = self._film.scene.start, self._film.scene.end
         x = left + (right - left) * (pose.time - start) / (end - start)
         draw.line(((x, top), (x, bottom)), fill=ALARM, width=2)
         return image
@@ -80,20 +92,16 @@ class Painter:
         draw = ImageDraw.Draw(image)
         left, top, right, bottom = self._strip
         small, text = self._fonts[11], self._fonts[13]
-        draw.text(
-            (left, top - 3),
-            drawable(f"Floor acceleration: {self._film.motion_title}"),
-            fill=INK,
-            font=text,
-            anchor="ls",
-        )
-        time, motion = self._film.history.time, self._film.motion
-        shown = (motion.time >= time[0]) & (motion.time <= time[-1])
+        heading, face = with_face(say("runs.floor_acceleration", motion=self._film.motion_title), text.size)
+        draw.text((left, top - 3), heading, fill=INK, font=face, anchor="ls")
+        scene = self._film.scene
+        motion, start, end = scene.motion, scene.start, scene.end
+        shown = (motion.time >= start) & (motion.time <= end)
         a = motion.x[shown]
         peak = float(np.abs(a).max(initial=0.0)) or 1.0
         middle, half = 0.5 * (top + bottom), 0.46 * (bottom - top)
         draw.line(((left, middle), (right, middle)), fill=FAINT)
-        x = left + (right - left) * (motion.time[shown] - time[0]) / (time[-1] - time[0])
+        x = left + (right - left) * (motion.time[shown] - start) / (end - start)
         draw.line(
             list(zip(x.tolist(), (middle - half * a / peak).tolist(), strict=True)),
             fill=COMPONENT_COLOURS["x"],
@@ -115,9 +123,11 @@ class Painter:
         draw.rectangle(
             (10, middle - chip, 10 + 2 * chip, middle + chip), fill=MODE_COLOURS[pose.mode], outline=INK
         )
-        words = drawable(self._film.title) if pose.time >= self._film.history.end else pose.mode.value
+        said = self._film.title if pose.time >= self._film.scene.end else MODES[pose.mode][0]
         room = width - 90 - 2 * chip
-        face = self._fonts[15] if self._fonts[15].getlength(words) <= room else self._fonts[13]
+        words, face = with_face(said, self._fonts[15].size)
+        if face.getlength(words) > room:
+            words, face = with_face(said, self._fonts[13].size)
         lines = "\n".join(textwrap.wrap(words, max(20, int(1.08 * room / face.getlength("e")))))
         draw.multiline_text((20 + 2 * chip, middle), lines, fill=INK, font=face, anchor="lm", spacing=2)
 
@@ -131,16 +141,15 @@ class Painter:
         image = Image.new("RGB", self._scene, PAPER)
         draw = ImageDraw.Draw(image)
         self._draw_grid(draw)
-        film, body = self._film, self._film.body
-        stood = [
-            self._point(x + pose.shift, z) for x, z in section(body, film.at(float(film.history.time[0])))
-        ]
+        scene = self._film.scene
+        body = scene.runs[0].body
+        stood = [self._point(x + pose.shift, z) for x, z in section(body, scene.pose(scene.start))]
         draw.line([*stood, stood[0]], fill=FAINT, width=self._line)
         self._draw_room(draw, pose.shift)
         outline = [self._point(x + pose.shift, z) for x, z in section(body, pose)]
         draw.polygon(outline, fill=MODE_COLOURS[pose.mode])
         draw.line([*outline, outline[0], outline[1]], fill=INK, width=2 * self._line, joint="curve")
-        self._draw_props(draw, pose)
+        self._draw_devices(draw, pose)
         x, z = self._point(pose.x + pose.shift, pose.z)
         r = 5.0 * self._line
         draw.ellipse((x - r, z - r, x + r, z + r), fill=PAPER, outline=INK, width=self._line)
@@ -148,21 +157,19 @@ class Painter:
             draw.pieslice((x - r, z - r, x + r, z + r), start, start + 90, fill=INK)
         return image
 
-    def _draw_props(self, draw: ImageDraw.ImageDraw, pose: Pose) -> None:
-        """Draw the devices over the body."""
-        for prop in self._film.props:
-            if not prop.shows(pose.time):
-                continue
-            points = [self._point(x + pose.shift, z) for x, z in prop.placed(pose)]
-            colour = ROLE_COLOURS[prop.role]
-            if prop.filled:
+    def _draw_devices(self, draw: ImageDraw.ImageDraw, pose: Pose) -> None:
+        """Draw the devices over the body; what goes with the room moves with it."""
+        for shape in self._film.scene.devices(pose):
+            points = [self._point(x + pose.shift, z) for x, z in shape["points"]]
+            colour = ROLE_COLOURS["broken" if shape["broken"] else shape["role"]]
+            if shape["kind"] == "polygon":
                 draw.polygon(points, fill=colour)
             else:
                 draw.line(points, fill=colour, width=4 * self._line)
 
     def _draw_grid(self, draw: ImageDraw.ImageDraw) -> None:
         """Draw the dotted lines that do not move with the room."""
-        step, half = self._film.grid, self._half
+        step, half = self._film.scene.view.grid, self._half
         dot = 3 * self._line
         for k in range(int((self._middle - half) // step), int((self._middle + half) // step) + 1):
             x, _ = self._point(k * step, 0.0)
@@ -171,11 +178,11 @@ class Painter:
 
     def _draw_room(self, draw: ImageDraw.ImageDraw, shift: float) -> None:
         """Draw the slab, the walls and the ceiling, with marks that move with them."""
-        film, (width, height) = self._film, self._scene
+        width, height = self._scene
         floor = self._point(0.0, 0.0)[1]
-        top = -1.0 if film.ceiling is None else self._point(0.0, film.ceiling)[1]
-        left = -1.0 if film.left_wall is None else self._point(film.left_wall + shift, 0.0)[0]
-        right = width + 1.0 if film.right_wall is None else self._point(film.right_wall + shift, 0.0)[0]
+        top = -1.0 if self._ceiling is None else self._point(0.0, self._ceiling)[1]
+        left = -1.0 if self._left_wall is None else self._point(self._left_wall + shift, 0.0)[0]
+        right = width + 1.0 if self._right_wall is None else self._point(self._right_wall + shift, 0.0)[0]
         for box in (
             (0.0, floor, width, height),
             (0.0, 0.0, left, floor),
@@ -185,7 +192,7 @@ class Painter:
             if box[2] > box[0] and box[3] > box[1]:
                 draw.rectangle(box, fill=ROOM)
         draw.line(((left, floor), (right, floor)), fill=INK, width=2 * self._line)
-        mark = 0.25 * film.grid * self._scale
+        mark = 0.25 * self._film.scene.view.grid * self._scale
         origin = self._point(shift, 0.0)[0] % mark
         for k in range(-1, int(width / mark) + 2):
             x = origin + k * mark
@@ -201,5 +208,5 @@ class Painter:
                         fill=ROOM_SHADE,
                         width=self._line,
                     )
-        if film.ceiling is not None:
+        if self._ceiling is not None:
             draw.line(((max(left, 0.0), top), (min(right, width), top)), fill=INK, width=2 * self._line)

@@ -27,7 +27,7 @@ class History:
     x, z : ndarray
         Centre of gravity in the room [m].
     tilt : ndarray
-        Tilt [rad].
+        Tilt from rest [rad].
     slide : ndarray
         Slide [m].
     mode : tuple of Mode
@@ -48,14 +48,14 @@ class History:
 
     def spans(self) -> list[tuple[float, float, Mode]]:
         """Return when the body was in which mode: (start [s], end [s], mode), one after the other."""
-        found: list[tuple[float, float, Mode]] = []
+        spans: list[tuple[float, float, Mode]] = []
         start = 0
         for i in range(1, len(self.mode) + 1):
             if i == len(self.mode) or self.mode[i] is not self.mode[start]:
                 end = min(i, len(self.mode) - 1)
-                found.append((float(self.time[start]), float(self.time[end]), self.mode[start]))
+                spans.append((float(self.time[start]), float(self.time[end]), self.mode[start]))
                 start = i
-        return found
+        return spans
 
 
 def history(run: Run) -> History:
@@ -69,11 +69,11 @@ def history(run: Run) -> History:
     if not run.overturned or run.overturn_time <= shown.end:
         return shown
     tilt = float(run.tilt[-1])
-    corner = run.body.corners[1 if tilt > 0.0 else 0]
+    corner = run.body.corners_at_rest[1 if tilt > 0.0 else 0]
     across, _ = turned(corner, tilt)
     last = next((event for event in reversed(run.events) if event.kind is EventKind.OVERTURNED), None)
     moved = 0.0 if last is None else last.slide - float(run.slide[-1])
-    lying = math.copysign(math.pi / 2, tilt)
+    lying = math.copysign(math.pi / 2, tilt) - run.body.resting_tilt
     right, up = turned(corner, lying)
     return History(
         np.append(run.time, run.overturn_time),

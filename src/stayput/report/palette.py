@@ -5,6 +5,8 @@ The mode colours are those of Okabe and Ito (2008), *Color universal design*.
 
 from __future__ import annotations
 
+from stayput.catalogue import LANGUAGES
+from stayput.catalogue.names import MODES
 from stayput.simulation import EventKind, Mode
 
 MODE_COLOURS: dict[Mode, str] = {
@@ -66,3 +68,17 @@ COMPONENT_COLOURS: dict[str, str] = {"x": "#0072b2", "y": "#009e73", "z": "#cc79
 def rgb(colour: str) -> tuple[int, int, int]:
     """Red, green and blue, 0 to 255, of a colour written ``#rrggbb``."""
     return int(colour[1:3], 16), int(colour[3:5], 16), int(colour[5:7], 16)
+
+
+def mode_looks(language: str) -> dict[str, dict[str, str]]:
+    """Return colour and name of each mode, for a page in a language.
+
+    Parameters
+    ----------
+    language : str
+        "en" or "ja".
+    """
+    place = [str(one) for one in LANGUAGES].index(language)
+    return {
+        mode.value: {"colour": colour, "label": MODES[mode][place]} for mode, colour in MODE_COLOURS.items()
+    }

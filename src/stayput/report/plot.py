@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.patches import Patch
 
+from stayput.cases import State, standing_corners, wall_faces
+from stayput.catalogue import say
 from stayput.report.figures import FONT, new_figure, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.history import history
@@ -59,7 +61,7 @@ def plot_run(run: Run, path: str | Path | None = None, *, name: str = "body") ->
     _draw_slide(slide, run)
     _draw_modes(modes, (tilt, slide), run)
     modes.set_xlim(0.0, _last_time(run))
-    modes.set_xlabel("Time [s]", fontsize=FONT)
+    modes.set_xlabel(say("report.axis_time"), fontsize=FONT)
     figure.align_ylabels(axes[:3])
     return saved(figure, path)
 
@@ -90,13 +92,12 @@ def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
     figure = new_figure(4.0 + 3.6 * len(parts), 6.6)
     axes = figure.subplots(3, len(parts), sharex=True, sharey="row", squeeze=False)
     figure.suptitle(drawable(motion_label(motion)), fontsize=FONT + 2.0, color=INK)
-    titles = {"x": "x, along the shaking", "y": "y, across", "z": "z, up"}
     for column, component in enumerate(parts):
         one = motion.component(component)
         time = motion.time
         rows = (one.x, 100.0 * one.velocity, 100.0 * one.displacement)
-        axes[0, column].set_title(titles[component], fontsize=FONT, color=INK)
-        axes[2, column].set_xlabel("Time [s]", fontsize=FONT)
+        axes[0, column].set_title(say(f"plots.component_{component}"), fontsize=FONT, color=INK)
+        axes[2, column].set_xlabel(say("report.axis_time"), fontsize=FONT)
         for axis, values, unit in zip(axes[:, column], rows, ("m/s²", "cm/s", "cm"), strict=True):
             style(axis)
             peak = int(np.argmax(np.abs(values)))
@@ -105,10 +106,8 @@ def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
                 time[peak], values[peak], "o", color=INK, markersize=4.0, label=f"{values[peak]:.3g} {unit}"
             )
             axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85, handletextpad=0.2)
-    for axis, label in zip(
-        axes[:, 0], ("Acceleration [m/s²]", "Velocity [cm/s]", "Displacement [cm]"), strict=True
-    ):
-        axis.set_ylabel(label, fontsize=FONT)
+    for axis, what in zip(axes[:, 0], ("acceleration", "velocity", "displacement"), strict=True):
+        axis.set_ylabel(say(f"plots.{what}"), fontsize=FONT)
     figure.align_ylabels(axes[:, 0])
     return saved(figure, path)
 
@@ -116,18 +115,21 @@ def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
 def critical_angles(run: Run) -> tuple[float, float]:
     """Return the tilts beyond which the body falls by itself, to the left (negative) and right [rad]."""
     left, right = run.body.slenderness
-    return -left, right
+    return -left - run.body.resting_tilt, right - run.body.resting_tilt
 
 
 def wall_angles(run: Run) -> tuple[float | None, float | None]:
     """Return the tilts at which a top corner reaches the left and the right wall at slide 0 [rad]."""
-    corners = run.body.corners
-    height = corners[2][1] - min(corners[0][1], corners[1][1])
-    angles: list[float | None] = []
-    for wall, sign in ((run.room.left_wall, -1.0), (run.room.right_wall, 1.0)):
-        reached = wall is not None and wall.gap < height
-        angles.append(sign * math.asin(wall.gap / height) if wall is not None and reached else None)
-    return angles[0], angles[1]
+    a, b, c, d = standing_corners(run.body, State())
+    at_left, at_right = wall_faces(run.body, run.room)
+    return _reaching(a, c, at_left), _reaching(b, d, at_right)
+
+
+def _reaching(foot: tuple[float, float], top: tuple[float, float], face: float) -> float | None:
+    """Return by how much a body must turn about its foot for its top corner to reach a wall's face [rad]."""
+    right, up = top[0] - foot[0], top[1] - foot[1]
+    sine = (face - foot[0]) / math.hypot(right, up)
+    return math.asin(sine) - math.atan2(right, up) if abs(sine) < 1.0 else None
 
 
 def _last_time(run: Run) -> float:
@@ -138,10 +140,16 @@ def _last_time(run: Run) -> float:
 
 def _draw_acceleration(axis: Axes, motion: Motion) -> None:
     style(axis)
-    for component, a, told in (("x", motion.x, "x, horizontal"), ("z", motion.z, "z, vertical")):
+    for component, a in (("x", motion.x), ("z", motion.z)):
         if a is not None:
-            axis.plot(motion.time, a, color=COMPONENT_COLOURS[component], linewidth=0.9, label=told)
-    axis.set_ylabel("Floor\nacceleration [m/s²]", fontsize=FONT)
+            axis.plot(
+                motion.time,
+                a,
+                color=COMPONENT_COLOURS[component],
+                linewidth=0.9,
+                label=say(f"plots.floor_{component}"),
+            )
+    axis.set_ylabel(say("plots.floor_acceleration"), fontsize=FONT)
     axis.set_title(drawable(motion_label(motion)), fontsize=FONT - 0.5, color=MUTED, loc="left")
     axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85)
 
@@ -150,11 +158,11 @@ def _draw_tilt(axis: Axes, run: Run) -> None:
     style(axis)
     shown = history(run)
     axis.plot(shown.time, np.degrees(shown.tilt), color=INK, linewidth=1.3)
-    axis.set_ylabel("Tilt [°]\n(+ to the right)", fontsize=FONT)
+    axis.set_ylabel(say("plots.tilt"), fontsize=FONT)
     low, high = _tilt_limits(run)
     axis.set_ylim(low, high)
     lines = [
-        (angle, "--", MUTED, f"critical angle {abs(math.degrees(angle)):.1f}°")
+        (angle, "--", MUTED, say("plots.critical", angle=abs(math.degrees(angle))))
         for angle in critical_angles(run)
     ]
     lines += [
@@ -162,12 +170,12 @@ def _draw_tilt(axis: Axes, run: Run) -> None:
             angle,
             ":",
             EVENT_MARKERS[EventKind.WALL_IMPACT][1],
-            f"wall reached at {abs(math.degrees(angle)):.1f}°, no slide",
+            say("plots.wall_reached", angle=abs(math.degrees(angle))),
         )
         for angle in wall_angles(run)
         if angle is not None
     ]
-    told: set[str] = set()
+    in_legend: set[str] = set()
     for angle, dashes, colour, label in lines:
         if low < math.degrees(angle) < high:
             axis.axhline(
@@ -175,9 +183,9 @@ def _draw_tilt(axis: Axes, run: Run) -> None:
                 color=colour,
                 linewidth=1.1,
                 linestyle=dashes,
-                label="" if label in told else label,
+                label="" if label in in_legend else label,
             )
-            told.add(label)
+            in_legend.add(label)
     for kind, (marker, colour) in EVENT_MARKERS.items():
         events = [event for event in run.events if event.kind is kind]
         if events:
@@ -185,7 +193,7 @@ def _draw_tilt(axis: Axes, run: Run) -> None:
             heights = [min(max(math.degrees(event.tilt), low), high) for event in events]
             label = f"{kind.value} × {len(events)}" if len(events) > 1 else kind.value
             if kind is EventKind.OVERTURNED:
-                label = f"overturned (90°) at {run.overturn_time:.2f} s"
+                label = say("plots.overturned", time=run.overturn_time)
             axis.plot(
                 times,
                 heights,
@@ -220,7 +228,7 @@ def _draw_slide(axis: Axes, run: Run) -> None:
     style(axis)
     shown = history(run)
     axis.plot(shown.time, 100.0 * shown.slide, color=INK, linewidth=1.3)
-    axis.set_ylabel("Slide [cm]\n(+ to the right)", fontsize=FONT)
+    axis.set_ylabel(say("plots.slide"), fontsize=FONT)
     if run.peak_slide < 1e-3:
         axis.set_ylim(-0.1, 0.1)
 
@@ -247,7 +255,7 @@ def _draw_modes(strip: Axes, bands: tuple[Axes, ...], run: Run) -> None:
             axis.axvline(run.overturn_time, color=ALARM, linewidth=1.0)
     strip.set_yticks([])
     strip.set_ylim(0.0, 1.0)
-    strip.set_ylabel("Mode", fontsize=FONT, rotation=0, ha="right", va="center")
+    strip.set_ylabel(say("plots.mode"), fontsize=FONT, rotation=0, ha="right", va="center")
     strip.tick_params(labelsize=FONT - 1.0, colors=INK)
     handles = [Patch(facecolor=MODE_COLOURS[mode], label=mode.value) for mode in present]
     strip.legend(

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import say
 from stayput.motion.frequency import fourier_amplitude, konno_ohmachi
 from stayput.motion.intensity import LONG_PERIOD_BOUNDS, LONG_PERIODS
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
@@ -24,9 +25,6 @@ if TYPE_CHECKING:
 
 LINES = {"x": "-", "y": "--", "z": ":"}
 """Line of each component, beside its colour."""
-
-DIRECTIONS = {"x": "x, along the shaking", "y": "y, across", "z": "z, up"}
-"""What the components are called."""
 
 
 def plot_spectra(motion: Motion, path: str | Path | None = None, damping: float = DAMPING) -> Figure:
@@ -48,35 +46,39 @@ def plot_spectra(motion: Motion, path: str | Path | None = None, damping: float 
     """
     figure = new_figure(10.0, 7.6)
     axes = figure.subplots(2, 2)
-    title = f"{motion_label(motion)}: spectra, {100.0 * damping:g} % damping"
+    title = say("plots.spectra", name=motion_label(motion), damping=100.0 * damping)
     figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
     acceleration, velocity, absolute, fourier = axes.ravel()
     shown = np.geomspace(0.1, 0.5 / motion.dt, 200)
     for name, a in motion.components.items():
-        found = response_spectrum(motion, PERIODS, damping, name)
-        drawn = {"color": COMPONENT_COLOURS[name], "linestyle": LINES[name], "label": DIRECTIONS[name]}
-        acceleration.plot(found.periods, found.sa, linewidth=1.4, **drawn)
-        velocity.plot(found.periods, 100.0 * found.psv, linewidth=1.4, **drawn)
+        response = response_spectrum(motion, PERIODS, damping, name)
+        drawn = {
+            "color": COMPONENT_COLOURS[name],
+            "linestyle": LINES[name],
+            "label": say(f"plots.component_{name}"),
+        }
+        acceleration.plot(response.periods, response.sa, linewidth=1.4, **drawn)
+        velocity.plot(response.periods, 100.0 * response.psv, linewidth=1.4, **drawn)
         f, amplitude = fourier_amplitude(a, motion.dt)
         smooth = konno_ohmachi(f, amplitude, shown, 40.0)
         faint = {"color": COMPONENT_COLOURS[name], "linewidth": 0.4, "alpha": 0.3, "zorder": 1}
         fourier.plot(f[1:], 100.0 * amplitude[1:], **faint)
         fourier.plot(shown, 100.0 * smooth, linewidth=1.4, zorder=3, **drawn)
         if name != "z":
-            absolute.plot(found.periods, 100.0 * found.sva, linewidth=1.4, **drawn)
+            absolute.plot(response.periods, 100.0 * response.sva, linewidth=1.4, **drawn)
     _label_long_period_classes(absolute)
     for axis, label in (
-        (acceleration, "Acceleration Sa [m/s²]"),
-        (velocity, "Pseudo-velocity ω·Sd [cm/s]"),
-        (absolute, "Absolute velocity Sva [cm/s]"),
-        (fourier, "Fourier amplitude [cm/s],\nsmoothed (Konno and Ohmachi, b = 40)"),
+        (acceleration, "plots.spectrum_sa"),
+        (velocity, "plots.spectrum_psv"),
+        (absolute, "plots.spectrum_sva"),
+        (fourier, "plots.spectrum_fourier"),
     ):
         style(axis, zero=False)
         plain_log(axis)
-        axis.set_ylabel(label, fontsize=FONT)
-        axis.set_xlabel("Period [s]", fontsize=FONT)
+        axis.set_ylabel(say(label), fontsize=FONT)
+        axis.set_xlabel(say("plots.period"), fontsize=FONT)
         axis.set_xlim(PERIODS[0], PERIODS[-1])
-    fourier.set_xlabel("Frequency [Hz]", fontsize=FONT)
+    fourier.set_xlabel(say("plots.frequency"), fontsize=FONT)
     fourier.set_xlim(shown[0], shown[-1])
     _end_fourier_axis(fourier)
     acceleration.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85)
@@ -89,7 +91,7 @@ def _label_long_period_classes(axis: Axes) -> None:
     for number, bound in enumerate(LONG_PERIOD_BOUNDS, start=1):
         axis.plot([first, last], [100.0 * bound] * 2, color=MUTED, linewidth=1.0)
         axis.annotate(
-            f"class {number}",
+            say("plots.long_period_class", number=number),
             (last, 100.0 * bound),
             xytext=(-2.0, 2.0),
             textcoords="offset points",
@@ -97,9 +99,7 @@ def _label_long_period_classes(axis: Axes) -> None:
             fontsize=FONT - 2.0,
             color=MUTED,
         )
-    axis.set_title(
-        "Lines: JMA's classes of long-period motion, 1.6 to 7.8 s", fontsize=FONT - 1.0, color=MUTED
-    )
+    axis.set_title(say("plots.long_period"), fontsize=FONT - 1.0, color=MUTED)
 
 
 def _end_fourier_axis(axis: Axes) -> None:

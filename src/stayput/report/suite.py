@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.ticker import LogLocator
 
+from stayput.catalogue import phrase, say
 from stayput.motion.spectrum import DAMPING, PERIODS
 from stayput.motion.suites.families import FAMILIES
 from stayput.motion.suites.synthesis import synthetic_motion
 from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
+from stayput.wording import counted
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -67,16 +69,21 @@ def plot_suite(
     scatter = logs.std(axis=0, ddof=1) if len(suite) > 1 else None
     figure = new_figure(7.6, 7.4)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[2.4, 1.0])
-    kind = "synthetic" if all(motion.synthetic for motion in suite) else "partly synthetic"
-    told = f"{len(suite)} motions" + (f", {kind}" if suite.synthetic else "")
-    figure.suptitle(drawable(f"{suite.name or 'suite'} ({told})"), fontsize=FONT + 2.0, color=INK)
+    kind = "whole" if all(motion.synthetic for motion in suite) else "part"
+    title = say(
+        "plots.suite",
+        name=suite.name or phrase("plots.suite_unnamed"),
+        count=(counted(len(suite), "motion"), f"{len(suite)}本"),
+        kind=phrase(f"plots.suite_{kind}") if suite.synthetic else "",
+    )
+    figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
     _draw_spectra(upper, sa, median, scatter, COMPONENT_COLOURS[component])
     if target is not None:
         _draw_target(upper, target)
-    upper.set_ylabel(f"Sa of {component}, {100.0 * damping:g} % damping [m/s²]", fontsize=FONT)
+    upper.set_ylabel(say("plots.sa_of", component=component, damping=100.0 * damping), fontsize=FONT)
     upper.legend(loc="lower left", fontsize=FONT - 1.0, framealpha=0.9)
     _draw_scatter(lower, scatter, COMPONENT_COLOURS[component])
-    lower.set_xlabel("Period [s]", fontsize=FONT)
+    lower.set_xlabel(say("plots.period"), fontsize=FONT)
     figure.align_ylabels([upper, lower])
     return saved(figure, path)
 
@@ -90,11 +97,11 @@ def _draw_spectra(
 ) -> None:
     style(axis, zero=False)
     for place, row in enumerate(sa):
-        label = "each motion" if place == 0 else None
+        label = say("plots.each_motion") if place == 0 else None
         axis.plot(PERIODS, row, color=MUTED, linewidth=0.6, alpha=0.45, label=label)
-    axis.plot(PERIODS, median, color=colour, linewidth=2.4, label="median (geometric mean)")
+    axis.plot(PERIODS, median, color=colour, linewidth=2.4, label=say("plots.median"))
     if scatter is not None:
-        for sign, label in ((1.0, "median × exp(±σ)"), (-1.0, None)):
+        for sign, label in ((1.0, say("plots.spread")), (-1.0, None)):
             edge = median * np.exp(sign * scatter)
             axis.plot(PERIODS, edge, color=colour, linewidth=1.4, linestyle="--", label=label)
     plain_log(axis)
@@ -113,7 +120,7 @@ def _draw_target(axis: Axes, target: TargetSpectrum) -> None:
         color=ALARM,
         linewidth=2.0,
         linestyle="-.",
-        label=drawable(f"target: {target.name}"),
+        label=drawable(say("plots.target", name=target.name)),
         zorder=5,
     )
 
@@ -127,14 +134,14 @@ def _draw_scatter(axis: Axes, scatter: NDArray[np.float64] | None, colour: str) 
         color=MUTED,
         alpha=0.22,
         linewidth=0.0,
-        label=f"usual in ground-motion models, {low:g}–{high:g}",
+        label=say("plots.usual_scatter", low=low, high=high),
     )
     top = 1.0
     if scatter is not None:
-        axis.plot(PERIODS, scatter, color=colour, linewidth=2.0, label="this suite")
+        axis.plot(PERIODS, scatter, color=colour, linewidth=2.0, label=say("plots.this_suite"))
         top = max(top, 1.15 * float(scatter.max()))
     axis.set_ylim(0.0, top)
-    axis.set_ylabel("Standard deviation\nof ln Sa [–]", fontsize=FONT)
+    axis.set_ylabel(say("plots.scatter"), fontsize=FONT)
     axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.9)
 
 
@@ -158,17 +165,21 @@ def plot_families(path: str | Path | None = None, number: int = 2, seed: int = 1
     for (left, right), family in zip(axes, FAMILIES, strict=True):
         motion = synthetic_motion(family, number, seed)
         for axis, values, unit, what in (
-            (left, motion.x, "m/s²", "Acceleration"),
-            (right, 100.0 * motion.velocity, "cm/s", "Velocity"),
+            (left, motion.x, "m/s²", "acceleration"),
+            (right, 100.0 * motion.velocity, "cm/s", "velocity"),
         ):
             style(axis)
             colour = COMPONENT_COLOURS["x"]
             axis.plot(motion.time, values, color=colour, linewidth=0.7)
-            axis.set_ylabel(f"{what} [{unit}]", fontsize=FONT)
+            axis.set_ylabel(say(f"plots.{what}"), fontsize=FONT)
             axis.set_xlim(0.0, motion.duration)
-            axis.set_title(f"peak {np.abs(values).max():.2g} {unit}", fontsize=FONT - 1.0, loc="right")
+            axis.set_title(
+                say("plots.peak", value=np.abs(values).max(), unit=unit),
+                fontsize=FONT - 1.0,
+                loc="right",
+            )
         left.set_title(drawable(motion.name), fontsize=FONT, loc="left", color=INK)
     for axis in axes[-1]:
-        axis.set_xlabel("Time [s]", fontsize=FONT)
+        axis.set_xlabel(say("report.axis_time"), fontsize=FONT)
     figure.align_ylabels(axes[:, 0])
     return saved(figure, path)

@@ -1,22 +1,35 @@
-"""A run in words and as a record of plain numbers."""
+"""A run in words, in English and Japanese, and as plain numbers."""
 
 from __future__ import annotations
 
 import math
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from stayput.catalogue import phrase, say
+from stayput.catalogue.names import ANY_PIECE, PIECES
 from stayput.simulation import Event, EventKind, Outcome
+from stayput.wording import FAR, inside
 
 if TYPE_CHECKING:
+    from stayput.catalogue import Phrase
     from stayput.measures import DeviceResult
     from stayput.motion import Motion
     from stayput.simulation import Run
 
-_TIMES = {1: "once", 2: "twice"}
+LEFT_AND_RIGHT = ("left", "right")
+"""Sides of a picture: −x, +x; keys of the catalogue."""
+
+BACK_AND_FRONT = ("back", "front")
+"""The same sides of a piece that stands with its back to −x."""
+
+_SMALLEST_SLIDE = 5e-4
+"""A peak slide below this is not worth a number [m]."""
 
 
 def sentence(run: Run, name: str = "body") -> str:
-    """Say in one plain sentence what became of the body.
+    """Say in one plain English sentence what became of the body.
 
     Parameters
     ----------
@@ -25,68 +38,126 @@ def sentence(run: Run, name: str = "body") -> str:
     name : str
         What the body is called: "bookcase".
     """
-    subject = f"The {name}"
-    hits = _after_hitting(run)
-    match run.outcome:
-        case Outcome.OVERTURNED:
-            side = "right" if run.tilt[-1] > 0.0 else "left"
-            return f"{subject} overturned to the {side} {run.overturn_time:.1f} s into the motion{hits}."
-        case Outcome.FAILED:
-            return (
-                f"{subject} could not be followed beyond {run.time[-1]:.2f} s, because too many events "
-                "crowded together, so this run says nothing about whether it stands."
-            )
-        case Outcome.LEANING:
-            side = "right" if run.tilt[-1] > 0.0 else "left"
-            return f"{subject} did not overturn but was left leaning to the {side}{hits}."
-        case Outcome.RESTED:
-            return f"{subject} stayed put: it neither slid nor rocked."
-        case Outcome.SLID:
-            slid = _length(run.peak_slide)
-            return f"{subject} slid by up to {slid} without rocking{hits}, and stayed upright."
-        case Outcome.ROCKED:
-            slid = f" and slid by up to {_length(run.peak_slide)}" if run.peak_slide >= 5e-4 else ""
-            tilt = math.degrees(run.peak_tilt)
-            return f"{subject} rocked by up to {_angle(tilt)}{slid}{hits}, and stayed upright."
+    return sentences(run, (name, name))[0]
+
+
+def sentences(run: Run, name: Phrase, sides: tuple[str, str] = LEFT_AND_RIGHT) -> Phrase:
+    """Say in one plain sentence, in English and Japanese, what became of the body.
+
+    Parameters
+    ----------
+    run : Run
+        The run.
+    name : Phrase
+        What the body is called.
+    sides : tuple of str
+        What the sides to −x and +x are called: `LEFT_AND_RIGHT` or `BACK_AND_FRONT`.
+    """
+    key = f"runs.{run.outcome.value}"
+    if run.outcome is Outcome.ROCKED and run.peak_slide < _SMALLEST_SLIDE:
+        key = "runs.rocked_only"
+    return phrase(
+        key,
+        name=name,
+        hits=_hits(run),
+        side=phrase(f"runs.side_{sides[int(run.tilt[-1] > 0.0)]}"),
+        tilt=_tilt(run),
+        slide=_slide(run),
+        time=run.overturn_time,
+        end=float(run.time[-1]),
+    )
+
+
+def piece_sentences(run: Run, preset: str | None, own: str | None = None) -> Phrase:
+    """Say what became of a piece of furniture, and which device failed first.
+
+    Parameters
+    ----------
+    run : Run
+        The run.
+    preset : str, optional
+        Preset of the piece.
+    own : str, optional
+        What the user calls it.
+    """
+    name = (own, own) if own else PIECES.get(preset or "", ANY_PIECE)
+    said = sentences(run, name, BACK_AND_FRONT)
+    failed = min((d for d in run.devices if d.failed), key=lambda d: d.failure_time, default=None)
+    if failed is None:
+        return said
+    device = (inside(failed.label[0]), failed.label[1])
+    return phrase("runs.first_to_fail", said=said, device=device, time=failed.failure_time)
 
 
 def motion_label(motion: Motion) -> str:
     """Return what a motion is called in a picture; a computed one is always called synthetic."""
     plain = motion.synthetic and "synthetic" not in motion.name.lower()
-    return f"{motion.name} (synthetic)" if plain else motion.name
+    return say("runs.synthetic", name=motion.name) if plain else motion.name
 
 
-def summary(run: Run) -> dict[str, Any]:
-    """Return the run's results as plain values: what ``--json`` prints.
+def results(run: Run) -> dict[str, Any]:
+    """Return the results of a run as plain values, in SI units that the keys name.
 
-    Returns
-    -------
-    dict
-        Keys carry their units; a time that does not exist is None. ``wall_impacts`` counts the hits on
-        the walls and the ceiling, as `Run.wall_impacts` does.
+    A time that does not exist is None. ``wall_impacts`` counts the hits on the walls and the ceiling, as
+    `Run.wall_impacts` does.
     """
     return {
         "outcome": run.outcome.value,
         "overturned": run.overturned,
-        "overturn_time_s": _number(run.overturn_time),
-        "peak_tilt_rad": _number(run.peak_tilt),
-        "peak_slide_m": _number(run.peak_slide),
-        "residual_slide_m": _number(run.residual_slide),
-        "residual_tilt_rad": _number(run.residual_tilt),
+        "overturn_time_s": number(run.overturn_time),
+        "peak_tilt_rad": number(run.peak_tilt),
+        "peak_slide_m": number(run.peak_slide),
+        "residual_slide_m": number(run.residual_slide),
+        "residual_tilt_rad": number(run.residual_tilt),
         "floor_impacts": run.floor_impacts,
         "wall_impacts": run.wall_impacts,
-        "end_time_s": _number(float(run.time[-1])),
+    }
+
+
+def device_results(device: DeviceResult) -> dict[str, Any]:
+    """Return what became of a device as plain values, in SI units that the keys name."""
+    return {
+        "kind": device.kind,
+        "label": dict(zip(("en", "ja"), device.label, strict=True)),
+        "name": device.place,
+        "peak_pull_n": device.peak_pull,
+        "peak_push_n": device.peak_push,
+        "peak_shear_n": device.peak_shear,
+        "utilisation": number(device.utilisation),
+        "failed": device.failed,
+        "failure_time_s": number(device.failure_time),
+        "cause": device.cause,
+    }
+
+
+_DEVICE_KEYS = {
+    "measure": "kind",
+    "place": "name",
+    "peak_pull_N": "peak_pull_n",
+    "peak_push_N": "peak_push_n",
+    "peak_shear_N": "peak_shear_n",
+    **{key: key for key in ("utilisation", "failed", "failure_time_s", "cause")},
+}
+"""Keys of a device in what ``--json`` prints, and those of `device_results`."""
+
+
+def summary(run: Run) -> dict[str, Any]:
+    """Return the run's results as plain values: what ``--json`` prints; see `results`."""
+    devices = [device_results(device) for device in run.devices]
+    return {
+        **results(run),
+        "end_time_s": number(float(run.time[-1])),
         "contact": run.contact,
         "gravity_m_s2": run.gravity,
         "motion": {
             "name": run.motion.name,
             "synthetic": run.motion.synthetic,
             "dt_s": run.motion.dt,
-            "duration_s": _number(run.motion.duration),
-            "pga_m_s2": _number(run.motion.pga),
+            "duration_s": number(run.motion.duration),
+            "pga_m_s2": number(run.motion.pga),
         },
         "measures": [measure.kind for measure in run.measures],
-        "devices": [_device(device) for device in run.devices],
+        "devices": [{key: one[same] for key, same in _DEVICE_KEYS.items()} for one in devices],
         "events": [_event(event) for event in run.events],
     }
 
@@ -94,44 +165,38 @@ def summary(run: Run) -> dict[str, Any]:
 def rows(run: Run) -> list[tuple[str, str]]:
     """Return the results as a person reads them: what, and its value with its unit."""
     motion = run.motion
-    walls = "Wall impacts" if run.room.ceiling is None else "Wall and ceiling impacts"
-    return [
-        ("Motion", f"{motion_label(motion)}, {motion.duration:g} s, peak {motion.pga:.2f} m/s²"),
-        ("Outcome", run.outcome.value),
-        ("Overturned at", f"{run.overturn_time:.2f} s" if run.overturned else "-"),
-        ("Peak tilt", f"{math.degrees(run.peak_tilt):.2f}°"),
-        ("Peak slide", f"{100.0 * run.peak_slide:.2f} cm"),
-        ("Residual slide", f"{100.0 * run.residual_slide:+.2f} cm"),
-        ("Floor impacts", str(run.floor_impacts)),
-        (walls, str(run.wall_impacts)),
-        *_device_rows(run),
-    ]
-
-
-def _device(device: DeviceResult) -> dict[str, Any]:
-    return {
-        "measure": device.kind,
-        "place": device.place,
-        "peak_pull_N": device.peak_pull,
-        "peak_push_N": device.peak_push,
-        "peak_shear_N": device.peak_shear,
-        "utilisation": device.utilisation,
-        "failed": device.failed,
-        "failure_time_s": _number(device.failure_time),
-        "cause": device.cause,
+    values = {
+        "motion": say(
+            "runs.row_motion_value",
+            name=motion_label(motion),
+            duration=motion.duration,
+            peak=motion.pga,
+        ),
+        "outcome": run.outcome.value,
+        "overturned": f"{run.overturn_time:.2f} s" if run.overturned else "-",
+        "tilt": f"{math.degrees(run.peak_tilt):.2f}°",
+        "slide": f"{100.0 * run.peak_slide:.2f} cm{say('runs.open_side') if slides_off(run) else ''}",
+        "residual": f"{100.0 * run.residual_slide:+.2f} cm",
+        "floor": str(run.floor_impacts),
+        "walls" if run.room.ceiling is None else "walls_and_ceiling": str(run.wall_impacts),
     }
+    return [*((say(f"runs.row_{key}"), value) for key, value in values.items()), *_device_rows(run)]
 
 
 def _device_rows(run: Run) -> list[tuple[str, str]]:
     """Return a row for each device: its largest force, how much of its strength that is, and its failure."""
-    found: list[tuple[str, str]] = []
+    rows_of_devices: list[tuple[str, str]] = []
     for device in run.devices:
         name = " ".join(filter(None, (device.label[0], device.place)))
         peak = max(device.peak_pull, device.peak_push, device.peak_shear)
-        used = f", {100.0 * device.utilisation:.0f} % of its strength" if device.utilisation > 0.0 else ""
-        fate = f"; {device.cause} at {device.failure_time:.2f} s" if device.failed else "; holds"
-        found.append((name, f"{peak:.0f} N{used}{fate}"))
-    return found
+        used = say("runs.row_used", share=100.0 * device.utilisation) if device.utilisation > 0.0 else ""
+        fate = (
+            say("runs.row_failed", cause=device.cause, time=device.failure_time)
+            if device.failed
+            else say("runs.row_holds")
+        )
+        rows_of_devices.append((name, f"{peak:.0f} N{used}{fate}"))
+    return rows_of_devices
 
 
 def _event(event: Event) -> dict[str, Any]:
@@ -146,22 +211,53 @@ def _event(event: Event) -> dict[str, Any]:
     }
 
 
-def _after_hitting(run: Run) -> str:
-    kinds = [event.kind for event in run.events]
-    hits = {"wall": kinds.count(EventKind.WALL_IMPACT), "ceiling": kinds.count(EventKind.CEILING_IMPACT)}
-    told = [f"the {what} {_TIMES.get(n, f'{n} times')}" for what, n in hits.items() if n]
-    return f" after hitting {' and '.join(told)}" if told else ""
+def _hits(run: Run) -> Phrase:
+    """Return how often the body hit what, as a part of the sentence; empty where it hit nothing."""
+    counts = {"wall": run.count(EventKind.WALL_IMPACT), "ceiling": run.count(EventKind.CEILING_IMPACT)}
+    parts = [
+        phrase(
+            f"runs.hits_{what}",
+            times=phrase({1: "runs.once", 2: "runs.twice"}.get(n, "runs.times"), n=n),
+        )
+        for what, n in counts.items()
+        if n
+    ]
+    if not parts:
+        return "", ""
+    english, japanese = zip(*parts, strict=True)
+    both = (" and ".join(english), "、".join(japanese))
+    return phrase("runs.hits", parts=both)
 
 
-def _length(metres: float) -> str:
-    if metres < 5e-4:
-        return "less than a millimetre"
-    return f"{1e3 * metres:.0f} mm" if metres < 0.01 else f"{1e2 * metres:.1f} cm"
+def _slide(run: Run) -> Phrase:
+    """Return how far a body slid: "up to 2.0 cm", or beyond what a room is."""
+    if slides_off(run):
+        return phrase("runs.slid_far", far=FAR)
+    if run.peak_slide < _SMALLEST_SLIDE:
+        return phrase("runs.slid_least")
+    return phrase("runs.slid_up_to", length=length(run.peak_slide))
 
 
-def _angle(degrees: float) -> str:
-    return "less than 0.1°" if degrees < 0.05 else f"{degrees:.1f}°"
+def _tilt(run: Run) -> Phrase:
+    degrees = math.degrees(run.peak_tilt)
+    return phrase("runs.tilted_least") if degrees < 0.05 else phrase("runs.tilted_up_to", angle=degrees)
 
 
-def _number(value: float) -> float | None:
+def slides_off(run: Run) -> bool:
+    """Return whether a body slid beyond `FAR` to a side without a wall."""
+    if not run.peak_slide > FAR:
+        return False
+    farthest = run.slide[np.abs(run.slide).argmax()]
+    return (run.room.right_wall if farthest > 0.0 else run.room.left_wall) is None
+
+
+def length(metres: float) -> str:
+    """Return a length of a run in the unit that people use for it: "3 mm", "2.0 cm", "1.24 m"."""
+    if metres >= 0.9995:
+        return f"{metres:.2f} m"
+    return f"{1e3 * metres:.0f} mm" if metres < 9.5e-3 else f"{1e2 * metres:.1f} cm"
+
+
+def number(value: float) -> float | None:
+    """Return a number, or None in place of one that is not finite."""
     return float(value) if math.isfinite(value) else None

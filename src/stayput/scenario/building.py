@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from stayput.building import STRUCTURES, Building, ShearModel
 from stayput.building.model import MOST_STOREYS
+from stayput.errors import InputError
 from stayput.scenario.fields import Table, between, checked, named, one_of
 
 if TYPE_CHECKING:
@@ -64,19 +65,18 @@ class BuildingTable(Table):
         own = self.masses is not None or self.stiffnesses is not None
         if own and (self.masses is None or self.stiffnesses is None):
             given, missing = ("masses", "stiffnesses") if self.masses else ("stiffnesses", "masses")
-            raise ValueError(
-                f"shaking.building.{given} is given without shaking.building.{missing}; it needs both."
-            )
+            name, other = f"shaking.building.{given}", f"shaking.building.{missing}"
+            raise InputError("scenario.needs_both", name, name=name, other=other)
         if own:
             for key in OF_A_REGULAR_ONE:
                 if getattr(self, key) is not None:
-                    told = f"shaking.building.{key} is given beside shaking.building.masses"
-                    raise ValueError(f"{told}; it must be left out.")
+                    name = f"shaking.building.{key}"
+                    raise InputError("scenario.beside", name, name=name, other="shaking.building.masses")
             if self.nonlinear and "nonlinear" in self.model_fields_set:
-                told = "shaking.building.nonlinear is true beside shaking.building.masses"
-                raise ValueError(f"{told}; it must be false or left out.")
+                name, other = "shaking.building.nonlinear", "shaking.building.masses"
+                raise InputError("scenario.nonlinear_masses", name, name=name, other=other)
         elif self.storeys is None:
-            raise ValueError("shaking.building.storeys is missing; it must be a whole number of storeys.")
+            raise InputError("scenario.no_storeys", "shaking.building.storeys")
         checked("shaking.building", self.building)
         return self
 

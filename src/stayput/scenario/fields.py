@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 from stayput.body import MASS_RANGE, SIZE_RANGE
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.room import FRICTION_RANGE
 
@@ -65,10 +66,10 @@ def checked(table: str, make: Callable[[], object]) -> None:
 
     Raises
     ------
-    ValueError
-        The sentence of the `InputError`, which pydantic carries on.
+    InputError
+        With the table's name; pydantic carries it on.
     """
     try:
         make()
     except InputError as error:
-        raise ValueError(f"In [{table}]: {error}") from None
+        raise error.at(phrase("scenario.in_table", table=table), table) from None

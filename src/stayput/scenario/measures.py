@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
 from functools import reduce
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Self, cast
 
 from pydantic import BaseModel, Discriminator, Field, Tag, create_model, model_validator
 
+from stayput.errors import InputError, unknown
 from stayput.measures import MEASURES, Measure, Parameter, parameters
 from stayput.measures.measure import refuse_conflicts
 from stayput.scenario.fields import Table, Text, between, checked
@@ -135,8 +135,8 @@ def refuse_wrong_type(given: object, place: str = "measures", *, nested: bool = 
 
     Raises
     ------
-    ValueError
-        The sentence.
+    InputError
+        What is wrong.
     """
     if not isinstance(given, list):
         return
@@ -145,24 +145,26 @@ def refuse_wrong_type(given: object, place: str = "measures", *, nested: bool = 
         if isinstance(one, BaseModel):
             continue
         if not isinstance(one, dict):
-            also = "" if nested else " or combine"
-            raise ValueError(f"{name} is {one!r}; it must be a table with type{also}.")
+            code = "scenario.not_a_measure" if nested else "scenario.not_a_measure_or_several"
+            raise InputError(code, name, name=name, value=repr(one))
         table = cast("dict[str, object]", one)
         if COMBINE in table and not nested:
             if "type" in table:
-                raise ValueError(f"{name}.type is given beside {name}.combine; it must be left out.")
+                of_type, other = f"{name}.type", f"{name}.{COMBINE}"
+                raise InputError("scenario.beside", of_type, name=of_type, other=other)
             refuse_wrong_type(table[COMBINE], f"{name}.{COMBINE}", nested=True)
         elif str(table.get("type")) not in MEASURES:
-            raise ValueError(_wrong_type(f"{name}.type", table.get("type")))
+            raise _wrong_type(f"{name}.type", table.get("type"))
 
 
-def _wrong_type(name: str, value: object) -> str:
-    allowed = f"it must be one of {', '.join(MEASURES)}."
+def _wrong_type(name: str, value: object) -> InputError:
     if value is None:
-        return f"{name} is missing; {allowed}"
-    near = get_close_matches(value, MEASURES, 1) if isinstance(value, str) else []
-    hint = f" (did you mean {near[0]!r}?)" if near else ""
-    return f"{name} is {value!r}{hint}; {allowed}"
+        return InputError("scenario.no_type", name, name=name, known=", ".join(MEASURES))
+    if isinstance(value, str):
+        return unknown(name, value, MEASURES, name)
+    return InputError(
+        "common.not_one_of", name, name=name, value=repr(value), hint="", known=", ".join(MEASURES)
+    )
 
 
 class UncertaintyTable(Table):

@@ -3,59 +3,65 @@
 from __future__ import annotations
 
 import json
-from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
+
+from stayput.catalogue import LANGUAGES, phrase, say
+from stayput.errors import InputError, near_miss
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from pydantic_core import ErrorDetails
 
+    from stayput.catalogue import Phrase
+
 _LONGEST = 60  # characters of a value that are shown
 
 
-def sentence_of(errors: Sequence[ErrorDetails], schema: dict[str, Any]) -> str:
-    """Return the sentence for the first error, unknown keys first: a misspelt key is the cause, not a sign.
+def refusal_of(errors: Sequence[ErrorDetails], schema: dict[str, Any], within: str = "") -> InputError:
+    """Return the refusal for the first error, unknown keys first: a misspelt key is the cause, not a sign.
 
     Parameters
     ----------
     errors : sequence of ErrorDetails
         What pydantic found.
     schema : dict
-        The scenario's JSON Schema.
+        The JSON Schema of what was checked: a scenario, or a table of it.
+    within : str
+        Dotted name of that table; "" for a whole scenario.
     """
     error = min(errors, key=lambda one: one["type"] != "extra_forbidden")
     place = error["loc"]
-    name = _dotted(place)
+    name = _dotted(place) if not within else f"{within}.{_dotted(place)}"
     if error["type"] == "extra_forbidden":
-        return _unknown(place, schema)
-    if error["type"] == "value_error" and (said := str(error.get("ctx", {}).get("error", ""))):
-        return said
+        return _unknown_key(name, place, schema)
+    raised = error.get("ctx", {}).get("error")
+    if isinstance(raised, InputError):  # by a table's own check
+        return raised
     allowed = _allowed(_node(place, schema), schema)
     if error["type"] == "missing":
-        return f"{name} is missing; it must be {allowed}."
-    hint = _hint(error["input"], place, schema)
-    return f"{name} is {_shown(error['input'])}{hint}; it must be {allowed}."
+        return InputError("scenario.missing", name, name=name, allowed=allowed)
+    hint, value = _hint(error["input"], place, schema), _shown(error["input"])
+    return InputError("scenario.not_allowed", name, name=name, value=value, hint=hint, allowed=allowed)
 
 
-def _unknown(place: Sequence[str | int], schema: dict[str, Any]) -> str:
-    name = _dotted(place)
+def _unknown_key(name: str, place: Sequence[str | int], schema: dict[str, Any]) -> InputError:
     known = [key for kind in kinds(_node(place[:-1], schema), schema) for key in kind.get("properties", {})]
-    near = get_close_matches(str(place[-1]), known, 1)
-    hint = f" (did you mean {near[0]!r}?)" if near else ""
-    table = _dotted(place[:-1])
-    where = f"a key of [{table}]" if table else "a top-level key"
-    return f"{name} is unknown{hint}; {where} must be one of {', '.join(known)}."
+    table = name.rpartition(".")[0]
+    where = phrase("scenario.key_of_table", table=table) if table else phrase("scenario.top_level_key")
+    hint = near_miss(str(place[-1]), known)
+    return InputError("scenario.unknown_key", name, name=name, hint=hint, where=where, known=", ".join(known))
 
 
-def _hint(value: object, place: Sequence[str | int], schema: dict[str, Any]) -> str:
+def _hint(value: object, place: Sequence[str | int], schema: dict[str, Any]) -> str | Phrase:
     names = [name for kind in kinds(_node(place, schema), schema) for name in kind.get("enum", [])]
-    near = get_close_matches(value, names, 1) if isinstance(value, str) else []
-    return f" (did you mean {near[0]!r}?)" if near else ""
+    return near_miss(value, names) if isinstance(value, str) else ""
 
 
 def _dotted(place: Sequence[str | int]) -> str:
-    parts = [f"[{part}]" if isinstance(part, int) else f".{part}" for part in place if not _is_tag(part)]
+    parts = [
+        f"[{part}]" if isinstance(part, int) else f".{_cut(part)}" for part in place if not _is_tag(part)
+    ]
     return "".join(parts).removeprefix(".")
 
 
@@ -64,14 +70,18 @@ def _is_tag(part: str | int) -> bool:
     return str(part).startswith("<")
 
 
-def _shown(value: object) -> str:
+def _shown(value: object) -> str | Phrase:
     if isinstance(value, dict):
-        return "a table"
+        return phrase("scenario.table")
     try:
         shown = json.dumps(value, ensure_ascii=False)
     except (TypeError, ValueError):
         shown = str(value)
-    return shown if len(shown) <= _LONGEST else f"{shown[:_LONGEST]}…"
+    return _cut(shown)
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
 
 
 def kinds(node: dict[str, Any], schema: dict[str, Any]) -> list[dict[str, Any]]:
@@ -109,31 +119,38 @@ def _node(place: Sequence[str | int], schema: dict[str, Any]) -> dict[str, Any]:
     return node
 
 
-def _allowed(node: dict[str, Any], schema: dict[str, Any]) -> str:
+def _allowed(node: dict[str, Any], schema: dict[str, Any]) -> Phrase:
     allowed = kinds(node, schema)
     if sum("properties" in kind for kind in allowed) > 1:
-        return "a table with type or combine"
-    return " or ".join(_kind_in_words(kind, schema) for kind in allowed)
+        return phrase("scenario.one_of_tables")
+    several = [_in_words(kind, schema) for kind in allowed]
+    english, japanese = (
+        say("scenario.or", language).join(one[place] for one in several)
+        for place, language in enumerate(LANGUAGES)
+    )
+    return english, japanese
 
 
-def _kind_in_words(kind: dict[str, Any], schema: dict[str, Any]) -> str:
+def _in_words(kind: dict[str, Any], schema: dict[str, Any]) -> Phrase:
     unit = f" {kind['unit']}" if "unit" in kind else ""
     if "const" in kind:
-        return json.dumps(kind["const"])
+        value = json.dumps(kind["const"])
+        return value, value
     if "enum" in kind:
-        return f"one of {', '.join(map(json.dumps, kind['enum']))}"
+        return phrase("scenario.one_of", names=", ".join(map(json.dumps, kind["enum"])))
     match kind.get("type"):
         case "integer":
-            return f"a whole number between {kind['minimum']:g} and {kind['maximum']:g}{unit}"
+            low, high = kind["minimum"], kind["maximum"]
+            return phrase("scenario.whole_number", low=low, high=high, unit=unit)
         case "number":
-            return f"a number between {kind['minimum']:g} and {kind['maximum']:g}{unit}"
+            return phrase("scenario.number", low=kind["minimum"], high=kind["maximum"], unit=unit)
         case "boolean":
-            return "true or false"
+            return phrase("scenario.true_or_false")
         case "array":
             few, many = kind["minItems"], kind["maxItems"]
-            count = f"{few}" if few == many else f"{few} to {many}"
-            return f"a list of {count} items, each {_allowed(kind['items'], schema)}"
+            count = str(few) if few == many else phrase("scenario.few_to_many", few=few, many=many)
+            return phrase("scenario.list", count=count, item=_allowed(kind["items"], schema))
         case "object":
-            return f"a table of {', '.join(kind['properties'])}"
+            return phrase("scenario.table_of", keys=", ".join(kind["properties"]))
         case _:
-            return f"a text of {kind['minLength']} to {kind['maxLength']} characters"
+            return phrase("scenario.text", few=kind["minLength"], many=kind["maxLength"])

@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
+import tomli_w
 from pydantic import Field, PrivateAttr, ValidationError, field_validator, model_validator
 from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
@@ -13,7 +14,7 @@ from stayput.errors import InputError
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.scenario.fields import Table, Text, between
 from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, refuse_wrong_type
-from stayput.scenario.messages import sentence_of
+from stayput.scenario.messages import refusal_of
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import FurnitureTable, InitialTable, RoomTable
 from stayput.simulation import Case
@@ -67,8 +68,9 @@ class Scenario(Table):
         seen: dict[str, int] = {}
         for number, one in enumerate(self.measures):
             if one.name in seen:
-                other = f"measures[{seen[one.name]}]"
-                raise ValueError(f"measures[{number}].name is {one.name!r}; it must not be that of {other}.")
+                name, other = f"measures[{number}].name", f"measures[{seen[one.name]}]"
+                value = repr(one.name)
+                raise InputError("scenario.same_name", name, name=name, value=value, other=other)
             seen[one.name] = number
         return self
 
@@ -91,7 +93,7 @@ class Scenario(Table):
         try:
             scenario = cls.model_validate(dict(data))
         except ValidationError as error:
-            raise InputError(sentence_of(error.errors(), _schema())) from None
+            raise refusal_of(error.errors(), _schema()) from None
         scenario._folder = folder
         return scenario
 
@@ -101,10 +103,20 @@ class Scenario(Table):
         return cls.model_json_schema(by_alias=by_alias, ref_template=ref_template)
 
     def to_toml(self) -> str:
-        """Return the scenario as a file's text; `Scenario.parse` reads it back."""
-        from stayput.scenario.writing import scenario_toml
+        """Return the scenario as a file's text: what was said, and nothing that was left to its default.
 
-        return scenario_toml(self)
+        `Scenario.parse` reads it back as the same scenario.
+
+        Examples
+        --------
+        >>> from stayput import Scenario
+        >>> print(Scenario.parse({"furniture": {"preset": "chest"}}).to_toml(), end="")
+        [furniture]
+        preset = "chest"
+        """
+        return tomli_w.dumps(
+            self.model_dump(mode="json", exclude_unset=True, exclude_none=True, by_alias=True)
+        )
 
     @property
     def folder(self) -> Path:

@@ -10,6 +10,7 @@ from pydantic import Discriminator, Field, Tag, model_validator
 from stayput.errors import InputError
 from stayput.motion import Motion, near_fault, read_motion, sine
 from stayput.motion.intensity import CLASSES, intensity_of_class
+from stayput.motion.readers import read_vertical
 from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
 from stayput.scenario.building import BuildingTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.fields import NAME, TABLE, Table, Text, between, checked, kind_of, named, one_of
@@ -120,7 +121,8 @@ class ShakingTable(Table):
     )
     vertical: Vertical = Field(
         default=True,
-        description="Whether the vertical component acts; or the file that holds it, for a record.",
+        description="Whether the vertical component acts; or the file that holds it, for a record: "
+        "its vertical channel, or its only one where that has no direction.",
     )
     building: BuildingTable | None = Field(
         default=None, description="The building between the ground and the furniture."
@@ -133,32 +135,31 @@ class ShakingTable(Table):
     def _consistent(self) -> Self:
         given = [key for key in SOURCES if getattr(self, key) is not None]
         if len(given) > 1:
-            raise ValueError(f"shaking.{given[1]} is given beside shaking.{given[0]}; it must be only one.")
+            first, second = (f"shaking.{key}" for key in given[:2])
+            raise InputError("scenario.only_one", second, name=second, other=first)
         if self.record is None:
             for key in ("component", "unit", "dt"):
                 if getattr(self, key) is not None and not isinstance(self.suite, str):
-                    raise ValueError(
-                        f"shaking.{key} is given without shaking.record; it belongs to a record only."
-                    )
+                    name = f"shaking.{key}"
+                    raise InputError("scenario.without_record", name, name=name)
             if isinstance(self.vertical, str):
-                told = f"shaking.vertical is {self.vertical!r} without shaking.record"
-                raise ValueError(f"{told}; it must be true or false there.")
+                value = repr(self.vertical)
+                raise InputError("scenario.vertical_without_record", "shaking.vertical", value=value)
         if self.scale is not None and self.intensity is not None:
-            raise ValueError(
-                f"shaking.scale is {self.scale:g} beside shaking.intensity; it must be one of the two."
-            )
+            raise InputError("scenario.scale_and_intensity", "shaking.scale", value=self.scale)
         if self.member is not None and not self.of_a_suite:
-            raise ValueError("shaking.member is given for one motion; it belongs to a suite.")
+            raise InputError("scenario.member_of_one", "shaking.member")
         self._check_building()
         return self
 
     def _check_building(self) -> None:
         if (self.building is None) != (self.storey is None):
             given, missing = ("storey", "building") if self.building is None else ("building", "storey")
-            raise ValueError(f"shaking.{given} is given without shaking.{missing}; it needs both.")
+            name, other = f"shaking.{given}", f"shaking.{missing}"
+            raise InputError("scenario.needs_both", name, name=name, other=other)
         if self.building is not None and self.storey is not None and self.storey > self.building.highest():
             roof = self.building.highest()
-            raise ValueError(f"shaking.storey is {self.storey}; it must be between 1 and {roof}, the roof.")
+            raise InputError("scenario.storey", "shaking.storey", value=self.storey, roof=roof)
 
     @property
     def of_a_suite(self) -> bool:
@@ -249,13 +250,13 @@ class ShakingTable(Table):
         number = 1 if self.member is None else self.member
         suite = self._suite(folder)
         if number > len(suite):
-            raise InputError(f"shaking.member is {number}; it must be between 1 and {len(suite)}.")
+            raise InputError("scenario.member", "shaking.member", value=number, most=len(suite))
         return suite[number - 1]
 
     def _recorded(self, record: str, folder: Path) -> Motion:
         motion = read_motion(folder / record, self.component, self.unit, dt=self.dt)
         if not isinstance(self.vertical, str):
             return motion
-        up = read_motion(folder / self.vertical, None, self.unit, dt=self.dt)
+        up = read_vertical(folder / self.vertical, self.unit, dt=self.dt)
         across = None if motion.y is None else motion.component("y")
         return Motion.combine(motion, across, up, motion.name)

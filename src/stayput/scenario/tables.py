@@ -8,6 +8,7 @@ from typing import Annotated, Self
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from stayput.body import Body
+from stayput.errors import InputError
 from stayput.furniture import FURNITURE
 from stayput.room import SURFACES, Ceiling, Floor, Room, Wall
 from stayput.scenario.fields import (
@@ -63,17 +64,15 @@ class FurnitureTable(Table):
         if self.preset is None:
             for key in ("width", "height", "mass"):
                 if getattr(self, key) is None:
-                    raise ValueError(f"furniture.{key} is missing; it must be given where no preset is.")
+                    name = f"furniture.{key}"
+                    raise InputError("scenario.no_preset", name, name=name)
         if self.shelves is not None:
             for key in ("cg_offset", "inertia"):
                 if getattr(self, key) is not None:
-                    raise ValueError(
-                        f"furniture.{key} follows from furniture.shelves; give only one of them."
-                    )
+                    name = f"furniture.{key}"
+                    raise InputError("scenario.follows_from_shelves", name, name=name)
             if self._mass is None:
-                raise ValueError(
-                    "furniture.mass is missing; where shelves are given it must be the empty carcass's [kg]."
-                )
+                raise InputError("scenario.no_carcass", "furniture.mass")
         checked("furniture", self.body)
         return self
 
@@ -180,9 +179,7 @@ class RoomTable(Table):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         if self.left_wall is not None and self.back_wall is not None:
-            raise ValueError(
-                "room.back_wall is given beside room.left_wall; they are one wall and it must be given once."
-            )
+            raise InputError("scenario.two_back_walls", "room.back_wall")
         return self
 
     def room(self) -> Room:

@@ -4,16 +4,17 @@ The paper is *A fundamental study on development of a verification system for ea
 furniture* (14WCEE, 2008).
 """
 
-from stayput.studies.capacity.study import capacity
-from stayput.studies.critical_ratio.study import critical_ratio
-from stayput.studies.friction.study import friction
-from stayput.studies.spectrum.study import spectrum
-from stayput.studies.study import Study
-from stayput.studies.tokyo.study import tokyo
-from stayput.studies.walls.gap import wall_gap
-from stayput.studies.walls.record import wall_gap_record
+from stayput.studies.capacity import capacity
+from stayput.studies.critical_ratio import critical_ratio
+from stayput.studies.friction import friction
+from stayput.studies.spectrum import spectrum
+from stayput.studies.study import Quantity, Study
+from stayput.studies.tokyo import tokyo
+from stayput.studies.wall_gap import wall_gap
+from stayput.studies.wall_gap_record import wall_gap_record
 
 __all__ = [
+    "Quantity",
     "Study",
     "capacity",
     "critical_ratio",

@@ -1,19 +1,68 @@
-"""What every study gives: data, a figure, tables and a text, and its files."""
+"""What every study returns, how it is written to files, and the checks that the studies share."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from stayput.errors import InputError
+import numpy as np
+import pandas as pd
+
+from stayput.catalogue import phrase
+from stayput.errors import InputError, within
 from stayput.files import draft
 from stayput.report.figures import saved
 
 if TYPE_CHECKING:
-    import pandas as pd
     import xarray as xr
     from matplotlib.figure import Figure
+    from numpy.typing import ArrayLike, NDArray
+
+    from stayput.catalogue import Phrase
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A number of a study, or words where the result is no number, beside the published one.
+
+    Attributes
+    ----------
+    label : str
+        What it is, with its unit in brackets.
+    value : float or str
+        The result of the run.
+    paper : float or str, optional
+        The published value.
+    form : str
+        Format specification of both numbers.
+    """
+
+    label: str
+    value: float | str
+    paper: float | str | None = None
+    form: str = ".3g"
+
+    def __str__(self) -> str:
+        """Return the value as the summary and the documentation show it."""
+        return self._shown(self.value)
+
+    @property
+    def row(self) -> dict[str, str]:
+        """Its row in the summary."""
+        numbers = [value for value in (self.paper, self.value) if isinstance(value, int | float)]
+        known = len(numbers) == 2 and all(map(np.isfinite, numbers))
+        return {
+            "quantity": self.label,
+            "paper": "" if self.paper is None else self._shown(self.paper),
+            "stayput": str(self),
+            "difference": f"{numbers[1] - numbers[0]:+{self.form}}" if known else "",
+        }
+
+    def _shown(self, value: float | str) -> str:
+        if isinstance(value, str):
+            return value
+        return format(value, self.form) if np.isfinite(value) else "none"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -26,8 +75,8 @@ class Study:
         Its name on the command line.
     title : str
         What it is about.
-    text : str
-        What was done and found, in Markdown paragraphs with the numbers of this run.
+    quantities : dict of str to Quantity
+        Settings and key numbers of this run; the documentation's pages quote them by these names.
     data : xarray.Dataset
         All results, with units in the attributes.
     figures : dict of str to Figure
@@ -38,21 +87,27 @@ class Study:
 
     name: str
     title: str
-    text: str
+    quantities: dict[str, Quantity]
     data: xr.Dataset
     figures: dict[str, Figure]
     tables: dict[str, pd.DataFrame]
 
+    @property
+    def summary(self) -> pd.DataFrame:
+        """The quantities as a table: quantity, paper, stayput, difference (stayput − paper)."""
+        return pd.DataFrame([quantity.row for quantity in self.quantities.values()])
+
     def markdown(self) -> str:
-        """Return the text and the tables."""
-        return "\n\n".join((f"# {self.title}", self.text.strip(), *self.captioned_tables())) + "\n"
+        """Return the summary and the tables in Markdown."""
+        parts = (f"# {self.title}", table_as_markdown(self.summary), *self.captioned_tables())
+        return "\n\n".join(parts) + "\n"
 
     def captioned_tables(self) -> list[str]:
         """Return each table in Markdown below its caption."""
         return [f"**{caption}**\n\n{table_as_markdown(table)}" for caption, table in self.tables.items()]
 
     def write(self, folder: str | Path) -> list[Path]:
-        """Write NetCDF, CSV, figures (PNG) and text into a folder, which is made; return the files.
+        """Write NetCDF, CSV, figures (PNG) and `markdown` into a folder, which is made; return the files.
 
         Quantities that do not lie over the dimensions of the main ones have a CSV file of their own.
 
@@ -66,20 +121,16 @@ class Study:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             reason = (error.strerror or str(error)).lower()
-            raise InputError(f"The folder is {str(folder)!r}; it cannot be made: {reason}.") from error
-        frames = in_frames(self.data)
-        names = [self.name, *(f"{self.name}_{frame[0]}" for frame in frames[1:])]
-        files = [
-            folder / f"{self.name}.nc",
-            folder / f"{self.name}.md",
-            *(folder / f"{name}.csv" for name in names),
-        ]
-        with draft(files[0]) as path:
+            raise InputError("studies.folder", "out", folder=str(folder), reason=reason) from error
+        netcdf, text = folder / f"{self.name}.nc", folder / f"{self.name}.md"
+        with draft(netcdf) as path:
             self.data.to_netcdf(path, engine="scipy")
-        with draft(files[1]) as path:
+        with draft(text) as path:
             path.write_text(self.markdown(), encoding="utf-8")
-        for target, frame in zip(files[2:], frames, strict=True):
-            with draft(target) as path:
+        files = [netcdf, text]
+        for place, frame in enumerate(in_frames(self.data)):
+            files.append(folder / f"{self.name}{f'_{frame[0]}' if place else ''}.csv")
+            with draft(files[-1]) as path:
                 self.data[frame].to_dataframe().reset_index().to_csv(path, index=False)
         for name, figure in self.figures.items():
             files.append(folder / f"{self.name}_{name}.png")
@@ -113,3 +164,76 @@ def table_as_markdown(table: pd.DataFrame) -> str:
     rule = ["--:" if right else ":--" for right in numeric]
     rows = [[cell(value) for value in row] for row in table.itertuples(index=False)]
     return "\n".join("| " + " | ".join(cells) + " |" for cells in (heads, rule, *rows))
+
+
+def span(values: ArrayLike, form: str = ".2f") -> str:
+    """Return the smallest and the largest of some numbers as text, or one where both read the same.
+
+    Examples
+    --------
+    >>> span([0.5, 2.0, 1.0])
+    '0.50 to 2.00'
+    """
+    array = np.asarray(values, np.float64)
+    if not np.isfinite(array).any():
+        return "none"
+    low, high = format(np.nanmin(array), form), format(np.nanmax(array), form)
+    return low if low == high else f"{low} to {high}"
+
+
+def listed(values: ArrayLike, form: str = "g") -> str:
+    """Return numbers as text with commas between them, or "none"."""
+    return ", ".join(format(value, form) for value in np.ravel(values).tolist()) or "none"
+
+
+def increasing(
+    name: str | Phrase,
+    values: ArrayLike,
+    low: float = -np.inf,
+    high: float = np.inf,
+    unit: str = "",
+    *,
+    least: int = 1,
+    refusal: str = "studies.not_increasing",
+    **words: Any,
+) -> NDArray[np.float64]:
+    """Return values as an array, each within limits and above the one before.
+
+    Parameters
+    ----------
+    name : str or Phrase
+        What each value is called: an id of the catalogue, or a text in both languages.
+    values : array_like
+        The values.
+    low, high : float
+        Limits of each value.
+    unit : str
+        Their unit.
+    least : int
+        How many values there must be.
+    refusal : str
+        Id of the sentence that refuses values that are too few or do not increase.
+    **words
+        What that sentence needs besides ``name``, ``count`` and ``values``.
+
+    Raises
+    ------
+    InputError
+        Values out of range, too few, or not increasing.
+    """
+    array = np.array([within(name, value, low, high, unit) for value in np.ravel(values)])
+    if len(array) < least or (np.diff(array) <= 0.0).any():
+        raise InputError(refusal, name=phrase(name), count=len(array), values=array.tolist(), **words)
+    return array
+
+
+def rising(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """Return two or more rising values; ``name`` is the id in the catalogue of what they are.
+
+    Raises
+    ------
+    InputError
+        Fewer than two, or values that do not rise.
+    """
+    each, several = phrase("studies.one_of", name=phrase(name)), phrase(name)
+    return increasing(each, values, least=2, refusal="studies.not_rising", several=several)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from stayput.verification.compare import LEVELS, SLIDE_LIMIT, verify
+from stayput.montecarlo.counting import EVENTS, SLIDE_LIMIT, Quantiles
+from stayput.verification.compare import LEVELS, verify
 from stayput.verification.options import Option, options_of
-from stayput.verification.verdict import EVENTS, DeviceSummary, OptionVerdict, Quantiles, Verdict
+from stayput.verification.verdict import DeviceSummary, OptionVerdict, Verdict
 
 __all__ = [
     "EVENTS",

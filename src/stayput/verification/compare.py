@@ -1,4 +1,4 @@
-"""`verify`: what happens to a piece of furniture without and with each measure, and how likely it is."""
+"""`verify`: Monte Carlo comparison of a piece of furniture without and with each measure."""
 
 from __future__ import annotations
 
@@ -8,61 +8,60 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability, samples_needed
+from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.measures import hold
-from stayput.progress import bar
-from stayput.verification.devices import device_summaries
-from stayput.verification.draws import draws, rows_of
-from stayput.verification.estimates import Estimates
-from stayput.verification.hazard import Hazard
-from stayput.verification.options import options_of
-from stayput.verification.ranking import members, severity
-from stayput.verification.runs import Runs, run_level
-from stayput.verification.verdict import (
+from stayput.mechanics.devices.columns import HOLDS
+from stayput.montecarlo.counting import (
     DEVICE_FAILED,
     HIT_WALL,
     OVERTURNED,
     SLID,
-    OptionVerdict,
+    SLIDE_LIMIT,
     Quantiles,
-    Verdict,
 )
+from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.runs import run_level
+from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
+from stayput.progress import bar
+from stayput.verification.options import compared
+from stayput.verification.verdict import DeviceSummary, Estimates, Member, OptionVerdict, Verdict
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from numpy.typing import NDArray
 
     from stayput.fragility import FragilityCurve, IntensityMeasure, Probability
     from stayput.measures import Held
+    from stayput.montecarlo.hazard import FloorMotions
+    from stayput.montecarlo.runs import Runs
+    from stayput.montecarlo.sampling import Rows
     from stayput.scenario import Scenario
-    from stayput.verification.draws import Rows
-    from stayput.verification.hazard import Floors
     from stayput.verification.options import Option
 
 LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
 """JMA intensities of the ground for the fragility curves: from 4 to 7."""
 LEVELS.setflags(write=False)
 
-SLIDE_LIMIT = 0.10
-"""Slide that counts as too far where nothing is said [m]."""
-
-FIRST_SAMPLES = 4
-"""Samples of each motion before the precision is looked at for the first time."""
-
 CAPACITIES = (0.1, 0.5)
 """Shares of overturning for which the intensity is given."""
+
+ORDER = (OVERTURNED, SLID, DEVICE_FAILED, HIT_WALL)
+"""Events by which options are ranked, the most important first."""
+
+EQUAL = 0.005
+"""Probabilities that differ by no more than this are equal in the ranking: half a per cent."""
 
 
 @dataclass(slots=True, eq=False)
 class _Work:
-    """What is needed to run the options, and how far that has got."""
+    """The options to run, and how many runs are done."""
 
     options: tuple[Option, ...]
     scenario: Scenario
-    motions: int
-    seed: int
+    settings: Settings
     threads: int | None
     tell: Callable[[int], None]
     done: int = 0
@@ -70,13 +69,13 @@ class _Work:
     def rows(self, samples: int, start: int = 0) -> list[Rows]:
         """Return the rows of every option, for some samples of each motion."""
         body, room = self.scenario.furniture.body(), self.scenario.room.room()
-        drawn = draws(self.motions, samples, self.seed, start)
-        initial, gravity = self.scenario.initial.state(), self.scenario.gravity
-        return [rows_of(option, body, room, drawn, gravity, initial) for option in self.options]
+        drawn = draws(self.settings.motions, samples, self.settings.seed, start)
+        initial, gravity = self.scenario.initial.state(), self.settings.gravity
+        return [rows_of(body, room, option.measures, drawn, gravity, initial) for option in self.options]
 
-    def run(self, rows: list[Rows], floors: Floors) -> list[Runs]:
+    def run(self, rows: list[Rows], floors: FloorMotions) -> list[Runs]:
         """Run every option at a level."""
-        self.done += sum(len(one.cases) for one in rows)
+        self.done += sum(len(option_rows.cases) for option_rows in rows)
         return run_level(rows, floors, threads=self.threads, progress=self.tell)
 
 
@@ -89,7 +88,7 @@ def verify(
     progress: bool | None = None,
     told: Callable[[int, int], None] | None = None,
 ) -> Verdict:
-    """Compare what a scenario's measures do, over its motions and over what is not known.
+    """Compare a scenario's measures over its motions and over draws of the uncertain quantities.
 
     Every option meets the same motions and the same draws. At the scenario's own shaking samples are added
     until every probability is as precise as was asked, or as many as were allowed are done; then all are
@@ -118,20 +117,25 @@ def verify(
     Raises
     ------
     InputError
-        The paper's contact law, which knows no devices; a measure that cannot be applied; a record that
-        cannot be read.
+        The paper's contact law, which knows no devices; measures of which none can be applied; a record
+        that cannot be read.
     """
     began = time.perf_counter()
     if scenario.contact != "coulomb":
-        raise InputError(f'The contact is "{scenario.contact}"; a verification needs "coulomb".')
+        raise InputError(
+            "verification.needs_coulomb",
+            "contact",
+            contact=scenario.contact,
+            what=phrase("verification.a_verification"),
+        )
     rows = np.asarray(levels, np.float64)
     if np.any(np.diff(rows) <= 0.0):
-        raise InputError("The levels are not increasing; each must be higher than the one before it.")
-    options, shaking = options_of(scenario), scenario.shaking
+        raise InputError("verification.levels_not_increasing", "levels")
+    (options, impossible), shaking = compared(scenario), scenario.shaking
     ground = shaking.ground(scenario.folder)
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, vertical=bool(shaking.vertical))
-    most = max(1, -(-scenario.uncertainty.samples // len(ground)))
-    total = len(options) * len(ground) * most * (1 + len(rows))
+    settings = Settings.of(scenario, len(ground), slide_limit)
+    total = len(options) * len(ground) * settings.samples * (1 + len(rows))
     with bar(total, "Verifying", progress) as tell:
         seen = 0
 
@@ -142,11 +146,15 @@ def verify(
             if told is not None:
                 told(seen, total)
 
-        work = _Work(options, scenario, len(ground), scenario.uncertainty.seed, threads, count)
-        wanted = shaking.wanted_intensity
-        scale = 1.0 if shaking.scale is None else shaking.scale
-        floors = hazard.as_given(scale, threads) if wanted is None else hazard.at(wanted, threads)
-        here, samples, precise = _at_the_scenario(work, floors, most, scenario.uncertainty.precision)
+        work = _Work(options, scenario, settings, threads, count)
+        floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
+        # All options go on together, since they are compared sample by sample.
+        here, samples, precise = sample_until_precise(
+            len(options),
+            settings,
+            lambda _, samples, start: work.run(work.rows(samples, start), floors),
+            together=True,
+        )
         by_level, measures = _at_all_levels(work, hazard, rows, samples)
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures) for option in options]
@@ -162,51 +170,27 @@ def verify(
         samples=samples,
         runs=work.done,
         precise=precise,
-        seed=scenario.uncertainty.seed,
+        seed=settings.seed,
         seconds=time.perf_counter() - began,
+        impossible=impossible,
     )
-
-
-def _at_the_scenario(
-    work: _Work, floors: Floors, most: int, precision: float | None
-) -> tuple[list[Runs], int, bool]:
-    """Run the scenario's own shaking, more and more samples until the precision is reached."""
-    parts: list[list[Runs]] = [[] for _ in work.options]
-    done = 0
-    while True:
-        wanted = most if precision is None else min(most, max(FIRST_SAMPLES, 2 * done))
-        for kept, found in zip(parts, work.run(work.rows(wanted - done, done), floors), strict=True):
-            kept.append(found)
-        done = wanted
-        joined = [Runs.joined(kept) for kept in parts]
-        if precision is None:
-            return joined, done, True
-        found = [probability(runs.overturned, runs.missing) for runs in joined]
-        plans = [samples_needed(one, precision) for one in found if one.runs]
-        enough = all(plan.samples <= done for plan in plans if plan.reachable)
-        if enough or done >= most:
-            return (
-                joined,
-                done,
-                enough and len(plans) == len(joined) and all(plan.reachable for plan in plans),
-            )
 
 
 def _at_all_levels(
     work: _Work, hazard: Hazard, levels: NDArray[np.float64], samples: int
-) -> tuple[list[list[Runs]], list[Floors]]:
+) -> tuple[list[list[Runs]], list[FloorMotions]]:
     rows = work.rows(samples) if len(levels) else []
-    found: list[list[Runs]] = []
-    measures: list[Floors] = []
+    by_level: list[list[Runs]] = []
+    measures: list[FloorMotions] = []
     for level in levels:
         floors = hazard.at(float(level), work.threads)
-        found.append(work.run(rows, floors))
+        by_level.append(work.run(rows, floors))
         measures.append(floors)
-    return found, measures
+    return by_level, measures
 
 
 def _curves(
-    number: int, name: str, by_level: list[list[Runs]], measures: list[Floors]
+    number: int, name: str, by_level: list[list[Runs]], measures: list[FloorMotions]
 ) -> dict[IntensityMeasure, FragilityCurve]:
     if not by_level:
         return {}
@@ -221,32 +205,22 @@ def _curves(
     }
 
 
-def _probabilities(runs: Runs, slide_limit: float) -> dict[str, Probability]:
-    happened = {
-        OVERTURNED: runs.overturned,
-        SLID: runs.slide > slide_limit,
-        HIT_WALL: runs.hit_wall,
-        DEVICE_FAILED: runs.device_failed,
-    }
-    return {event: probability(values, runs.missing) for event, values in happened.items()}
-
-
 def _verdicts(
     options: tuple[Option, ...],
     held: list[Held],
     here: list[Runs],
     by_level: list[list[Runs]],
-    measures: list[Floors],
+    measures: list[FloorMotions],
     slide_limit: float,
 ) -> tuple[OptionVerdict, ...]:
-    chances = [_probabilities(runs, slide_limit) for runs in here]
+    chances = [runs.probabilities(slide_limit) for runs in here]
     order = sorted(range(len(options)), key=lambda i: (*severity(chances[i], len(options[i].measures)), i))
-    found: list[OptionVerdict] = []
+    verdicts: list[OptionVerdict] = []
     for rank, i in enumerate(order, start=1):
         runs, option = here[i], options[i]
         curves = _curves(i, option.name, by_level, measures)
         typical, worst = members(runs)
-        found.append(
+        verdicts.append(
             OptionVerdict(
                 option=option,
                 rank=rank,
@@ -263,4 +237,55 @@ def _verdicts(
                 worst=worst,
             )
         )
-    return tuple(found)
+    return tuple(verdicts)
+
+
+def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:
+    """Return a summary of each force element of a measure.
+
+    Parameters
+    ----------
+    held : Held
+        The body with the measures, as stated.
+    runs : Runs
+        Its runs.
+    """
+    nowhere = np.zeros_like(runs.overturned)
+    summaries: list[DeviceSummary] = []
+    for number, element in enumerate(held.elements):
+        device = runs.devices[:, :, number]
+        along = np.maximum(device["peak_pull"], device["peak_push"])
+        force = runs.masses * np.hypot(along, device["peak_shear"])
+        failed = device["failure"] != HOLDS
+        times = device["failure_time"][failed & ~runs.missing]
+        summaries.append(
+            DeviceSummary(
+                kind=element.kind,
+                name=f"{element.kind} {element.place}".strip(),
+                failed=probability(failed, runs.missing),
+                failure_time=float(np.median(times)) if times.size else np.nan,
+                peak=Quantiles.of(force, nowhere),
+                used=Quantiles.of(runs.used[:, :, number], nowhere),
+            )
+        )
+    return tuple(summaries)
+
+
+def severity(probabilities: Mapping[str, Probability], cost: int) -> tuple[float, ...]:
+    """Return what options are sorted by: the probabilities in `ORDER`, then the number of measures."""
+    shares = (probabilities[event].estimate for event in ORDER)
+    return (*(round(share / EQUAL) * EQUAL if np.isfinite(share) else 1.0 for share in shares), float(cost))
+
+
+def members(runs: Runs) -> tuple[Member, Member]:
+    """Return the run of median severity, and the worst: by overturning, then by tilt, then by slide."""
+    order = np.lexsort((runs.slide.ravel(), runs.tilt.ravel(), runs.overturned.ravel()))
+    given = order[~runs.missing.ravel()[order]]
+    ranked = given if len(given) else order
+    samples = runs.tilt.shape[1]
+
+    def member(place: int) -> Member:
+        number = int(ranked[place])
+        return Member(number // samples, number % samples)
+
+    return member((len(ranked) - 1) // 2), member(len(ranked) - 1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures import MEASURES, hold
 
@@ -30,24 +31,33 @@ USUAL = (
 COMBINED = ("wedge_stopper", "tension_pole")
 """The usual pair: each makes up for what the other lacks."""
 
-NOTHING = ("No measure", "対策なし")
+YOURS = "yours"
+"""Name of the set that is put together on the app's page; the user has not chosen it."""
+
+NOTHING = phrase("verification.no_measure")
 """What the option without a measure is called, in English and Japanese."""
 
 
 @dataclass(frozen=True, slots=True)
 class Option:
-    """One of the things that may be done.
+    """A set of measures that is compared with others.
 
     Parameters
     ----------
     name : str
         What the user calls it; unique.
     measures : tuple of Measure
-        What is done; nothing for the option without a measure.
+        The measures; none for the option without a measure.
     """
 
     name: str
     measures: tuple[Measure, ...] = ()
+
+    @property
+    def own_name(self) -> bool:
+        """Whether the name is the user's own, and not made of its measures' types."""
+        kinds = [measure.kind for measure in self.measures]
+        return bool(kinds) and self.name not in (" + ".join(kinds), "+".join(kinds), YOURS)
 
     def label(self, language: str) -> str:
         """Return what it is called in "en" or "ja"."""
@@ -58,18 +68,72 @@ class Option:
         return joint.join(measure.label[which] for measure in self.measures)
 
 
+@dataclass(frozen=True, slots=True)
+class Impossible:
+    """An option that cannot be put in place: it has no numbers, not even 0.
+
+    Parameters
+    ----------
+    option : Option
+        The measures.
+    error : InputError
+        Why not.
+    """
+
+    option: Option
+    error: InputError
+
+    @property
+    def reason(self) -> str:
+        """Why not, in English."""
+        return str(self.error)
+
+    def why(self, language: str) -> str:
+        """Return why not, in "en" or "ja"."""
+        return self.error.told("ja" if language == "ja" else "en")
+
+
+def parted(
+    options: Sequence[Option], body: Body, room: Room
+) -> tuple[tuple[Option, ...], tuple[Impossible, ...]]:
+    """Return those options that can be put in place, and those that cannot with the reason."""
+    possible: list[Option] = []
+    impossible: list[Impossible] = []
+    for option in options:
+        try:
+            hold(body, room, option.measures)
+        except InputError as error:  # no wall behind, no ceiling known, an anchor above the ceiling
+            impossible.append(Impossible(option, error.with_traceback(None)))
+        else:
+            possible.append(option)
+    return tuple(possible), tuple(impossible)
+
+
+def _usual() -> tuple[Option, ...]:
+    sets = [(name,) for name in USUAL] + [COMBINED]
+    return tuple(Option(" + ".join(names), tuple(MEASURES[name]() for name in names)) for names in sets)
+
+
 def usual_options(body: Body, room: Room) -> tuple[Option, ...]:
     """Return the usual measures, each alone, and the usual pair: those that can be applied here."""
-    sets = [(name,) for name in USUAL] + [COMBINED]
-    found: list[Option] = []
-    for names in sets:
-        measures = tuple(MEASURES[name]() for name in names)
-        try:
-            hold(body, room, measures)
-        except InputError:  # no wall behind, no ceiling known
-            continue
-        found.append(Option(" + ".join(names), measures))
-    return tuple(found)
+    return parted(_usual(), body, room)[0]
+
+
+def compared(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible, ...]]:
+    """Return the options that a verification compares, that without a measure first, and the impossible ones.
+
+    Raises
+    ------
+    InputError
+        Measures of which none can be applied there, or two of one name.
+    """
+    named = tuple(Option(one.name, one.measures) for one in scenario.measures)
+    _refuse_twice((Option("none"), *named))
+    body, room = scenario.furniture.body(), scenario.room.room()
+    possible, impossible = parted(named or _usual(), body, room)
+    if named and not possible:
+        raise impossible[0].error
+    return (Option("none"), *possible), impossible
 
 
 def options_of(scenario: Scenario) -> tuple[Option, ...]:
@@ -93,4 +157,4 @@ def _refuse_twice(options: Sequence[Option]) -> None:
     names = [option.name for option in options]
     for name in names:
         if names.count(name) > 1:
-            raise InputError(f"Two measures are named {name!r}; each must have a name of its own.")
+            raise InputError("verification.two_of_one_name", "measures", name=repr(name))

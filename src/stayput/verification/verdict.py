@@ -1,4 +1,4 @@
-"""What a verification says: of every option the probabilities, the capacity, and its place."""
+"""The result of a verification: for every option its probabilities, capacity and rank."""
 
 from __future__ import annotations
 
@@ -7,42 +7,58 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.estimates import ishiyama_velocity, kaneko_hayashi, rocking_acceleration
+from stayput.fragility import PFA, PFV
+
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
     from numpy.typing import NDArray
 
+    from stayput.body import Body
     from stayput.fragility import Capacity, Difference, FragilityCurve, IntensityMeasure, Probability
+    from stayput.measures.parameters import Grade
+    from stayput.montecarlo.counting import Quantiles
+    from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
-    from stayput.verification.estimates import Estimates
-    from stayput.verification.options import Option
-
-OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED = "overturned", "slid", "hit_wall", "device_failed"
-EVENTS = (OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED)
-"""What may happen: it turns over; it slides farther than the limit; it hits a wall; a device fails."""
+    from stayput.verification.options import Impossible, Option
 
 
 @dataclass(frozen=True, slots=True)
-class Quantiles:
-    """Median and 90 % quantile of a peak over all runs; infinite where so many overturn."""
+class Estimates:
+    """Quick estimates by formulas of the piece without a measure, on a floor on which it does not slide.
 
-    median: float
-    p90: float
+    Parameters
+    ----------
+    rocking_acceleration : float
+        Floor acceleration at which rocking starts (West) [m/s²].
+    overturning_velocity : float
+        Floor velocity that overturning needs as well (Ishiyama 1982) [m/s].
+    possible : float
+        Share of the motions that reach both.
+    overturning_ratio : float
+        Share that overturns by Kaneko and Hayashi, on average over the motions.
+    """
+
+    rocking_acceleration: float
+    overturning_velocity: float
+    possible: float
+    overturning_ratio: float
 
     @classmethod
-    def of(cls, peaks: NDArray[np.float64], overturned: NDArray[np.bool_]) -> Quantiles:
-        """Return the quantiles of peaks, those of bodies that overturn counted as infinite."""
-        values = np.sort(np.where(overturned, np.inf, peaks).ravel())
-        if values.size == 0:
-            return cls(np.nan, np.nan)
-        last = len(values) - 1
-        return cls(float(values[round(0.5 * last)]), float(values[round(0.9 * last)]))
+    def of(cls, body: Body, floors: FloorMotions, gravity: float) -> Estimates:
+        """Return the estimates of a body under the motions of a level."""
+        b, h = body.width, body.height
+        a, v = floors.measures[PFA], floors.measures[PFV]
+        a0, v0 = rocking_acceleration(b, h, gravity), ishiyama_velocity(b, h, gravity)
+        ratios = [kaneko_hayashi(b, h, float(x), float(y), gravity).ratio for x, y in zip(a, v, strict=True)]
+        return cls(a0, v0, float(np.mean((a >= a0) & (v >= v0))), float(np.mean(ratios)))
 
 
 @dataclass(frozen=True, slots=True)
 class DeviceSummary:
-    """What became of one device over all runs.
+    """Summary of one device over all runs.
 
     Parameters
     ----------
@@ -79,7 +95,7 @@ class Member:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class OptionVerdict:
-    """What happens with one option: no measure, or one or several of them.
+    """Results of one option: no measure, or one or several of them.
 
     Parameters
     ----------
@@ -123,7 +139,7 @@ class Verdict:
     Parameters
     ----------
     scenario : Scenario
-        What was asked.
+        The scenario.
     intensity : float
         JMA intensity of the ground.
     slide_limit : float
@@ -135,7 +151,7 @@ class Verdict:
     levels : ndarray, shape (levels,)
         JMA intensities of the fragility curves.
     motions, samples : int
-        Motions, and draws of what is not known for each.
+        Motions, and Monte Carlo samples of each.
     runs : int
         Simulations in all.
     precise : bool
@@ -144,6 +160,8 @@ class Verdict:
         Seed of the draws.
     seconds : float
         How long it took.
+    impossible : tuple of Impossible
+        Options that cannot be put in place here, with the reason.
     """
 
     scenario: Scenario
@@ -158,6 +176,7 @@ class Verdict:
     precise: bool
     seed: int
     seconds: float
+    impossible: tuple[Impossible, ...] = ()
 
     @property
     def without(self) -> OptionVerdict:
@@ -174,6 +193,19 @@ class Verdict:
         from stayput.verification.words import headline
 
         return headline(self, language)
+
+    def grade(self, one: OptionVerdict) -> Grade:
+        """Return how well founded the numbers of an option are: the grade of its weakest input."""
+        from stayput.verification.grades import grade
+
+        return grade(one.option, self.scenario)
+
+    def notes(self, language: str = "en") -> tuple[str, ...]:
+        """Return what must be said beside the numbers, in "en" or "ja"; see `stayput.verification.notes`."""
+        from stayput.catalogue import LANGUAGES
+        from stayput.verification.notes import notes
+
+        return tuple(note[LANGUAGES.index(language)] for note in notes(self))
 
     def to_json(self) -> str:
         """Return the verdict as JSON; keys carry their units."""

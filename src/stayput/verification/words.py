@@ -1,157 +1,151 @@
-"""A verdict in plain sentences, English and Japanese."""
+"""A verdict in plain sentences, English and Japanese: which ones apply, and what stands in them.
+
+The sentences themselves are in `stayput.catalogue.verification`.
+"""
 
 from __future__ import annotations
 
 import math
 from typing import TYPE_CHECKING
 
+from stayput.catalogue import LANGUAGES, phrase
+from stayput.catalogue.names import INTENSITIES
 from stayput.fragility.probabilities import percent
+from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, SLID
 from stayput.motion.intensity import intensity_class
-from stayput.verification.verdict import DEVICE_FAILED, HIT_WALL, OVERTURNED, SLID
+from stayput.wording import FAR, inside, is_open
 
 if TYPE_CHECKING:
+    from stayput.catalogue import Phrase
     from stayput.verification.options import Option
     from stayput.verification.verdict import OptionVerdict, Verdict
-
-LANGUAGES = ("en", "ja")
 
 ALIKE = 0.05
 """Shares that differ by less than this, and not clearly, are called about the same."""
 
-_CLASSES_JA = {"5-lower": "5弱", "5-upper": "5強", "6-lower": "6弱", "6-upper": "6強"}
+SMALL = 0.005
+"""A share below this is not mentioned."""
 
-EVENT_LABELS = {
-    OVERTURNED: ("overturns", "転倒"),
-    SLID: ("slides too far", "大きく移動"),
-    HIT_WALL: ("hits a wall", "壁に衝突"),
-    DEVICE_FAILED: ("a device fails", "器具が破損"),
-}
+EVENT_LABELS = {event: phrase(f"verification.event_{event}") for event in EVENTS}
 """The events, in English and Japanese."""
+
+
+def _class(intensity: float) -> Phrase:
+    return INTENSITIES[intensity_class(intensity)]
 
 
 def class_label(intensity: float, language: str) -> str:
     """Return the class of a JMA intensity: "6-upper", or "震度6強"."""
-    name = intensity_class(intensity)
-    return name if language == "en" else f"震度{_CLASSES_JA.get(name, name)}"
+    return _class(intensity)[LANGUAGES.index(language)]
 
 
-def _percent(share: float, language: str) -> str:
-    return f"{percent(share)} %" if language == "en" else f"{percent(share)}%"
+def _percent(share: float) -> Phrase:
+    return f"{percent(share)} %", f"{percent(share)}%"
 
 
 def _of_the_cases(share: float) -> str:
     """Return a share in English: "in 12 % of the cases", "in none of the cases"."""
-    amount = {0.0: "none", 1.0: "all"}.get(share, _percent(share, "en"))
+    amount = {0.0: "none", 1.0: "all"}.get(share, _percent(share)[0])
     return f"in {amount} of the cases"
 
 
-def _centimetres(length: float) -> str:
-    return f"{100.0 * length:.0f} cm" if length >= 0.095 else f"{100.0 * length:.1f} cm"
+def _falls(share: float) -> Phrase:
+    """Return how often it overturns: "in 12 % of the cases", "12%の場合に転倒します"."""
+    key = {0.0: "verification.never_falls", 1.0: "verification.always_falls"}.get(share, "verification.falls")
+    return phrase(key, share=_percent(share))
 
 
 def title(option: Option, verdict: Verdict, language: str) -> str:
-    """Return what an option is called; with the user's name for it where another has the same measures."""
+    """Return what an option is called; with its name where that is the user's own or tells two apart."""
+    return option.label(language) + _aside(option, verdict, language)
+
+
+def _title_inside(option: Option, verdict: Verdict) -> Phrase:
+    """Return what an option is called within a sentence."""
+    english = inside(option.label("en")) + _aside(option, verdict, "en")
+    return english, title(option, verdict, "ja")
+
+
+def _aside(option: Option, verdict: Verdict, language: str) -> str:
     label = option.label(language)
-    alike = sum(one.option.label(language) == label for one in verdict.options)
-    if alike == 1:
-        return label
-    return f"{label} ({option.name})" if language == "en" else f"{label}（{option.name}）"
+    alone = sum(one.option.label(language) == label for one in verdict.options) == 1
+    if not option.measures or (alone and not option.own_name):
+        return ""
+    return f" ({option.name})" if language == "en" else f"（{option.name}）"
+
+
+def length(metres: float) -> str:
+    """Return a length as a person reads it: "0.3 cm", "12 cm", "1.5 m"."""
+    if metres >= 0.995:
+        return f"{metres:.1f} m"
+    return f"{100.0 * metres:.0f} cm" if metres >= 0.095 else f"{100.0 * metres:.1f} cm"
+
+
+def slides_off(option: OptionVerdict, verdict: Verdict) -> bool:
+    """Return whether a tenth of the runs slide beyond `FAR` where the room is open to a side."""
+    room = verdict.scenario.room.room()
+    return math.isfinite(option.slide.p90) and option.slide.p90 > FAR and is_open(room)
 
 
 def headline(verdict: Verdict, language: str) -> str:
     """Return the verdict in one sentence."""
+    return _headline(verdict)[LANGUAGES.index(language)]
+
+
+def _headline(verdict: Verdict) -> Phrase:
     without, best = verdict.without, verdict.best
     name = verdict.scenario.furniture.title
-    falls = without.probabilities[OVERTURNED].estimate
-    if math.isnan(falls):
-        told = "No run without a measure could be followed to its end, so nothing can be said."
-        return told if language == "en" else "対策なしの計算が最後まで進まなかったため、判定できません。"
-    strength = class_label(verdict.intensity, language)
-    if best.option.measures and best.probabilities[OVERTURNED].estimate < falls - 0.005:
+    share = without.probabilities[OVERTURNED].estimate
+    if math.isnan(share):
+        return phrase("verification.no_run_without_a_measure")
+    strength, falls = _class(verdict.intensity), _falls(share)
+    if best.option.measures and best.probabilities[OVERTURNED].estimate < share - SMALL:
         held = best.probabilities[OVERTURNED].estimate
-        label = title(best.option, verdict, language)
         unclear = best.change is not None and not best.change.clear
-        if language == "en":
-            chance = ", which may be chance: the runs are too few" if unclear else ""
-            return (
-                f"In shaking of JMA intensity {strength} the {name} overturns {_of_the_cases(falls)}; "
-                f"with {_lowered(label)}, {_of_the_cases(held).removesuffix(' of the cases')}{chance}."
-            )
-        chance = "計算数が少なく、偶然の差かもしれません。" if unclear else ""
-        told = f"{strength}の揺れで、この家具は{_percent(falls, language)}の場合に転倒します。"
-        if held == 0.0:
-            return f"{told}{label}があれば、計算した場合のいずれでも転倒しません。{chance}"
-        return f"{told}{label}があれば{_percent(held, language)}です。{chance}"
-    if language == "en":
-        if falls < 0.005:
-            return f"In shaking of JMA intensity {strength} the {name} stays upright without any measure."
-        return (
-            f"In shaking of JMA intensity {strength} the {name} overturns {_of_the_cases(falls)}, "
-            "and no measure that was compared makes it clearly less."
+        then = "verification.then_never" if held == 0.0 else "verification.then_falls"
+        return phrase(
+            "verification.better",
+            strength=strength,
+            name=name,
+            falls=falls,
+            measure=_title_inside(best.option, verdict),
+            then=phrase(then, share=_percent(held)),
+            chance=phrase("verification.may_be_chance") if unclear else "",
         )
-    if falls < 0.005:
-        return f"{strength}の揺れでも、この家具は対策なしで転倒しません。"
-    told = f"{strength}の揺れで、この家具は{_percent(falls, language)}の場合に転倒します。"
-    return f"{told}比較した対策では明らかには減りません。"
-
-
-def _lowered(label: str) -> str:
-    return label[:1].lower() + label[1:] if not label[:2].isupper() and label[1:2] != "-" else label
+    key = "verification.stays_upright" if share < SMALL else "verification.none_helps"
+    return phrase(key, strength=strength, name=name, falls=falls)
 
 
 def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
     """Return why an option stands where it does, in one plain sentence."""
-    english = language == "en"
-    shares = {event: found.estimate for event, found in option.probabilities.items()}
-    falls = verdict.without.probabilities[OVERTURNED].estimate
-    if math.isnan(shares[OVERTURNED]):
-        told = "No run could be followed to its end."
-        return told if english else "最後まで進んだ計算がありません。"
-    parts: list[str] = []
+    if math.isnan(option.probabilities[OVERTURNED].estimate):
+        return phrase("verification.no_run")[LANGUAGES.index(language)]
+    parts = [part[LANGUAGES.index(language)] for part in _reasons(option, verdict)]
+    text = "; ".join(parts) if language == "en" else "。".join(parts)
+    return f"{text[:1].upper()}{text[1:]}." if language == "en" else f"{text}。"
+
+
+def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
+    shares = {event: chance.estimate for event, chance in option.probabilities.items()}
+    bare, held = verdict.without.probabilities[OVERTURNED].estimate, shares[OVERTURNED]
+    values = {"bare": _percent(bare), "held": (_of_the_cases(held), _percent(held)[1])}
+    parts: list[Phrase] = []
     if option.change is None:
-        parts.append(
-            f"it overturns {_of_the_cases(falls)}"
-            if english
-            else f"{_percent(falls, language)}の場合に転倒します"
-        )
+        parts.append(phrase("verification.overturns", falls=_falls(bare)))
     elif not option.change.clear and not abs(option.change.estimate) >= ALIKE:  # nor where it is unknown
-        parts.append(
-            "it overturns about as often as without a measure"
-            if english
-            else "転倒する割合は対策なしと明らかな差がありません"
-        )
+        parts.append(phrase("verification.about_as_often"))
     elif not option.change.clear:
-        bare, held = _percent(falls, language), _percent(shares[OVERTURNED], language)
-        parts.append(
-            f"it overturns {_of_the_cases(shares[OVERTURNED])} instead of {bare}, which may be chance"
-            if english
-            else f"転倒は対策なしの{bare}に対し{held}ですが、偶然の差かもしれません"
-        )
+        parts.append(phrase("verification.less_or_more_by_chance", **values))
     elif option.change.estimate < 0.0:
-        parts.append(
-            f"it overturns {_of_the_cases(shares[OVERTURNED])} instead of {_percent(falls, language)}"
-            if english
-            else f"転倒は{_percent(falls, language)}から{_percent(shares[OVERTURNED], language)}に減ります"
-        )
+        parts.append(phrase("verification.less_often", **values))
     else:
-        parts.append(
-            f"it overturns more often than without a measure, {_of_the_cases(shares[OVERTURNED])}"
-            if english
-            else f"転倒は対策なしより増えて{_percent(shares[OVERTURNED], language)}です"
-        )
+        parts.append(phrase("verification.more_often", **values))
     if shares[DEVICE_FAILED] >= 0.05:
-        parts.append(
-            f"a device fails in {_percent(shares[DEVICE_FAILED], language)}"
-            if english
-            else f"器具は{_percent(shares[DEVICE_FAILED], language)}の場合に破損または脱落します"
-        )
-    if math.isfinite(option.slide.p90) and option.slide.p90 >= 0.01:
-        parts.append(
-            f"in nine of ten it slides by {_centimetres(option.slide.p90)} at most"
-            if english
-            else f"10回中9回は移動が{_centimetres(option.slide.p90)}以内です"
-        )
-    elif shares[SLID] < 0.005 and shares[OVERTURNED] < 0.005:
-        parts.append("it stays where it is" if english else "その場に留まります")
-    text = "; ".join(parts) if english else "。".join(parts)
-    return f"{text[:1].upper()}{text[1:]}." if english else f"{text}。"
+        parts.append(phrase("verification.device_fails", share=_percent(shares[DEVICE_FAILED])))
+    if slides_off(option, verdict):
+        parts.append(phrase("verification.slides_far", far=FAR))
+    elif math.isfinite(option.slide.p90) and option.slide.p90 >= 0.01:
+        parts.append(phrase("verification.slides", length=length(option.slide.p90)))
+    elif shares[SLID] < SMALL and shares[OVERTURNED] < SMALL:
+        parts.append(phrase("verification.stays_where_it_is"))
+    return parts

@@ -30,6 +30,7 @@ const sent = (content, signal) => ({
   signal,
 });
 
+export const ping = () => json("ping");
 export const presets = () => json("presets");
 export const simulate = (content, signal) => json("simulate", sent(content, signal));
 export const sizeMap = (content, signal) => json("size-map", sent(content, signal));
@@ -39,8 +40,9 @@ export const cancel = (id) => ask(`jobs/${id}`, { method: "DELETE", keepalive: t
 export const toml = async (content) => (await ask("scenario/toml", sent(content))).text();
 export const runAsCsv = async (content, which) =>
   (await ask(`simulate/csv?which=${which}`, sent(content))).text();
-export const motion = (id) => json(`motions/${id}`);
-export const motionPreview = (id) => json(`motions/${id}/preview`);
+const chosen = (component) => (component ? `?component=${encodeURIComponent(component)}` : "");
+export const motion = (id, component) => json(`motions/${id}${chosen(component)}`);
+export const motionPreview = (id, component) => json(`motions/${id}/preview${chosen(component)}`);
 
 /** Sends a record; unit, time step dt [s] and the component only where its file does not say them. */
 export function upload(file, said, signal) {

@@ -1,7 +1,7 @@
 // The building from outside, swaying: the ground, the storey of the furniture, the roof. Not to scale across.
 
-import { ink, line, prepared } from "./inks.js";
-import { at } from "./runs.js";
+import { at } from "./canvas/painter.js";
+import { ink, line, prepared } from "./canvas/pen.js";
 
 /** Draws the building at a time; its sway is drawn larger than it is. */
 export function drawBuilding(canvas, building, floor, t) {

@@ -32,9 +32,6 @@ function filled(element, properties, children) {
 /** Replaces the content of an element. */
 export const fill = (element, ...children) => element.replaceChildren(...children.flat());
 
-/** Whether the reader has asked the system for less motion. */
-export const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
-
 /** Whether one screen is shown at a time. */
 export const narrow = () => matchMedia("(max-width: 63.99rem)").matches;
 
@@ -47,19 +44,6 @@ export function settled(milliseconds, work) {
   return (...given) => {
     clearTimeout(timer);
     timer = setTimeout(() => work(...given), milliseconds);
-  };
-}
-
-/** A function that runs at most once before the next picture is drawn. */
-export function beforeNextFrame(work) {
-  let asked = false;
-  return () => {
-    if (asked) return;
-    asked = true;
-    requestAnimationFrame(() => {
-      asked = false;
-      work();
-    });
   };
 }
 

@@ -31,27 +31,21 @@ export function show(verdict) {
   );
   if (!chosen.length) return fill(part("fragility"));
   W = widthFor(part("fragility"));
-  const here = Math.min(HIGH, Math.max(LOW, verdict.intensity));
+  const known = verdict.intensity !== null,
+    here = Math.min(HIGH, Math.max(LOW, verdict.intensity ?? LOW));
   const picture = svg(
     "svg",
     {
       viewBox: `0 0 ${W} ${H}`,
       class: "chart",
       role: "img",
-      "aria-label": t("fragilityAlt", { here: number(verdict.intensity, 2) }),
+      "aria-label": t("fragilityAlt", { here: known ? number(verdict.intensity, 2) : t("notKnown") }),
     },
     ...classes(),
     ...grid(),
     ...chosen.map(band),
     ...chosen.map(curve),
-    svg("path", { class: "here", d: `M${x(here)} ${TOP}V${y(0)}` }),
-    svg("text", {
-      class: "heretext",
-      x: x(here) + (here > 6 ? -6 : 6),
-      y: TOP + 14,
-      "text-anchor": here > 6 ? "end" : "start",
-      text: t("here"),
-    }),
+    ...(known ? [svg("path", { class: "here", d: `M${x(here)} ${TOP}V${y(0)}` }), hereText(here)] : []),
     ...titles((LEFT + W - RIGHT) / 2, H, (TOP + H - FOOT) / 2, t("intensityAxis"), t("chanceAxis")),
   );
   const key = el(
@@ -76,17 +70,27 @@ export function show(verdict) {
   fill(part("fragility"), picture, key, el("p", { class: "hint", text: t("fragilityNote") }));
 }
 
+const hereText = (here) =>
+  svg("text", {
+    class: "heretext",
+    x: x(here) + (here > 6 ? -6 : 6),
+    y: TOP + 14,
+    "text-anchor": here > 6 ? "end" : "start",
+    text: t("here"),
+  });
+
 const name = (one) => (one.measures.length ? both(one.label) : t("without"));
 
-/** An intensity with the range that it surely lies in; only a bound where the simulations do not reach it. */
-function capacity({ estimate, low, high }) {
+/** An intensity with the range that it surely lies in; only bounds where the simulations do not reach it. */
+function capacity({ estimate, low, high, above, below, one_motion: alone }) {
   const digits = (value) => number(value, 2);
-  if (estimate === null)
-    return low !== null
-      ? t("above", { at: digits(low) })
-      : high !== null
-        ? t("below", { at: digits(high) })
-        : t("unknown");
+  if (estimate === null) {
+    if (above !== null && below !== null)
+      return t("within", { low: digits(above), high: digits(below) });
+    if (above !== null) return t("above", { at: digits(above) });
+    return below !== null ? t("below", { at: digits(below) }) : t("unknown");
+  }
+  if (alone) return t("alone", { at: digits(estimate) });
   return low !== null && high !== null
     ? t("between", { at: digits(estimate), low: digits(low), high: digits(high) })
     : digits(estimate);
@@ -138,7 +142,7 @@ function band({ curve: { intensity, low, high } }, i) {
 
 function curve({ curve: { intensity, probability, observed } }, i) {
   const dots = (observed ?? [])
-    .filter((one) => one.intensity >= LOW && one.intensity <= HIGH)
+    .filter((one) => one.estimate !== null && one.intensity >= LOW && one.intensity <= HIGH)
     .map((one) =>
       svg(
         "path",

@@ -2,8 +2,8 @@
 // for all.
 
 import { label, ticks } from "./axes.js";
-import { ink, line, prepared } from "./inks.js";
-import { t as say } from "./words.js";
+import { ink, line, prepared } from "./canvas/pen.js";
+import { both, number, t as say } from "./words.js";
 
 const LEFT = 58,
   RIGHT = 12,
@@ -11,6 +11,25 @@ const LEFT = 58,
   GAP = 26,
   FOOT = 34;
 const DEGREES = 180 / Math.PI;
+const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
+
+/** The devices whose forces are drawn, those that used most of their strength, in their own order. */
+function drawn(run) {
+  const most = [...run.devices].sort((a, b) => (b.utilisation ?? 0) - (a.utilisation ?? 0));
+  const chosen = new Set(most.slice(0, DASHES.length));
+  return run.devices.filter((one) => chosen.has(one));
+}
+
+/** What the lines of the devices' forces are: {name, dash} for each, and how many devices have none. */
+export function deviceKey({ runs }) {
+  const run = runs.at(-1),
+    lines = drawn(run);
+  const name = (one) => [both(one.label), one.place].filter(Boolean).join(", ");
+  return {
+    lines: lines.map((one, i) => ({ name: name(one), dash: DASHES[i].join(" ") })),
+    more: run.devices.length - lines.length,
+  };
+}
 
 /** The panels of a result: titles, units and series; the second run's lines are dashed. */
 function panels({ floor, runs }, end) {
@@ -39,24 +58,25 @@ function panels({ floor, runs }, end) {
     },
     { title: say("slide"), unit: "cm", lines: series((run) => run.slide_m, 100), floor: 0.5 },
   ];
-  const devices = runs.at(-1).devices;
+  const devices = drawn(runs.at(-1));
   if (devices.length)
     made.push({
       title: say("force"),
       unit: "N",
       floor: 1,
-      lines: devices.slice(0, 4).map((one, i) => ({
+      lines: devices.map((one, i) => ({
         times: runs.at(-1).time_s,
         factor: 1,
         colour: ink.record,
-        dash: [[], [7, 4], [2, 3], [9, 3, 2, 3]][i],
+        dash: DASHES[i],
         values: one.pull_n.map((pull, k) => Math.hypot(pull, one.shear_n[k])),
       })),
     });
-  for (const panel of made) panel.span = reach(panel, end);
+  for (const panel of made) Object.assign(panel, reach(panel, end));
   return made;
 }
 
+/** The values that a panel shows, and the largest one beyond them where it shows less than there is. */
 function reach({ lines, floor = 0.01, most = Infinity }, end) {
   let low = 0,
     high = 0;
@@ -67,10 +87,13 @@ function reach({ lines, floor = 0.01, most = Infinity }, end) {
       high = Math.max(high, value * factor);
     });
   const wide = Math.max(floor, high, -low);
-  return [
-    Math.max(-most, low < 0 ? Math.min(low, -0.15 * wide) : 0),
-    Math.min(most, Math.max(high, 0.15 * wide)),
-  ];
+  return {
+    span: [
+      Math.max(-most, low < 0 ? Math.min(low, -0.15 * wide) : 0),
+      Math.min(most, Math.max(high, 0.15 * wide)),
+    ],
+    beyond: { above: high > most ? high : null, below: low < -most ? low : null },
+  };
 }
 
 const still = document.createElement("canvas");
@@ -127,7 +150,7 @@ function drawStill(width, height) {
   shown.panels.forEach((panel, i) => drawPanel(pen, panel, i * (BAND + GAP) + GAP, width, across));
 }
 
-function drawPanel(pen, { title, unit, lines, span: [low, high] }, top, width, across) {
+function drawPanel(pen, { title, unit, lines, span: [low, high], beyond }, top, width, across) {
   const up = (value) => top + BAND - (BAND * (value - low)) / (high - low);
   pen.fillStyle = ink.ink;
   pen.textAlign = "left";
@@ -157,4 +180,16 @@ function drawPanel(pen, { title, unit, lines, span: [low, high] }, top, width, a
     line(pen, colour, 1.6, points);
   }
   pen.restore();
+  drawBeyond(pen, beyond, unit, top, width);
+}
+
+/** Says at the edge of a panel that a line goes on beyond it, and how far. */
+function drawBeyond(pen, { above, below }, unit, top, width) {
+  pen.fillStyle = ink.alarm;
+  pen.font = "bold 12px system-ui, sans-serif";
+  pen.textAlign = "right";
+  const told = (arrow, value) => `${arrow} ${say("beyond", { value: number(value), unit })}`;
+  if (above !== null) pen.fillText(told("▲", above), width - RIGHT, top - 8);
+  if (below !== null) pen.fillText(told("▼", below), width - RIGHT, top + BAND + 13);
+  pen.font = "12px system-ui, sans-serif";
 }

@@ -26,7 +26,11 @@ export function toHash(scene) {
   for (const name of NUMBERS) pairs.set(name, round(scene[name]));
   for (const name of FLAGS) pairs.set(name, scene[name] ? "1" : "0");
   if (scene.shelves) pairs.set("shelves", scene.shelves.map(round).join(","));
-  if (scene.record) pairs.set("record", scene.record.id);
+  if (scene.record) {
+    pairs.set("record", scene.record.id);
+    pairs.set("name", scene.record.name);
+    if (scene.record.shaking.component) pairs.set("component", scene.record.shaking.component);
+  }
   const measures = Object.entries(scene.measures).map(([type, given]) =>
     [type, ...Object.entries(given).map(([name, value]) => `${name}:${value}`)].join(";"),
   );
@@ -87,5 +91,6 @@ export function fromHash(hash, presets, start) {
       : null;
   scene.measures = pairs.has("measures") ? measured(pairs.get("measures"), presets) : {};
   scene.record = null;
-  return { scene, record: pairs.get("record") };
+  const [record, name, component] = ["record", "name", "component"].map((key) => pairs.get(key));
+  return { scene, record: record ? { id: record, name, component } : null };
 }

@@ -1,11 +1,14 @@
 // The page: the scene is set, sent, seen, understood, kept. This file says what follows from what.
 
 import * as api from "./api.js";
-import { beforeNextFrame, fill, part, settled } from "./dom.js";
-import { readInks } from "./inks.js";
+import { patiently, untilBack } from "./connection.js";
+import { beforeNextFrame } from "./canvas/clock.js";
+import { readInks } from "./canvas/pen.js";
+import { fill, part, settled } from "./dom.js";
 import * as keep from "./keep.js";
 import { fromHash, toHash } from "./link.js";
 import * as measures from "./panel_measures.js";
+import * as notices from "./notices.js";
 import * as piece from "./panel_piece.js";
 import * as room from "./panel_room.js";
 import * as shaking from "./panel_shaking.js";
@@ -20,12 +23,18 @@ import * as upload from "./upload.js";
 import { both, number, t } from "./words.js";
 
 const PANELS = [piece, room, shaking, measures];
-const SLOW = 1500;
+const SLOW = 400,
+  PAUSE = 1500,
+  BUSY = [429, 503];
 let presets = null,
   shown = null,
+  waiting = null,
+  resume = false,
   problem = null,
   flying = false,
-  stale = false;
+  stale = false,
+  taking = false,
+  edited = { keys: "", at: -Infinity };
 
 /** What the server is asked: the scene, and the measures that can be put there. */
 const asked = () => ({ scene: forServer(current()), measures: measures.inPlace(current()) });
@@ -39,7 +48,7 @@ async function simulate() {
   flying = true;
   stale = false;
   part("see").setAttribute("aria-busy", "true");
-  const slow = setTimeout(() => (part("warming").hidden = false), SLOW);
+  const slow = setTimeout(() => tellWait(shown ? "outdated" : "warming"), SLOW);
   const scene = current();
   try {
     shown = { result: shake(await api.simulate(asked())), scene };
@@ -47,25 +56,51 @@ async function simulate() {
     display();
   } catch (error) {
     tellProblem(error);
+    if (error.status === 0) untilBack().then(recover);
+    if (BUSY.includes(error.status)) setTimeout(() => problem === error && simulate(), PAUSE);
     if (scene.record && lacksRecord(error)) {
-      change({ record: null, scaled: false });
+      change({ record: null, gone: { name: scene.record.name }, scaled: false });
       upload.lost();
     }
   }
   flying = false;
   clearTimeout(slow);
-  part("warming").hidden = true;
+  tellWait(null);
   part("see").removeAttribute("aria-busy");
   document.documentElement.dataset.drawn = String(performance.now());
   if (stale) simulate();
+}
+
+/** The server is back: what it could not answer is asked again, unless that has been done. */
+function recover() {
+  if (problem?.status !== 0) return;
+  simulate();
+  understand.outdated();
+}
+
+/** Says that the picture is of the scene before, or that the first one is awaited; null: neither. */
+function tellWait(what) {
+  waiting = what;
+  part("wait").hidden = !what;
+  part("wait").textContent = what ? t(what) : "";
+  tellOld();
 }
 
 /** Says why there is no picture of the scene, or that there is one. */
 function tellProblem(error) {
   problem = error;
   part("problem").hidden = !error;
-  part("see").dataset.old = String(Boolean(error));
   fill(part("problem"), error ? worded(error) : []);
+  tellOld();
+}
+
+/** Marks the picture where it is not of the scene as it stands. */
+function tellOld() {
+  const old = Boolean(problem) || waiting === "outdated";
+  if (old === (part("see").dataset.old === "true")) return;
+  part("see").dataset.old = String(old);
+  if (old) resume = see.clock.playing;
+  if (old || resume) see.clock.play(!old);
 }
 
 function display() {
@@ -74,6 +109,7 @@ function display() {
   tell(result, [t("without"), t("with")], (time) => {
     see.clock.seek(time);
     if (part("see").clientWidth === 0) screens.goTo("see");
+    see.lookAt();
   });
   part("summary").textContent = summary(scene, result.motion);
 }
@@ -101,27 +137,55 @@ function summary(scene, motion) {
   return [place, strength, felt, ...source].filter(Boolean).join(t("space"));
 }
 
+/** Builds the panels, whose fields depend on the piece; what one of them says may depend on what another knows. */
+function build() {
+  for (const panel of PANELS) panel.build(presets);
+  for (const panel of PANELS) panel.update();
+  notices.update();
+}
+
 /** Everything that is written in words, once more: another language or theme. */
 function again() {
   readInks();
-  for (const panel of PANELS) panel.build(presets);
+  build();
   upload.again();
   understand.again(presets);
   see.again(presets);
   if (shown) display();
+  tellWait(waiting);
   tellProblem(problem);
 }
 
 const changed = beforeNextFrame(() => {
   for (const panel of PANELS) panel.update();
   upload.update();
+  notices.update();
   understand.outdated();
   simulate();
 });
+
+/**
+ * Keeps the scene in the address. A change gets a place of its own in the browser's history, so that "back" takes it
+ * back; what goes on changing the same fields stays in one place.
+ */
 const address = settled(250, () => {
-  history.replaceState(null, "", `#${toHash(current())}`);
+  if (taking) return;
+  const hash = `#${toHash(current())}`,
+    state = { screen: document.body.dataset.screen };
+  if (hash !== location.hash) {
+    if (edited.place) history.pushState(state, "", hash);
+    else history.replaceState(history.state ?? state, "", hash);
+    edited.place = false;
+  }
   keep.update(measures.inPlace(current()).length > 0);
 });
+
+/** Notes which fields change, and whether that begins another place in the browser's history. */
+function edit(keys) {
+  const now = performance.now(),
+    same = edited.keys === keys.join() && now - edited.at < PAUSE;
+  edited = { keys: keys.join(), at: now, place: !taking && (!same || edited.place) };
+}
 
 async function begin() {
   screens.begin();
@@ -137,20 +201,26 @@ async function begin() {
     presets = await api.presets();
   } catch (error) {
     tellProblem(error);
-    return;
+    if (error.status !== 0 && error.status !== 503) return;
+    presets = await patiently(api.presets);
+    tellProblem(null);
   }
-  await take(location.hash);
   for (const panel of PANELS) panel.build(presets);
+  await take(location.hash);
+  build();
   see.name(presets);
   understand.build(presets, asked);
-  watch(() => {
+  watch((keys) => {
+    edit(keys);
     changed();
     address();
   });
-  addEventListener("hashchange", async () => {
+  addEventListener("popstate", async (event) => {
+    screens.goBack(event.state);
+    if (location.hash === `#${toHash(current())}`) return;
     await take(location.hash);
     again();
-    changed();
+    address();
   });
   address();
   simulate();
@@ -160,13 +230,22 @@ async function begin() {
 /** Takes the scene of an address; a record of it is asked for on the server. */
 async function take(hash) {
   const { scene, record } = fromHash(hash, presets, fromServer(presets));
+  taking = true;
   change(scene);
-  if (!record) return;
   try {
-    const scaled = scene.scaled;
-    await upload.use(await api.motion(record));
+    if (record) await takeRecord(record, scene.scaled);
+  } finally {
+    taking = false;
+  }
+}
+
+async function takeRecord({ id, name, component }, scaled) {
+  try {
+    await upload.use(await patiently(() => api.motion(id, component)));
     change({ scaled });
-  } catch {
+  } catch (error) {
+    if (!(error instanceof api.Refused)) throw error;
+    change({ gone: { name } });
     upload.lost();
   }
 }

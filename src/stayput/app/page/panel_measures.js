@@ -78,6 +78,7 @@ function field(kind, about) {
     label,
     unit: about.unit,
     range: [low, high],
+    limits: [Math.min(low, about.low), about.high],
     step,
     hint: t(`confidence_${about.confidence}`),
     changed: (value) => give(kind, about.name, about.whole ? Math.round(value) : value),
@@ -91,6 +92,12 @@ function lacking(kind, scene) {
   const has = { wall: scene.wall, ceiling: scene.ceiling > scene.height };
   return (kind?.needs ?? []).find((need) => !has[need]);
 }
+
+/** The measures that are chosen and left out, each with what it lacks: {label, lacks}. */
+export const leftOut = (scene) =>
+  Object.keys(scene.measures)
+    .map((type) => ({ label: both(measureOf(type)?.label), lacks: lacking(measureOf(type), scene) }))
+    .filter(({ lacks }) => lacks);
 
 /** The measures of a scene that can be put there, as the server reads them. */
 export const inPlace = (scene) =>
@@ -109,6 +116,6 @@ export function update() {
     box.input.disabled = Boolean(lacks) && !on;
     settings.hidden = !on;
     why.hidden = !lacks;
-    if (lacks) why.textContent = t(`needs_${lacks}`);
+    if (lacks) why.textContent = [on ? t("isLeftOut") : "", t(`needs_${lacks}`)].filter(Boolean).join(t("space"));
   }
 }

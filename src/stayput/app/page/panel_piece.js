@@ -2,7 +2,7 @@
 
 import { slider } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
-import { details, pathOf } from "./furniture.js";
+import { details, pathOf } from "./canvas/furniture.js";
 import { balance, change, current, fromPreset, RANGES } from "./scene.js";
 import { both, length, number, t } from "./words.js";
 

@@ -2,10 +2,20 @@
 
 import { choice, oneOf, slider, toggle } from "./controls.js";
 import { fill, part } from "./dom.js";
+import { recalled, remember } from "./memory.js";
+import { ceilingTooLow, missing } from "./notices.js";
 import { change, current, RANGES } from "./scene.js";
 import { both, number, t } from "./words.js";
 
 let fields = {};
+
+/** The storey and the building that the reader last had: "5/10" for storey 5 of 10. */
+const building = () => {
+  const [storey, storeys] = (recalled("building") ?? "").split("/").map(Number);
+  return storeys >= 1 && storey >= 1 && storey <= storeys && storeys <= RANGES.storeys[1]
+    ? { storeys: Math.round(storeys), storey: Math.round(storey) }
+    : { storeys: 10, storey: 5 };
+};
 
 /** Builds the panel; called again for another language. */
 export function build(presets) {
@@ -43,7 +53,7 @@ export function build(presets) {
         { id: "ground", label: t("onGround") },
         { id: "building", label: t("inBuilding") },
       ],
-      changed: (where) => change(where === "ground" ? { storeys: 0, storey: 1 } : { storeys: 10, storey: 5 }),
+      changed: (where) => change(where === "ground" ? { storeys: 0, storey: 1 } : building()),
     }),
     storeys: slider({
       label: t("storeys"),
@@ -81,5 +91,8 @@ export function update() {
     fields[key]?.set(scene[key]);
   fields.inside.set(scene.storeys > 0 ? "building" : "ground");
   fields.gap.element.hidden = !scene.wall;
+  fields.wall.note(missing(scene, "wall"));
+  fields.ceiling.note([ceilingTooLow(scene), missing(scene, "ceiling")].filter(Boolean).join(t("space")));
+  if (scene.storeys > 0) remember("building", `${scene.storey}/${scene.storeys}`);
   for (const key of ["storeys", "storey", "structure"]) fields[key].element.hidden = scene.storeys === 0;
 }

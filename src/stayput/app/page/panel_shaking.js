@@ -62,7 +62,7 @@ export function update() {
     now = classOf(scene.intensity),
     own = !scene.record || scene.scaled;
   for (const key of ["intensity", "family", "member", "scaled"]) fields[key].set(scene[key]);
-  fields.quick.set(now.id);
+  fields.quick.set(own ? now.id : null); // a record as it is has its own strength
   fields.intensity.element.hidden = !own;
   part("scaling").hidden = !scene.record;
   part("kind").hidden = Boolean(scene.record);

@@ -22,6 +22,7 @@ export function show(verdict, take) {
           { class: "optionbar" },
           bar(one.overturned),
           el("span", { class: "share", text: percent(one.overturned.estimate) }),
+          grade(one, one.grade),
         ),
         el("p", { class: "hint", text: both(one.reason) }),
         one.yours
@@ -34,16 +35,42 @@ export function show(verdict, take) {
             }),
       ),
     ),
+    verdict.not_possible.map((one) =>
+      el(
+        "li",
+        { class: "option impossible" },
+        el(
+          "div",
+          { class: "optionhead" },
+          el("strong", { text: both(one.label) }),
+          el("span", { class: "tag", text: t("notPossible") }),
+        ),
+        el("p", { class: "hint", text: both(one.reason) }),
+      ),
+    ),
   );
+  part("grades").textContent = Object.entries(verdict.grades)
+    .map(([letter, meaning]) => `${letter}${t("colon")}${both(meaning)}`)
+    .join(t("listed"));
+}
+
+/** How well founded an option's number is: the grade of its weakest inputs, which are named where one points. */
+export function grade(one, text = t("grade", { grade: one.grade })) {
+  const weakest = one.weakest.map(both).join(t("listed"));
+  const told = t("gradeOf", { grade: one.grade, inputs: weakest });
+  return el("span", { class: `tag grade${one.grade}`, title: told, text });
 }
 
 function bar({ estimate, low, high }) {
   const at = (share) => (2 + 196 * share).toFixed(1);
+  const known = estimate !== null;
   return svg(
     "svg",
     { viewBox: "0 0 200 18", class: "bar", preserveAspectRatio: "none", "aria-hidden": "true" },
-    svg("rect", { class: "all", x: 2, y: 3, width: 196, height: 12 }),
-    svg("rect", { class: "part", x: 2, y: 3, width: Math.max(0.5, 196 * estimate), height: 12 }),
-    svg("path", { class: "whisker", d: `M${at(low)} 9H${at(high)}M${at(low)} 4V14M${at(high)} 4V14` }),
+    svg("rect", { class: known ? "all" : "all unknown", x: 2, y: 3, width: 196, height: 12 }),
+    known ? svg("rect", { class: "part", x: 2, y: 3, width: Math.max(0.5, 196 * estimate), height: 12 }) : null,
+    known
+      ? svg("path", { class: "whisker", d: `M${at(low)} 9H${at(high)}M${at(low)} 4V14M${at(high)} 4V14` })
+      : null,
   );
 }

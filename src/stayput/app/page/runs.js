@@ -1,24 +1,4 @@
-// The server's runs as the pictures read them: typed arrays, and values between the samples.
-
-/** Index of the last time that is not after t. */
-export function before(times, t) {
-  let low = 0,
-    high = times.length - 1;
-  while (low < high) {
-    const middle = (low + high + 1) >> 1;
-    if (times[middle] <= t) low = middle;
-    else high = middle - 1;
-  }
-  return low;
-}
-
-/** A value of a series between its samples; the last one after its end. */
-export function at(times, values, t) {
-  const i = Math.max(0, Math.min(before(times, t), times.length - 2));
-  if (times.length < 2) return values[0] ?? 0;
-  const share = Math.min(1, Math.max(0, (t - times[i]) / (times[i + 1] - times[i])));
-  return values[i] + share * (values[i + 1] - values[i]);
-}
+// The server's runs as the pictures read them: typed arrays, and what of their time is shown.
 
 const ARRAYS = ["time_s", "x_m", "z_m", "tilt_rad", "slide_m"];
 const floats = (values) => Float64Array.from(values);
@@ -29,10 +9,10 @@ function prepared(run) {
   for (const name of ARRAYS) made[name] = floats(run[name]);
   made.devices = run.devices.map((one) => ({
     ...one,
+    place: one.name,
     pull_n: floats(one.pull_n),
     shear_n: floats(one.shear_n),
   }));
-  made.starts = run.modes.map(([time]) => time);
   return made;
 }
 
@@ -42,6 +22,7 @@ export function shake(answer) {
     building = answer.building;
   return {
     motion: answer.motion,
+    view: answer.view,
     floor: {
       time_s: floats(floor.time_s),
       x_m: floats(floor.x_m),
@@ -57,14 +38,6 @@ export function shake(answer) {
     end: floor.time_s.at(-1),
   };
 }
-
-/** Where a body is at a time, and how it moves. */
-export const pose = (run, t) => ({
-  x: at(run.time_s, run.x_m, t),
-  z: at(run.time_s, run.z_m, t),
-  tilt: at(run.time_s, run.tilt_rad, t),
-  mode: run.modes.length ? run.modes[before(run.starts, t)][1] : "rest",
-});
 
 /**
  * What of the shaking is shown: until a little after the last thing happened; and from where it is worth

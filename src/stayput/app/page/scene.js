@@ -19,6 +19,7 @@ export const plain = {
   family: "mixed",
   member: 3,
   record: null,
+  gone: null,
   scaled: false,
   measures: {},
 };

@@ -1,31 +1,35 @@
-// Which screen is shown on a phone, and the reader's theme and language, which the browser remembers.
+// Which screen is shown on a phone, with a place in the browser's history; and the reader's theme and language.
 
 import { icon } from "./icons.js";
 import { fill, narrow, part } from "./dom.js";
+import { recalled, remember } from "./memory.js";
 import { asked, speak, spoken, t } from "./words.js";
 
 const SCREENS = ["scene", "see", "understand", "keep"];
-const kept = (name) => {
-  try {
-    return localStorage.getItem(`stayput-${name}`);
-  } catch {
-    return null;
-  }
-};
-const keep = (name, value) => {
-  try {
-    localStorage.setItem(`stayput-${name}`, value);
-  } catch {
-    /* private mode: not remembered */
-  }
-};
 
-/** Shows one screen; on a wide page all are there, and this one is scrolled to. */
+/** Shows one screen, which "back" leaves again; on a wide page all are there, and this one is scrolled to. */
 export function goTo(screen, focus = true) {
+  const other = document.body.dataset.screen !== screen;
+  showScreen(screen, focus);
+  if (other && narrow()) history.pushState({ screen }, "");
+}
+
+/** Shows the screen of a place in the browser's history. */
+export function goBack(state) {
+  const screen = state?.screen;
+  if (SCREENS.includes(screen) && document.body.dataset.screen !== screen) showScreen(screen, narrow());
+}
+
+/** Notes which screen is shown, for the style sheet and for readers of screens. */
+function mark(screen) {
   document.body.dataset.screen = screen;
   for (const button of document.querySelectorAll("#steps button"))
     if (button.dataset.screen === screen) button.setAttribute("aria-current", "step");
     else button.removeAttribute("aria-current");
+}
+
+function showScreen(screen, focus) {
+  mark(screen);
   if (narrow()) scrollTo(0, 0);
   else if (focus) part(screen).scrollIntoView({ block: "start" });
   if (focus) part(`${screen}-title`).focus({ preventScroll: true });
@@ -42,7 +46,7 @@ export function wire(changed) {
     button.addEventListener("click", () => goTo(button.dataset.go));
   for (const button of document.querySelectorAll("#languages button"))
     button.addEventListener("click", () => {
-      keep("language", button.lang);
+      remember("language", button.lang);
       speak(button.lang);
       marks();
       changed();
@@ -50,7 +54,7 @@ export function wire(changed) {
   part("theme").addEventListener("click", () => {
     const next = dark() ? "light" : "dark";
     document.documentElement.dataset.theme = next;
-    keep("theme", next);
+    remember("theme", next);
     marks();
     changed();
   });
@@ -62,10 +66,12 @@ export function wire(changed) {
 
 /** Puts the remembered theme and language in place, before anything is drawn. */
 export function begin() {
-  const theme = kept("theme");
+  const theme = recalled("theme");
   if (theme === "light" || theme === "dark") document.documentElement.dataset.theme = theme;
-  speak(kept("language") ?? asked());
-  document.body.dataset.screen = SCREENS[1];
+  speak(recalled("language") ?? asked());
+  const screen = history.state?.screen;
+  mark(SCREENS.includes(screen) ? screen : SCREENS[1]);
+  history.replaceState({ screen: document.body.dataset.screen }, "");
   marks();
 }
 

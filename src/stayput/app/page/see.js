@@ -1,16 +1,16 @@
 // "See it": the stages, the building, the clock's buttons, and the histories that go with them.
 
 import { icon } from "./icons.js";
-import { fill, part } from "./dom.js";
+import { el, fill, part, svg } from "./dom.js";
 import { drawBuilding } from "./building.js";
-import { drawHistories, setHistories, timeAt } from "./histories.js";
-import { player } from "./player.js";
+import { deviceKey, drawHistories, setHistories, timeAt } from "./histories.js";
+import { recalled, remember } from "./memory.js";
+import { player } from "./canvas/clock.js";
 import { shownSpan, telling } from "./runs.js";
-import { drawStage, viewOf } from "./stage.js";
+import { drawScene } from "./canvas/painter.js";
 import { both, number, t } from "./words.js";
 
 let result = null,
-  view = null,
   look = null,
   modes = {};
 
@@ -25,7 +25,7 @@ function draw(now) {
   result.runs.forEach((run, i) => {
     const canvas = part(i ? "stage-with" : "stage-without");
     if (!canvas.clientWidth) return;
-    const pose = drawStage(canvas, run, result.floor, view, now, {
+    const pose = drawScene(canvas, result, run, now, {
       kind: look.piece,
       loads: look.shelves,
       colours: modes.colours,
@@ -38,6 +38,10 @@ function draw(now) {
     drawBuilding(part("tower"), result.building, result.floor, now);
   drawHistories(part("histories"), now);
   part("time").value = String(Math.round((1000 * now) / (clock.end || 1)));
+  part("time").setAttribute(
+    "aria-valuetext",
+    t("timeText", { now: number(now, 1), end: number(clock.end, 0) }),
+  );
   part("clock").textContent = `${number(now, 1)} / ${number(clock.end, 0)} s`;
 }
 
@@ -55,7 +59,6 @@ export function show(shaken, scene) {
   result = shaken;
   look = scene;
   const { start, end } = shownSpan(shaken);
-  view = viewOf(shaken, end);
   part("figure-with").hidden = shaken.runs.length < 2;
   part("stages").dataset.count = String(shaken.runs.length);
   part("tower-box").hidden = !shaken.building;
@@ -68,6 +71,7 @@ export function show(shaken, scene) {
     ),
   );
   setHistories(part("histories"), shaken, end);
+  showKey(deviceKey(shaken));
   part("histories").setAttribute(
     "aria-label",
     t("historiesAlt", {
@@ -78,6 +82,25 @@ export function show(shaken, scene) {
   clock.span(start, end, telling(shaken.runs[0]));
   clock.redraw();
 }
+
+/** Says which line of the forces is of which device. */
+function showKey({ lines, more }) {
+  const swatch = (dash) =>
+    svg(
+      "svg",
+      { viewBox: "0 0 40 12", "aria-hidden": "true" },
+      svg("path", { class: "line-device", d: "M0 6H40", "stroke-dasharray": dash }),
+    );
+  part("device-title").hidden = !lines.length;
+  fill(
+    part("device-key"),
+    lines.map(({ name, dash }) => el("li", {}, swatch(dash), el("span", { text: name }))),
+    more > 0 ? el("li", { text: t("moreDevices", { n: more }) }) : [],
+  );
+}
+
+/** Brings the picture into sight, where something elsewhere has chosen its time. */
+export const lookAt = () => part("stages").scrollIntoView({ block: "nearest" });
 
 /** Writes the words again, for another language or theme. */
 export function again(presets) {
@@ -98,7 +121,15 @@ export function wire() {
   part("time").addEventListener("input", (event) =>
     clock.seek((clock.end * Number(event.target.value)) / 1000),
   );
-  part("speed").addEventListener("change", (event) => clock.faster(Number(event.target.value)));
+  const speed = part("speed"),
+    usual = speed.value;
+  speed.value = recalled("speed") ?? usual;
+  if (!speed.value) speed.value = usual;
+  clock.faster(Number(speed.value));
+  speed.addEventListener("change", () => {
+    remember("speed", speed.value);
+    clock.faster(Number(speed.value));
+  });
   const strip = part("histories");
   const pick = (event) => clock.seek(timeAt(strip, event.clientX - strip.getBoundingClientRect().left));
   strip.addEventListener("pointerdown", (event) => {

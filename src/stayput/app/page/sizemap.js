@@ -4,7 +4,7 @@
 import { label, shortClass, ticks, titles } from "./axes.js";
 import { el, fill, part, svg, widthFor } from "./dom.js";
 import { classesKnown } from "./panel_shaking.js";
-import { both, length, number, percent, t } from "./words.js";
+import { both, length, number, percent, spoken, t } from "./words.js";
 
 let W = 560;
 const H = 320,
@@ -14,16 +14,9 @@ const H = 320,
   FOOT = 48;
 const STEPS = 5;
 
-/** Draws the map that the server answered; pieces that do not fit under the ceiling are left out. */
-export function show(answer, ceiling) {
+/** Draws the map that the server answered; what is not possible or not known is marked as such. */
+export function show(map) {
   W = widthFor(part("map"));
-  const fits = (_, i) => answer.height_m[i] < ceiling;
-  const map = {
-    ...answer,
-    width_m: answer.width_m.filter(fits),
-    height_m: answer.height_m.filter(fits),
-    overturned: answer.overturned.filter(fits),
-  };
   const xs = edges(map.intensity),
     sizes = map.axis === "width" ? map.width_m : map.height_m,
     ys = edges(sizes);
@@ -37,16 +30,22 @@ export function show(answer, ceiling) {
         y(ys[j + 1]),
         x(xs[i + 1]) - x(xs[i]),
         y(ys[j]) - y(ys[j + 1]),
-        `${number(map.intensity[i], 2)}, ${length(sizes[j])}: ${percent(share)}`,
+        `${number(map.intensity[i], 2)}, ${length(sizes[j])}: ${told(share, map.refused[j])}`,
+        map.refused[j] !== null,
       ),
     ),
   );
   const size = map.axis === "width" ? map.here.width_m : map.here.height_m;
-  const hx = x(Math.min(xs.at(-1), Math.max(xs[0], map.here.intensity))),
+  const somewhere = map.here.intensity !== null,
+    at = Math.min(xs.at(-1), Math.max(xs[0], map.here.intensity ?? xs[0])),
+    hx = x(at),
     hy = y(size);
   const nearest = (list, value) =>
     list.reduce((best, one, i) => (Math.abs(one - value) < Math.abs(list[best] - value) ? i : best), 0);
-  const own = map.overturned[nearest(sizes, size)][nearest(map.intensity, map.here.intensity)];
+  const row = nearest(sizes, size),
+    own = somewhere ? map.overturned[row][nearest(map.intensity, at)] : null;
+  const impossible = map.refused.find((one) => one !== null) ?? null,
+    unknown = map.overturned.some((shares, j) => map.refused[j] === null && shares.includes(null));
   const picture = svg(
     "svg",
     {
@@ -55,8 +54,8 @@ export function show(answer, ceiling) {
       role: "img",
       "aria-label": t("mapAlt", {
         size: length(size),
-        at: number(map.here.intensity, 2),
-        share: percent(own),
+        at: somewhere ? number(map.here.intensity, 2) : t("notKnown"),
+        share: told(own, map.refused[row]),
       }),
     },
     hatching(),
@@ -68,24 +67,43 @@ export function show(answer, ceiling) {
     ...ticks(ys[0], ys.at(-1), 6).map((value) =>
       svg("text", { x: LEFT - 6, y: y(value) + 4, "text-anchor": "end", text: label(100 * value) }),
     ),
-    svg("path", { class: "youline", d: `M${hx} ${hy - 10}V${hy + 10}M${hx - 10} ${hy}H${hx + 10}` }),
-    svg("circle", { class: "you", cx: hx, cy: hy, r: 7 }),
-    svg("text", {
-      class: "youtext",
-      x: hx + (hx > W / 2 ? -12 : 12),
-      y: hy - 10,
-      "text-anchor": hx > W / 2 ? "end" : "start",
-      text: t("yourPiece"),
-    }),
-    ...titles((LEFT + W - RIGHT) / 2, H, (TOP + H - FOOT) / 2, t("intensityAxis"), t(map.axis === "width" ? "depthAxis" : "heightAxis")),
+    ...(somewhere ? mark(hx, hy) : []),
+    ...titles(
+      (LEFT + W - RIGHT) / 2,
+      H,
+      (TOP + H - FOOT) / 2,
+      t("intensityAxis"),
+      t(map.axis === "width" ? "depthAxis" : "heightAxis"),
+    ),
   );
   fill(
     part("map"),
     picture,
-    key(),
+    key(impossible !== null, unknown),
+    impossible ? el("p", { class: "hint", text: `${t("impossible")}${t("colon")}${reason(impossible)}` }) : [],
     el("p", { class: "hint", text: t("mapNote", { motions: number(map.motions) }) }),
   );
 }
+
+const mark = (x, y) => [
+  svg("path", { class: "youline", d: `M${x} ${y - 10}V${y + 10}M${x - 10} ${y}H${x + 10}` }),
+  svg("circle", { class: "you", cx: x, cy: y, r: 7 }),
+  svg("text", {
+    class: "youtext",
+    x: x + (x > W / 2 ? -12 : 12),
+    y: y - 10,
+    "text-anchor": x > W / 2 ? "end" : "start",
+    text: t("yourPiece"),
+  }),
+];
+
+/** Why a piece of a size is not possible, in the reader's language as far as the server has it. */
+const reason = ({ message, message_ja: japanese }) =>
+  spoken() === "ja" ? (japanese ?? t("doesNotFit")) : message;
+
+/** What a cell stands for: a share, or why there is none. */
+const told = (share, refused) =>
+  refused ? `${t("impossible")}${t("colon")}${reason(refused)}` : percent(share);
 
 function edges(values) {
   const middles = values.slice(1).map((value, i) => (value + values[i]) / 2);
@@ -98,26 +116,40 @@ function edges(values) {
 const step = (share) =>
   share <= 0.005 ? 0 : Math.min(STEPS - 1, 1 + Math.floor(share * (STEPS - 1) - 1e-9));
 
-function cell(share, x, y, width, height, title) {
+function cell(share, x, y, width, height, title, impossible) {
   const place = {
     x: x.toFixed(1),
     y: y.toFixed(1),
     width: (width + 0.5).toFixed(1),
     height: (height + 0.5).toFixed(1),
   };
-  const n = step(share);
+  const kind = impossible ? "impossible" : share === null ? "unknown" : step(share),
+    over = pattern(kind);
   return svg(
     "g",
     {},
-    svg("rect", { ...place, class: `cell s${n}` }, svg("title", { text: title })),
-    n ? svg("rect", { ...place, fill: `url(#hatch${n})`, "pointer-events": "none" }) : null,
+    svg("rect", { ...place, class: `cell s${kind}` }, svg("title", { text: title })),
+    over ? svg("rect", { ...place, fill: over, "pointer-events": "none" }) : null,
   );
 }
+
+/** What is drawn over a cell: stripes one way for a share, crossed ones for "impossible", dots for "unknown". */
+const pattern = (kind) => (kind === 0 ? null : `url(#hatch${kind})`);
 
 const hatching = () =>
   svg(
     "defs",
     {},
+    svg(
+      "pattern",
+      { id: "hatchimpossible", width: 9, height: 9, patternUnits: "userSpaceOnUse" },
+      svg("path", { class: "cross", d: "M0 0L9 9M9 0L0 9" }),
+    ),
+    svg(
+      "pattern",
+      { id: "hatchunknown", width: 7, height: 7, patternUnits: "userSpaceOnUse" },
+      svg("circle", { class: "speck", cx: 3, cy: 3, r: 1.1 }),
+    ),
     ...[1, 2, 3, 4].map((n) =>
       svg(
         "pattern",
@@ -152,21 +184,25 @@ function classNames(x, xs) {
     .filter(Boolean);
 }
 
-const key = () =>
-  el(
+function key(impossible, unknown) {
+  const kinds = ["0", "1–25", "26–50", "51–75", "76–100"].map((text, n) => [n, `${text} %`]);
+  if (impossible) kinds.push(["impossible", t("impossible")]);
+  if (unknown) kinds.push(["unknown", t("notKnown")]);
+  return el(
     "ul",
     { class: "key" },
-    ...["0", "1–25", "26–50", "51–75", "76–100"].map((text, n) =>
+    ...kinds.map(([kind, text]) =>
       el(
         "li",
         {},
         svg(
           "svg",
           { viewBox: "0 0 24 16", "aria-hidden": "true" },
-          svg("rect", { class: `cell s${n}`, width: 24, height: 16 }),
-          n ? svg("rect", { width: 24, height: 16, fill: `url(#hatch${n})` }) : null,
+          svg("rect", { class: `cell s${kind}`, width: 24, height: 16 }),
+          kind ? svg("rect", { width: 24, height: 16, fill: pattern(kind) }) : null,
         ),
-        el("span", { text: `${text} %` }),
+        el("span", { text }),
       ),
     ),
   );
+}

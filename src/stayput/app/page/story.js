@@ -74,7 +74,7 @@ function peaks(run) {
       t("deviceLoad", {
         device: both(one.label),
         force: number(Math.max(one.peak_pull_n, one.peak_push_n, one.peak_shear_n)),
-        share: number(100 * one.utilisation),
+        share: one.utilisation === null ? t("notKnown") : number(100 * one.utilisation),
       }),
     );
   return parts.join(t("space"));

@@ -2,20 +2,23 @@
 // settled.
 
 import * as api from "./api.js";
+import { patiently } from "./connection.js";
 import { oneOf } from "./controls.js";
 import { fill, part, settled } from "./dom.js";
 import * as fragility from "./fragility.js";
 import * as keep from "./keep.js";
 import * as ranking from "./ranking.js";
+import { recalled, remember } from "./memory.js";
 import { worded } from "./refusals.js";
-import { change, current } from "./scene.js";
+import { change } from "./scene.js";
 import * as sizemap from "./sizemap.js";
 import { line } from "./verification.js";
 import * as verdict from "./verdict.js";
 import * as whatif from "./whatif.js";
 import { number, t } from "./words.js";
 
-const SETTLED = 900;
+const SETTLED = 900,
+  REST = ["ranking", "fragility", "map"];
 const jobs = line();
 let question = null,
   problem = null,
@@ -36,7 +39,15 @@ export function build(presets, asked) {
     state("cancelled");
   });
   part("verify").addEventListener("click", () => work());
-  part("samples").addEventListener("change", () => work());
+  part("samples").value = recalled("care") ?? part("samples").value;
+  if (!part("samples").value) part("samples").value = "120";
+  part("samples").addEventListener("change", () => {
+    remember("care", part("samples").value);
+    work();
+  });
+  addEventListener("pageshow", (event) => {
+    if (event.persisted) soon(); // its jobs ended when it was left
+  });
   const charts = settled(120, () => {
     if (found) fragility.show(found);
     if (map) showMap();
@@ -47,12 +58,16 @@ export function build(presets, asked) {
 /** What is shown no longer belongs to the scene; the answer is asked for when it has settled. */
 export function outdated() {
   part("understand").dataset.old = "true";
+  date(REST, true);
   base = null;
   stop();
   keep.point(null);
   state("waiting");
   soon();
 }
+
+/** Marks what is shown as of the scene before, or as of this one. */
+const date = (ids, old) => ids.forEach((id) => (part(id).dataset.old = String(old)));
 const soon = settled(SETTLED, () => work());
 
 function stop() {
@@ -64,7 +79,7 @@ function stop() {
 
 const samples = () => Number(part("samples").value);
 
-/** First the chances of what is looked at, within a moment; then everything else. */
+/** First the chances of what is looked at, then what helps; at last what nobody has asked for yet. */
 async function work() {
   stop();
   const mine = round,
@@ -78,15 +93,16 @@ async function work() {
     part("understand").dataset.old = "false";
     verdict.show(first.result);
     base = first.result;
-    elsewhere();
-    drawMap();
     const job = await jobs.run({ ...asked, compare_usual: true }, (told) => progress(told.progress));
     if (!job || mine !== round) return;
     found = job.result;
     part("understand").dataset.job = job.id;
     state("done");
     keep.point(job.id);
+    date(["ranking", "fragility"], false);
     display();
+    elsewhere();
+    drawMap();
   } catch (error) {
     if (mine !== round) return;
     problem = error;
@@ -112,18 +128,24 @@ async function drawMap() {
   const mine = round,
     { scene, measures } = question();
   flight?.abort();
+  date(["map"], true);
   const own = (flight = new AbortController());
   try {
-    const answer = await api.sizeMap({ scene, measures: mapped === "with" ? measures : [] }, own.signal);
-    if (mine !== round || own !== flight) return;
+    const content = { scene, measures: mapped === "with" ? measures : [] };
+    const answer = await patiently(
+      () => api.sizeMap(content, own.signal),
+      () => mine === round && own === flight,
+    );
+    if (!answer || mine !== round || own !== flight) return;
     map = answer;
+    date(["map"], false);
     showMap();
   } catch (error) {
     if (error.name !== "AbortError" && mine === round) fill(part("map"), worded(error));
   }
 }
 
-const showMap = () => sizemap.show(map, current().ceiling > current().height ? current().ceiling : Infinity);
+const showMap = () => sizemap.show(map);
 
 function elsewhere() {
   if (base) whatif.ask(base, question().measures, samples());

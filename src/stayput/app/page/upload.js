@@ -1,15 +1,18 @@
 // A record of the user's own: dropped on the page or chosen, sent to the server, shown, used.
 
 import * as api from "./api.js";
+import { choice } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
+import { classOf } from "./panel_shaking.js";
 import { worded } from "./refusals.js";
 import { change, current } from "./scene.js";
-import { number, t } from "./words.js";
+import { both, number, spoken, t } from "./words.js";
 
 const UNITS = ["m/s²", "gal", "g"];
 let waiting = null,
   preview = null,
-  trouble = null;
+  trouble = null,
+  shown = null; // the record that stands there
 
 /** Wires the file field and the place to drop a file on. */
 export function wire() {
@@ -57,8 +60,9 @@ function tell(made) {
 
 /** Writes the words again, for another language. */
 export function again() {
-  if (trouble) fill(part("uploaded"), trouble().filter(Boolean));
-  else update();
+  const { record } = current();
+  shown = record;
+  fill(part("uploaded"), ...(trouble?.().filter(Boolean) ?? []), ...(record ? about(record) : []));
 }
 
 const refusal = (words) => el("p", { class: "refusal", role: "alert" }, ...words);
@@ -88,38 +92,91 @@ function asking(file, said, field) {
 /** Says that the server no longer has the record. */
 export const lost = () => tell(() => [refusal([t("recordGone")])]);
 
-/** Takes a record that is on the server into the scene. */
+/** Takes a record that is on the server into the scene, as it is. */
 export async function use(motion) {
-  preview = null;
-  change({ record: { id: motion.id, name: motion.name, shaking: motion.shaking, motion }, scaled: false });
-  preview = await api.motionPreview(motion.id).catch(() => null);
+  take(motion, { scaled: false });
+  preview = await api.motionPreview(motion.id, motion.shaking.component).catch(() => null);
   update();
 }
 
-/** Shows the record in use, if there is one. */
+function take(motion, also) {
+  preview = null;
+  const record = { id: motion.id, name: motion.name, shaking: motion.shaking, motion };
+  change({ record, gone: null, ...also });
+}
+
+/** Takes another component of the record in use. */
+async function turn(component) {
+  const { record } = current();
+  try {
+    const motion = await api.motion(record.id, component);
+    if (current().record?.id !== motion.id) return;
+    take(motion, {});
+    preview = await api.motionPreview(motion.id, component).catch(() => null);
+    update();
+  } catch (error) {
+    tell(() => [refusal(worded(error, "unreadable"))]);
+  }
+}
+
+/** Which of the file's channels shakes the piece, and the others, which may be taken in its place. */
+function channels({ channels: all = [] }) {
+  const used = all.find((one) => one.used);
+  if (!used) return null;
+  const name = (one) => (one.vertical ? t("verticalChannel", { name: one.name }) : one.name);
+  if (all.length === 1)
+    return used.name.startsWith("channel") ? null : el("p", { text: t("oneChannel", { name: name(used) }) });
+  const field = choice({
+    label: t("whichChannel", { n: all.length }),
+    options: all.map((one) => ({ id: one.name, label: name(one) })),
+    changed: turn,
+  });
+  field.set(used.name);
+  return field.element;
+}
+
+/** What the server has to say of the record. */
+const warnings = ({ warnings: all }) =>
+  (all ?? []).map((one) =>
+    el("p", { class: "refusal", text: spoken() === "ja" ? (one.message_ja ?? one.message) : one.message }),
+  );
+
+/** Shows the record in use, if there is one; what was wrong with another file goes with the next change. */
 export function update() {
-  const { record } = current(),
-    place = part("uploaded");
-  if (trouble && !record) return;
+  const place = part("uploaded");
+  if (trouble && !current().record && !shown) return; // what is asked of a file keeps what was typed
   trouble = null;
-  if (!record) return fill(place);
-  const { motion } = record,
-    strength = motion.intensity === null ? "" : `, ${t("jma")} ${number(motion.intensity, 1)}`;
-  fill(
-    place,
+  const choosing = place.contains(document.activeElement) && document.activeElement.tagName === "SELECT";
+  again();
+  if (choosing) place.querySelector("select")?.focus();
+}
+
+/** What is known of the record in use, and the button that ends its use. */
+function about(record) {
+  const { motion } = record;
+  const strength =
+    motion.intensity === null
+      ? ""
+      : t("recordStrength", {
+          at: number(motion.intensity, 1),
+          class: both(classOf(motion.intensity).label),
+        });
+  return [
     el(
       "p",
       {},
       el("strong", { text: record.name }),
       ` ${number(motion.duration_s, 0)} s, ${number(motion.pga_m_s2, 2)} m/s²${strength}`,
     ),
-    preview ? picture(preview) : null,
+    channels(motion) ?? [],
+    ...warnings(motion),
+    preview ? picture(preview) : [],
     el("button", {
       type: "button",
       text: t("withoutRecord"),
       onclick: () => change({ record: null, scaled: false }),
     }),
-  );
+  ].flat();
 }
 
 function picture({ time_s, low_m_s2, high_m_s2 }) {

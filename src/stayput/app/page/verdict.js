@@ -1,7 +1,8 @@
 // The verdict in plain words with its probability, and ten small pieces that show it.
 
 import { el, fill, part, svg } from "./dom.js";
-import { both, length, number, percent, t } from "./words.js";
+import { grade } from "./ranking.js";
+import { both, length, number, percent, t, within } from "./words.js";
 
 const LIKELY = 0.02;
 
@@ -15,18 +16,23 @@ export function show(verdict) {
   const single = verdict.motions === 1;
   const texts = pair.map((one, i) => {
     const p = one.overturned;
+    if (p.estimate === null) return t("chanceUnknown", { measures: t(i > 0 ? "with" : "without") });
     return t(i > 0 ? "chanceWith" : single ? "chanceOfRecord" : "chanceWithout", {
       share: percent(p.estimate),
       low: percent(p.low),
       high: percent(p.high),
-      measures: both(one.label),
+      measures: within(one.label),
     });
   });
-  fill(part("verdict"), ...texts.map((text) => el("span", { class: "sentence", text })));
-  fill(part("tens"), ...pair.map((one, i) => tens(one.overturned.estimate, t(i === 0 ? "without" : "with"))));
+  fill(part("verdict"), ...texts.map((text, i) => el("span", { class: "sentence", text }, grade(pair[i]))));
+  fill(
+    part("tens"),
+    ...pair.map((one, i) => tens(one.overturned.estimate, t(i === 0 ? "without" : "with"))).filter(Boolean),
+  );
   fill(
     part("also"),
     ...pair.map((one, i) => also(one, t(i === 0 ? "without" : "with"), verdict)).filter(Boolean),
+    ...verdict.notes.map((note) => el("li", { class: "hint", text: both(note) })),
   );
   part("basis").textContent = t(single ? "basisOfRecord" : "basis", {
     motions: number(verdict.motions),
@@ -42,11 +48,12 @@ function also(one, title, verdict) {
     told.push(t("alsoSlides", { limit: length(verdict.slide_limit_m), share: percent(one.slid.estimate) }));
   for (const device of one.devices)
     if (device.failed.estimate >= LIKELY)
-      told.push(t("alsoFails", { device: both(device.label), share: percent(device.failed.estimate) }));
+      told.push(t("alsoFails", { device: within(device.label), share: percent(device.failed.estimate) }));
   return told.length ? el("li", { text: `${title}${t("colon")}${told.join(t("space"))}` }) : null;
 }
 
 function tens(share, title) {
+  if (share === null) return null;
   const fallen = Math.round(10 * share),
     pieces = [];
   for (let i = 0; i < 10; i++) {

@@ -1,14 +1,18 @@
 // The verification as a job on the server: started, looked at, cancelled; the newest one counts.
 
 import * as api from "./api.js";
+import { patiently, pause } from "./connection.js";
 
 const LOOK = 150,
-  LONGEST = 1000,
-  RETRY = 1500;
-const pause = (milliseconds) =>
-  new Promise((done) => {
-    setTimeout(done, milliseconds);
-  });
+  LONGEST = 1000;
+
+/** The server ends a job that this page, asleep or lost, has not asked for in so many seconds. */
+const LEASE = 20;
+
+const all = new Set();
+addEventListener("pagehide", () => {
+  for (const jobs of all) jobs.stop();
+});
 
 /** One line of jobs, where a new one takes the place of the one before it. */
 export function line() {
@@ -25,35 +29,42 @@ export function line() {
   /** Runs a job to its end; "told" gets its progress. Returns it, or null where another took its place. */
   async function run(content, told) {
     await stop();
-    const mine = turn;
-    const begun = await accepted(content, () => mine === turn);
-    if (begun === null) return null;
-    if (mine !== turn) {
-      api.cancel(begun.id).catch(() => null);
-      return null;
+    const mine = turn,
+      wanted = () => mine === turn;
+    let lost = true;
+    while (lost && wanted()) {
+      const begun = await accepted({ ...content, lease_s: LEASE }, wanted);
+      if (begun === null) return null;
+      if (!wanted()) {
+        api.cancel(begun.id).catch(() => null);
+        return null;
+      }
+      id = begun.id;
+      try {
+        const job = await ended(begun, told, wanted);
+        if (job?.state !== "cancelled") return job;
+      } catch (error) {
+        lost = error.status === 404; // the server has been started anew and knows nothing of the job
+        if (!lost) throw error;
+      }
     }
-    id = begun.id;
-    for (let job = begun, wait = LOOK; ; job = await api.job(id), wait = Math.min(LONGEST, wait * 1.2)) {
-      if (mine !== turn) return null;
-      if (job.state === "done") return job;
+    return null;
+  }
+
+  /** Looks at a job until it has ended, and returns it; null where another took its place. */
+  async function ended(begun, told, wanted) {
+    for (let job = begun, wait = LOOK; wanted(); wait = Math.min(LONGEST, wait * 1.2)) {
+      if (job.state === "done" || job.state === "cancelled") return job;
       if (job.state === "failed") throw new api.Refused(job.error ?? {}, 422);
-      if (job.state === "cancelled") return null;
       told(job);
       await pause(wait);
-      if (mine !== turn) return null;
+      if (wanted()) job = await patiently(() => api.job(begun.id), wanted);
     }
+    return null;
   }
-  return { run, stop };
+  const own = { run, stop };
+  all.add(own);
+  return own;
 }
 
-async function accepted(content, wanted) {
-  while (wanted()) {
-    try {
-      return await api.verify(content);
-    } catch (error) {
-      if (error.status !== 429 && error.status !== 503) throw error;
-      await pause(RETRY);
-    }
-  }
-  return null;
-}
+const accepted = (content, wanted) => patiently(() => api.verify(content), wanted);

@@ -1,14 +1,15 @@
 // "What if I live on the 20th floor?": the same verification once more, in a building that is tall enough.
 
 import { el, fill, part } from "./dom.js";
-import { change, current, forServer } from "./scene.js";
+import { recalled, remember } from "./memory.js";
 import { worded } from "./refusals.js";
+import { change, current, forServer } from "./scene.js";
 import { line } from "./verification.js";
 import { without, yours } from "./verdict.js";
-import { both, number, percent, t } from "./words.js";
+import { number, percent, t, within } from "./words.js";
 
 const jobs = line();
-let asked = 20,
+let asked = Number(recalled("whatif")) || 20,
   most = 60,
   answer = null,
   failed = null;
@@ -16,6 +17,7 @@ let asked = 20,
 /** Builds the question; "told" is asked for it again with a new floor. */
 export function build(presets, again) {
   most = Math.min(60, presets.limits?.storeys ?? 60);
+  asked = Math.round(Math.min(most, Math.max(1, asked)));
   const field = el("input", {
     type: "number",
     id: "whatif-floor",
@@ -28,6 +30,7 @@ export function build(presets, again) {
   field.addEventListener("change", () => {
     asked = Math.round(Math.min(most, Math.max(1, Number(field.value) || 20)));
     field.value = String(asked);
+    remember("whatif", field.value);
     again();
   });
   const take = el("button", {
@@ -84,7 +87,8 @@ function say() {
   const { there, here, storey, storeys } = answer;
   const before = without(here).overturned.estimate,
     after = without(there).overturned.estimate;
-  const key = Math.abs(after - before) < 0.05 ? "whatIfSame" : after > before ? "whatIfMore" : "whatIfLess";
+  const unknown = after === null || before === null;
+  const key = unknown || Math.abs(after - before) < 0.05 ? "whatIfSame" : after > before ? "whatIfMore" : "whatIfLess";
   const first = t(key, {
     storey: number(storey),
     storeys: number(storeys),
@@ -93,7 +97,7 @@ function say() {
   });
   const held = yours(there);
   const second = held
-    ? t("space") + t("whatIfHeld", { measures: both(held.label), share: percent(held.overturned.estimate) })
+    ? t("space") + t("whatIfHeld", { measures: within(held.label), share: percent(held.overturned.estimate) })
     : "";
   part("whatif").textContent = first + second;
 }

@@ -1,9 +1,7 @@
 // The page's language: one table of words for each, chosen at the start and switched at any time.
 
-import { english } from "./words_en.js";
-import { japanese } from "./words_ja.js";
+import { TABLES } from "./words_table.js"; // made by the server from its catalogue
 
-const TABLES = { en: english, ja: japanese };
 let language = "en";
 
 /** The languages there are. */
@@ -16,6 +14,7 @@ export const spoken = () => language;
 export function speak(wanted) {
   language = LANGUAGES.includes(wanted) ? wanted : "en";
   document.documentElement.lang = language;
+  document.title = t("title");
   translate(document);
 }
 
@@ -35,6 +34,12 @@ export const known = (key) => key in TABLES[language];
 /** Of a text in both languages, as the server sends them, the one that is spoken. */
 export const both = (pair) => (typeof pair === "string" ? pair : (pair?.[language] ?? pair?.en ?? ""));
 
+/** The same of a measure's label as it stands within a sentence: English begins it small, "L-brackets" apart. */
+export const within = (pair) =>
+  language === "en"
+    ? both(pair).replace(/(^| \+ )([A-Z])(?=[a-z])/g, (_, joint, first) => joint + first.toLowerCase())
+    : both(pair);
+
 /** Puts words into the elements marked with data-t, and into the labels marked with data-t-label. */
 export function translate(root) {
   for (const element of root.querySelectorAll("[data-t]")) element.textContent = t(element.dataset.t);
@@ -52,8 +57,9 @@ export const length = (metres) =>
     ? `${number(metres, 2)}\u00a0m`
     : `${number(100 * metres, Math.abs(metres) < 0.1 ? 1 : 0)}\u00a0cm`;
 
-/** A share as a whole percentage, never 0 or 100 where it is not quite that. */
+/** A share as a whole percentage, never 0 or 100 where it is not quite that; words where it is not known. */
 export function percent(share) {
+  if (share === null || share === undefined) return t("notKnown");
   if (share > 0 && share < 0.01) return language === "ja" ? "1%未満" : "under 1\u00a0%";
   if (share < 1 && share > 0.99) return language === "ja" ? "99%超" : "over 99\u00a0%";
   return language === "ja" ? `${Math.round(100 * share)}%` : `${Math.round(100 * share)}\u00a0%`;

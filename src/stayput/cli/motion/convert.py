@@ -28,14 +28,13 @@ def convert(
     ] = None,
 ) -> None:
     """Write a motion in another format, or changed."""
-    from stayput.cli.flags import intensity_value, motion_of
-    from stayput.errors import InputError
+    from stayput.cli.flags import intensity_value, motion_of, one_of_two
     from stayput.files import check_target
-    from stayput.motion.writers import FORMATS, write_motion
+    from stayput.motion.writers import FORMATS
 
     check_target(out, tuple(FORMATS))
     if scale is not None and intensity is not None:
-        raise InputError(f"--scale is {scale:g} beside --intensity {intensity!r}; it must be one of the two.")
+        raise one_of_two("--scale", f"{scale:g}", "--intensity", repr(intensity))
     read = motion_of(motion, component=component, unit=unit, dt=dt)
     if intensity is not None:
         read = read.to_intensity(intensity_value(intensity))
@@ -45,5 +44,5 @@ def convert(
         read = read.resampled(step)
     if only is not None:
         read = read.component(only)
-    write_motion(read, out)
+    read.write(out)
     typer.echo(f"Wrote {out}: {len(read)} samples every {read.dt:g} s, {', '.join(read.components)}")

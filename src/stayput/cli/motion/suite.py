@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path  # noqa: TC003 - Typer reads the annotations
 from typing import TYPE_CHECKING, Annotated
 
@@ -70,19 +69,17 @@ def suite(
     ] = None,
 ) -> None:
     """Make or read a suite of motions, scale it, and write it with a table and a figure."""
-    from stayput.cli.flags import band_of, intensity_value, target_of
-    from stayput.errors import InputError
+    from stayput.cli.flags import band_of, intensity_value, one_of_two, target_of
+    from stayput.errors import InputError, unknown
 
     if out.exists() and not out.is_dir():
-        raise InputError(f"The folder is {str(out)!r}; it must be a folder, and that is a file.")
+        raise InputError("cli.folder_is_file", "--out", folder=repr(str(out)))
     if fit not in FITS:
-        raise InputError(f"--fit is {fit!r}; it must be one of {', '.join(FITS)}.")
+        raise unknown("--fit", fit, FITS, "--fit")
     if target is not None and intensity is not None:
-        raise InputError(
-            f"--target is {target!r} beside --intensity {intensity!r}; it must be one of the two."
-        )
+        raise one_of_two("--target", repr(target), "--intensity", repr(intensity))
     if target is None and (select is not None or fit != "scale"):
-        raise InputError("--select and --fit are given without --target; they belong to a target spectrum.")
+        raise InputError("cli.of_a_target", "--target")
     wanted = None if target is None else target_of(target)
     periods = band_of(band)
 
@@ -103,11 +100,6 @@ def suite(
     _print_end(made, wanted, periods, out)
 
 
-def _plain(name: str) -> str:
-    """Return a name as part of a file's name: letters, digits, dots and hyphens."""
-    return re.sub(r"[^\w.]+", "-", name).strip("-.") or "motion"
-
-
 def _numbers(motion: Motion) -> list[float]:
     return [
         motion.dt,
@@ -123,9 +115,9 @@ def _write(made: Suite, out: Path, wanted: TargetSpectrum | None) -> None:
     import csv
     import io
 
-    from stayput.files import draft
-    from stayput.motion.writers import write_motion
+    from stayput.files import draft, name_part
     from stayput.progress import bar
+    from stayput.spreadsheets import text_cell
 
     folder = out / "motions"
     folder.mkdir(parents=True, exist_ok=True)
@@ -134,9 +126,10 @@ def _write(made: Suite, out: Path, wanted: TargetSpectrum | None) -> None:
     rows.writerow(COLUMNS)
     with bar(len(made), "Writing motions", unit="motions") as done:
         for i, motion in enumerate(made, start=1):
-            file = f"{i:0{len(str(len(made)))}d}-{_plain(motion.name)}.csv"
-            write_motion(motion, folder / file)
-            rows.writerow([file, motion.name, motion.synthetic, *_numbers(motion), motion.source])
+            file = f"{i:0{len(str(len(made)))}d}-{name_part(motion.name, 'motion')}.csv"
+            motion.write(folder / file)
+            names = file, text_cell(motion.name)
+            rows.writerow([*names, motion.synthetic, *_numbers(motion), text_cell(motion.source)])
             done(1)
     with draft(out / "suite.csv") as unfinished:
         unfinished.write_text(table.getvalue(), encoding="utf-8")
@@ -144,9 +137,11 @@ def _write(made: Suite, out: Path, wanted: TargetSpectrum | None) -> None:
 
 
 def _print_end(made: Suite, wanted: TargetSpectrum | None, periods: tuple[float, float], out: Path) -> None:
+    from stayput.wording import counted
+
     intensities = made.intensities
-    kind = "synthetic motions" if made.synthetic else "motions"
-    typer.echo(f"{len(made)} {kind}: JMA intensity {intensities.min():.2f} to {intensities.max():.2f}")
+    told = counted(len(made), "synthetic motion" if made.synthetic else "motion")
+    typer.echo(f"{told}: JMA intensity {intensities.min():.2f} to {intensities.max():.2f}")
     if wanted is not None:
         off = made.deviation(wanted, periods)
         typer.echo(

@@ -10,18 +10,19 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
-from stayput.errors import InputError, within
-from stayput.motion.channels import motion_of_channels
+from stayput.errors import InputError, InputWarning, warn, warnings_to, within
+from stayput.motion.channels import is_vertical, labels_phrase, motion_fields, upper_floor_warning
+from stayput.motion.processing import STEP_RANGE
 from stayput.motion.readers import columns, cosmos, csmip, esm, jma, knet, knet_csv, peer
 from stayput.motion.readers.text import check_end, file_text
-from stayput.motion.samples import STEP_RANGE
+from stayput.motion.record import Motion
 from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     import os
+    from collections.abc import Callable, Sequence
 
     from stayput.motion.channels import Channel
-    from stayput.motion.record import Motion
 
 
 class Reader(Protocol):
@@ -45,7 +46,10 @@ _HEAD = 1000
 """A file that calls itself synthetic in so many of its first characters stays labelled so."""
 
 READERS: tuple[Reader, ...] = (peer, jma, knet, knet_csv, esm, csmip, cosmos, columns)
-"""The readers, in the order in which they look at a file; columns of bare numbers come last."""
+"""The readers, in the order in which they are asked whether a file is theirs.
+
+Any file may have lines of bare numbers, so columns come last; the others' first lines exclude one another.
+"""
 
 
 def read_motion(
@@ -78,20 +82,71 @@ def read_motion(
     ------
     InputError
         The file cannot be read, is damaged or contradicts itself, or lacks its unit or time step.
+
+    Warns
+    -----
+    InputWarning
+        It is read, but perhaps not as it was meant: a channel had to be chosen, the peak is above 5 g,
+        the header mentions another unit or an upper floor, channels seem to be missing.
     """
+    return _read(path, lambda channels: component, unit, dt)
+
+
+def read_vertical(
+    path: str | os.PathLike[str], unit: str | None = None, *, dt: float | None = None
+) -> Motion:
+    """Read a file's vertical channel, or its only one where its direction is not stated, as x of a motion.
+
+    Parameters
+    ----------
+    path, unit, dt
+        As for `read_motion`.
+
+    Raises
+    ------
+    InputError
+        Likewise; or there is no vertical channel, or more than one.
+    """
+    return _read(path, _vertical_of, unit, dt)
+
+
+def _vertical_of(channels: Sequence[Channel]) -> str:
+    upright = [i for i, channel in enumerate(channels, start=1) if is_vertical(channel.label)]
+    if len(channels) == 1 and not channels[0].label:
+        upright = [1]
+    if len(upright) != 1:
+        labels = labels_phrase([channel.label for channel in channels])
+        raise InputError("motion.not_one_vertical", "component", channels=labels)
+    return f"channel {upright[0]}"
+
+
+def _read(
+    path: str | os.PathLike[str],
+    choose: Callable[[Sequence[Channel]], str | None],
+    unit: str | None,
+    dt: float | None,
+) -> Motion:
     if unit is not None:
         unit_factor(unit)
     if dt is not None:
-        within("dt", dt, *STEP_RANGE, "s")
+        within("motion.name_dt", dt, *STEP_RANGE, "s", "dt")
     text = file_text(path)
     reader = next((reader for reader in READERS if reader.recognise(text)), None)
     if reader is None:
         formats = ", ".join(r.FORMAT for r in READERS)
-        raise InputError(f"The motion file {str(path)!r} is in no known format; it must be one of {formats}.")
+        raise InputError("motion.unknown_format", path=str(path), formats=formats)
+    title = f"{Path(path).name} ({reader.FORMAT})"
+    warnings: list[InputWarning] = []
     try:
-        check_end(text)
-        channels = reader.read(text, unit, dt)
-        motion = motion_of_channels(channels, component, reader.FORMAT, name=Path(path).stem)
+        with warnings_to(warnings.append):
+            check_end(text)
+            channels = reader.read(text, unit, dt)
+            fields = motion_fields(channels, choose(channels), reader.FORMAT, name=Path(path).stem)
+            motion = Motion(**fields)
     except InputError as error:
-        raise InputError(f"{Path(path).name} ({reader.FORMAT}): {error}") from None
+        raise error.at(title) from None
+    if motion.floor:
+        warnings.append(upper_floor_warning(motion.floor))
+    for warning in warnings:
+        warn(warning.at(title))
     return replace(motion, synthetic="synthetic" in text[:_HEAD].lower())

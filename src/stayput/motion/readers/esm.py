@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import re
 
-from stayput.errors import InputError
+from stayput.errors import InputError, excerpt
 from stayput.motion.channels import Channel
-from stayput.motion.readers.fields import check_count, numbers
-from stayput.motion.readers.stated import acceleration_unit, time_step
+from stayput.motion.readers.fields import check_count, free_numbers, numbers
+from stayput.motion.readers.header import acceleration_unit, time_step
+from stayput.motion.readers.text import lines
 
 FORMAT = "ESM ASCII"
 
@@ -31,26 +32,34 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     InputError
         It is not an acceleration, an entry is missing, or there are not as many samples as stated.
     """
-    lines = text.split("\n")
     header: dict[str, str] = {}
-    for line in lines:
+    begin = len(text)
+    for start, line in lines(text):
         entry = _ENTRY.match(line)
         if entry is None:
+            begin = start
             break
         header.setdefault(entry[1], entry[2].strip())
     kind = header.get("DATA_TYPE", "")
     if kind != "ACCELERATION":
-        raise InputError(f"The DATA_TYPE is {kind!r}; it must be 'ACCELERATION'.")
+        raise InputError("motion.esm_no_acceleration", kind=excerpt(kind))
     missing = [key for key in ("NDATA", "SAMPLING_INTERVAL_S") if not header.get(key)]
     if missing:
-        raise InputError(f"The header has no {missing[0]}; it must state it.")
-    count, step = numbers([header["NDATA"], header["SAMPLING_INTERVAL_S"]], "NDATA and SAMPLING_INTERVAL_S")
+        raise InputError("motion.no_header_entry", what=(missing[0], f"「{missing[0]}」"))
+    count, step = numbers([header["NDATA"], header["SAMPLING_INTERVAL_S"]], "the_esm_size")
     factor = acceleration_unit(header.get("UNITS") or None, unit)
-    samples = numbers([line for line in lines[len(header) :] if line.strip()], "the samples")
-    check_count(len(samples), float(count), "samples")
+    samples = free_numbers(text, begin, "the_samples")
+    check_count(len(samples), float(count))
+    if header.get("DURATION_S"):
+        duration = float(numbers([header["DURATION_S"]], "the_esm_duration")[0])
+        # Some writers count samples, others the steps between them, and round to milliseconds.
+        if abs(duration - step * count) > 1.5 * step + 1e-3:
+            raise InputError("motion.esm_duration", stated=duration, duration=float(step * count))
     pga = header.get("PGA_CM/S^2")
-    peak = 0.01 * float(numbers([pga], "PGA_CM/S^2")[0]) if pga else None
+    peak = 0.01 * float(numbers([pga], "the_esm_peak")[0]) if pga else None
     name = ".".join(header[key] for key in ("NETWORK", "STATION_CODE") if header.get(key))
     event = header.get("EVENT_ID") or header.get("EVENT_NAME", "")
     title = ", ".join(part for part in (name, event) if part)
-    return [Channel(header.get("STREAM", ""), factor * samples, time_step(float(step), dt), title, peak)]
+    place = header.get("STATION_NAME", "")
+    step = time_step(float(step), dt)
+    return [Channel(header.get("STREAM", ""), factor * samples, step, title, peak, location=place)]

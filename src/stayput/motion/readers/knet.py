@@ -10,14 +10,15 @@ from __future__ import annotations
 
 import re
 from io import BytesIO
+from itertools import islice
 from typing import Any
 
-import numpy as np
-
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.motion.channels import Channel
-from stayput.motion.readers.fields import number_after, numbers
-from stayput.motion.readers.stated import acceleration_unit, time_step
+from stayput.motion.readers.fields import free_numbers, quantity
+from stayput.motion.readers.header import acceleration_unit, time_step
+from stayput.motion.readers.text import lines
 
 FORMAT = "K-NET ASCII"
 
@@ -28,6 +29,9 @@ _KEYS = {  # as ObsPy wants them, of those that differ between files
     r"Memo(?!\.)": "Memo.",
 }
 _HEADER_LINES = 17
+_SCALE = re.compile(
+    r"([0-9]{1,9}(?:\.[0-9]{0,9})?) *\(gal\) */ *([0-9]{1,12}(?:\.[0-9]{0,9})?)", re.IGNORECASE
+)
 
 
 def recognise(text: str) -> bool:
@@ -35,20 +39,23 @@ def recognise(text: str) -> bool:
     return text.startswith("Origin Time") and "Scale Factor" in text[:2000]
 
 
+def _entry(header: list[str], key: str, what: str) -> str:
+    """Return what the header has behind a key."""
+    value = next((line[18:].strip() for line in header if line.startswith(key)), "")
+    if not value:
+        raise InputError("motion.no_header_entry", what=phrase(f"motion.{what}"))
+    return value
+
+
 def _obspy_read(text: str) -> Any:
     try:
         from obspy import read as obspy_read
     except ImportError:
-        raise InputError(
-            "ObsPy is absent; it must be installed to read K-NET ASCII: pip install obspy."
-        ) from None
+        raise InputError("motion.knet_no_obspy") from None
     try:
         return obspy_read(BytesIO(text.encode()), format="KNET")[0]
     except Exception as error:  # a broken header raises whatever it meets
-        what = " ".join(str(error).split())
-        raise InputError(
-            f"The header cannot be read ({what}); it must be the 17 lines of the format."
-        ) from None
+        raise InputError("motion.knet_header_unread", reason=" ".join(str(error).split())) from None
 
 
 def _header(lines: list[str]) -> list[str]:
@@ -70,31 +77,27 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     InputError
         ObsPy is absent, the header or a count is damaged, or the samples are not as long as stated.
     """
-    lines = text.split("\n")
-    header = _header(lines)
-    if len(header) < _HEADER_LINES or not header[-1].startswith("Memo."):
-        raise InputError("The header does not end with Memo. on line 17; it must be the format's 17 lines.")
+    top = list(islice(lines(text), _HEADER_LINES + 1))
+    header = _header([line for _, line in top[:_HEADER_LINES]])
+    if len(top) <= _HEADER_LINES or not header[-1].startswith("Memo."):
+        raise InputError("motion.knet_no_memo")
     factor = acceleration_unit("gal", unit)
-    counts = numbers(" ".join(lines[_HEADER_LINES:]).split(), "the counts")
-    head = "\n".join(header)
-    rate = number_after(r"^Sampling Freq\(Hz\) *([0-9.]{1,12})", head, "sampling frequency")
-    seconds = number_after(r"^Duration Time\(s\) *([0-9.]{1,12})", head, "duration")
-    scale = number_after(r"^Scale Factor *([0-9.]{1,12}) *\(gal\)", head, "scale factor in gal")
-    if not (rate > 0.0 and scale > 0.0):
-        raise InputError(
-            f"The sampling frequency is {rate:g} Hz, the scale {scale:g} gal; both must be positive."
-        )
+    start, first_row = top[_HEADER_LINES]
+    counts = free_numbers(text, start, "the_counts")
+    rate = quantity(_entry(header, "Sampling Freq(Hz)", "sampling_frequency"), ("HZ",), "sampling_frequency")
+    seconds = quantity(_entry(header, "Duration Time(s)", "duration"), ("S",), "duration")
+    scale = _SCALE.fullmatch(_entry(header, "Scale Factor", "scale_factor"))
+    if scale is None:
+        raise InputError("motion.knet_no_scale")
+    if not (rate > 0.0 and float(scale[1]) > 0.0 and float(scale[2]) > 0.0):
+        raise InputError("motion.knet_not_positive", rate=rate)
     if abs(len(counts) - rate * seconds) >= 1.0 - 1e-6:
-        raise InputError(
-            f"The header states {seconds:g} s and the file has {len(counts) / rate:g} s; they must agree."
-        )
-    trace = _obspy_read("\n".join(header + lines[_HEADER_LINES:]))
-    raw = np.asarray(trace.data, dtype=np.float64)
-    acceleration = (raw - raw.mean()) * float(trace.stats.calib)  # ObsPy's calib is in m/s² a count
+        raise InputError("motion.knet_duration", stated=seconds, duration=len(counts) / rate)
+    trace = _obspy_read("\n".join([*header, first_row]))  # the header alone; a row because it needs one
+    counts -= counts.mean()
+    counts *= float(trace.stats.calib)  # ObsPy's calib is in m/s² a count
     peak = float(trace.stats.knet.accmax) * factor
     step = time_step(1.0 / rate, dt)
     return [
-        Channel(
-            str(trace.stats.channel), acceleration, step, str(trace.stats.station), peak, ", offset removed"
-        )
+        Channel(str(trace.stats.channel), counts, step, str(trace.stats.station), peak, ", offset removed")
     ]

@@ -8,20 +8,20 @@ from __future__ import annotations
 
 import re
 
-import numpy as np
-
-from stayput.errors import InputError
+from stayput.errors import InputError, excerpt
 from stayput.motion.channels import Channel
-from stayput.motion.readers.columns import regular_step
-from stayput.motion.readers.fields import check_rows, numbers
-from stayput.motion.readers.stated import acceleration_unit, time_step
+from stayput.motion.readers.fields import Numbers, numbers, quantity
+from stayput.motion.readers.header import acceleration_unit, regular_step, time_step
+from stayput.motion.readers.text import chunks
 
 FORMAT = "K-NET CSV"
 
 _DEFAULT_LABELS = ["NS", "EW", "UD"]
 _LABEL = re.compile(r"(?<![A-Z])(NS|EW|UD|N-S|E-W|U-D)([12]?)(?![A-Z])", re.IGNORECASE)
 _DATE = re.compile(r" *[0-9]{4}[-/][0-9]{1,2}[-/][0-9]{1,2}[ T]+[0-9]{1,2}:")
-_VALUE = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+_ASIDE = re.compile(r"\([^()]{0,40}\)|\[[^\[\]]{0,40}\]")
+_PARTS = re.compile(r"[\s,:=]+")
+_HEADER_LINES = 200
 
 
 def recognise(text: str) -> bool:
@@ -31,21 +31,32 @@ def recognise(text: str) -> bool:
 
 
 def _key(line: str) -> str:
-    found = re.match(r"# *([A-Za-z]+)", line)
-    return found[1].lower() if found else ""
+    """Return the first word of a header line, in small letters."""
+    match = re.match(r"# *([A-Za-z]+)", line)
+    return match[1].lower() if match else ""
 
 
 def _labels(line: str) -> list[str]:
-    found = [m[1].replace("-", "").upper() + m[2] for m in _LABEL.finditer(line)]
-    return found if len(found) >= 3 else []
+    """Return the directions that a line names, where it names three or more."""
+    labels = [m[1].replace("-", "").upper() + m[2] for m in _LABEL.finditer(line)]
+    return labels if len(labels) >= 3 else []
 
 
-def _values(line: str, count: int) -> list[float]:
-    plain = re.sub(r"\([^)]*\)|\[[^\]]*\]", " ", line)
-    found = _VALUE.findall(plain)
-    if len(found) != count:
-        raise InputError(f"The header line {line[:60]!r} has {len(found)} numbers; it must have {count}.")
-    return [float(value) for value in found]
+def _offsets(line: str, count: int) -> list[float]:
+    """Return what is to be subtracted from each component, in the samples' unit."""
+    fields = _PARTS.split(_ASIDE.sub(" ", line.lstrip("# ")).strip(" ,\t"))[1:]
+    if len(fields) > count:  # names or units stand between the numbers
+        fields = [text for text in fields if any(map(str.isdecimal, text))]
+    if len(fields) != count:
+        raise InputError("motion.knet_offset_count", line=excerpt(line), count=len(fields), columns=count)
+    return numbers(fields, "the_offsets").tolist()
+
+
+def _rate(header: list[str]) -> float | None:
+    """Return the sampling frequency that the header states [Hz]."""
+    line = next((line for line in header if _key(line) == "sampling"), None)
+    value = _ASIDE.sub(" ", line).partition("Freq")[2].strip(" ,:=\t") if line else ""
+    return quantity(value, ("HZ",), "sampling_frequency") if value else None
 
 
 def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
@@ -56,32 +67,57 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     InputError
         The offsets or the unit are not stated, a row is incomplete, or the sampling is not regular.
     """
-    lines = text.split("\n")
-    header = [line for line in lines if line.startswith("#")]
-    rows = [line.rstrip(", \t") for line in lines if line.strip() and not line.startswith("#")]
-    names = rows.pop(0) if rows and _labels(rows[0]) else header[-1] if header else ""
-    labels = _labels(names) or _DEFAULT_LABELS
+    header: list[str] = []
+    first: str | None = None  # row
+    samples = Numbers("the_samples")
+    labels: list[str] = []
+    row = 0
+    for chunk in chunks(text):
+        tokens: list[str] = []
+        for line in chunk.split("\n"):
+            if line.startswith("#"):
+                if len(header) < _HEADER_LINES:
+                    header.append(line)
+                continue
+            if not line.strip():
+                continue
+            if first is None:
+                first = line
+                names = _labels(line)
+                labels = names or (_labels(header[-1]) if header else []) or _DEFAULT_LABELS
+                if names:
+                    continue
+            row += 1
+            if not _DATE.match(line):
+                raise InputError("motion.knet_no_date", line=excerpt(line))
+            values = line.rstrip(", \t").split(",")
+            if len(values) != len(labels) + 2:
+                columns = len(labels) + 2
+                raise InputError("motion.row_width", row=row, value=excerpt(line), columns=columns)
+            tokens += values[1:]
+        samples.add(tokens)
+    labels = labels or _DEFAULT_LABELS
     offset = next((line for line in header if _key(line) == "offset"), None)
     if offset is None:
-        raise InputError("The header has no line #Offset; it must state what to subtract.")
-    offsets = _values(offset, len(labels))
+        raise InputError("motion.knet_no_offset")
+    offsets = _offsets(offset, len(labels))
     stated = "gal" if re.search(r"\bgal\b", "\n".join(header), re.IGNORECASE) else None
     factor = acceleration_unit(stated, unit)
-    undated = next((row for row in rows if not _DATE.match(row)), None)
-    if undated is not None:
-        raise InputError(f"The row {undated[:40]!r} has no date and time; each must begin with them.")
-    check_rows(rows, len(labels) + 1)
-    tokens = [value for row in rows for value in row.split(",")[1:]]
-    table = numbers(tokens, "the samples").reshape(-1, len(labels) + 1)
+    table = samples.array().reshape(-1, len(labels) + 1)
     if len(table) < 2:
-        raise InputError(f"The file has {len(table)} rows of samples; it must have at least 2.")
-    step = time_step(regular_step(table[:, 0]), dt)
-    samples = factor * (table[:, 1:] - np.array(offsets))
+        raise InputError("motion.few_rows", rows=len(table))
+    step = regular_step(table[:, 0])
+    rate = _rate(header)
+    if rate is not None and abs(step * rate - 1.0) > 1e-3:
+        raise InputError("motion.knet_rate", rate=rate, step=step)
+    step = time_step(step, dt)
     station = next(
         (re.split(r"[,:=]", line, maxsplit=1)[-1].strip(" ,") for line in header if _key(line) == "station"),
         "",
     )
     return [
-        Channel(name, np.ascontiguousarray(samples[:, i]), step, station, note=", offset removed")
-        for i, name in enumerate(labels)
+        Channel(
+            name, factor * (table[:, i] - shift), step, station, note=", offset removed", location=station
+        )
+        for i, (name, shift) in enumerate(zip(labels, offsets, strict=True), start=1)
     ]

@@ -7,41 +7,47 @@ Source: PEER strong-motion and NGA databases, https://ngawest2.berkeley.edu. The
 from __future__ import annotations
 
 import re
+from itertools import islice
 
-from stayput.errors import InputError
+from stayput.catalogue import phrase
+from stayput.errors import InputError, excerpt
 from stayput.motion.channels import Channel
-from stayput.motion.readers.fields import check_count, free_numbers, numbers
-from stayput.motion.readers.stated import acceleration_unit, time_step
+from stayput.motion.readers.fields import check_count, free_numbers, quantity
+from stayput.motion.readers.header import acceleration_unit, stated_unit, time_step
+from stayput.motion.readers.text import lines
 
 FORMAT = "PEER AT2"
 
-_NUMBER = r"([0-9.eE+\-]{1,20})"
-_NAMED = re.compile(rf"NPTS\s*=\s*{_NUMBER}\s*,?\s*DT\s*=\s*{_NUMBER}", re.IGNORECASE)
-_BARE = re.compile(rf"^\s*{_NUMBER}\s+{_NUMBER}\s+NPTS\s*,\s*DT", re.IGNORECASE)
-_UNIT = re.compile(r"UNITS? +OF +([A-Z][A-Z0-9/^²]{0,15})", re.IGNORECASE)
+_WORD = re.compile(r"[A-Z]+")
+_NAMED = re.compile(r"NPTS ?= ?([^ ,=]{1,40}) ?,? ?DT ?= ?(.+)", re.IGNORECASE)
+_BARE = re.compile(r"([^ ,=]{1,40}) ([^ ,=]{1,40}) NPTS ?, ?DT\b.*", re.IGNORECASE)
 _OTHER = re.compile(r"\b(VELOCITY|DISPLACEMENT)\b", re.IGNORECASE)
 _DIRECTION = re.compile(
     r"(?:[0-9]{1,3}|[NSEW]|[NEUV][SWD]|UP|DOWN|DWN|DN|VERT?)(?= *(?:$|\())", re.IGNORECASE
 )
 _HEADER_LINES = 8
+_SECONDS = ("SEC", "S", "SECS", "SECOND", "SECONDS")
 
 
-def _size(lines: list[str]) -> tuple[int, re.Match[str]] | None:
-    for i, line in enumerate(lines[:_HEADER_LINES]):
-        found = _NAMED.search(line) or _BARE.search(line)
-        if found:
-            return i, found
+def _header(text: str) -> tuple[list[str], str, int] | None:
+    """Return the lines above that of NPTS and DT, that line with single blanks, and where the next is."""
+    before: list[str] = []
+    for start, line in islice(lines(text), _HEADER_LINES):
+        if {"NPTS", "DT"} <= set(_WORD.findall(line.upper())):
+            return before, " ".join(line.split()), start + len(line) + 1
+        before.append(line)
     return None
 
 
 def recognise(text: str) -> bool:
     """Return whether one of the first lines states NPTS and DT."""
-    return _size(text.split("\n", _HEADER_LINES)[:_HEADER_LINES]) is not None
+    return _header(text) is not None
 
 
 def _direction(title: str) -> str:
-    found = _DIRECTION.match(title.rsplit(",", 1)[-1].strip()) if "," in title else None
-    return found[0] if found else ""
+    """Return the direction at the end of a title "event, station, direction"."""
+    match = _DIRECTION.match(title.rsplit(",", 1)[-1].strip()) if "," in title else None
+    return match[0] if match else ""
 
 
 def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
@@ -52,22 +58,26 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     InputError
         It is not an acceleration, states no unit, or has not as many samples as it states.
     """
-    lines = text.split("\n")
-    size = _size(lines)
-    if size is None:
-        raise InputError("The header has no NPTS and DT; it must state them.")
-    last, found = size
-    header = lines[:last]
-    titles = [line.strip() for line in header if line.strip()]
+    header = _header(text)
+    if header is None:
+        raise InputError("motion.peer_no_npts")
+    before, size, start = header
+    titles = [line.strip() for line in before if line.strip()]
     kind = next((line for line in titles if "UNITS" in line.upper() or "TIME" in line.upper()), "")
     if other := _OTHER.search(kind):
-        raise InputError(f"The file is a {other[1].lower()} history; it must be an acceleration history.")
-    stated = _UNIT.search(" ".join(titles))
-    factor = acceleration_unit(stated[1] if stated else None, unit)
-    count, step = numbers([found[1], found[2]], "the line of NPTS and DT")
-    samples = free_numbers(lines[last + 1 :], "the samples")
-    check_count(len(samples), count, "samples")
+        raise InputError("motion.peer_no_acceleration", kind=phrase(f"motion.{other[1].lower()}"))
+    factor = acceleration_unit(stated_unit(" ".join(titles)), unit, " ".join(titles))
+    match = _NAMED.search(size) or _BARE.fullmatch(size)
+    if match is None:
+        raise InputError("motion.peer_npts_line", line=excerpt(size))
+    count = quantity(match[1], (), "npts")
+    words = match[2].split()
+    unit_of_step = words[1:2] if words[1:2] and words[1].rstrip(".,").isalpha() else []
+    step = quantity(" ".join([words[0].rstrip(","), *unit_of_step]), _SECONDS, "dt")
+    samples = free_numbers(text, start, "the_samples")
+    check_count(len(samples), count)
     title = titles[1] if len(titles) > 1 else ""
     label = _direction(title)
     place = title.rsplit(",", 1)[0].strip() if label else title
-    return [Channel(label, factor * samples, time_step(float(step), dt), place)]
+    step = time_step(step, dt)
+    return [Channel(label, factor * samples, step, place, location=" ".join(titles))]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,6 +11,7 @@ from stayput.errors import InputError
 
 if TYPE_CHECKING:
     import os
+    from collections.abc import Iterator
 
 LARGEST_FILE = 512 * 1024 * 1024
 """Largest file that is read [bytes]."""
@@ -17,8 +19,13 @@ LARGEST_FILE = 512 * 1024 * 1024
 LONGEST_LINE = 10_000
 """Longest line that is read; the formats' own end below 500 characters."""
 
-_CONTROLS = bytes(set(range(32)) - set(b"\t\n\v\f\r\x1a")) + b"\x7f"
-_DECIMALS = re.compile(r"\.([0-9]+(?:[eE][+\-]?[0-9]+)?)[ \t,;]*$")
+_CHUNK = 1 << 16  # characters of a text of which lists are made at a time
+
+_CONTROLS = bytes(set(range(32)) - set(b"\t\n\v\f\r\x1a")) + b"\x7f"  # in no text file
+_DECIMALS = re.compile(r"\.([0-9]+(?:[eE][+\-]?[0-9]+)?)$")
+_BEGUN = re.compile(r"[+\-]?[0-9]*\.?[0-9]*(?:[eE][+\-]?[0-9]*)?")
+_LETTER = re.compile(r"[A-DF-Za-df-z]")  # any but the e of an exponent
+_WORDS = re.compile(r"[ \t,;]+")
 
 
 def file_text(path: str | os.PathLike[str]) -> str:
@@ -32,46 +39,54 @@ def file_text(path: str | os.PathLike[str]) -> str:
     try:
         file = Path(path)
         if file.is_dir():
-            raise InputError(f"The motion file {str(path)!r} is a directory; it must be a file.")
+            raise InputError("motion.file_is_folder", path=str(path))
         size = file.stat().st_size
         if not file.is_file():
-            raise InputError(f"The motion file {str(path)!r} is a device or a pipe; it must be a file.")
+            raise InputError("motion.file_is_device", path=str(path))
         if size > LARGEST_FILE:
-            raise InputError(
-                f"The motion file {str(path)!r} has {size} bytes; at most {LARGEST_FILE} are read."
-            )
+            raise InputError("motion.file_too_large", path=str(path), size=size, most=LARGEST_FILE)
         data = file.read_bytes()
     except FileNotFoundError:
-        raise InputError(
-            f"The motion file {str(path)!r} does not exist; it must be a readable file."
-        ) from None
+        raise InputError("motion.file_missing", path=str(path)) from None
     except OSError as error:
         reason = error.strerror or type(error).__name__
-        raise InputError(
-            f"The motion file {str(path)!r} cannot be read ({reason}); it must be readable."
-        ) from None
+        raise InputError("motion.file_unreadable", path=str(path), reason=reason) from None
     except (TypeError, ValueError) as error:
         if isinstance(error, InputError):
             raise
-        raise InputError(f"The motion file is {path!r}; it must be the path of a file.") from None
+        raise InputError("motion.file_no_path", path=path) from None
     if not data.strip():
-        raise InputError(f"The motion file {str(path)!r} is empty; it must hold a record.")
+        raise InputError("motion.file_empty", path=str(path))
     if len(data.translate(None, _CONTROLS)) < len(data):
-        raise InputError(
-            f"The motion file {str(path)!r} is binary; it must be text "
-            f"(read other formats with ObsPy and use Motion.from_obspy)."
-        )
-    text = _decoded(data).rstrip("\x1a")  # DOS's end of file
-    text = text.replace("\r\r\n", "\n").replace("\r\n", "\n").replace("\r", "\n")
-    longest = max(map(len, text.split("\n")))
+        raise InputError("motion.file_binary", path=str(path))
+    data = data.rstrip(b"\x1a")  # DOS's end of file
+    if b"\r" in data:  # in none of the codings part of another character
+        data = data.replace(b"\r\r\n", b"\n").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    longest = len(_decoded(max(io.BytesIO(data), key=len).rstrip(b"\n")))
     if longest > LONGEST_LINE:
-        raise InputError(
-            f"The motion file {str(path)!r} has a line of {longest} characters; {LONGEST_LINE} are allowed."
-        )
-    return text
+        raise InputError("motion.file_long_line", path=str(path), length=longest, most=LONGEST_LINE)
+    return _decoded(data)
+
+
+def chunks(text: str, start: int = 0) -> Iterator[str]:
+    """Yield a text from a place on in chunks of whole lines, as a list of all its words would be large."""
+    while start < len(text):
+        line_end = text.find("\n", start + _CHUNK)
+        stop = len(text) if line_end < 0 else line_end + 1
+        yield text[start:stop]
+        start = stop
+
+
+def lines(text: str, start: int = 0) -> Iterator[tuple[int, str]]:
+    """Yield the lines of a text from a place on: where each begins, and the line without its end."""
+    for chunk in chunks(text, start):
+        for line in chunk.removesuffix("\n").split("\n"):
+            yield start, line
+            start += len(line) + 1
 
 
 def _decoded(data: bytes) -> str:
+    # UTF-8 refuses nearly every text of another coding; cp932 is Japan's; Latin-1 takes any byte.
     for coding in ("utf-8-sig", "cp932"):
         try:
             return data.decode(coding)
@@ -81,14 +96,26 @@ def _decoded(data: bytes) -> str:
 
 
 def check_end(text: str) -> None:
-    """Raise `InputError` when the text ends within a number.
+    """Raise `InputError` when the text ends within a number, as a download that broke off does.
 
-    It does so when there is no line end after the last number and that has fewer decimals than the last
-    number of every line before it, which all have as many.
+    It does so when there is no line end after the last number and that number has fewer decimals than the
+    last of each line before it, or where there are fewer than two such lines, than all numbers before it.
     """
     if text.endswith("\n"):
         return
-    *before, last = ((m := _DECIMALS.search(line)) and len(m[1]) for line in text[-4000:].split("\n")[-21:])
-    if len(before) >= 2 and len(set(before)) == 1 and before[0] and (last or 0) < before[0]:
-        tail = text.rsplit("\n", 1)[-1].strip()[-40:]
-        raise InputError(f"The file ends within a number, with {tail!r}; it must be complete.")
+    rows: list[list[int]] = []  # decimals of each number, the last line first
+    for line in reversed(text[-4000:].split("\n")[-21:]):  # some twenty lines show the file's way of writing
+        words = _WORDS.split(line.strip(" \t,;"))
+        row = [len(m[1]) if (m := _DECIMALS.search(word)) else 0 for word in words]
+        # Words end the block of numbers, and so does a line that ends in a whole number; the last line may
+        # end in any beginning of a number.
+        if _LETTER.search(line) or not (row[-1] if rows else _BEGUN.fullmatch(words[-1])):
+            break
+        rows.append(row)
+    if not rows:
+        return
+    last = rows[0].pop()
+    others = [row[-1] for row in rows[1:]] if len(rows) > 2 else [digits for row in rows for digits in row]
+    if len(others) >= 2 and len(set(others)) == 1 and last < others[0]:
+        tail = text[-100:].rsplit("\n", 1)[-1].strip()[-40:]
+        raise InputError("motion.file_cut", tail=tail)

@@ -1,4 +1,4 @@
-"""The families of earthquakes that furniture meets, and what is drawn at random for each motion.
+"""The families of earthquakes that furniture meets, and the random draw of each motion's parameters.
 
 The ranges are common knowledge of the field, not re-checked: defaults of low confidence.
 """
@@ -7,14 +7,66 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from statistics import NormalDist
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from stayput.errors import InputError
-from stayput.motion.suites.point_source import PointSource
-from stayput.motion.suites.site import SoilLayer
+from stayput.motion.suites.point_source import PointSource, SoilLayer
+from stayput.randomness import random_bits, uniforms
 
 if TYPE_CHECKING:
-    from stayput.motion.suites.draws import Draws
+    from numpy.typing import NDArray
+
+_TRUNCATION = 2.0
+"""Normal draws are cut at this many standard deviations, so that no motion is absurd."""
+
+
+class Draws:
+    """A stream of random numbers of several distributions, whose bits depend on its key alone.
+
+    Parameters
+    ----------
+    *key : int
+        Whole numbers from 0 to 2³² − 1 that name the stream; another key gives an independent stream.
+    """
+
+    def __init__(self, *key: int) -> None:
+        self._bits = random_bits(len(key), *key)
+
+    def _uniforms(self, n: int) -> NDArray[np.float64]:
+        """Return numbers inside (0, 1), of 53 bits, shape (n,)."""
+        return uniforms(self._bits.random_raw(n))
+
+    def uniform(self, low: float, high: float) -> float:
+        """Return a number from low to high, all equally likely."""
+        return low + (high - low) * float(self._uniforms(1)[0])
+
+    def log_uniform(self, low: float, high: float) -> float:
+        """Return a number from low to high whose logarithm is uniform."""
+        return low * (high / low) ** self.uniform(0.0, 1.0)
+
+    def normal(self) -> float:
+        """Return a standard normal number, cut at ±2."""
+        standard = NormalDist()
+        return standard.inv_cdf(self.uniform(standard.cdf(-_TRUNCATION), standard.cdf(_TRUNCATION)))
+
+    def lognormal(self, median: float, sigma: float) -> float:
+        """Return a number of a median and a standard deviation of its logarithm, cut at ±2 of them."""
+        return median * math.exp(sigma * self.normal())
+
+    def choice(self, shares: tuple[float, ...]) -> int:
+        """Return a place in ``shares``, which sum to 1, each as likely as its share."""
+        u = self.uniform(0.0, 1.0)
+        return min(sum(u > edge for edge in np.cumsum(shares)), len(shares) - 1)
+
+    def noise(self, n: int) -> NDArray[np.float64]:
+        """Return standard normal noise, shape (n,) (Box and Muller 1958)."""
+        half = (n + 1) // 2
+        u = self._uniforms(2 * half)
+        radius, angle = np.sqrt(-2.0 * np.log(u[:half])), 2.0 * math.pi * u[half:]
+        return np.concatenate((radius * np.cos(angle), radius * np.sin(angle)))[:n]
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,21 +197,21 @@ class Parameters:
     waves: BasinWaves | None
 
     def __str__(self) -> str:
-        said = [
+        parts = [
             f"stochastic point source, M {self.source.magnitude:.2f} at {self.source.distance:.1f} km",
             f"stress drop {self.source.stress_drop:.1f} MPa, kappa {self.source.kappa:.3f} s",
             f"soil period {self.soil.period:.2f} s, impedance ratio {self.soil.impedance:.2f}",
         ]
         if len(self.shares) > 1:
-            said.append(f"{len(self.shares)} bursts")
+            parts.append(f"{len(self.shares)} bursts")
         if self.pulse is not None:
-            said.append(f"pulse of {self.pulse.period:.2f} s, {self.pulse.velocity:.2f} m/s")
+            parts.append(f"pulse of {self.pulse.period:.2f} s, {self.pulse.velocity:.2f} m/s")
         if self.waves is not None:
-            said.append(f"basin waves of {self.waves.period:.1f} s, {self.waves.strength:.1f} times")
-        return "; ".join(said)
+            parts.append(f"basin waves of {self.waves.period:.1f} s, {self.waves.strength:.1f} times")
+        return "; ".join(parts)
 
 
-def kind_of(family: str) -> Family:
+def family_named(family: str) -> Family:
     """Return a family by its name.
 
     Raises
@@ -168,11 +220,11 @@ def kind_of(family: str) -> Family:
         No such family.
     """
     if family not in KINDS:
-        raise InputError(f"The family is {family!r}; it must be one of {', '.join(FAMILIES)}.")
+        raise InputError("motion.unknown_family", "family", family=family, known=", ".join(FAMILIES))
     return KINDS[family]
 
 
-def drawn(kind: Family, draw: Draws) -> Parameters:
+def draw_parameters(kind: Family, draw: Draws) -> Parameters:
     """Return the parameters of one motion of a family, drawn at random."""
     source = PointSource(
         magnitude=draw.uniform(*kind.magnitudes),

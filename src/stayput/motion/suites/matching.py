@@ -8,16 +8,16 @@ is smooth, so a motion keeps its envelope.
 from __future__ import annotations
 
 import math
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from stayput.errors import InputError
+from stayput.execution import Call, ThreadExecutor
+from stayput.motion.processing import ending_at_rest, fft_length
 from stayput.motion.record import COMPONENTS, Motion
-from stayput.motion.suites.envelopes import ends_tapered
-from stayput.motion.suites.settling import fft_length, settled
+from stayput.motion.suites.envelopes import cosine_taper
 from stayput.motion.suites.target import band_periods
 from stayput.progress import bar
 
@@ -31,21 +31,21 @@ if TYPE_CHECKING:
 VERTICAL = ((0.1, 0.8), (0.3, 0.5))
 """Periods [s] and the vertical over the horizontal spectrum, log-log linear (default, low confidence)."""
 
-ROUNDS = 8
-"""How often the filter is corrected; the best round counts."""
+ITERATIONS = 8
+"""How often the filter is corrected; the best iteration counts."""
 
-CAUTION = 0.8
-"""Share of the misfit's logarithm that a round takes off."""
+RELAXATION = 0.8
+"""Share of the misfit of ln Sa that one iteration takes off: all of it overshoots where periods interact."""
 
 PADDING = 2.0
-"""Still floor that is put before and after a motion for its filtered waves to fade in, in longest periods."""
+"""Still floor before and after a motion, for its filtered waves to fade in [longest periods of the band]."""
 
-WIDER = 1.25
-"""The filter goes on beyond the band by this factor, so that the band's ends are met too."""
+BAND_MARGIN = 1.25
+"""Factor by which the filter goes on beyond the band, so that the band's ends are met too."""
 
 
 @dataclass(frozen=True, slots=True)
-class _Filtered:
+class _FilteredComponent:
     """A component's transform, whose amplitudes are multiplied."""
 
     transform: NDArray[np.complex128]
@@ -56,13 +56,14 @@ class _Filtered:
     n_fft: int
 
     @classmethod
-    def of(cls, a: NDArray[np.float64], dt: float, longest: float) -> _Filtered:
+    def of(cls, a: NDArray[np.float64], dt: float, longest: float) -> _FilteredComponent:
         pad = math.ceil(PADDING * longest / dt)
         n = len(a) + 2 * pad
-        n_fft = fft_length(n + pad)
+        n_fft = fft_length(n + pad)  # the zeros at the end keep filtered waves from wrapping around
         f = np.fft.rfftfreq(n_fft, dt)
         transform = np.fft.rfft(np.pad(a, pad), n_fft)
-        return cls(transform, np.log(np.maximum(f, 0.1 * f[1])), dt, pad, n, n_fft)
+        log_f = np.log(np.maximum(f, 0.1 * f[1]))  # finite at 0 Hz, below all others
+        return cls(transform, log_f, dt, pad, n, n_fft)
 
     def changed(self, periods: NDArray[np.float64], log_gain: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the acceleration with the gains exp(log_gain) at 1/periods, brought back to rest.
@@ -75,7 +76,7 @@ class _Filtered:
         gain = np.exp(np.interp(self.log_f, log_edges, log_gain[::-1]) + 2.0 * fall)
         a = np.fft.irfft(self.transform * gain, self.n_fft)[: self.n]
         t = self.dt * np.arange(self.n, dtype=np.float64)
-        return settled(a * ends_tapered(t, self.dt * self.pad))
+        return ending_at_rest(a * cosine_taper(t, self.dt * self.pad))
 
     def log_sa(
         self, periods: NDArray[np.float64], log_gain: NDArray[np.float64], damping: float
@@ -95,7 +96,7 @@ def vertical_ratio(periods: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _gains(
-    parts: Sequence[_Filtered],
+    parts: Sequence[_FilteredComponent],
     wanted: NDArray[np.float64],
     damping: float,
     periods: NDArray[np.float64],
@@ -104,21 +105,20 @@ def _gains(
     """Return the log gains with which the geometric mean of components has ln Sa as wanted, shape (m,)."""
     gain = np.zeros(len(periods))
     best, least = gain, np.inf
-    with ThreadPoolExecutor(threads) as pool:
-        for _ in range(ROUNDS):
-            asked = [pool.submit(part.log_sa, periods, gain, damping) for part in parts]
-            rows = [future.result() for future in asked]
+    with ThreadExecutor(threads) as executor:
+        for _ in range(ITERATIONS):
+            rows = list(executor.in_order(Call(part.log_sa, periods, gain, damping) for part in parts))
             misfit = wanted - sum(rows) / len(rows)
             error = float(np.mean(np.abs(misfit)))
             if error < least:
                 best, least = gain, error
-            gain = gain + CAUTION * misfit
+            gain = gain + RELAXATION * misfit
     return best
 
 
 def _with_gains(
     motion: Motion,
-    parts: dict[str, _Filtered],
+    parts: dict[str, _FilteredComponent],
     gains: dict[str, NDArray[np.float64]],
     periods: NDArray[np.float64],
     note: str,
@@ -163,19 +163,19 @@ def matched(
     """
     inside = band_periods(band)
     target(inside)
-    low = max(float(target.periods[0]), inside[0] / WIDER)
-    high = min(float(target.periods[-1]), inside[-1] * WIDER)
+    low = max(float(target.periods[0]), inside[0] / BAND_MARGIN)
+    high = min(float(target.periods[-1]), inside[-1] * BAND_MARGIN)
     periods = band_periods((low, high))
     for motion in motions:
         for name, a in motion.components.items():
             if not np.any(a):
-                raise InputError(
-                    f"The {name} component of {motion.name!r} is still; it cannot meet a target."
-                )
-    said = "one filter for the whole suite" if together else "a filter of its own"
-    note = f"Fourier amplitudes changed to {target.name}, {band[0]:g}-{band[1]:g} s, {said}; baseline at rest"
+                raise InputError("motion.match_still", component=name, motion=motion.name)
+    which = "one filter for the whole suite" if together else "a filter of its own"
+    note = (
+        f"Fourier amplitudes changed to {target.name}, {band[0]:g}-{band[1]:g} s, {which}; baseline at rest"
+    )
     filtered = [
-        {name: _Filtered.of(a, motion.dt, band[1]) for name, a in motion.components.items()}
+        {name: _FilteredComponent.of(a, motion.dt, band[1]) for name, a in motion.components.items()}
         for motion in motions
     ]
     if together:
@@ -184,19 +184,20 @@ def matched(
             _with_gains(m, parts, shared, periods, note) for m, parts in zip(motions, filtered, strict=True)
         ]
 
-    def one(motion: Motion, parts: dict[str, _Filtered]) -> Motion:
+    def match_alone(motion: Motion, parts: dict[str, _FilteredComponent]) -> Motion:
         return _with_gains(motion, parts, _suite_gains([parts], target, periods, 1), periods, note)
 
-    made: list[Motion] = []
-    with ThreadPoolExecutor(threads) as pool, bar(len(motions), "Matching", unit="motions") as done:
-        for motion in pool.map(one, motions, filtered):
-            made.append(motion)
+    results: list[Motion] = []
+    with ThreadExecutor(threads) as executor, bar(len(motions), "Matching", unit="motions") as done:
+        pairs = zip(motions, filtered, strict=True)
+        for motion in executor.in_order(Call(match_alone, *pair) for pair in pairs):
+            results.append(motion)
             done(1)
-    return made
+    return results
 
 
 def _suite_gains(
-    filtered: Sequence[dict[str, _Filtered]],
+    filtered: Sequence[dict[str, _FilteredComponent]],
     target: TargetSpectrum,
     periods: NDArray[np.float64],
     threads: int | None,
@@ -207,6 +208,6 @@ def _suite_gains(
     for name in COMPONENTS:
         parts = [components[name] for components in filtered if name in components]
         if parts:
-            its = wanted + np.log(vertical_ratio(periods)) if name == "z" else wanted
-            gains[name] = _gains(parts, its, target.damping, periods, threads)
+            log_sa = wanted + np.log(vertical_ratio(periods)) if name == "z" else wanted
+            gains[name] = _gains(parts, log_sa, target.damping, periods, threads)
     return gains

@@ -1,4 +1,4 @@
-"""The Fourier amplitude of the ground's acceleration: source, path and site (Boore 2003).
+"""The Fourier amplitude spectrum of the ground's acceleration: source, path and site (Boore 2003).
 
     A(f) = C M₀ (2πf)² S(f) · G(R) · e^(−πfR/(Qβ)) · e^(−πκf) · site(f),   C = Rθφ F V / (4πρβ³ · 1 km)
     S(f) = (1 − ε)/[1 + (f/fa)²] + ε/[1 + (f/fb)²],   f₀² = (1 − ε) fa² + ε fb²,   f₀ = 0.4906 β (Δσ/M₀)^(1/3)
@@ -45,6 +45,10 @@ BODY_WAVES = 40.0
 
 DURATION_PER_KM = 0.05
 """What the path adds to the duration [s/km]."""
+
+# Amplification of generic rock by frequency [Hz] (Boore and Joyner 1997).
+_CRUST_FREQUENCIES = (0.01, 0.09, 0.16, 0.51, 0.84, 1.25, 2.26, 3.17, 6.05, 16.6, 61.2, 100.0)
+_CRUST_AMPLIFICATIONS = (1.00, 1.10, 1.18, 1.42, 1.58, 1.74, 2.06, 2.25, 2.58, 3.13, 4.00, 4.40)
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,3 +134,40 @@ class PointSource:
         source = c * self.moment * (2.0 * math.pi * f) ** 2 * (whole + parts)
         path = 1e3 * r / (QUALITY * BETA) * f ** (1.0 - QUALITY_POWER)  # R f / (Q β)
         return source * spread * np.exp(-math.pi * (path + kappa_factor * self.kappa * f))
+
+
+def crust_amplification(f: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the amplification of generic rock, which gets softer upwards (Boore and Joyner 1997)."""
+    return np.interp(np.log(np.maximum(f, 1e-3)), np.log(_CRUST_FREQUENCIES), _CRUST_AMPLIFICATIONS)
+
+
+@dataclass(frozen=True, slots=True)
+class SoilLayer:
+    """A uniform damped layer on elastic rock.
+
+    Parameters
+    ----------
+    period : float
+        T = 4H/Vs for shear waves [s].
+    impedance : float
+        Ratio of the layer's impedance to the rock's, below 1.
+    damping : float
+        Damping ratio of the soil.
+    """
+
+    period: float
+    impedance: float
+    damping: float = 0.05
+
+    def amplification(self, f: NDArray[np.float64], faster: float = 1.0) -> NDArray[np.float64]:
+        """Return 1/|cos k + iα sin k|, k = (π/2) f T (1 − iξ) (Kramer 1996), shape of f.
+
+        Parameters
+        ----------
+        f : ndarray, shape (n,)
+            Frequencies [Hz].
+        faster : float
+            Velocity of these waves in the layer over that of shear waves.
+        """
+        k = 0.5 * math.pi * f * self.period / faster * (1.0 - 1j * self.damping)
+        return 1.0 / np.abs(np.cos(k) + 1j * self.impedance * np.sin(k))

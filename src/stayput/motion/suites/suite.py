@@ -1,26 +1,34 @@
-"""`Suite`: an ordered collection of motions."""
+"""`Suite`: an ordered collection of motions, computed or read from files."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, cast, overload
 
 import numpy as np
 
 from stayput.errors import InputError
-from stayput.motion.intensity import jma_intensity
+from stayput.motion.processing import whole
+from stayput.motion.readers import read_motion
 from stayput.motion.record import Motion
 from stayput.motion.spectrum import DAMPING, PERIODS, spectra
+from stayput.motion.suites.matching import matched
 from stayput.motion.suites.target import DEFAULT_BAND, band_periods
 
 if TYPE_CHECKING:
-    from pathlib import Path
+    from collections.abc import Iterable
 
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.motion.suites.target import TargetSpectrum
+
+
+_NO_RECORDS = (".md",)
+"""Endings of files of a folder that are not records."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,10 +80,10 @@ class Suite(Sequence[Motion]):
     def __post_init__(self) -> None:
         motions = tuple(self.motions)
         if not motions:
-            raise InputError("The suite has no motions; it must have at least one.")
-        for one in motions:
-            if not isinstance(one, Motion):  # pyright: ignore[reportUnnecessaryIsInstance]
-                raise InputError(f"The suite holds a {type(one).__name__}; it must hold motions only.")
+            raise InputError("motion.suite_empty", "motions")
+        for motion in motions:
+            if not isinstance(motion, Motion):  # pyright: ignore[reportUnnecessaryIsInstance]
+                raise InputError("motion.suite_item", "motions", kind=type(motion).__name__)
         object.__setattr__(self, "motions", motions)
 
     def __repr__(self) -> str:
@@ -101,7 +109,7 @@ class Suite(Sequence[Motion]):
     @property
     def intensities(self) -> NDArray[np.float64]:
         """JMA's instrumental intensities of the motions, not rounded, shape (n,)."""
-        return np.array([jma_intensity(motion) for motion in self.motions])
+        return np.array([motion.intensity for motion in self.motions])
 
     def spectra(
         self, periods: ArrayLike = PERIODS, damping: float = DAMPING, component: str = "x"
@@ -117,8 +125,7 @@ class Suite(Sequence[Motion]):
         component : str
             "x", "y" or "z".
         """
-        found = spectra(self.motions, periods, damping, component)
-        return np.array([spectrum.sa for spectrum in found])
+        return np.array([s.sa for s in spectra(self.motions, periods, damping, component)])
 
     def median(
         self, periods: ArrayLike = PERIODS, damping: float = DAMPING, component: str = "x"
@@ -137,7 +144,7 @@ class Suite(Sequence[Motion]):
             Only one motion.
         """
         if len(self) < 2:
-            raise InputError("The suite has 1 motion; a standard deviation needs at least 2.")
+            raise InputError("motion.suite_one_motion")
         return self._logs(periods, damping, component).std(axis=0, ddof=1)
 
     def scaled(self, factor: float) -> Suite:
@@ -193,8 +200,6 @@ class Suite(Sequence[Motion]):
         InputError
             A band outside the target, or a still component.
         """
-        from stayput.motion.suites.matching import matched
-
         return self._with(matched(self.motions, target, band, together=together))
 
     def selected(self, target: TargetSpectrum, n: int, band: tuple[float, float] = DEFAULT_BAND) -> Suite:
@@ -217,9 +222,7 @@ class Suite(Sequence[Motion]):
         InputError
             More motions asked for than there are, or a band outside the target.
         """
-        from stayput.motion.suites.synthesis import whole
-
-        count = whole("Number of selected motions", n, 1, len(self))
+        count = whole("n", n, 1, len(self))
         order = np.argsort(self._misfits(target, band).std(axis=1), kind="stable")
         return self._with([self.motions[i] for i in order[:count]])
 
@@ -242,7 +245,7 @@ class Suite(Sequence[Motion]):
         sa = self.spectra(periods, damping, component)
         for motion, row in zip(self.motions, sa, strict=True):
             if not np.all(row > 0.0):
-                raise InputError(f"The {component} component of {motion.name!r} is still; its ln Sa is none.")
+                raise InputError("motion.suite_still", component=component, motion=motion.name)
         return np.log(sa)
 
     def _misfits(self, target: TargetSpectrum, band: tuple[float, float]) -> NDArray[np.float64]:
@@ -250,3 +253,58 @@ class Suite(Sequence[Motion]):
         periods = band_periods(band)
         wanted = np.log(target(periods))
         return wanted - self._logs(periods, target.damping, "x")
+
+
+def read_suite(
+    source: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
+    component: str | None = None,
+    unit: str | None = None,
+    *,
+    dt: float | None = None,
+    name: str | None = None,
+) -> Suite:
+    """Read a suite of records, in all the formats of `read_motion`.
+
+    Each file is one motion; files that hold one component each are motions of one component (see
+    `Motion.combine`). Nothing is scaled: see `Suite.to_intensity`, `Suite.to_spectrum` and `Suite.selected`.
+
+    Parameters
+    ----------
+    source : path, or iterable of paths
+        A folder, whose files are taken in the order of their names, all but hidden ones and Markdown; or
+        the files themselves, in this order.
+    component, unit, dt
+        As for `read_motion`, for every file.
+    name : str, optional
+        Default: the folder's name.
+
+    Raises
+    ------
+    InputError
+        No folder, no files in it, or a file that cannot be read: its name is in the sentence.
+    """
+    if isinstance(source, str | os.PathLike):
+        folder = Path(source)
+        if not folder.is_dir():
+            raise InputError("motion.suite_no_folder", path=str(folder))
+        files = [
+            file
+            for file in sorted(folder.iterdir())
+            if file.is_file() and not file.name.startswith(".") and file.suffix.lower() not in _NO_RECORDS
+        ]
+        title = folder.resolve().name
+    else:
+        files, title = [Path(file) for file in source], "records"
+    if not files:
+        raise InputError("motion.suite_no_files", name=title)
+    motions = [_read(file, component, unit, dt) for file in files]
+    return Suite(tuple(motions), title if name is None else name)
+
+
+def _read(file: Path, component: str | None, unit: str | None, dt: float | None) -> Motion:
+    try:
+        return read_motion(file, component, unit, dt=dt)
+    except InputError as error:
+        if file.name in str(error):
+            raise
+        raise error.at(file.name) from None

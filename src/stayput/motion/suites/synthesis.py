@@ -8,18 +8,22 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.errors import InputError
+from stayput.motion.processing import ending_at_rest, fft_length, whole
 from stayput.motion.record import Motion
-from stayput.motion.suites.draws import Draws
-from stayput.motion.suites.envelopes import ends_tapered, saragoni_hart
-from stayput.motion.suites.families import FAMILIES, drawn, kind_of
-from stayput.motion.suites.settling import fft_length, settled
-from stayput.motion.suites.site import crust
-from stayput.motion.suites.timing import DT, envelope, s_arrival, steps
+from stayput.motion.suites.envelopes import (
+    DT,
+    cosine_taper,
+    envelope,
+    s_arrival,
+    saragoni_hart,
+    step_count,
+)
+from stayput.motion.suites.families import FAMILIES, Draws, draw_parameters, family_named
+from stayput.motion.suites.point_source import crust_amplification
 from stayput.motion.synthetic import mavroeidis_papageorgiou
 
 if TYPE_CHECKING:
@@ -41,19 +45,36 @@ _OCTAVES = np.log(0.02) + math.log(2.0) * np.arange(12)
 
 @dataclass(frozen=True, slots=True)
 class _Component:
-    """How a component differs: P waves over S waves, κ, velocity in the soil, strength, pulse, basin waves.
+    """How a component differs from a horizontal one without a pulse.
 
     The vertical one has stronger P waves, less damping and faster waves, so that its peaks lie at shorter
     periods (default, low confidence).
+
+    Parameters
+    ----------
+    p_waves : float
+        Strength of the P waves over the S waves'.
+    kappa : float
+        Factor on the site damping κ.
+    velocity : float
+        Velocity of its waves in the soil over that of shear waves.
+    strength : float
+        Factor on the Fourier amplitude.
+    crust_power : float
+        Power of the crust's amplification.
+    pulse : (float, float)
+        Range of the factor on the velocity pulse.
+    basin_waves : float
+        Factor on the basin's surface waves.
     """
 
     p_waves: float
     kappa: float
-    faster: float
+    velocity: float
     strength: float
     crust_power: float
     pulse: tuple[float, float]
-    waves: float
+    basin_waves: float
 
 
 COMPONENTS = {
@@ -63,7 +84,7 @@ COMPONENTS = {
 }
 
 
-def _rough(f: NDArray[np.float64], common: NDArray[np.float64], draw: Draws) -> NDArray[np.float64]:
+def _random_factor(f: NDArray[np.float64], common: NDArray[np.float64], draw: Draws) -> NDArray[np.float64]:
     """Return a random smooth factor on each frequency, partly common to all components."""
     own = draw.noise(len(_OCTAVES))
     knots = ROUGHNESS * (math.sqrt(SHARED) * common + math.sqrt(1.0 - SHARED) * own)
@@ -102,35 +123,44 @@ def _late_waves(
     return _shaped(noise, waves.strength * body * band, n_fft) * np.exp(1j * phase)
 
 
-def _of_component(
-    kind: Family, parts: Parameters, like: _Component, n: int, common: NDArray[np.float64], draw: Draws
+def _acceleration(
+    family: Family,
+    params: Parameters,
+    component: _Component,
+    n: int,
+    common: NDArray[np.float64],
+    draw: Draws,
 ) -> NDArray[np.float64]:
     """Return the acceleration of one component [m/s²], shape (n,)."""
     t = DT * np.arange(n, dtype=np.float64)
-    n_fft = fft_length(n + round(4.0 / (kind.low_cut * DT)))
+    # Four periods of the low cut of zeros at the end, so that its tail does not wrap around to the start.
+    n_fft = fft_length(n + round(4.0 / (family.low_cut * DT)))
     f = np.fft.rfftfreq(n_fft, DT).astype(np.float64)
-    amplitude = like.strength * parts.source.amplitude(f, like.kappa) * crust(f) ** like.crust_power
-    amplitude *= parts.soil.amplification(f, like.faster) * _rough(f, common, draw)
+    crust = crust_amplification(f) ** component.crust_power
+    amplitude = component.strength * params.source.amplitude(f, component.kappa) * crust
+    amplitude *= params.soil.amplification(f, component.velocity) * _random_factor(f, common, draw)
     velocity_pulse = np.zeros(n)
-    if parts.pulse is not None:
-        velocity_pulse = _pulse(t, parts.pulse, like, s_arrival(parts), draw)
+    if params.pulse is not None:
+        velocity_pulse = _pulse(t, params.pulse, component, s_arrival(params), draw)
         covered = DT * np.abs(np.fft.rfft(velocity_pulse, n_fft))
-        amplitude = np.maximum(amplitude - covered, 0.0)  # Mavroeidis and Papageorgiou (2003)
-    noise = draw.noise(n) * envelope(t, parts, like.p_waves)
+        # The pulse is a part of the spectrum, noise the rest (Mavroeidis and Papageorgiou 2003).
+        amplitude = np.maximum(amplitude - covered, 0.0)
+    noise = draw.noise(n) * envelope(t, params, component.p_waves)
     transform = _shaped(noise, amplitude, n_fft)
-    if parts.waves is not None:
-        body = like.waves * float(np.interp(1.0 / parts.waves.period, f, amplitude))
-        transform += _late_waves(t, f, n_fft, parts.waves, s_arrival(parts), body, draw)
-    a = np.fft.irfft(transform * _low_cut(f, kind.low_cut), n_fft)[:n] / DT
-    return settled(a * ends_tapered(t, TAPER) + velocity_pulse)
+    if params.waves is not None:
+        body = component.basin_waves * float(np.interp(1.0 / params.waves.period, f, amplitude))
+        transform += _late_waves(t, f, n_fft, params.waves, s_arrival(params), body, draw)
+    a = np.fft.irfft(transform * _low_cut(f, family.low_cut), n_fft)[:n] / DT
+    return ending_at_rest(a * cosine_taper(t, TAPER) + velocity_pulse)
 
 
 def _pulse(
-    t: NDArray[np.float64], pulse: Pulse, like: _Component, arrival: float, draw: Draws
+    t: NDArray[np.float64], pulse: Pulse, component: _Component, arrival: float, draw: Draws
 ) -> NDArray[np.float64]:
     """Return the pulse's acceleration in a component [m/s²]: it begins with the S waves."""
-    velocity = pulse.velocity * draw.uniform(*like.pulse)
-    nu = pulse.nu if like.pulse == COMPONENTS["x"].pulse else draw.uniform(0.0, 2.0 * math.pi)
+    velocity = pulse.velocity * draw.uniform(*component.pulse)
+    # x has the pulse's own phase; across it and vertically the phase is independent.
+    nu = pulse.nu if component.pulse == COMPONENTS["x"].pulse else draw.uniform(0.0, 2.0 * math.pi)
     middle = arrival + 0.5 * pulse.gamma * pulse.period + draw.uniform(0.0, 1.0)
     return velocity * mavroeidis_papageorgiou(t - middle, 1.0 / pulse.period, pulse.gamma, nu)
 
@@ -160,25 +190,15 @@ def synthetic_motion(family: str, number: int = 1, seed: int = 1) -> Motion:
     InputError
         No such family; a number or a seed out of range.
     """
-    kind = kind_of(family)
-    key = (whole("Seed", seed, 0, 2**32 - 1), FAMILIES.index(family), whole("Number", number, 1, 1_000_000))
-    parts = drawn(kind, Draws(*key))
-    n = steps(kind, parts) + 1
+    chosen = family_named(family)
+    key = (whole("seed", seed, 0, 2**32 - 1), FAMILIES.index(family), whole("number", number, 1, 1_000_000))
+    params = draw_parameters(chosen, Draws(*key))
+    n = step_count(chosen, params) + 1
     common = Draws(*key, 1).noise(len(_OCTAVES))
-    found = {
-        name: _of_component(kind, parts, like, n, common, Draws(*key, 2 + place))
-        for place, (name, like) in enumerate(COMPONENTS.items())
+    samples: dict[str, Any] = {
+        name: _acceleration(chosen, params, component, n, common, Draws(*key, 2 + place))
+        for place, (name, component) in enumerate(COMPONENTS.items())
     }
-    source = f"synthetic, not a recorded earthquake: {parts}; seed {seed}; residual displacement 0"
-    return Motion(DT, **found, name=f"synthetic {kind.label} {number}", synthetic=True, source=source)
-
-
-def whole(name: str, value: int, low: int, high: int) -> int:
-    """Return a whole number, or raise `InputError` when it is none or not from low to high."""
-    try:
-        number = int(value)
-    except (TypeError, ValueError, OverflowError):
-        number = low - 1
-    if number != value or not low <= number <= high:
-        raise InputError(f"{name} is {value!r}; it must be a whole number from {low} to {high}.")
-    return number
+    source = f"synthetic, not a recorded earthquake: {params}; seed {seed}; residual displacement 0"
+    name = f"synthetic {chosen.label} {number}"
+    return Motion(DT, **samples, name=name, synthetic=True, source=source)

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, within
+from stayput.motion.processing import LARGEST_ACCELERATION
 from stayput.motion.readers.text import file_text
-from stayput.motion.samples import LARGEST_ACCELERATION
-from stayput.motion.spectrum import DAMPING, PERIOD_RANGE, checked_periods
+from stayput.motion.response import DAMPING, PERIOD_RANGE, checked_periods
 from stayput.motion.units import STANDARD_GRAVITY, unit_factor
 
 if TYPE_CHECKING:
@@ -62,13 +63,10 @@ class TargetSpectrum:
         periods = checked_periods(self.periods)
         sa = np.atleast_1d(np.array(self.sa, np.float64))
         if len(periods) < 2 or sa.shape != periods.shape:
-            raise InputError(
-                f"The target has {len(periods)} periods and {sa.size} values of Sa; "
-                f"it must have as many of each, at least 2."
-            )
+            raise InputError("motion.target_lengths", "sa", periods=len(periods), values=sa.size)
         for value in sa:
-            within("Target Sa", value, 1e-6, LARGEST_ACCELERATION, "m/s²")
-        within("Target damping ratio", self.damping, 0.0, 0.95)
+            within("motion.name_target_sa", value, 1e-6, LARGEST_ACCELERATION, "m/s²", "sa")
+        within("motion.name_target_damping", self.damping, 0.0, 0.95, field="damping")
         for array in (periods, sa):
             array.setflags(write=False)
         object.__setattr__(self, "periods", periods)
@@ -86,7 +84,8 @@ class TargetSpectrum:
         low, high = float(self.periods[0]), float(self.periods[-1])
         outside = asked[(asked < low * (1.0 - 1e-9)) | (asked > high * (1.0 + 1e-9))]
         if outside.size:
-            within(f"Period of {self.name}", float(outside.flat[0]), low, high, "s")
+            name = phrase("motion.name_target_period", target=self.name)
+            within(name, float(outside.flat[0]), low, high, "s", "periods")
         return np.exp(np.interp(np.log(asked), np.log(self.periods), np.log(self.sa)))
 
 
@@ -98,8 +97,8 @@ def band_periods(band: tuple[float, float]) -> NDArray[np.float64]:
     InputError
         A band out of range, or shorter than a tenth of its start.
     """
-    low = within("Band's shortest period", band[0], *PERIOD_RANGE, "s")
-    high = within("Band's longest period", band[1], 1.1 * low, PERIOD_RANGE[1], "s")
+    low = within("motion.name_band_shortest", band[0], *PERIOD_RANGE, "s", "band")
+    high = within("motion.name_band_longest", band[1], 1.1 * low, PERIOD_RANGE[1], "s", "band")
     return np.geomspace(low, high, max(2, 1 + round(PER_DECADE * np.log10(high / low))))
 
 
@@ -135,9 +134,9 @@ def japanese_design(level: str = "very rare", soil: int = 2) -> TargetSpectrum:
         No such level or class of ground.
     """
     if level not in LEVELS:
-        raise InputError(f"The level is {level!r}; it must be one of {', '.join(LEVELS)}.")
+        raise InputError("motion.target_level", "level", level=level, known=", ".join(LEVELS))
     if soil not in (1, *SITE_GV):
-        raise InputError(f"The class of soil is {soil!r}; it must be 1, 2 or 3.")
+        raise InputError("motion.target_soil", "soil", soil=soil)
     corners = [0.16, 0.64] + ([0.576] if soil == 1 else [0.64 * SITE_GV[soil] / 1.5])
     t = _table_periods(corners)
     name = f"Japanese design spectrum, {level}, soil {soil}"
@@ -162,15 +161,17 @@ def asce7(sds: float, sd1: float, tl: float = 8.0) -> TargetSpectrum:
     InputError
         A value out of range, or TS = SD1/SDS beyond TL.
     """
-    short = within("SDS", sds, 0.001, 10.0, "g")
-    one = within("SD1", sd1, 0.001, 10.0, "g")
-    late = within("TL", tl, 0.1, 100.0, "s")
-    ts = within("TS = SD1/SDS", one / short, 0.01, late, "s")
+    short = within("motion.name_sds", sds, 0.001, 10.0, "g", "sds")
+    long = within("motion.name_sd1", sd1, 0.001, 10.0, "g", "sd1")
+    late = within("motion.name_tl", tl, 0.1, 100.0, "s", "tl")
+    ts = within("motion.name_ts", long / short, 0.01, late, "s", "sd1")
     t0 = 0.2 * ts
     t = _table_periods([t0, ts, late])
     rise = short * (0.4 + 0.6 * t / t0)
-    sa = np.where(t < t0, rise, np.where(t <= ts, short, np.where(t <= late, one / t, one * late / t**2)))
-    return TargetSpectrum(t, STANDARD_GRAVITY * sa, f"ASCE 7, SDS {short:g} g, SD1 {one:g} g, TL {late:g} s")
+    falling = np.where(t <= late, long / t, long * late / t**2)
+    sa = np.where(t < t0, rise, np.where(t <= ts, short, falling))
+    name = f"ASCE 7, SDS {short:g} g, SD1 {long:g} g, TL {late:g} s"
+    return TargetSpectrum(t, STANDARD_GRAVITY * sa, name)
 
 
 def _table_periods(corners: list[float]) -> NDArray[np.float64]:
@@ -205,12 +206,10 @@ def read_target(path: str | os.PathLike[str], unit: str = "g") -> TargetSpectrum
         except ValueError:
             row = []
         if len(row) != 2:
-            raise InputError(
-                f"{name}, line {number} is {line[:40]!r}; it must be a period [s] and Sa [{unit}]."
-            )
+            raise InputError("motion.target_line", file=name, number=number, line=line[:40], unit=unit)
         rows.append(row)
     table = np.array(rows, np.float64).reshape(-1, 2)
     try:
         return TargetSpectrum(table[:, 0], factor * table[:, 1], name)
     except InputError as error:
-        raise InputError(f"{name}: {error}") from None
+        raise error.at(name) from None

@@ -5,20 +5,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from stayput.furniture import FURNITURE
-from stayput.report.verdict.words import named, place, word
+from stayput.catalogue import phrase
+from stayput.measures.parameters import GIVEN
+from stayput.report.verdict.words import named, place
 from stayput.uncertainty import USUAL, Lognormal, Normal, Uniform
+from stayput.verification.grades import building_tag, floor_tag, furniture_tag
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from stayput.room import Floor
+    from stayput.catalogue import Phrase
     from stayput.scenario import Scenario
     from stayput.uncertainty import Marginal
     from stayput.verification import Verdict
 
-GIVEN, MODEL = "given", "model"
-"""Tags beside those of `stayput.uncertainty.Confidence`: said by the user; a limit of the model."""
+MODEL = "model"
+"""Tag of a limit of the model, beside those of `stayput.measures.parameters.GRADE_OF`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +35,7 @@ class Assumption:
         "low", "medium", "high", "given" or "model".
     """
 
-    texts: tuple[tuple[str, str], tuple[str, str]]
+    texts: tuple[Phrase, Phrase]
     confidence: str
 
     def what(self, language: str) -> str:
@@ -45,46 +47,8 @@ class Assumption:
         return self.texts[1][place(language)]
 
 
-QUANTITIES = {
-    "friction factor": ("Friction, factor on its value", "摩擦係数に掛ける倍率"),
-    "restitution factor": ("Rebound of the rocking, factor", "ロッキングの反発に掛ける倍率"),
-    "wall restitution": ("Restitution of the walls", "壁の反発係数"),
-    "mass factor": ("Mass, factor on its value", "質量に掛ける倍率"),
-    "height of gravity factor": ("Height of the centre of gravity, factor", "重心の高さに掛ける倍率"),
-    "device strength factor": ("Strength of the devices, factor", "器具の強さに掛ける倍率"),
-}
-"""What is drawn, in words."""
-
-LIMITS = (
-    (
-        ("Rigid body in a plane", "平面内の剛体"),
-        (
-            (
-                "No shaking across the piece, no turning about its vertical axis, no bending; contents do "
-                "not fall out, doors stay shut."
-            ),
-            "奥行方向以外の水平動、水平面内の回転、家具の変形、中身の飛び出しや扉の開きは考慮しません。",
-        ),
-    ),
-    (
-        ("Contacts", "接触"),
-        (
-            (
-                "Coulomb friction; a landing corner does not bounce, and rocking loses what the momentum "
-                "balance demands (Housner)."
-            ),
-            "クーロン摩擦。着地した角は跳ね返らず、ロッキングは運動量のつり合い（ハウスナー）に従って減衰します。",
-        ),
-    ),
-    (
-        ("Devices", "器具"),
-        (
-            "Springs with slack, damping and a strength; age, dirt and faulty mounting are not in it.",
-            "がた・減衰・強さをもつばねです。経年劣化、汚れ、取付け不良は含みません。",
-        ),
-    ),
-)
-"""What the model leaves out."""
+LIMITS = ("body", "contacts", "devices")
+"""What the model leaves out, by the keys of its texts."""
 
 
 def assumptions(verdict: Verdict) -> list[Assumption]:
@@ -97,107 +61,78 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
         _motions(scenario, verdict.motions),
         *([] if scenario.shaking.building is None else [_building(scenario)]),
         *(_drawn(name, marginal) for name, marginal in USUAL.items()),
-        *(Assumption(texts, MODEL) for texts in LIMITS),
+        *(Assumption((_text(f"limit_{key}"), _text(f"limit_{key}_told")), MODEL) for key in LIMITS),
     ]
 
 
-def _both(key: str) -> tuple[str, str]:
-    return word(key, "en"), word(key, "ja")
+def _text(key: str, **values: object) -> Phrase:
+    return phrase(f"report.{key}", **values)
+
+
+def _in_both(name: str) -> Phrase:
+    return named(name, "en"), named(name, "ja")
 
 
 def _furniture(scenario: Scenario) -> Assumption:
     table, body = scenario.furniture, scenario.furniture.body()
     x, z = body.centre_of_gravity
-    sizes = f"{body.width:g} m × {body.height:g} m, {body.mass:.4g} kg"
-    told = (
-        f"{sizes}, centre of gravity {z:.3g} m up" + (f", {x:+.3g} m forward" if x else ""),
-        f"{sizes}、重心の高さ {z:.3g} m" + (f"、前方へ {x:+.3g} m" if x else ""),
-    )
-    said = [table.width, table.height, table.mass if table.shelves is None else table.shelves]
-    known = table.preset not in FURNITURE or all(value is not None for value in said)
-    return Assumption((_both("piece"), told), GIVEN if known else "low")
+    forward = _text("forward", across=x) if x else ""
+    value = _text("piece_told", width=body.width, height=body.height, mass=body.mass, up=z, forward=forward)
+    return Assumption((_text("piece"), value), furniture_tag(table))
 
 
 def _floor(scenario: Scenario) -> Assumption:
     floor, table = scenario.room.room().floor, scenario.room.floor
-    surface = table if isinstance(table, str) else table.surface
-    return Assumption((_both("floor"), _frictions(floor, surface)), GIVEN if surface is None else "medium")
-
-
-def _frictions(floor: Floor, surface: str | None) -> tuple[str, str]:
-    static, kinetic = floor.static_friction, floor.kinetic_friction
-    names = [""] * 2 if surface is None else [f"{surface}: ", f"{named(surface, 'ja')}："]
-    return (
-        f"{names[0]}static friction {static:g}, kinetic {kinetic:g}",
-        f"{names[1]}静止摩擦係数 {static:g}、動摩擦係数 {kinetic:g}",
-    )
+    name = table if isinstance(table, str) else table.surface
+    surface = "" if name is None else _text("surface", name=_in_both(name))
+    value = _text("frictions", surface=surface, static=floor.static_friction, kinetic=floor.kinetic_friction)
+    return Assumption((_text("floor"), value), floor_tag(scenario))
 
 
 def _walls(scenario: Scenario) -> Iterator[Assumption]:
     room = scenario.room.room()
-    for key, wall in (("wall", room.left_wall), ("front wall", room.right_wall)):
+    for key, wall in (("wall", room.left_wall), ("front_wall", room.right_wall)):
         if wall is not None:
-            gap = f"{100.0 * wall.gap:.3g} cm"
-            yield Assumption((_both(key), (f"{gap} away", f"すき間 {gap}")), GIVEN)
+            yield Assumption((_text(key), _text("gap_told", gap=100.0 * wall.gap)), GIVEN)
     if room.ceiling is not None:
-        high = f"{room.ceiling.height:g} m"
-        yield Assumption((_both("ceiling"), (f"{high} high", f"高さ {high}")), GIVEN)
+        yield Assumption((_text("ceiling"), _text("height_told", height=room.ceiling.height)), GIVEN)
 
 
 def _motions(scenario: Scenario, count: int) -> Assumption:
     shaking = scenario.shaking
+    heading = _text("motions")
     if shaking.record is not None or isinstance(shaking.suite, str):
         name = shaking.record or shaking.suite
-        return Assumption(
-            (_both("motions"), (f"{count}, read from {name}", f"{count}本（{name}から読込み）")), GIVEN
-        )
+        return Assumption((heading, _text("motions_read", count=count, name=name)), GIVEN)
     if shaking.of_a_suite:
         family = "mixed" if shaking.suite is None else shaking.suite.family
-        told = (
-            f"{count} synthetic ones ({family}): computed, not recorded",
-            f"模擬地震動{count}本（{named(family, 'ja')}）：計算で作ったもので、観測記録ではありません",
-        )
-        return Assumption((_both("motions"), told), "low")
+        value = _text("motions_synthetic", count=count, family=_in_both(family))
+        return Assumption((heading, value), "low")
     name = "sine" if shaking.sine is not None else "near-fault"
-    told = (
-        f"{name}, synthetic: computed, not recorded",
-        f"{named(name, 'ja')}（模擬）：観測記録ではありません",
-    )
-    return Assumption((_both("motions"), told), GIVEN if shaking.sine is not None else "low")
+    value = _text("motion_synthetic", name=_in_both(name))
+    return Assumption((heading, value), GIVEN if shaking.sine is not None else "low")
 
 
 def _building(scenario: Scenario) -> Assumption:
     table = scenario.shaking.building
     assert table is not None
-    name, storey = table.building().name, scenario.shaking.storey
-    told = (
-        f"{name}, floor of storey {storey}, as a shear model",
-        f"{name}、{storey}階の床（せん断質点系モデル）",
-    )
-    return Assumption((_both("building"), told), GIVEN if table.masses is not None else "low")
+    value = _text("building_told", name=table.building().name, storey=scenario.shaking.storey)
+    return Assumption((_text("building"), value), building_tag(table))
 
 
 def _drawn(name: str, marginal: Marginal) -> Assumption:
-    return Assumption((QUANTITIES[name], _distribution(marginal)), marginal.confidence.value)
+    key = f"quantity_{name.replace(' ', '_')}"
+    return Assumption((_text(key), _distribution(marginal)), marginal.confidence.value)
 
 
-def _distribution(marginal: Marginal) -> tuple[str, str]:
+def _distribution(marginal: Marginal) -> Phrase:
     """Return a distribution in words."""
     match marginal:
         case Lognormal():
-            return (
-                f"lognormal, median {marginal.median:g}, coefficient of variation {marginal.cov:g}",
-                f"対数正規分布、中央値 {marginal.median:g}、変動係数 {marginal.cov:g}",
-            )
+            return _text("lognormal", median=marginal.median, cov=marginal.cov)
         case Normal():
-            return (
-                f"normal, mean {marginal.mean:g}, standard deviation {marginal.deviation:g}",
-                f"正規分布、平均 {marginal.mean:g}、標準偏差 {marginal.deviation:g}",
-            )
+            return _text("normal", mean=marginal.mean, deviation=marginal.deviation)
         case Uniform():
-            return (
-                f"uniform, {marginal.low:g} to {marginal.high:g}",
-                f"一様分布、{marginal.low:g}〜{marginal.high:g}",
-            )
+            return _text("uniform", low=marginal.low, high=marginal.high)
         case _:
             raise TypeError(type(marginal).__name__)

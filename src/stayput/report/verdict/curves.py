@@ -6,8 +6,6 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import State
 from stayput.motion.intensity import CLASSES
@@ -24,7 +22,7 @@ LEFT, RIGHT, TOP, BOTTOM = 74.0, 590.0, 34.0, 346.0
 LOOKS = 11
 """Looks of lines that the page's style has: the first is that of no measure, the second of the best."""
 
-_POINTS = 120
+_POINTS = 191
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,8 +37,8 @@ class Entry:
 def looks(verdict: Verdict) -> dict[str, int]:
     """Return the look of each option's line, by its name: 0 without a measure, the others as they rank."""
     names = [one.option.name for one in verdict.options if one.option.measures]
-    found = {name: 1 if n == 0 else 2 + (n - 1) % (LOOKS - 2) for n, name in enumerate(names)}
-    return found | {verdict.without.option.name: 0}
+    by_name = {name: 1 if n == 0 else 2 + (n - 1) % (LOOKS - 2) for n, name in enumerate(names)}
+    return by_name | {verdict.without.option.name: 0}
 
 
 def legend(verdict: Verdict, language: str) -> list[Entry]:
@@ -55,7 +53,9 @@ def legend(verdict: Verdict, language: str) -> list[Entry]:
 
 def _note(one: OptionVerdict, language: str) -> str:
     state = one.curves[JMA_INTENSITY].state
-    return "" if state is State.FITTED else word("no curve", language, state=word(state.value, language))
+    if state is State.FITTED:
+        return ""
+    return word("no_curve", language, state=word(state.value.replace(" ", "_"), language))
 
 
 def curves_svg(verdict: Verdict, language: str) -> str:
@@ -78,7 +78,7 @@ def curves_svg(verdict: Verdict, language: str) -> str:
     for one in reversed(verdict.options):
         curve = one.curves[JMA_INTENSITY]
         if curve.state is State.FITTED:
-            grid = np.linspace(x.low, x.high, _POINTS)
+            grid = curve.grid(_POINTS)
             parts.append(
                 svg.polyline(x.at(grid), y.at(curve.probability(grid)), f"curve look{seen[one.option.name]}")
             )
@@ -86,7 +86,7 @@ def curves_svg(verdict: Verdict, language: str) -> str:
         parts += _counts(x, y, one.curves[JMA_INTENSITY], seen[one.option.name])
     if x.low <= verdict.intensity <= x.high:
         parts += _here(x, verdict.intensity, language)
-    return svg.drawing(WIDTH, HEIGHT, parts, word("fragility alt", language), "chart")
+    return svg.drawing(WIDTH, HEIGHT, parts, word("fragility_alt", language), "chart")
 
 
 def _classes(x: svg.Axis, language: str) -> list[str]:
@@ -101,8 +101,8 @@ def _classes(x: svg.Axis, language: str) -> list[str]:
         if number % 2:
             parts.append(svg.box(left, TOP, right, BOTTOM, "classes"))
         if right - left > 40.0:
-            told = name if language == "en" else class_label(0.5 * (low + high), language)
-            parts.append(svg.label(0.5 * (left + right), TOP - 8.0, told))
+            name_shown = name if language == "en" else class_label(0.5 * (low + high), language)
+            parts.append(svg.label(0.5 * (left + right), TOP - 8.0, name_shown))
     return parts
 
 
@@ -117,17 +117,17 @@ def _frame(x: svg.Axis, y: svg.Axis, language: str) -> list[str]:
         parts += [svg.line(across, BOTTOM, across, BOTTOM + 5.0, "axis")]
         parts += [svg.label(across, BOTTOM + 20.0, f"{value:.1f}")]
     parts.append(svg.line(LEFT, BOTTOM, RIGHT, BOTTOM, "axis"))
-    parts.append(svg.label(0.5 * (LEFT + RIGHT), BOTTOM + 42.0, word("axis intensity", language), "name"))
+    parts.append(svg.label(0.5 * (LEFT + RIGHT), BOTTOM + 42.0, word("axis_intensity", language), "name"))
     middle = 0.5 * (TOP + BOTTOM)
-    turned = svg.label(0.0, 0.0, word("axis share", language), "name")
+    turned = svg.label(0.0, 0.0, word("axis_share", language), "name")
     parts.append(svg.element("g", turned, transform=f"translate(14 {middle:.0f}) rotate(-90)"))
     return parts
 
 
 def _band(x: svg.Axis, y: svg.Axis, curve: FragilityCurve, look: int) -> str:
-    if curve.state is not State.FITTED:
+    if curve.state is not State.FITTED or curve.one_motion:
         return ""
-    grid = np.linspace(x.low, x.high, _POINTS)
+    grid = curve.grid(_POINTS)
     low, high = curve.band(grid)
     there = zip(x.at(grid).tolist(), y.at(high).tolist(), strict=True)
     back = zip(x.at(grid[::-1]).tolist(), y.at(low[::-1]).tolist(), strict=True)
@@ -149,9 +149,9 @@ def _counts(x: svg.Axis, y: svg.Axis, curve: FragilityCurve, look: int) -> list[
 def _here(x: svg.Axis, intensity: float, language: str) -> list[str]:
     across = x.place(intensity)
     right = across < 0.5 * (LEFT + RIGHT)
-    told = word("here", language, value=JMA_INTENSITY.text(intensity))
+    text = word("here", language, value=JMA_INTENSITY.text(intensity))
     place, anchor = (across + 6.0, "start") if right else (across - 6.0, "end")
     return [
         svg.line(across, TOP, across, BOTTOM, "here"),
-        svg.label(place, TOP + 16.0, told, "name halo", anchor),
+        svg.label(place, TOP + 16.0, text, "name halo", anchor),
     ]

@@ -1,19 +1,24 @@
-"""A verdict as plain values: what JSON holds."""
+"""A verdict as plain values: what the JSON file holds, and what the app's replies are made of."""
 
 from __future__ import annotations
 
 import json
-import math
 from typing import TYPE_CHECKING, Any
 
 import stayput
+from stayput.catalogue import LANGUAGES
+from stayput.fragility.curve import METHOD
 from stayput.measures import parameters
+from stayput.measures.parameters import MEANINGS
 from stayput.motion.intensity import intensity_class
+from stayput.report.summary import number
 from stayput.report.verdict.assumptions import assumptions
-from stayput.scenario.writing import scenario_toml
-from stayput.verification.words import LANGUAGES, headline, reason
+from stayput.verification.grades import inputs
+from stayput.verification.notes import notes
+from stayput.verification.words import headline, reason
 
 if TYPE_CHECKING:
+    from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, FragilityCurve, Probability
     from stayput.measures import Measure
     from stayput.verification import OptionVerdict, Quantiles, Verdict
@@ -38,7 +43,8 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
     return {
         "stayput": stayput.__version__,
         "title": verdict.scenario.title,
-        "verdict": {language: headline(verdict, language) for language in LANGUAGES},
+        "verdict": _texts((headline(verdict, "en"), headline(verdict, "ja"))),
+        "notes": [_texts(note) for note in notes(verdict)],
         "best": verdict.best.option.name,
         "jma_intensity": number(verdict.intensity),
         "intensity_class": intensity_class(verdict.intensity),
@@ -49,7 +55,17 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "seed": verdict.seed,
         "precise": verdict.precise,
         "seconds": number(verdict.seconds),
+        "grades": {grade.value: _texts(meaning) for grade, meaning in MEANINGS.items()},
         "options": [_option(one, verdict) for one in verdict.options],
+        "not_possible": [
+            {
+                "name": one.option.name,
+                "label": _texts((one.option.label("en"), one.option.label("ja"))),
+                "measures": [_measure(measure) for measure in one.option.measures],
+                "reason": _texts((one.why("en"), one.why("ja"))),
+            }
+            for one in verdict.impossible
+        ],
         "estimates": {
             "rocking_acceleration_m_s2": number(verdict.estimates.rocking_acceleration),
             "overturning_velocity_m_s": number(verdict.estimates.overturning_velocity),
@@ -60,7 +76,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
             {"what": one.what("en"), "value": one.value("en"), "confidence": one.confidence}
             for one in assumptions(verdict)
         ],
-        "scenario_toml": scenario_toml(verdict.scenario),
+        "scenario_toml": verdict.scenario.to_toml(),
     }
 
 
@@ -69,10 +85,15 @@ def _option(one: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
     return {
         "rank": one.rank,
         "name": one.option.name,
-        "label": {language: one.option.label(language) for language in LANGUAGES},
-        "reason": {language: reason(one, verdict, language) for language in LANGUAGES},
+        "label": _texts((one.option.label("en"), one.option.label("ja"))),
+        "reason": _texts((reason(one, verdict, "en"), reason(one, verdict, "ja"))),
+        "grade": verdict.grade(one).value,
+        "inputs": [
+            {**_texts(each.label), "grade": each.grade.value, "tag": each.tag}
+            for each in inputs(one.option, verdict.scenario)
+        ],
         "measures": [_measure(measure) for measure in one.option.measures],
-        "probabilities": {event: _probability(found) for event, found in one.probabilities.items()},
+        "probabilities": {event: _probability(value) for event, value in one.probabilities.items()},
         "overturned_change": None
         if change is None
         else {
@@ -95,9 +116,14 @@ def _option(one: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
             }
             for device in one.devices
         ],
-        "capacities": [_capacity(found) for found in one.capacities.values()],
+        "capacities": [_capacity(value) for value in one.capacities.values()],
         "curves": [_curve(curve) for curve in one.curves.values()],
     }
+
+
+def _texts(text: Phrase) -> dict[str, str]:
+    """Return a text by its languages."""
+    return dict(zip(LANGUAGES, text, strict=True))
 
 
 def _measure(measure: Measure) -> dict[str, Any]:
@@ -105,45 +131,61 @@ def _measure(measure: Measure) -> dict[str, Any]:
     return {"type": measure.kind, **values}
 
 
-def _probability(found: Probability) -> dict[str, Any]:
+def _probability(probability: Probability) -> dict[str, Any]:
     return {
-        "estimate": number(found.estimate),
-        "low": number(found.low),
-        "high": number(found.high),
-        "count": found.fell,
-        "runs": found.runs,
-        "missing": found.missing,
+        "estimate": number(probability.estimate),
+        "low": number(probability.low),
+        "high": number(probability.high),
+        "count": probability.fell,
+        "runs": probability.runs,
+        "missing": probability.missing,
+        "text": probability.text,
     }
 
 
-def _quantiles(found: Quantiles) -> dict[str, float | None]:
-    return {"median": number(found.median), "p90": number(found.p90)}
+def _quantiles(quantiles: Quantiles) -> dict[str, float | None]:
+    return {"median": number(quantiles.median), "p90": number(quantiles.p90)}
 
 
-def _capacity(found: Capacity) -> dict[str, Any]:
+def _capacity(capacity: Capacity) -> dict[str, Any]:
     return {
-        "share": found.share,
-        "jma_intensity": number(found.estimate),
-        "low": number(found.low),
-        "high": number(found.high),
-        "above": number(found.above),
-        "below": number(found.below),
-        "text": found.text,
+        "share": capacity.share,
+        "jma_intensity": number(capacity.estimate),
+        "low": number(capacity.low),
+        "high": number(capacity.high),
+        "above": number(capacity.above),
+        "below": number(capacity.below),
+        "one_motion": capacity.one_motion,
+        "text": capacity.text,
     }
 
 
 def _curve(curve: FragilityCurve) -> dict[str, Any]:
-    """Return a curve's parameters and what was observed, in SI units."""
+    """Return a curve at its levels and what was observed there, in SI units."""
+    share = curve.probability([level.im for level in curve.levels])
+    low, high = curve.band([level.im for level in curve.levels])
+    lognormal = curve.lognormal
     return {
         "measure": curve.measure.key,
         "state": curve.state.value,
-        "median": number(curve.median),
-        "dispersion": number(curve.dispersion),
-        "family": "normal" if curve.measure.is_logarithm else "lognormal",
-        "levels": [{"im": number(level.im), **_probability(level.probability)} for level in curve.levels],
+        "method": METHOD,
+        "one_motion": curve.one_motion,
+        "levels": [
+            {
+                "im": number(level.im),
+                **_probability(level.probability),
+                "curve": {"share": number(p), "low": number(a), "high": number(b)},
+            }
+            for level, p, a, b in zip(curve.levels, share, low, high, strict=True)
+        ],
+        "lognormal": None
+        if lognormal is None
+        else {
+            "family": lognormal.family,
+            "median": number(lognormal.median),
+            "dispersion": number(lognormal.dispersion),
+            "fits": lognormal.fits,
+            "p_value": number(lognormal.p_value),
+            "misfit": number(lognormal.misfit),
+        },
     }
-
-
-def number(value: float) -> float | None:
-    """Return a number, or None in place of one that is not finite."""
-    return float(value) if math.isfinite(value) else None

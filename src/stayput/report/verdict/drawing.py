@@ -71,7 +71,7 @@ def sheet_of(held: Held) -> Sheet:
     return Sheet(left, right, top, HIGH / top)
 
 
-def drawing_svg(verdict: Verdict, measures: Sequence[Measure], language: str, told: str) -> str:
+def drawing_svg(verdict: Verdict, measures: Sequence[Measure], language: str, label: str) -> str:
     """Return a drawing of the piece with measures in place.
 
     Parameters
@@ -82,19 +82,19 @@ def drawing_svg(verdict: Verdict, measures: Sequence[Measure], language: str, to
         The measures.
     language : str
         "en" or "ja".
-    told : str
+    label : str
         What the measures are called.
     """
     scenario = verdict.scenario
     held = hold(scenario.furniture.body(), scenario.room.room(), measures)
     sheet = sheet_of(held)
     name = word(
-        "drawing alt",
+        "drawing_alt",
         language,
         piece=named(scenario.furniture.title, language),
         width=f"{100.0 * held.body.width:.3g}",
         height=f"{100.0 * held.body.height:.3g}",
-        label=told,
+        label=label,
     )
     parts = [*_room(held, sheet), *_piece(held, sheet), *_sizes(held, sheet)]
     return svg.drawing(sheet.width, sheet.height, parts, name, "plan")

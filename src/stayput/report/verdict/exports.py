@@ -4,19 +4,26 @@ from __future__ import annotations
 
 import csv
 import io
+import re
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.files import draft
-from stayput.fragility import PFA, PFV, write_nrml, write_pelicun
-from stayput.fragility.curve import State
+from stayput.catalogue import say
+from stayput.files import drafts
+from stayput.fragility import PFA, PFV
+from stayput.fragility.curve import METHOD, State
+from stayput.fragility.labels import identifiers
+from stayput.fragility.nrml import nrml_xml
+from stayput.fragility.pelicun import pelicun_csv
 from stayput.report.fragility import plot_fragility
+from stayput.report.summary import number
 from stayput.report.verdict.assumptions import assumptions
-from stayput.report.verdict.data import number
+from stayput.spreadsheets import text_cell
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Generator, Sequence
     from pathlib import Path
 
     from stayput.fragility import FragilityCurve, IntensityMeasure
@@ -44,42 +51,84 @@ def write_curves(verdict: Verdict, measure: IntensityMeasure, folder: Path) -> t
     Returns
     -------
     tuple
-        The files written, and a sentence for each thing that was left out.
+        The files written, all or none of them, and a sentence for each thing that was left out.
+
+    Raises
+    ------
+    InputError
+        The folder does not let a file be written.
     """
     curves = [one.curves[measure] for one in verdict.options]
     fitted = [curve for curve in curves if curve.state is State.FITTED]
-    folder.mkdir(exist_ok=True)
-    files = [folder / name for name in ("curves.csv", "observed.csv", "fragility.svg")]
-    for file, text in zip(files, (curves_csv(fitted, measure), observed_csv(curves)), strict=False):
-        with draft(file) as unfinished:
-            unfinished.write_text(text, encoding="utf-8")
-    _plot(verdict, measure, files[2])
-    left_out = [
-        f"{curve.name} is not in the files for loss tools: it has no curve ({curve.state.value})."
-        for curve in curves
-        if curve.state is not State.FITTED
+    texts = {"curves.csv": curves_csv(fitted, measure), "observed.csv": observed_csv(curves)}
+    left_out = [reason for curve in curves if (reason := _left_out(curve))]
+    left_out += [
+        say("report.in_no_file", option=one.option.name, reason=one.reason) for one in verdict.impossible
     ]
-    if fitted:
-        files.append(folder / "pelicun.csv")
-        write_pelicun(fitted, files[-1])
-        if measure in (PFA, PFV):
-            left_out.append(f"There is no NRML file: OpenQuake has no {measure.key}.")
-        else:
-            files.append(folder / "nrml.xml")
-            write_nrml(fitted, files[-1], f"Overturning of {verdict.scenario.furniture.title}")
+    several = [curve for curve in fitted if not curve.one_motion]
+    left_out += [
+        say("report.renamed", option=curve.name, identifier=identifier)
+        for curve, identifier in zip(several, identifiers(several) if several else (), strict=True)
+        if re.search(r"_[0-9a-f]{8}$", identifier)
+    ]
+    lognormals = [curve for curve in several if curve.lognormal is not None and curve.lognormal.fits]
+    if lognormals:
+        texts["pelicun.csv"] = pelicun_csv(lognormals)
+    if several and measure in (PFA, PFV):
+        left_out.append(say("report.no_nrml", measure=measure.key))
+    elif several:
+        texts["nrml.xml"] = nrml_xml(
+            several, say("report.overturning_of", piece=verdict.scenario.furniture.title)
+        )
+    names = list(texts)
+    names.insert(2, "fragility.svg")
+    files = [folder / name for name in names]
+    with _made(folder), drafts(files) as unfinished:
+        for name, path in zip(names, unfinished, strict=True):
+            if name in texts:
+                path.write_text(texts[name], encoding="utf-8")
+            else:
+                _plot(verdict, measure, path)
     return files, left_out
 
 
+def _left_out(curve: FragilityCurve) -> str:
+    """Return why a curve is not in the files for loss tools, or in one of them only; empty where it is."""
+    if curve.state is not State.FITTED:
+        return say("report.left_out_state", option=curve.name, state=curve.state.value)
+    if curve.one_motion:
+        return say("report.left_out_one_motion", option=curve.name)
+    if curve.lognormal is None:
+        return say("report.left_out_abrupt", option=curve.name)
+    if curve.lognormal.fits:
+        return ""
+    return say("report.left_out_misfit", option=curve.name, why=curve.lognormal.text)
+
+
+@contextmanager
+def _made(folder: Path) -> Generator[None]:
+    """Make a folder where it is not there; it goes again where nothing was written into it."""
+    fresh = not folder.exists()
+    folder.mkdir(exist_ok=True)
+    try:
+        yield
+    finally:
+        if fresh and not any(folder.iterdir()):
+            folder.rmdir()
+
+
 def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> str:
-    """Return fitted curves as the text of a CSV file: intensity in SI units, probability and its interval."""
+    """Return fitted curves as the text of a CSV file: intensity in SI units, probability and its interval.
+
+    Of one motion there is no interval.
+    """
     rows: list[tuple[object, ...]] = []
     for curve in curves:
-        u = measure.coordinate(curve.trials.im)
-        grid = measure.value(np.linspace(float(u.min()), float(u.max()), POINTS))
+        grid = curve.grid(POINTS)
         low, high = curve.band(grid)
         table = np.column_stack((grid, curve.probability(grid), low, high))
-        rows += [(curve.name, *map(float, row)) for row in table]
-    return _text(("option", key(measure), "probability", "low", "high"), rows)
+        rows += [(text_cell(curve.name), *map(number, row.tolist()), METHOD) for row in table]
+    return _text(("option", key(measure), "probability", "low", "high", "method"), rows)
 
 
 def observed_csv(curves: Sequence[FragilityCurve]) -> str:
@@ -87,7 +136,7 @@ def observed_csv(curves: Sequence[FragilityCurve]) -> str:
     heading = ("option", key(curves[0].measure), "overturned", "runs", "probability", "low", "high")
     rows = [
         (
-            curve.name,
+            text_cell(curve.name),
             level.im,
             level.probability.fell,
             level.probability.runs,
@@ -122,5 +171,9 @@ def _plot(verdict: Verdict, measure: IntensityMeasure, path: Path) -> None:
     motions = next(one for one in assumptions(verdict) if one.what("en") == "Motions").value("en")
     here = verdict.intensity if measure.is_logarithm else None
     plot_fragility(
-        curves, path, here=here, title=verdict.scenario.title or "", subtitle=f"Motions: {motions}"
+        curves,
+        path,
+        here=here,
+        title=verdict.scenario.title or "",
+        subtitle=say("report.motions_shown", motions=motions),
     )

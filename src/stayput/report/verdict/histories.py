@@ -24,7 +24,7 @@ _TILT_SHOWN = 3.0
 """Tilts beyond this are cut, in critical angles, so that the rocking before a fall is seen."""
 
 
-def histories_svg(pair: Pair, language: str, told: str) -> str:
+def histories_svg(pair: Pair, language: str, outcomes: str) -> str:
     """Return the picture of a pair's histories over the time that is shown.
 
     Parameters
@@ -33,7 +33,7 @@ def histories_svg(pair: Pair, language: str, told: str) -> str:
         The runs.
     language : str
         "en" or "ja".
-    told : str
+    outcomes : str
         What became of them, for those who do not see it.
     """
     x = svg.Axis(pair.start, pair.end, LEFT, RIGHT)
@@ -44,14 +44,16 @@ def histories_svg(pair: Pair, language: str, told: str) -> str:
     slides = [(side.shown.time, 100.0 * side.shown.slide, n) for n, side in enumerate(pair.sides)]
     limit = _TILT_SHOWN * math.degrees(max(pair.sides[0].run.body.slenderness))
     parts = [
-        *_panel(x, PANELS[0], floor, word("axis acceleration", language), "floor", math.inf),
-        *_panel(x, PANELS[1], tilts, word("axis tilt", language), "run", limit),
-        *_panel(x, PANELS[2], slides, word("axis slide", language), "run", math.inf),
+        *_panel(x, PANELS[0], floor, word("axis_acceleration", language), "floor", math.inf),
+        *_panel(x, PANELS[1], tilts, word("axis_tilt", language), "run", limit),
+        *_panel(x, PANELS[2], slides, word("axis_slide", language), "run", math.inf),
         *_times(x, language),
         *_failures(x, pair, language),
         svg.element("line", x1=LEFT, x2=LEFT, y1=PANELS[0][0], y2=PANELS[2][1], class_="now"),
     ]
-    return svg.drawing(WIDTH, HEIGHT, parts, word("histories alt", language, told=told), "chart histories")
+    return svg.drawing(
+        WIDTH, HEIGHT, parts, word("histories_alt", language, told=outcomes), "chart histories"
+    )
 
 
 def _panel(
@@ -89,7 +91,7 @@ def _times(x: svg.Axis, language: str) -> list[str]:
         across = x.place(value)
         parts.append(svg.line(across, bottom, across, bottom + 5.0, "axis"))
         parts.append(svg.label(across, bottom + 19.0, f"{value:g}"))
-    return [*parts, svg.label(0.5 * (LEFT + RIGHT), bottom + 38.0, word("axis time", language), "name")]
+    return [*parts, svg.label(0.5 * (LEFT + RIGHT), bottom + 38.0, word("axis_time", language), "name")]
 
 
 def _failures(x: svg.Axis, pair: Pair, language: str) -> list[str]:
@@ -100,6 +102,6 @@ def _failures(x: svg.Axis, pair: Pair, language: str) -> list[str]:
     if parts:
         right = times[0] < 0.5 * (x.low + x.high)
         across = x.place(times[0]) + (5.0 if right else -5.0)
-        told = word("device failure", language)
-        parts.append(svg.label(across, top + 12.0, told, "name halo", "start" if right else "end"))
+        text = word("device_failure", language)
+        parts.append(svg.label(across, top + 12.0, text, "name halo", "start" if right else "end"))
     return parts

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import shlex
 from importlib import resources
 from typing import TYPE_CHECKING, Any
@@ -13,22 +12,29 @@ from markupsafe import Markup
 import stayput
 from stayput.files import check_target, draft
 from stayput.measures import parameters
-from stayput.report.film import DRIFT_CORNER
-from stayput.report.palette import MODE_COLOURS
+from stayput.montecarlo.counting import OVERTURNED
+from stayput.report.embedding import inks_css, script_json, script_module
+from stayput.report.palette import mode_looks
+from stayput.report.scene import DRIFT_CORNER
 from stayput.report.summary import motion_label
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.curves import curves_svg, legend, looks
 from stayput.report.verdict.drawing import drawing_svg
-from stayput.report.verdict.estimates import estimate_rows
 from stayput.report.verdict.histories import histories_svg
-from stayput.report.verdict.languages import check_language
-from stayput.report.verdict.pairs import pairs_of
-from stayput.report.verdict.scenes import scene
-from stayput.report.verdict.tables import DEVICE_COLUMNS, SHARES, device_rows, ranking, simulations
-from stayput.report.verdict.words import MODES, motion_named, place, word
-from stayput.scenario.writing import scenario_toml
-from stayput.verification.verdict import OVERTURNED
+from stayput.report.verdict.pairs import pairs_of, scene_data
+from stayput.report.verdict.tables import (
+    DEVICE_COLUMNS,
+    SHARES,
+    device_rows,
+    estimate_rows,
+    grades_told,
+    impossible_rows,
+    ranking,
+    simulations,
+    weakest_inputs,
+)
+from stayput.report.verdict.words import check_language, motion_named, place, word
 from stayput.verification.words import class_label, headline, title
 
 if TYPE_CHECKING:
@@ -36,6 +42,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.measures import Measure
+    from stayput.report.scene import Scene
     from stayput.report.verdict.pairs import Pair
     from stayput.verification import OptionVerdict, Verdict
 
@@ -100,47 +107,61 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     scenario = verdict.scenario
     ground = scenario.shaking.ground(scenario.folder)
     pairs = pairs_of(verdict, ground)
-    scenes = [scene(pair, language) for pair in pairs]
+    scenes = [pair.scene for pair in pairs]
+    modes = mode_looks(language)
 
-    def told(key: str, **values: object) -> str:
+    def text(key: str, **values: object) -> str:
         return word(key, language, **values)
 
     return {
         "language": language,
-        "told": told,
+        "text": text,
         "numbers": numbers,
         "verdict": verdict,
-        "title": scenario.title or told("report"),
+        "title": scenario.title or text("report"),
         "headline": headline(verdict, language),
         "version": stayput.__version__,
-        "strength": told(
+        "strength": text(
             "instrumental",
             **{"class": class_label(verdict.intensity, language), "value": f"{verdict.intensity:.2f}"},
         ),
         "simulations": simulations(verdict, language),
-        "device_columns": [told(key) for key in DEVICE_COLUMNS],
+        "device_columns": [text(key) for key in DEVICE_COLUMNS],
         "limit": numbers.length(verdict.slide_limit, language),
         "shares": [f"{100.0 * share:g}" for share in SHARES],
+        "notes": verdict.notes(language),
+        "grades": grades_told(language),
         "rows": ranking(verdict, language),
+        "impossible": impossible_rows(verdict, language),
         "looks": looks(verdict),
         "before": _drawn(verdict, verdict.without, language),
         "after": _drawn(verdict, verdict.best, language) if verdict.best.option.measures else None,
         "curves": Markup(curves_svg(verdict, language)) if verdict.best.curves else None,
         "legend": legend(verdict, language),
         "pairs": [
-            _pair(verdict, pair, drawn, len(ground), language)
-            for pair, drawn in zip(pairs, scenes, strict=True)
+            _pair(verdict, pair, scene, len(ground), language)
+            for pair, scene in zip(pairs, scenes, strict=True)
         ],
-        "modes": [(colour, MODES[mode][place(language)]) for mode, colour in MODE_COLOURS.items()],
-        "scenes": Markup(_script_data(scenes)),
+        "modes": modes.values(),
+        "scenes": Markup(
+            script_json(
+                {
+                    "modes": modes,
+                    "pairs": [
+                        scene_data(pair, scene, scenario.furniture)
+                        for pair, scene in zip(pairs, scenes, strict=True)
+                    ],
+                }
+            )
+        ),
         "details": [_detail(one, verdict, language) for one in verdict.options if one.option.measures],
         "estimates": estimate_rows(verdict, language),
         "assumptions": [(a.what(language), a.value(language), a.confidence) for a in assumptions(verdict)],
-        "toml": scenario_toml(scenario),
+        "toml": scenario.to_toml(),
         "reads_files": scenario.shaking.record is not None or isinstance(scenario.shaking.suite, str),
         "command": command(verdict, language),
-        "style": Markup(_text("report.css")),
-        "script": Markup(_text("report.js")),
+        "style": Markup(inks_css() + _file("report.css")),
+        "script": Markup(script_module(_file("report.js"))),
     }
 
 
@@ -155,15 +176,8 @@ def _tight(text: str) -> str:
     return text.replace(" %", "\N{NO-BREAK SPACE}%")
 
 
-def _text(name: str) -> str:
+def _file(name: str) -> str:
     return resources.files("stayput.report.verdict").joinpath(name).read_text(encoding="utf-8")
-
-
-def _script_data(values: object) -> str:
-    """Return values for a script element, which "</" would end."""
-    return json.dumps(values, allow_nan=False, ensure_ascii=False, separators=(",", ":")).replace(
-        "</", "<\\/"
-    )
 
 
 def _drawn(verdict: Verdict, one: OptionVerdict, language: str) -> dict[str, Any]:
@@ -173,21 +187,23 @@ def _drawn(verdict: Verdict, one: OptionVerdict, language: str) -> dict[str, Any
         "drawing": Markup(drawing_svg(verdict, one.option.measures, language, label)),
         "share": numbers.probability(one.probabilities[OVERTURNED], language),
         "interval": numbers.interval(one.probabilities[OVERTURNED], language),
+        "grade": verdict.grade(one).value,
+        "weakest": weakest_inputs(one, verdict, language),
     }
 
 
-def _pair(verdict: Verdict, pair: Pair, drawn: dict[str, Any], count: int, language: str) -> dict[str, Any]:
+def _pair(verdict: Verdict, pair: Pair, scene: Scene, count: int, language: str) -> dict[str, Any]:
     sides = [
         {"label": title(side.option, verdict, language), "outcome": side.outcome(language)}
         for side in pair.sides
     ]
     outcomes = [f"{side['label']}{word('colon', language)}{side['outcome']}" for side in sides]
-    said = f"{pair.kind} told" if len(pair.sides) > 1 else f"{pair.kind} bare told"
+    said = f"{pair.kind}_told" if len(pair.sides) > 1 else f"{pair.kind}_bare_told"
     return {
         "title": word(pair.kind, language),
-        "told": word(said, language),
+        "about": word(said, language),
         "motion": word(
-            "motion shown",
+            "motion_shown",
             language,
             number=pair.member.motion + 1,
             count=count,
@@ -197,19 +213,19 @@ def _pair(verdict: Verdict, pair: Pair, drawn: dict[str, Any], count: int, langu
             end=f"{pair.end:.1f}",
             duration=f"{pair.motion.duration:g}",
         ),
-        "moved": _moved(drawn, language),
+        "moved": _moved(scene, language),
         "sides": sides,
         "chart": Markup(histories_svg(pair, language, word("listed", language).join(outcomes))),
     }
 
 
-def _moved(drawn: dict[str, Any], language: str) -> str:
+def _moved(scene: Scene, language: str) -> str:
     """Return how the room moves in the scenes."""
-    told = word("watch told", language, corner=f"{DRIFT_CORNER:g}", grid=f"{drawn['grid']:g}")
-    if drawn["part"] >= 1.0:
-        return told
+    text = word("watch_told", language, corner=f"{DRIFT_CORNER:g}", grid=f"{scene.view.grid:g}")
+    if scene.shift_scale >= 1.0:
+        return text
     joint = " " if language == "en" else ""
-    return told + joint + word("part shown", language, part=f"{100.0 * drawn['part']:.0f}")
+    return text + joint + word("part_shown", language, part=f"{100.0 * scene.shift_scale:.0f}")
 
 
 def _detail(one: OptionVerdict, verdict: Verdict, language: str) -> dict[str, Any]:
@@ -227,11 +243,10 @@ def _detail(one: OptionVerdict, verdict: Verdict, language: str) -> dict[str, An
 
 def _parameters(measure: Measure, language: str) -> list[tuple[str, str, str]]:
     """Return name, value with unit, and how well founded it is, of each parameter."""
-    found: list[tuple[str, str, str]] = []
+    rows: list[tuple[str, str, str]] = []
     for about in parameters(measure):
         value = getattr(measure, about.name)
-        usual = value == about.default
         shown = value if isinstance(value, str) else numbers.NO_NUMBER if value is None else f"{value:.6g}"
         name = about.label[place(language)]
-        found.append((name, f"{shown} {about.unit}".rstrip(), about.confidence.value if usual else "given"))
-    return found
+        rows.append((name, f"{shown} {about.unit}".rstrip(), about.tag(value)))
+    return rows

@@ -7,11 +7,18 @@ from typing import TYPE_CHECKING
 
 import stayput
 from stayput.report.verdict.assumptions import assumptions
-from stayput.report.verdict.estimates import estimate_rows
 from stayput.report.verdict.numbers import NO_NUMBER, length, with_interval
-from stayput.report.verdict.tables import DEVICE_COLUMNS, SHARES, device_rows, ranking, simulations
+from stayput.report.verdict.tables import (
+    DEVICE_COLUMNS,
+    SHARES,
+    device_rows,
+    estimate_rows,
+    grades_told,
+    impossible_rows,
+    ranking,
+    simulations,
+)
 from stayput.report.verdict.words import word
-from stayput.scenario.writing import scenario_toml
 from stayput.verification.words import headline, title
 
 if TYPE_CHECKING:
@@ -35,43 +42,49 @@ def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
 
 
 def _lines(verdict: Verdict, language: str) -> Iterator[str]:
-    def told(key: str, **values: object) -> str:
+    def text(key: str, **values: object) -> str:
         return word(key, language, **values)
 
-    yield f"# {_plain(verdict.scenario.title or told('report'))}"
+    yield f"# {_plain(verdict.scenario.title or text('report'))}"
     yield f"\n**{_plain(headline(verdict, language))}**\n"
+    for note in verdict.notes(language):
+        yield f"{_plain(note)}\n"
     yield simulations(verdict, language)
     if verdict.motions == 1:
-        yield f"\n{told('one motion')}"
+        yield f"\n{text('one_motion')}"
     if not verdict.precise:
-        yield f"\n{told('not precise')}"
-    yield f"\n## {told('ranking')}\n"
-    yield from _table(
-        _columns(verdict, language), (_cells(row, language) for row in ranking(verdict, language))
-    )
+        yield f"\n{text('not_precise')}"
+    yield f"\n## {text('ranking')}\n"
+    columns = _columns(verdict, language)
+    rows = [_cells(row, language) for row in ranking(verdict, language)]
+    for label, reason in impossible_rows(verdict, language):
+        blank = (NO_NUMBER,) * (len(columns) - 4)
+        rows.append((NO_NUMBER, label, text("not_possible"), *blank, reason))
+    yield from _table(columns, rows)
+    yield f"\n{_plain(grades_told(language))}"
     devices = [
         (title(one.option, verdict, language), *row)
         for one in verdict.options
         for row in device_rows(one, language)
     ]
     if devices:
-        yield f"\n## {told('devices')}\n"
-        yield from _table((told("measure"), *(told(key) for key in DEVICE_COLUMNS)), devices)
-    yield f"\n## {told('estimates')}\n"
-    yield f"{told('estimates told')}\n"
-    yield from _table((told("formula"), told("says"), told("beside")), estimate_rows(verdict, language))
-    yield f"\n## {told('assumptions')}\n"
-    heading = (told("assumption"), told("value"), told("confidence"))
+        yield f"\n## {text('devices')}\n"
+        yield from _table((text("measure"), *(text(key) for key in DEVICE_COLUMNS)), devices)
+    yield f"\n## {text('estimates')}\n"
+    yield f"{text('estimates_told')}\n"
+    yield from _table((text("formula"), text("says"), text("beside")), estimate_rows(verdict, language))
+    yield f"\n## {text('assumptions')}\n"
+    heading = (text("assumption"), text("value"), text("confidence"))
     yield from _table(
         heading,
-        ((one.what(language), one.value(language), told(one.confidence)) for one in assumptions(verdict)),
+        ((one.what(language), one.value(language), text(one.confidence)) for one in assumptions(verdict)),
     )
-    yield f"\n## {told('again')}\n"
-    yield told("again told", file="scenario.toml", version=stayput.__version__)
+    yield f"\n## {text('again')}\n"
+    yield text("again_told", file="scenario.toml", version=stayput.__version__)
     yield "\n```toml"
-    yield scenario_toml(verdict.scenario).rstrip()
+    yield verdict.scenario.to_toml().rstrip()
     yield "```\n"
-    yield told("caution")
+    yield text("caution")
 
 
 def _columns(verdict: Verdict, language: str) -> tuple[str, ...]:
@@ -83,17 +96,20 @@ def _columns(verdict: Verdict, language: str) -> tuple[str, ...]:
         word("slid", language, limit=far),
         word("hit_wall", language),
         word("device_failed", language),
-        word("slide both", language),
+        word("slide_both", language),
         *(word("capacity", language, share=f"{100.0 * share:g}") for share in SHARES),
+        word("grade", language),
         word("why", language),
     )
 
 
 def _cells(row: Row, language: str) -> tuple[str, ...]:
-    shares = tuple(NO_NUMBER if found is None else with_interval(found, language) for _, found in row.shares)
+    shares = tuple(
+        NO_NUMBER if chance is None else with_interval(chance, language) for _, chance in row.shares
+    )
     label = f"{row.label} ({row.name})" if row.name else row.label
     capacities = (f"{middle} ({ends})" if ends else middle for middle, ends in row.capacities)
-    return str(row.option.rank), label, *shares, ", ".join(row.slide), *capacities, row.reason
+    return str(row.option.rank), label, *shares, ", ".join(row.slide), *capacities, row.grade, row.reason
 
 
 def _table(heading: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:

@@ -7,9 +7,12 @@ from typing import TYPE_CHECKING
 
 from stayput.fragility.probabilities import percent
 from stayput.report.verdict.words import word
+from stayput.verification.words import length as length_of
+from stayput.wording import FAR, is_open
 
 if TYPE_CHECKING:
     from stayput.fragility import Capacity, Difference, Probability
+    from stayput.room import Room
     from stayput.verification import Quantiles
 
 NO_NUMBER = "–"
@@ -21,33 +24,33 @@ def share(value: float, language: str) -> str:
     return f"{percent(value)} %" if language == "en" else f"{percent(value)}%"
 
 
-def probability(found: Probability, language: str) -> str:
+def probability(chance: Probability, language: str) -> str:
     """Return a probability: "12 %"; unknown without any run."""
-    return word("unknown", language) if found.runs == 0 else share(found.estimate, language)
+    return word("unknown", language) if chance.runs == 0 else share(chance.estimate, language)
 
 
-def interval(found: Probability, language: str) -> str:
+def interval(chance: Probability, language: str) -> str:
     """Return the interval of a probability: "7 to 20 %"."""
-    if found.runs == 0:
+    if chance.runs == 0:
         return ""
-    low, high = percent(found.low), share(found.high, language)
+    low, high = percent(chance.low), share(chance.high, language)
     return f"{low} to {high}" if language == "en" else f"{low}〜{high}"
 
 
-def with_interval(found: Probability, language: str) -> str:
+def with_interval(chance: Probability, language: str) -> str:
     """Return a probability with its interval: "12 % (7 to 20 %)"."""
-    told, ends = probability(found, language), interval(found, language)
-    return told + word("aside", language, told=ends) if ends else told
+    text, ends = probability(chance, language), interval(chance, language)
+    return text + word("aside", language, told=ends) if ends else text
 
 
-def change(found: Difference | None, language: str) -> str:
+def change(difference: Difference | None, language: str) -> str:
     """Return a difference of probabilities: "−35 points (−48 to −20)"."""
-    if found is None or found.pairs == 0:
+    if difference is None or difference.pairs == 0:
         return NO_NUMBER
-    ends = word("between", language, low=percent(found.low), high=percent(found.high))
-    joint, sign = " " if language == "en" else "", "+" if found.estimate > 0.0 else ""
-    told = f"{sign}{percent(found.estimate)}{joint}{word('points', language)}"
-    return told + word("aside", language, told=ends)
+    ends = word("between", language, low=percent(difference.low), high=percent(difference.high))
+    joint, sign = " " if language == "en" else "", "+" if difference.estimate > 0.0 else ""
+    text = f"{sign}{percent(difference.estimate)}{joint}{word('points', language)}"
+    return text + word("aside", language, told=ends)
 
 
 def length(metres: float, language: str) -> str:
@@ -56,7 +59,22 @@ def length(metres: float, language: str) -> str:
         return NO_NUMBER
     if math.isinf(metres):
         return word("falls", language)
-    return f"{100.0 * metres:.0f} cm" if metres >= 0.095 else f"{100.0 * metres:.1f} cm"
+    return length_of(metres)
+
+
+def at_most(text: str, small: bool, least: str, language: str) -> str:
+    """Return a peak within a sentence: "up to 2.0 cm", or "less than 0.1 cm" where it is that small."""
+    return word("less_than", language, value=least) if small else word("up_to", language, value=text)
+
+
+def peak_slide(metres: float, language: str) -> str:
+    """Return a peak slide within a sentence: "up to 2.0 cm"."""
+    return at_most(length(metres, language), metres < 5e-4, "0.1 cm", language)
+
+
+def peak_tilt(radians: float, language: str) -> str:
+    """Return a peak tilt within a sentence: "up to 2.3°"."""
+    return at_most(angle(radians, language), math.degrees(radians) < 0.05, "0.1°", language)
 
 
 def angle(radians: float, language: str) -> str:
@@ -75,9 +93,13 @@ def force(newtons: float, language: str) -> str:
     return f"{newtons / 1000.0:.1f} kN" if newtons >= 995.0 else f"{newtons:.3g} N"
 
 
-def used(found: Quantiles, language: str) -> tuple[str, ...]:
+def used(quantiles: Quantiles, language: str) -> tuple[str, ...]:
     """Return median and 90 % quantile of a utilisation; nothing where there is no strength to reach."""
-    return tuple(share(value, language) for value in (found.median, found.p90)) if found.p90 > 0.0 else ()
+    return (
+        tuple(share(value, language) for value in (quantiles.median, quantiles.p90))
+        if quantiles.p90 > 0.0
+        else ()
+    )
 
 
 def moment(seconds: float, language: str) -> str:
@@ -85,55 +107,61 @@ def moment(seconds: float, language: str) -> str:
     return word("seconds", language, value=f"{seconds:.1f}") if math.isfinite(seconds) else NO_NUMBER
 
 
-def lengths(found: Quantiles, language: str) -> tuple[str, str]:
-    """Return median and 90 % quantile of a length."""
-    return length(found.median, language), length(found.p90, language)
+def slides(quantiles: Quantiles, room: Room, language: str) -> tuple[str, str]:
+    """Return median and 90 % quantile of a slide; in an open room what is beyond `FAR` is "> 3 m"."""
+    values = (quantiles.median, quantiles.p90)
+    far = [math.isfinite(value) and value > FAR and is_open(room) for value in values]
+    first, second = (
+        f"> {FAR:g} m" if beyond else length(value, language)
+        for value, beyond in zip(values, far, strict=True)
+    )
+    return first, second
 
 
-def angles(found: Quantiles, language: str) -> tuple[str, str]:
+def angles(quantiles: Quantiles, language: str) -> tuple[str, str]:
     """Return median and 90 % quantile of an angle."""
-    return angle(found.median, language), angle(found.p90, language)
+    return angle(quantiles.median, language), angle(quantiles.p90, language)
 
 
-def forces(found: Quantiles, language: str) -> tuple[str, str]:
+def forces(quantiles: Quantiles, language: str) -> tuple[str, str]:
     """Return median and 90 % quantile of a force."""
-    return force(found.median, language), force(found.p90, language)
+    return force(quantiles.median, language), force(quantiles.p90, language)
 
 
-def capacity(found: Capacity | None, language: str, *, brief: bool = False) -> str:
+def capacity(reached: Capacity | None, language: str, *, brief: bool = False) -> str:
     """Return a capacity without its interval: "6.12", "> 6.90", "5.50 to 5.75"; what is unsure is marked."""
-    if found is None:
+    if reached is None:
         return NO_NUMBER
-    show = found.measure.text
-    if math.isfinite(found.estimate):
-        return show(found.estimate)
-    above = found.above > _least(found)
-    below = math.isfinite(found.below)
+    show = reached.measure.text
+    if math.isfinite(reached.estimate):
+        return show(reached.estimate)
+    above = reached.above > reached.measure.least
+    below = math.isfinite(reached.below)
     if not above and not below:
         return word("unknown", language)
     if above and below:
-        told = word("between", language, low=show(found.above, unit=False), high=show(found.below))
+        text = word("between", language, low=show(reached.above, unit=False), high=show(reached.below))
     else:
-        told = f"> {show(found.above)}" if above else f"< {show(found.below)}"
-    mark = "?" if brief else word("aside", language, told=word("unsure", language))
-    return told if found.sure else told + mark
+        text = f"> {show(reached.above)}" if above else f"< {show(reached.below)}"
+    doubt = word("no_interval" if reached.one_motion else "unsure", language)
+    mark = "?" if brief else word("aside", language, told=doubt)
+    return text if reached.sure else text + mark
 
 
-def capacity_interval(found: Capacity | None, language: str) -> str:
+def capacity_interval(reached: Capacity | None, language: str) -> str:
     """Return the interval of a capacity: "5.95 to 6.33"; empty where the capacity is not a number."""
-    if found is None or not math.isfinite(found.estimate):
+    if reached is None or not math.isfinite(reached.estimate):
         return ""
-    show = found.measure.text
-    first, last = show(found.low, unit=False), show(found.high, unit=False)
-    if math.isinf(found.high):
+    if reached.one_motion:
+        return word("no_interval", language)
+    show = reached.measure.text
+    first, last = show(reached.low, unit=False), show(reached.high, unit=False)
+    if math.isinf(reached.high):
         return (
-            word("unknown", language) if found.low <= _least(found) else word("at least", language, low=first)
+            word("unknown", language)
+            if reached.low <= reached.measure.least
+            else word("at_least", language, low=first)
         )
-    if found.low <= _least(found):
-        return word("at most", language, high=last)
+    if reached.low <= reached.measure.least:
+        return word("at_most", language, high=last)
     return word("between", language, low=first, high=last)
-
-
-def _least(found: Capacity) -> float:
-    """Return what stands for no lower end of a capacity."""
-    return -math.inf if found.measure.is_logarithm else 0.0

@@ -1,25 +1,31 @@
-"""Pairs of runs shown side by side: the same motion and the same draw, without and with a measure."""
+"""Pairs of runs shown side by side, run again: one motion and one draw, without and with a measure."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.report.film import ground_displacement
+from stayput.cases import case_columns
+from stayput.measures import element_rows, hold
+from stayput.measures.results import device_results
+from stayput.mechanics.runner import shaking
+from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.sampling import drawn_body, drawn_room, draws
+from stayput.motion.suites import Suite
 from stayput.report.history import History, history
-from stayput.report.verdict.numbers import angle, length
-from stayput.report.verdict.replay import felt, replay_under
-from stayput.report.verdict.words import HARDLY, OUTCOMES, place
-from stayput.simulation import Outcome
+from stayput.report.scene import TIME_DIGITS, Scene, scene_of
+from stayput.report.summary import slides_off
+from stayput.report.verdict.numbers import peak_slide, peak_tilt
+from stayput.report.verdict.words import word
+from stayput.simulation import Case, Outcome, run_of, trace_held
+from stayput.wording import FAR
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from stayput.motion import Motion
-    from stayput.motion.suites import Suite
+    from stayput.scenario.tables import FurnitureTable
     from stayput.simulation import Run
     from stayput.verification import Option, Verdict
     from stayput.verification.verdict import Member
@@ -33,8 +39,8 @@ _MOVED = 1e-3
 _HARDLY_TILT, _HARDLY_SLIDE = 0.01, 0.005
 """Peaks [rad, m] below which a run is said to hardly move."""
 
-_SHIFT_SHOWN = 0.35
-"""Largest movement of the room that is shown, in sizes of the piece."""
+RATE = 50.0
+"""Poses a second that the report holds; its script draws straight lines between them."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,9 +66,12 @@ class Side:
         run = self.run
         still = run.outcome in (Outcome.SLID, Outcome.ROCKED)
         hardly = still and run.peak_tilt < _HARDLY_TILT and run.peak_slide < _HARDLY_SLIDE
-        return (HARDLY if hardly else OUTCOMES[run.outcome])[place(language)].format(
-            slide=length(run.peak_slide, language),
-            tilt=angle(run.peak_tilt, language),
+        slide = peak_slide(run.peak_slide, language)
+        return word(
+            f"outcome_{'hardly' if hardly else run.outcome.value}",
+            language,
+            slide=word("more_than", language, value=f"{FAR:g} m") if slides_off(run) else slide,
+            tilt=peak_tilt(run.peak_tilt, language),
             time=f"{run.overturn_time:.1f}",
         )
 
@@ -93,15 +102,9 @@ class Pair:
     end: float
 
     @property
-    def shift(self) -> tuple[NDArray[np.float64], float]:
-        """The room's displacement in the picture at the motion's samples [m], and its scale."""
-        ground = ground_displacement(self.motion)
-        body = self.sides[0].run.body
-        size = max(body.width, body.height)
-        inside = (self.motion.time >= self.start) & (self.motion.time <= self.end)
-        largest = float(np.abs(ground[inside]).max(initial=0.0))
-        scale = min(1.0, _SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
-        return scale * ground, scale
+    def scene(self) -> Scene:
+        """What is drawn of the runs."""
+        return scene_of([side.run for side in self.sides], self.start, self.end)
 
     @property
     def telling(self) -> float:
@@ -113,6 +116,34 @@ class Pair:
         bare = self.sides[0].shown
         largest = np.abs(bare.tilt) if np.abs(bare.tilt).max() > _MOVED else np.abs(bare.slide)
         return min(max(float(bare.time[int(largest.argmax())]), self.start), self.end)
+
+
+def scene_data(pair: Pair, scene: Scene, look: FurnitureTable) -> dict[str, Any]:
+    """Return what the report's script draws of a pair, as plain values.
+
+    Parameters
+    ----------
+    pair : Pair
+        The runs.
+    scene : Scene
+        Its scene.
+    look : FurnitureTable
+        The piece, whose kind and shelves are drawn on it.
+
+    Returns
+    -------
+    dict
+        What `Scene.data` returns; ``start_s``, ``end_s``, ``telling_s``; ``kind`` and ``loads_kg`` of
+        the piece.
+    """
+    return {
+        **scene.data(RATE),
+        "start_s": pair.start,
+        "end_s": pair.end,
+        "telling_s": round(pair.telling, TIME_DIGITS),
+        "kind": look.preset,
+        "loads_kg": look.shelves,
+    }
 
 
 def pairs_of(verdict: Verdict, ground: Suite) -> tuple[Pair, ...]:
@@ -164,3 +195,57 @@ def _window(sides: tuple[Side, ...], motion: Motion) -> tuple[float, float]:
     end = min(motion.duration, last + AFTER)
     start = max(0.0, first - BEFORE, end - LONGEST)
     return math.floor(10.0 * start) / 10.0, end
+
+
+def replay(verdict: Verdict, option: Option, member: Member, ground: Suite) -> Run:
+    """Run one of the runs behind a verdict again: the same bits, now with its histories.
+
+    Parameters
+    ----------
+    verdict : Verdict
+        The verdict.
+    option : Option
+        The measures; another option's run of the same member met the same motion and the same draw.
+    member : Member
+        Which motion, and which draw.
+    ground : Suite
+        The motions of the ground, as the verdict's scenario gives them.
+    """
+    motion, scale = felt(verdict, ground, member)
+    return replay_under(verdict, option, member, motion, scale)
+
+
+def felt(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motion, float]:
+    """Return a member's motion under the furniture, and the factor on it.
+
+    Parameters
+    ----------
+    verdict : Verdict
+        The verdict.
+    ground : Suite
+        The motions of the ground.
+    member : Member
+        Which of them.
+    """
+    shaken = verdict.scenario.shaking
+    alone = Suite((ground[member.motion],))
+    hazard = Hazard(alone, shaken.building, shaken.storey or 1, vertical=bool(shaken.vertical))
+    floors = hazard.stated(shaken.wanted_intensity, shaken.scale)
+    return floors.motions[0], float(floors.scales[0])
+
+
+def replay_under(verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float) -> Run:
+    """Run a member again under its motion and the factor on it; see `replay`."""
+    scenario = verdict.scenario
+    drawn = draws(member.motion + 1, member.sample + 1, verdict.seed)[member.motion][member.sample]
+    body = drawn_body(scenario.furniture.body(), drawn)
+    stated = hold(body, scenario.room.room(), option.measures)
+    held = replace(stated, room=drawn_room(stated.room, drawn))
+    initial = scenario.initial.state()
+    case = case_columns(held.body, held.room, initial, scenario.gravity)
+    case["scale"] = scale
+    elements = element_rows(stated, drawn.strength)
+    traced, devices, forces = trace_held(case[0], elements, shaking(motion.x, motion.z, motion.dt, 0))
+    asked = Case(held.body, held.room, motion.scaled(scale), initial=initial, gravity=scenario.gravity)
+    results = device_results(held, elements, devices, forces)
+    return run_of(asked, traced, held, results, most_events=2)  # the pictures need the last one

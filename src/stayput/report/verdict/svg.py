@@ -40,10 +40,10 @@ class Axis:
 
 def element(name: str, content: str = "", **attributes: str | float) -> str:
     """Return an element; underscores in the names of attributes are dashes, ``class_`` is ``class``."""
-    told = "".join(
+    listed = "".join(
         f' {key.rstrip("_").replace("_", "-")}="{_value(value)}"' for key, value in attributes.items()
     )
-    return f"<{name}{told}>{content}</{name}>" if content else f"<{name}{told}/>"
+    return f"<{name}{listed}>{content}</{name}>" if content else f"<{name}{listed}/>"
 
 
 def _value(value: str | float) -> str:
@@ -83,8 +83,8 @@ def _points(points: Iterable[tuple[float, float]]) -> str:
 def drawing(width: float, height: float, content: Sequence[str], name: str, class_: str) -> str:
     """Return a picture with its name for those who do not see it."""
     window = f"0 0 {width:.0f} {height:.0f}"
-    told = {"viewBox": window, "class_": class_, "role": "img", "aria_label": name}
-    return element("svg", "".join(content), **told)
+    attributes = {"viewBox": window, "class_": class_, "role": "img", "aria_label": name}
+    return element("svg", "".join(content), **attributes)
 
 
 def ticks(low: float, high: float, count: int) -> list[float]:
@@ -102,9 +102,9 @@ def thinned(
     if len(x) <= 2 * pairs:
         return x, y
     edges = np.linspace(0, len(x), pairs + 1).astype(np.intp)
-    found = {0, len(x) - 1}
+    places = {0, len(x) - 1}
     for first, last in itertools.pairwise(edges):
         part = y[first:last]
-        found |= {int(first + part.argmin()), int(first + part.argmax())}
-    kept = np.array(sorted(found))
+        places |= {int(first + part.argmin()), int(first + part.argmax())}
+    kept = np.array(sorted(places))
     return x[kept], y[kept]

@@ -1,4 +1,4 @@
-"""The ranking and the devices as rows: for CSV, and as texts for Markdown, HTML and the terminal."""
+"""Ranking, devices and quick estimates as rows: for CSV, and as texts for Markdown, HTML and terminal."""
 
 from __future__ import annotations
 
@@ -7,11 +7,15 @@ import io
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from stayput.fragility import JMA_INTENSITY
+from stayput.measures.parameters import MEANINGS
+from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED
+from stayput.report.summary import number
 from stayput.report.verdict import numbers
-from stayput.report.verdict.data import number
 from stayput.report.verdict.words import named, place, word
+from stayput.spreadsheets import text_cell
 from stayput.verification import EVENTS
-from stayput.verification.verdict import DEVICE_FAILED
+from stayput.verification.grades import weakest
 from stayput.verification.words import reason
 
 if TYPE_CHECKING:
@@ -42,6 +46,10 @@ class Row:
         Why it stands where it does.
     capacities : tuple of (str, str)
         Intensity at which each of `SHARES` overturns, and its interval.
+    grade : str
+        Grade of its weakest inputs.
+    weakest : str
+        These inputs.
     """
 
     option: OptionVerdict
@@ -52,6 +60,26 @@ class Row:
     tilt: tuple[str, str]
     reason: str
     capacities: tuple[tuple[str, str], ...]
+    grade: str
+    weakest: str
+
+
+def grade_meanings(language: str) -> list[tuple[str, str]]:
+    """Return each grade and what it means."""
+    return [(grade.value, meaning[place(language)]) for grade, meaning in MEANINGS.items()]
+
+
+def grades_told(language: str) -> str:
+    """Return what the grades mean, in a sentence."""
+    colon = word("colon", language)
+    meanings = [f"{letter}{colon}{meaning}" for letter, meaning in grade_meanings(language)]
+    return word("grade_told", language, meanings=word("listed", language).join(meanings))
+
+
+def weakest_inputs(one: OptionVerdict, verdict: Verdict, language: str) -> str:
+    """Return the inputs that give an option its grade, as a text."""
+    inputs = weakest(one.option, verdict.scenario)
+    return word("listed", language).join(each.label[place(language)] for each in inputs)
 
 
 def ranking(verdict: Verdict, language: str) -> list[Row]:
@@ -69,26 +97,39 @@ def ranking(verdict: Verdict, language: str) -> list[Row]:
 
 def _row(one: OptionVerdict, verdict: Verdict, language: str) -> Row:
     option = one.option
-    usual = {"none", " + ".join(measure.kind for measure in option.measures)}
-    found = [one.capacities.get(share) for share in SHARES]
+    capacities = [one.capacities.get(share) for share in SHARES]
     return Row(
         option=one,
         label=option.label(language),
-        name="" if option.name in usual else option.name,
+        name=option.name if option.own_name else "",
         shares=tuple(
             (event, one.probabilities[event] if event != DEVICE_FAILED or one.devices else None)
             for event in EVENTS
         ),
-        slide=numbers.lengths(one.slide, language),
+        slide=numbers.slides(one.slide, verdict.scenario.room.room(), language),
         tilt=numbers.angles(one.tilt, language),
         reason=reason(one, verdict, language),
         capacities=tuple(
-            (numbers.capacity(c, language), numbers.capacity_interval(c, language)) for c in found
+            (numbers.capacity(c, language), numbers.capacity_interval(c, language)) for c in capacities
         ),
+        grade=verdict.grade(one).value,
+        weakest=weakest_inputs(one, verdict, language),
     )
 
 
-DEVICE_COLUMNS = ("device", "failed", "failure time", "peak force", "used")
+def impossible_rows(verdict: Verdict, language: str) -> list[tuple[str, str]]:
+    """Return the options that cannot be put in place: what each is called, and why not."""
+    return [
+        (
+            one.option.label(language)
+            + (word("aside", language, told=one.option.name) if one.option.own_name else ""),
+            one.why(language),
+        )
+        for one in verdict.impossible
+    ]
+
+
+DEVICE_COLUMNS = ("device", "failed", "failure_time", "peak_force", "used")
 """Keys of the headings of `device_rows`."""
 
 
@@ -134,40 +175,96 @@ def _device_name(device: DeviceSummary, names: dict[str, str], language: str) ->
 def simulations(verdict: Verdict, language: str) -> str:
     """Return how many simulations there were, in words."""
     runs = f"{verdict.runs:,}"
-    return word("simulations told", language, runs=runs, motions=verdict.motions, samples=verdict.samples)
+    return word("simulations_told", language, runs=runs, motions=verdict.motions, samples=verdict.samples)
 
 
 def verdict_csv(verdict: Verdict) -> str:
-    """Return the ranking as the text of a CSV file: one row an option, empty where there is no number."""
+    """Return the ranking as the text of a CSV file: one row an option, empty where there is no number.
+
+    What cannot be put in place comes last, without a rank and a number, and with the reason.
+    """
     text = io.StringIO()
-    records = [_record(one) for one in verdict.options]
+    records = [_record(one, verdict) for one in verdict.options]
+    for other in verdict.impossible:
+        names = {"option": other.option.name, "measures": other.option.label("en")}
+        records.append({**dict.fromkeys(records[0]), **names, "not_possible": other.reason})
     writer = csv.DictWriter(text, list(records[0]), lineterminator="\n")
     writer.writeheader()
-    writer.writerows(records)
+    writer.writerows(
+        {name: text_cell(cell) if isinstance(cell, str) else cell for name, cell in record.items()}
+        for record in records
+    )
     return text.getvalue()
 
 
-def _record(one: OptionVerdict) -> dict[str, object]:
+def _record(one: OptionVerdict, verdict: Verdict) -> dict[str, object]:
     record: dict[str, object] = {
         "rank": one.rank,
         "option": one.option.name,
         "measures": one.option.label("en"),
     }
-    for event, found in one.probabilities.items():
-        ends = (("", found.estimate), ("_low", found.low), ("_high", found.high))
+    for event, chance in one.probabilities.items():
+        ends = (("", chance.estimate), ("_low", chance.low), ("_high", chance.high))
         record |= {f"{event}{end}": number(value) for end, value in ends}
-        record[f"{event}_count"] = found.fell
+        record[f"{event}_count"] = chance.fell
     shares = one.probabilities[EVENTS[0]]
     record |= {"runs": shares.runs, "missing": shares.missing}
-    for name, found in (("slide_m", one.slide), ("tilt_rad", one.tilt)):
-        record |= {f"peak_{name}_median": number(found.median), f"peak_{name}_p90": number(found.p90)}
+    for name, quantiles in (("slide_m", one.slide), ("tilt_rad", one.tilt)):
+        record |= {f"peak_{name}_median": number(quantiles.median), f"peak_{name}_p90": number(quantiles.p90)}
     for share in SHARES:
-        found = one.capacities.get(share)
+        capacity = one.capacities.get(share)
         key = f"jma_intensity_{100.0 * share:.0f}_percent"
         record |= {
-            key: None if found is None else number(found.estimate),
-            f"{key}_low": None if found is None else number(found.low),
-            f"{key}_high": None if found is None else number(found.high),
-            f"{key}_text": None if found is None else found.text,
+            key: None if capacity is None else number(capacity.estimate),
+            f"{key}_low": None if capacity is None else number(capacity.low),
+            f"{key}_high": None if capacity is None else number(capacity.high),
+            f"{key}_text": None if capacity is None else capacity.text,
         }
+    record["grade"] = verdict.grade(one).value
+    record["weakest_inputs"] = weakest_inputs(one, verdict, "en")
+    record["not_possible"] = None
     return record
+
+
+def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]:
+    """Return each formula, what it says, and the simulation beside it, as texts.
+
+    Parameters
+    ----------
+    verdict : Verdict
+        The verdict.
+    language : str
+        "en" or "ja".
+    """
+    estimates = verdict.estimates
+    simulated = numbers.probability(verdict.without.probabilities[OVERTURNED], language)
+    capacity = verdict.without.curves[JMA_INTENSITY].capacity(0.5) if verdict.without.curves else None
+    rocking, _ = numbers.angles(verdict.without.tilt, language)
+
+    def text(key: str, **values: object) -> str:
+        return word(key, language, **values)
+
+    median = numbers.capacity(capacity, language)
+    colon = text("colon")
+    beside = f"{text('overturned')}{colon}{simulated}"
+    return [
+        (
+            text("west"),
+            text("west_told", value=f"{estimates.rocking_acceleration:.2f}"),
+            f"{text('tilt')}{colon}{rocking}",
+        ),
+        (
+            text("ishiyama"),
+            text(
+                "ishiyama_told",
+                value=f"{100.0 * estimates.overturning_velocity:.0f}",
+                share=numbers.share(estimates.possible, language),
+            ),
+            beside,
+        ),
+        (
+            text("kaneko"),
+            text("kaneko_told", share=numbers.share(estimates.overturning_ratio, language)),
+            f"{beside}{text('listed')}{text('capacity_short', share='50')}{colon}{median}",
+        ),
+    ]

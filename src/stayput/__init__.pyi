@@ -1,0 +1,60 @@
+# The public names, each once: `stayput.__init__` loads one from here when it is first used, and type
+# checkers read it. A name that is added here is public.
+
+from .body import Body as Body
+from .body import Part as Part
+from .building import Building as Building
+from .building import Isolation as Isolation
+from .building import ShearModel as ShearModel
+from .ensemble import overturning_map as overturning_map
+from .ensemble import simulate_many as simulate_many
+from .ensemble import sweep as sweep
+from .ensemble import trace_boundary as trace_boundary
+from .errors import InputError as InputError
+from .errors import InputWarning as InputWarning
+from .fragility import FragilityCurve as FragilityCurve
+from .fragility import Trials as Trials
+from .fragility import fragility_curve as fragility_curve
+from .fragility import write_nrml as write_nrml
+from .fragility import write_pelicun as write_pelicun
+from .inventory import assess as assess
+from .measures import MEASURES as MEASURES
+from .measures import Measure as Measure
+from .measures import hold as hold
+from .motion import Motion as Motion
+from .motion import near_fault as near_fault
+from .motion import pulse as pulse
+from .motion import read_motion as read_motion
+from .motion import sine as sine
+from .motion.spectrum import ResponseSpectrum as ResponseSpectrum
+from .motion.spectrum import response_spectrum as response_spectrum
+from .motion.suites import Suite as Suite
+from .motion.suites import TargetSpectrum as TargetSpectrum
+from .motion.suites import asce7 as asce7
+from .motion.suites import japanese_design as japanese_design
+from .motion.suites import read_suite as read_suite
+from .motion.suites import read_target as read_target
+from .motion.suites import synthetic_suite as synthetic_suite
+from .room import SURFACES as SURFACES
+from .room import Ceiling as Ceiling
+from .room import Floor as Floor
+from .room import Room as Room
+from .room import Wall as Wall
+from .scenario import Scenario as Scenario
+from .scenario import read_scenario as read_scenario
+from .simulation import Case as Case
+from .simulation import Event as Event
+from .simulation import EventKind as EventKind
+from .simulation import Mode as Mode
+from .simulation import Outcome as Outcome
+from .simulation import Run as Run
+from .simulation import State as State
+from .simulation import simulate as simulate
+from .uncertainty import Lognormal as Lognormal
+from .uncertainty import Normal as Normal
+from .uncertainty import Uncertainty as Uncertainty
+from .uncertainty import Uniform as Uniform
+from .verification import Verdict as Verdict
+from .verification import verify as verify
+
+__version__: str

@@ -1,0 +1,46 @@
+// Whether the server answers: where it does not, it is asked again and again until it is back.
+
+import * as api from "./api.js";
+import { part } from "./dom.js";
+
+const EVERY = 1000,
+  LONGEST = 8000,
+  BUSY = 1500;
+let back = null;
+
+/** Lets some time pass [ms]. */
+export const pause = (milliseconds) =>
+  new Promise((done) => {
+    setTimeout(done, milliseconds);
+  });
+
+/** Waits until the server answers; however many wait, it is asked once at a time. */
+export function untilBack() {
+  back ??= answered().finally(() => {
+    back = null;
+    part("away").hidden = true;
+  });
+  part("away").hidden = false;
+  return back;
+}
+
+async function answered() {
+  for (let wait = EVERY; ; wait = Math.min(LONGEST, 1.5 * wait)) {
+    await pause(wait);
+    if (await api.ping().catch(() => null)) return;
+  }
+}
+
+/** Asks again where the server is busy, and once it is back where it does not answer; null: no longer wanted. */
+export async function patiently(ask, wanted = () => true) {
+  while (wanted()) {
+    try {
+      return await ask();
+    } catch (error) {
+      if (error.status === 0) await untilBack();
+      else if (error.status === 429 || error.status === 503) await pause(BUSY);
+      else throw error;
+    }
+  }
+  return null;
+}

@@ -1,0 +1,45 @@
+// What the picture is not of what was asked: said beside the field, and above the picture.
+
+import { el, fill, part } from "./dom.js";
+import { leftOut } from "./panel_measures.js";
+import { change, current } from "./scene.js";
+import { length, t } from "./words.js";
+
+/** What is left out for want of a wall or a ceiling, as a sentence, or nothing. */
+export function missing(scene, what) {
+  const measures = leftOut(scene).filter(({ lacks }) => lacks === what);
+  return measures.length
+    ? t(`leftOut_${what}`, { measures: measures.map(({ label }) => label).join(t("listed")) })
+    : null;
+}
+
+/** That the piece does not go under the ceiling, as a sentence, or nothing. */
+export const ceilingTooLow = (scene) =>
+  scene.ceiling > scene.height
+    ? null
+    : t("ceilingTooLow", { ceiling: length(scene.ceiling), height: length(scene.height) });
+
+/** That a record of an upper floor goes through a building once more, as a sentence, or nothing. */
+const twiceUp = (scene) =>
+  scene.storeys > 0 && scene.record?.motion.floor
+    ? t("twiceUp", { name: scene.record.name })
+    : null;
+
+/** Writes all of it above the picture. */
+export function update() {
+  const scene = current();
+  const sentences = [
+    missing(scene, "wall"),
+    ceilingTooLow(scene),
+    missing(scene, "ceiling"),
+    twiceUp(scene),
+  ].filter(Boolean);
+  const gone = scene.gone && [
+    t(scene.gone.name ? "recordMissing" : "recordMissingUnnamed", { name: scene.gone.name }),
+    " ",
+    el("button", { type: "button", text: t("understood"), onclick: () => change({ gone: null }) }),
+  ];
+  const all = [...(gone ? [gone] : []), ...sentences.map((one) => [one])];
+  part("notices").hidden = !all.length;
+  fill(part("notices"), ...all.map((one) => el("p", {}, ...one)));
+}

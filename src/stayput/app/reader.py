@@ -1,0 +1,144 @@
+"""A process that reads uploaded records, one after the other: what goes wrong in it is lost with it alone.
+
+Messages go as pickles over its standard input and output. It ends when its input does, which is so when the
+server ends in any way, and when a record takes too long.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import faulthandler
+import os
+import pickle
+import sys
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, BinaryIO
+
+import numpy as np
+
+from stayput.errors import InputError, InputWarning, warnings_to
+from stayput.motion import read_motion
+
+if TYPE_CHECKING:
+    from stayput.motion import Motion
+
+_SEPARATORS = np.zeros(256, np.bool_)
+_SEPARATORS[list(b" \t\n\r\v\f,;")] = True
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """A record to read.
+
+    Parameters
+    ----------
+    path : str
+        The file.
+    component, unit, dt
+        As `read_motion` takes them.
+    numbers, samples : int
+        Most numbers in the file, most samples of the motion.
+    duration, seconds : float
+        Longest motion, longest time to read it [s].
+    """
+
+    path: str
+    component: str | None
+    unit: str | None
+    dt: float | None
+    numbers: int
+    samples: int
+    duration: float
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What came of a task: a motion, or the sentence that refuses it; and what is doubtful about it."""
+
+    motion: Motion | None
+    refusal: InputError | None
+    doubts: tuple[InputWarning, ...] = ()
+
+
+def read(task: Task) -> Outcome:
+    """Read a record within the limits."""
+    doubts: list[InputWarning] = []
+    try:
+        with warnings_to(doubts.append):
+            motion = _read(task)
+    except InputError as error:
+        return Outcome(None, error)
+    except (MemoryError, RecursionError):
+        return Outcome(None, InputError("app.reading_memory"))
+    return Outcome(motion, None, tuple(doubts))
+
+
+def _read(task: Task) -> Motion:
+    with open(task.path, "rb") as file:  # noqa: PTH123 - a plain path is all that came
+        _check_numbers(file.read(), task.numbers)
+    motion = read_motion(task.path, task.component, task.unit, dt=task.dt)
+    if motion.duration > task.duration:
+        raise InputError("app.long_motion", value=motion.duration, most=task.duration)
+    if len(motion) > task.samples:
+        raise InputError("app.many_samples", value=len(motion), most=task.samples)
+    return motion
+
+
+def _check_numbers(data: bytes, most: int) -> None:
+    """Refuse more numbers than any record needs before a list is made of them."""
+    between = _SEPARATORS[np.frombuffer(data, np.uint8)]
+    count = int(np.count_nonzero(between[1:] & ~between[:-1])) + 1
+    if count > most:
+        raise InputError("app.many_numbers", value=count, most=most)
+
+
+def limit_memory(more: int) -> None:
+    """Let this process take so much more memory than it has, where the system can be told so [bytes]."""
+    try:
+        import resource
+    except ModuleNotFoundError:  # Windows
+        return
+    taken = 0
+    with contextlib.suppress(OSError), open("/proc/self/statm", "rb") as file:  # noqa: PTH123
+        taken = int(file.read().split()[0]) * resource.getpagesize()
+    with contextlib.suppress(OSError, ValueError):  # macOS knows the limit and refuses it
+        _, hard = resource.getrlimit(resource.RLIMIT_AS)
+        wanted = taken + more
+        resource.setrlimit(resource.RLIMIT_AS, (wanted if hard < 0 else min(wanted, hard), hard))
+
+
+def main(memory: int) -> None:
+    """Read records until the input ends.
+
+    Parameters
+    ----------
+    memory : int
+        How much memory it may take for them [bytes].
+    """
+    asked, answered = sys.stdin.buffer, os.fdopen(os.dup(sys.stdout.fileno()), "wb")
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, sys.stdout.fileno())  # nothing that prints gets between the answers
+    faulthandler.disable()
+    limit_memory(memory)
+    send(answered, None)
+    while (task := receive(asked)) is not None:
+        # The server ends a process that is too slow; where it is gone, the process ends itself.
+        faulthandler.dump_traceback_later(2.0 * task.seconds + 5.0, exit=True, file=nowhere)
+        outcome = read(task)
+        faulthandler.cancel_dump_traceback_later()
+        send(answered, outcome)
+
+
+def send(stream: BinaryIO, value: object) -> None:
+    """Write a message."""
+    pickle.dump(value, stream, pickle.HIGHEST_PROTOCOL)
+    stream.flush()
+
+
+def receive(stream: BinaryIO) -> Task | None:
+    """Read a task, or None at the end."""
+    try:
+        return pickle.load(stream)
+    except EOFError:
+        return None

@@ -1,0 +1,121 @@
+"""Every sentence that stayput says, in English and in Japanese, each once and under an id.
+
+An id is ``"<module>.<key>"``: ``"motion.no_unit"`` is the key ``no_unit`` of `stayput.catalogue.motion`,
+which holds the sentences of the package `stayput.motion`. What varies stands in braces, with the format
+specifications of `str.format`. The catalogue knows nothing of the rest of stayput: its modules hold strings
+only.
+"""
+
+from __future__ import annotations
+
+from collections import ChainMap
+from typing import TYPE_CHECKING, Literal, TypeGuard
+
+from stayput.catalogue import (
+    app,
+    building,
+    cli,
+    common,
+    ensemble,
+    fragility,
+    inventory,
+    measures,
+    mechanics,
+    motion,
+    page,
+    plots,
+    report,
+    runs,
+    scenario,
+    scene,
+    studies,
+    verification,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+Language = Literal["en", "ja"]
+
+LANGUAGES: tuple[Language, ...] = ("en", "ja")
+"""The languages, in the order of a `Phrase`."""
+
+Phrase = tuple[str, str]
+"""A text in English and in Japanese."""
+
+_MODULES = {
+    module.__name__.rsplit(".", 1)[-1]: module.TEXTS
+    for module in (
+        app,
+        building,
+        cli,
+        common,
+        ensemble,
+        fragility,
+        inventory,
+        measures,
+        mechanics,
+        motion,
+        page,
+        plots,
+        report,
+        runs,
+        scenario,
+        scene,
+        studies,
+        verification,
+    )
+}
+
+TEXTS: Mapping[str, Phrase] = ChainMap(
+    *({f"{name}.{key}": text for key, text in texts.items()} for name, texts in _MODULES.items())
+)
+"""All texts by their ids."""
+
+
+def phrase(text: str | Phrase, **values: object) -> Phrase:
+    """Return a text in both languages, with its values filled in.
+
+    Parameters
+    ----------
+    text : str or Phrase
+        The id of a text, or a text in both languages.
+    **values
+        What stands in its braces; a value that is itself a `Phrase` is filled in in each language.
+
+    Raises
+    ------
+    KeyError
+        There is no such text, or it needs another value.
+
+    Examples
+    --------
+    >>> phrase("common.not_finite", name="dt", value=float("inf"))
+    ('dt is inf; it must be a finite number.', 'dtがinfになっています。有限の数値を指定してください。')
+    """
+    both = TEXTS[text] if isinstance(text, str) else text
+    if not values:
+        return both
+    english, japanese = (
+        both[place].format_map({key: _in_language(value, place) for key, value in values.items()})
+        for place in range(len(LANGUAGES))
+    )
+    return english, japanese
+
+
+def say(text: str | Phrase, language: Language = "en", **values: object) -> str:
+    """Return a text in one language, with its values filled in; see `phrase`."""
+    return phrase(text, **values)[LANGUAGES.index(language)]
+
+
+def is_phrase(value: object) -> TypeGuard[Phrase]:
+    """Tell whether a value is a text in both languages."""
+    match value:
+        case (str(), str()):
+            return True
+        case _:
+            return False
+
+
+def _in_language(value: object, place: int) -> object:
+    return value[place] if is_phrase(value) else value

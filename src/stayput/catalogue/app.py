@@ -1,0 +1,161 @@
+"""Refusals of the app's server."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # Requests
+    "other_host": (
+        "The Host header names another server; open the address that stayput printed.",
+        "別のサーバー宛てのリクエストです。stayputが表示したアドレスを開いてください。",
+    ),
+    "other_site": (
+        "Requests from other sites are refused.",
+        "ほかのサイトからのリクエストは受け付けません。",
+    ),
+    "body_too_large": (
+        "The body is too large; at most {most} bytes are accepted.",
+        "送信されたデータが大きすぎます。{most}バイトまでです。",
+    ),
+    "body_too_slow": (
+        "The body came too slowly.",
+        "送信に時間がかかりすぎました。もう一度お試しください。",
+    ),
+    "not_json": ("The body is not JSON.", "送信されたデータがJSONではありません。"),
+    "not_valid": ("{name}: {message}.", "{name}：{message}"),
+    "the_body": ("The body", "送信されたデータ"),
+    "http": ("{message}.", "{message}."),
+    "half_character": (
+        "A text holds half a character; it must be Unicode.",
+        "文字列に不完全な文字があります。Unicodeで指定してください。",
+    ),
+    # Too much at once
+    "many_requests": (
+        "This machine has too many requests under way; try again in a moment.",
+        "この端末からのリクエストが多すぎます。少し待ってからもう一度お試しください。",
+    ),
+    "many_connections": (
+        "The server has too many connections; try again in a moment.",
+        "サーバーへの接続が多すぎます。少し待ってからもう一度お試しください。",
+    ),
+    "many_uploads": (
+        "Other files are being uploaded; try again in a moment.",
+        "ほかのファイルを受信しています。少し待ってからもう一度お試しください。",
+    ),
+    "many_files": (
+        "Too many files are waiting to be read; try again in a moment.",
+        "読み込みを待っているファイルが多すぎます。少し待ってからもう一度お試しください。",
+    ),
+    "busy": (
+        "The server is busy; try again in a moment.",
+        "サーバーが混み合っています。少し待ってからもう一度お試しください。",
+    ),
+    "many_jobs": (
+        "There are {count} verifications already; wait for one to end, or cancel it.",
+        "すでに{count}件の検証があります。どれかが終わるまで待つか、中止してください。",
+    ),
+    "little_memory": (
+        "The server has too little memory for this; try something smaller.",
+        "サーバーのメモリが足りません。条件を小さくしてお試しください。",
+    ),
+    "ends": ("The server ends.", "サーバーは終了するところです。"),
+    "failed": ("The server failed; its log says why.", "サーバーでエラーが起きました。"),
+    # Verifications
+    "no_report_yet": (
+        "The job is {state}; there is a report once it is done.",
+        "計算はまだ終わっていません（{state}）。報告書は計算が終わると作成できます。",
+    ),
+    "no_such_job": (
+        "There is no such job; it may have expired.",
+        "その計算はありません。保存期間が過ぎた可能性があります。",
+    ),
+    "verification_failed": (
+        "The verification failed; the server's log says why.",
+        "計算に失敗しました。",
+    ),
+    "many_runs": (
+        "This verification makes {runs} simulations; this server allows {most}.",
+        "計算が多すぎます（{runs}回）。このサーバーで計算できるのは{most}回までです。",
+    ),
+    "many_options": ("At most {most} measures can be compared.", "比較できる対策は{most}件までです。"),
+    "many": (
+        "{name} is {value:g}; this server allows {most}.",
+        "{name}が{value:g}になっています。このサーバーでは{most}までです。",
+    ),
+    "many_masses": (
+        "{name} are {value}; this server allows {most}.",
+        "{name}が{value}個あります。このサーバーでは{most}個までです。",
+    ),
+    "no_such_record": (
+        "{name} is not a motion that this server has; it must be uploaded (again).",
+        "{name}の記録がサーバーにありません。もう一度アップロードしてください。",
+    ),
+    "suite_folder": (
+        "shaking.suite is a folder; this server takes suites by family and count only.",
+        "shaking.suiteにフォルダーは指定できません。familyとcountで指定してください。",
+    ),
+    "long_sine": (
+        "shaking.sine lasts {value:g} s; this server allows {most:g} s.",
+        "shaking.sineの長さは{value:g}秒です。このサーバーでは{most:g}秒までです。",
+    ),
+    "many_sine_samples": (
+        "shaking.sine.dt is {dt:g} s, which makes {samples:.0f} samples; this server allows {most}.",
+        "shaking.sine.dtが{dt:g}秒だと、データが{samples:.0f}個になります。このサーバーでは{most}個までです。",
+    ),
+    # Records
+    "motion_needed": (
+        "A verification needs this motion; wait for its end, or cancel it.",
+        "計算中の検証がこの記録を使っています。終わるまで待つか、計算を中止してください。",
+    ),
+    "no_such_motion": (
+        "There is no such motion; it may have expired and must be uploaded again.",
+        "その記録はありません。保存期間が過ぎた場合は、もう一度アップロードしてください。",
+    ),
+    "long_motion": (
+        "The motion lasts {value:.0f} s; this server allows {most:g} s.",
+        "記録が長すぎます（{value:.0f}秒）。{most:g}秒まで使えます。",
+    ),
+    "many_samples": (
+        "The motion has {value} samples; this server allows {most}.",
+        "データが多すぎます（{value}個）。{most}個まで使えます。",
+    ),
+    "many_numbers": (
+        "The file has about {value} numbers; this server reads {most}.",
+        "数値が多すぎます（約{value}個）。{most}個まで読めます。",
+    ),
+    "reading_memory": (
+        "The file needs more memory to be read than this server allows; it must be smaller.",
+        "ファイルの読み込みに必要なメモリが多すぎます。",
+    ),
+    "reading_died": (
+        "Reading the file needs too much, and was ended; it must be a record in one of the known formats.",
+        "ファイルを読み込めないため、中止しました。",
+    ),
+    "reading_slow": (
+        "The file takes more than {seconds:g} s to read; it must be a record in one of the known formats.",
+        "ファイルの読み込みに{seconds:g}秒以上かかるため、中止しました。",
+    ),
+    # Forms
+    "no_form": (
+        "An upload must be a form (multipart/form-data) with a file.",
+        "アップロードはファイルを含むフォーム（multipart/form-data）で送ってください。",
+    ),
+    "form_not_read": ("The form cannot be read: {message}", "フォームを読み取れません：{message}"),
+    "form_not_multipart": (
+        "The form cannot be read; it must be multipart/form-data.",
+        "フォームを読み取れません。multipart/form-dataで送ってください。",
+    ),
+    "form_no_file": (
+        "The form has no file; it must be sent as 'file'.",
+        "フォームにファイルがありません。「file」という名前で送ってください。",
+    ),
+    "form_unknown_field": (
+        "The form has an unknown field; it may have file, unit, dt, component.",
+        "フォームに不明な項目があります。使えるのはfile、unit、dt、componentです。",
+    ),
+    "empty_file": ("The file is empty; it must hold a record.", "ファイルが空です。"),
+    "dt_not_a_number": ("dt must be a number [s].", "時間刻みは秒単位の数値で入力してください。"),
+    # Starting
+    "not_served": (
+        "The address is {host}, port {port}; it cannot be served: {reason}.",
+        "アドレス{host}、ポート{port}を使えません（{reason}）。",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

@@ -1,0 +1,91 @@
+"""Buildings, their isolators, and shear models."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # Names of a building's numbers
+    "period": ("Building period", "建物の固有周期"),
+    "damping": ("Building damping", "建物の減衰定数"),
+    "storey_height": ("Building storey_height", "建物の階高"),
+    "yield_coefficient": ("Building yield_coefficient", "建物の降伏せん断力係数"),
+    "post_yield": ("Building post_yield", "建物の降伏後の剛性比"),
+    "vertical_amplification": ("Building vertical_amplification", "建物の上下動の増幅率"),
+    "isolation_period": ("Isolation period", "免震層の周期"),
+    "isolation_damping": ("Isolation damping", "免震層の減衰定数"),
+    "isolation_displacement": ("Isolation displacement", "免震層の変位"),
+    "isolation_post_yield": ("Isolation post_yield", "免震層の降伏後の剛性比"),
+    # Names of a shear model's numbers
+    "model_masses": ("ShearModel masses", "せん断モデルの質量"),
+    "model_stiffnesses": ("ShearModel stiffnesses", "せん断モデルの剛性"),
+    "model_damping": ("ShearModel damping", "せん断モデルの減衰定数"),
+    "model_yield_shears": ("ShearModel yield_shears", "せん断モデルの降伏せん断力"),
+    "model_post_yield": ("ShearModel post_yield", "せん断モデルの降伏後の剛性比"),
+    "model_vertical_amplification": ("Vertical amplification", "上下動の増幅率"),
+    # Refusals
+    "structure": (
+        "The structure is {structure}; it must be one of {known}.",
+        "建物の構造が{structure}になっています。次から選んでください：{known}",
+    ),
+    "storeys": (
+        "The number of storeys is {storeys}; it must be a whole number from 1 to {most}.",
+        "建物の階数が{storeys}になっています。1～{most}の整数にしてください。",
+    ),
+    "needs_nonlinear": (
+        "yield_coefficient and post_yield are given; they need a nonlinear building.",
+        "yield_coefficientやpost_yieldは、非線形の建物にだけ指定できます。",
+    ),
+    "period_of_isolated": (
+        (
+            "The building's period on fixed ground is {period:g} s; it must be shorter than that of the "
+            "isolators, {isolators:g} s."
+        ),
+        "基礎固定時の建物の固有周期が{period:g}秒になっています。免震層の周期{isolators:g}秒より短くしてください。",
+    ),
+    "isolation_too_damped": (
+        (
+            "Isolation damping is {damping:g}; it must be below {most:.3f}, the most of a bilinear layer "
+            "with post_yield {post_yield:g}."
+        ),
+        (
+            "免震層の減衰定数が{damping:g}になっています。降伏後の剛性比が{post_yield:g}のバイリニア型で得られるのは"
+            "{most:.3f}未満です。"
+        ),
+    ),
+    "masses": (
+        "ShearModel has {count} masses; it must have {least} to {most}.",
+        "せん断モデルの質量が{count}個になっています。{least}～{most}個にしてください。",
+    ),
+    "model_values": (
+        "{name} has {count} values; it must have {wanted}, one a mass.",
+        "{name}の値が{count}個になっています。質量と同じ{wanted}個にしてください。",
+    ),
+    "no_such_storey": (
+        "The storey is {storey}; it must be a whole number from 1 to {most}, or {roof} for the roof.",
+        "階が{storey}になっています。1～{most}の整数にしてください（屋上は{roof}）。",
+    ),
+    "period_too_short": (
+        (
+            "The building's shortest period is {period:g} s; with yielding storeys it must be at least "
+            "{least:.2g} s."
+        ),
+        "建物の最も短い固有周期が{period:g}秒になっています。降伏を考える場合は{least:.2g}秒以上にしてください。",
+    ),
+    "no_component": (
+        "The component is {component}; this response has {known}.",
+        "成分が{component}になっています。この応答にある成分から選んでください：{known}",
+    ),
+    "no_component_of_motion": (
+        "The component is {component}; the motion has {known}.",
+        "成分が{component}になっています。この地震動にある成分から選んでください：{known}",
+    ),
+    # Doubts
+    "not_of_the_ground": (
+        (
+            "The motion {motion} is of {floor} of a building and goes through the {building} as if it were "
+            "of the ground; it should stand for the floor by itself."
+        ),
+        (
+            "地震動{motion}は建物の床（{floor}）の揺れですが、地面の揺れとして{building}に入力しています。"
+            "建物を通さずに床の揺れとして使ってください。"
+        ),
+    ),
+}
+"""Texts by their keys: English, Japanese."""

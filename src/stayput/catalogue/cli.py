@@ -1,0 +1,33 @@
+"""The command line's refusals. Flags stand as they are typed."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    "one_of_two": (
+        "{flag} is {value} beside {other} {other_value}; it must be one of the two.",
+        "{flag} {value}と{other} {other_value}の両方が指定されています。一方だけにしてください。",
+    ),
+    "written_like": (
+        "{flag} is {value}; it must be written like {example}.",
+        "{flag}が{value}になっています。{example}のように書いてください。",
+    ),
+    "no_row": (
+        "No row of the inventory could be assessed; {rejects} says why, row by row.",
+        "評価できる行がありませんでした。理由は行ごとに{rejects}に書かれています。",
+    ),
+    "out_needs_storey": (
+        "--out is {out}; it must come with one --storey, whose motion is written.",
+        "--outが{out}になっています。揺れを書き出す階を1つ、--storeyで指定してください。",
+    ),
+    "folder_is_file": (
+        "The folder is {folder}; it must be a folder, and that is a file.",
+        "{folder}はファイルです。フォルダーを指定してください。",
+    ),
+    "no_parent": (
+        "The folder is {folder}; the folder that it is in must exist.",
+        "フォルダー{folder}の親フォルダーがありません。先に作成してください。",
+    ),
+    "of_a_target": (
+        "--select and --fit are given without --target; they belong to a target spectrum.",
+        "--selectと--fitは、--target（目標スペクトル）とともに使ってください。",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

@@ -1,0 +1,49 @@
+"""Refusals that any number or name may meet."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    "colon": (": ", "："),
+    "did_you_mean": (" (did you mean {name}?)", "（{name}ではありませんか）"),
+    "not_one_of": (
+        "{name} is {value}{hint}; it must be one of {known}.",
+        "{name}が{value}になっています{hint}。次のいずれかにしてください：{known}",
+    ),
+    "not_a_number": (
+        "{name} is {value}; it must be a number.",
+        "{name}が{value}になっています。数値を指定してください。",
+    ),
+    "not_finite": (
+        "{name} is {value}; it must be a finite number.",
+        "{name}が{value}になっています。有限の数値を指定してください。",
+    ),
+    "too_large": (
+        "{name} is too large; it must be a finite number.",
+        "{name}が大きすぎます。有限の数値を指定してください。",
+    ),
+    "not_within": (
+        "{name} is {value:g}{unit}; it must be between {low:g} and {high:g}{unit}.",
+        "{name}が{value:g}{unit}になっています。{low:g}～{high:g}{unit}にしてください。",
+    ),
+    "not_whole": (
+        "{name} is {value:g}; it must be a whole number.",
+        "{name}が{value:g}になっています。整数を指定してください。",
+    ),
+    # Threads and Dask clusters
+    "threads": ("Threads", "スレッド数"),
+    "cluster_lost": (
+        "The cluster is gone ({reason}); start it anew, and give the same command again.",
+        "クラスターに接続できなくなりました（{reason}）。クラスターを起動し直してから、もう一度実行してください。",
+    ),
+    "no_worker": (
+        "The cluster has no worker; waiting for one.",
+        "クラスターにワーカーがありません。接続されるまで待ちます。",
+    ),
+    "worker_version": (
+        "A worker has stayput {worker}; it must have that of this command, {version}.",
+        "ワーカーのstayputが{worker}になっています。このコマンドと同じ{version}にしてください。",
+    ),
+    "workers_killed": (
+        "A task ended {tries} times with its workers; they may need more memory.",
+        "処理中のワーカーが{tries}回終了しました。ワーカーのメモリを増やす必要があるかもしれません。",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

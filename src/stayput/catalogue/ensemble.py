@@ -1,0 +1,112 @@
+"""Sweeps, columns of cases, overturning maps and stability boundaries."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # Names
+    "chunk": ("Chunk", "一度に計算するケース数"),
+    "tolerance": ("Tolerance", "許容誤差"),
+    "left_wall": ("left wall", "左の壁"),
+    "right_wall": ("right wall", "右の壁"),
+    "ceiling": ("ceiling", "天井"),
+    "case_number": ("Case {number} of {count}", "{count}件中のケース{number}"),
+    # Axes
+    "axis_lists": (
+        "The axis {names} has values for {count} paths; it must have one list for each path.",
+        "軸{names}に{count}個のパスの値が指定されています。パスごとにリストを1つずつ指定してください。",
+    ),
+    "path_twice": (
+        "The axis {names} sets {path!r} twice; each path must be there once.",
+        "軸{names}が{path!r}を2回変更しています。各パスは1回だけ指定してください。",
+    ),
+    "axis_lengths": (
+        "The axis {names} has {lengths} values; paths on one axis must have as many.",
+        "軸{names}の値の数が{lengths}になっています。同じ軸のパスには同じ数の値を指定してください。",
+    ),
+    "did_you_mean": (" (did you mean {path!r}?)", "（{path!r}の間違いではありませんか）"),
+    "unknown_path": (
+        "{path!r} is no path of a case{hint}; it must be one of {known}.",
+        "{path!r}というパスはありません{hint}。次から選んでください：{known}",
+    ),
+    "values_not_numbers": (
+        "The values of {path!r} are not numbers; they must be a list of numbers.",
+        "{path!r}の値が数値ではありません。数値のリストを指定してください。",
+    ),
+    "values_not_a_list": (
+        "The values of {path!r} have {dimensions} dimensions; they must be a list.",
+        "{path!r}の値が{dimensions}次元になっています。1次元のリストを指定してください。",
+    ),
+    "value_not_finite": (
+        "{path!r} has the value {value}; its values must be finite numbers.",
+        "{path!r}の値に{value}が含まれています。有限の数値を指定してください。",
+    ),
+    "no_values": (
+        "{path!r} has no values; it must have at least one.",
+        "{path!r}の値がありません。1つ以上指定してください。",
+    ),
+    "value_type": (
+        "{path!r} has the value {value}; its values must be of type {wanted}.",
+        "{path!r}の値に{value}が含まれています。{wanted}型の値を指定してください。",
+    ),
+    "path_on_two_axes": (
+        "{path!r} is on two axes; each path must be on one.",
+        "{path!r}が2つの軸にあります。各パスは1つの軸だけに指定してください。",
+    ),
+    "surface_missing": (
+        "{path!r} changes a {surface} that is not there; give the room one, or set {distance!r} too.",
+        "{path!r}に必要な{surface}が部屋にありません。{surface}を設けるか、{distance!r}も指定してください。",
+    ),
+    "paper_with_devices": (
+        "Contact is 'paper'; measures with force elements need 'coulomb'.",
+        "接触の法則が'paper'になっています。力を伝える器具を使う対策には'coulomb'を指定してください。",
+    ),
+    # Columns of cases
+    "lengths_differ": (
+        (
+            "There are {cases} cases, {elements} rows of elements and {motions} places of motions; "
+            "they must be as many."
+        ),
+        "ケースが{cases}件、要素の行が{elements}行、地震動の番号が{motions}個あります。同じ数にしてください。",
+    ),
+    "motion_index": (
+        "A place of a motion is {value}; it must be between 0 and {last}.",
+        "地震動の番号が{value}になっています。0～{last}にしてください。",
+    ),
+    # Histories
+    "unknown_history": (
+        "History is {name!r}; it must be one of {known}.",
+        "時刻歴の名前が{name!r}になっています。次から選んでください：{known}",
+    ),
+    "time_steps_differ": (
+        "The motions' time steps are {steps} s; histories need motions of one time step.",
+        "地震動の時間刻みが{steps}秒になっています。時刻歴を残すには、すべての時間刻みを同じにしてください。",
+    ),
+    "histories_too_long": (
+        "The histories have {numbers:,} numbers; they must be no more than {most:,}.",
+        "時刻歴の数値が全部で{numbers:,}個になります。{most:,}個以下にしてください。",
+    ),
+    # Amplitudes of maps and boundaries
+    "scale_on_axis": (
+        "{path!r} is among the axes; it must be given by the amplitudes only.",
+        "{path!r}が軸に含まれています。振幅だけで指定してください。",
+    ),
+    "amplitudes_not_numbers": (
+        "The amplitudes are not numbers; they must be a list of numbers.",
+        "振幅が数値ではありません。数値のリストを指定してください。",
+    ),
+    "amplitudes_shape": (
+        "The amplitudes' shape is {shape}; they must be a list of two or more.",
+        "振幅の配列の形が{shape}になっています。2つ以上の値のリストを指定してください。",
+    ),
+    "amplitude_not_possible": (
+        "An amplitude is {value:g}; it must be a finite number, not negative.",
+        "振幅に{value:g}が含まれています。0以上の有限の数値を指定してください。",
+    ),
+    "amplitudes_not_increasing": (
+        "The amplitude {value:g} comes after {before:g}; amplitudes must increase.",
+        "振幅が{before:g}の次に{value:g}になっています。小さい順に指定してください。",
+    ),
+    "unknown_edge": (
+        "Edge is {edge}; it must be one of {known}.",
+        "境界の種類が{edge}になっています。次から選んでください：{known}",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

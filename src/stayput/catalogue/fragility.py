@@ -1,0 +1,87 @@
+"""Fragility curves and the probabilities behind them."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # counts and shapes
+    "not_bool": (
+        "The type of fallen is {dtype}; it must be bool, and missing runs go apart.",
+        "fallenの型が{dtype}になっています。bool型にしてください（打ち切った計算はmissingで指定します）。",
+    ),
+    "wrong_axes": (
+        "The shape of fallen is {shape}; it must have {dimensions} axes, none empty.",
+        "fallenの形状が{shape}になっています。{dimensions}次元で、どの軸も1以上の長さにしてください。",
+    ),
+    "missing_shape": (
+        "The shape of missing is {shape}; it must be that of fallen, {expected}.",
+        "missingの形状が{shape}になっています。fallenと同じ{expected}にしてください。",
+    ),
+    "pair_shapes": (
+        "The shapes are {first} and {second}; both must have the same motions and samples.",
+        "形状が{first}と{second}になっています。地震動とサンプルの数を両方で同じにしてください。",
+    ),
+    "intensity_shape": (
+        (
+            "The shape of the intensities is {shape}; with runs of shape {runs} it must be {levels} or "
+            "{motions}."
+        ),
+        (
+            "揺れの強さの形状が{shape}になっています。計算の形状が{runs}のときは"
+            "{levels}または{motions}にしてください。"
+        ),
+    ),
+    "list_shapes": (
+        "The shapes are {im}, {fell}, {runs}; they must be lists of one length.",
+        "形状が{im}、{fell}、{runs}になっています。同じ長さの1次元の配列にしてください。",
+    ),
+    "bad_counts": (
+        "A level has {fell:g} falls of {runs:g} runs; it must have whole numbers, no more falls than runs.",
+        "転倒数が{fell:g}、計算数が{runs:g}の段階があります。整数とし、転倒数は計算数以下にしてください。",
+    ),
+    "row_lengths": (
+        "There are {runs} runs; there must be an intensity and a motion for each.",
+        "計算は{runs}件です。それぞれに揺れの強さと地震動を指定してください。",
+    ),
+    "no_runs": (
+        "All runs were given up or there are none; a curve needs at least one run.",
+        "有効な計算がありません。曲線には少なくとも1件の計算が必要です。",
+    ),
+    "bad_intensity": (
+        "A value of {measure} is {value:g}; it must be {allowed}.",
+        "{measure}の値が{value:g}になっています。{allowed}にしてください。",
+    ),
+    "finite_number": ("a finite number", "有限の数値"),
+    "above_zero": ("larger than 0", "0より大きい値"),
+    # sample size
+    "half_width": ("Half width", "信頼区間の半幅"),
+    "share": ("Share", "割合"),
+    "plan_without_runs": (
+        "The probability has 0 runs; a plan needs at least one.",
+        "計算が0件の確率です。必要なサンプル数の見積もりには少なくとも1件の計算が必要です。",
+    ),
+    # files for loss tools
+    "no_curves": (
+        "There are 0 curves; a file of curves needs at least one.",
+        "曲線がありません。ファイルには少なくとも1本の曲線が必要です。",
+    ),
+    "not_fitted": (
+        "The curve {name} is {state}; it must be fitted to be written for loss tools.",
+        "曲線{name}の状態は{state}です。損失評価ツール用に書き出せるのは、当てはめのできた曲線だけです。",
+    ),
+    "of_one_motion": (
+        "The curve {name} is of 1 motion; loss tools need the scatter of several motions.",
+        "曲線{name}は1つの地震動によるものです。損失評価ツールには複数の地震動によるばらつきが必要です。",
+    ),
+    "name_not_unique": (
+        "The curve's name is {name}; each must have a name that differs from the others.",
+        "曲線の名前が{name}になっています。それぞれに異なる名前を付けてください。",
+    ),
+    "not_in_nrml": (
+        "The curve {name} is over {measure}; in NRML it must be over {allowed}.",
+        "曲線{name}の指標は{measure}です。NRMLで使える指標は{allowed}です。",
+    ),
+    "not_lognormal": (
+        "The curve {name} must be lognormal to be written for pelicun. {fit}",
+        "曲線{name}は対数正規分布で表せないため、pelicun用に書き出せません。（{fit}）",
+    ),
+    "no_lognormal": ("It has none.", "対数正規曲線がありません"),
+}
+"""Texts by their keys: English, Japanese."""

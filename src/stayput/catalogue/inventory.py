@@ -1,0 +1,389 @@
+"""Inventories of furniture."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # the call
+    "slide_limit": ("Slide limit", "移動量の上限"),
+    "memory": ("Memory", "メモリ"),
+    "memory_format": (
+        "The memory is {memory}; it must be written like 2GB.",
+        "メモリが{memory}になっています。2GBのように指定してください。",
+    ),
+    "scheduler_and_client": (
+        "A scheduler is given beside a client; it must be one of the two.",
+        "スケジューラーとクライアントの両方が指定されています。どちらか一方にしてください。",
+    ),
+    # files
+    "the_inventory": ("inventory", "家具一覧"),
+    "the_shake_map": ("shake map", "地震動マップ"),
+    "not_a_file": (
+        "The inventory is {path}; it must be a file.",
+        "家具一覧が{path}になっています。ファイルを指定してください。",
+    ),
+    "changed": (
+        "The {file} {path} was changed while it was read; give the command again.",
+        "{file}（{path}）が読み込み中に変更されました。コマンドをもう一度実行してください。",
+    ),
+    "unreadable": (
+        "The {file} is {path}; it could not be read: {reason}.",
+        "{file}（{path}）を読み込めませんでした：{reason}。",
+    ),
+    "unwritable": (
+        (
+            "The folder is {folder}; it could not be written: {reason}{at}. "
+            "What is complete is kept, and the same command goes on from it."
+        ),
+        (
+            "フォルダー{folder}に書き込めませんでした：{reason}{at}。"
+            "完了した分は残っており、同じコマンドで続きから再開できます。"
+        ),
+    ),
+    "at_path": (" (at {path})", "（{path}）"),
+    "file_ending": (
+        "The inventory is {path}; its name must end in {endings}.",
+        "家具一覧が{path}になっています。拡張子は{endings}のいずれかにしてください。",
+    ),
+    "broken": (
+        "The inventory is {path}; it must be whole, and is broken: {reason}.",
+        "家具一覧（{path}）が壊れています：{reason}。",
+    ),
+    "encoding": (
+        "The inventory is {path}; it must be a text in UTF-8 or cp932.",
+        "家具一覧（{path}）の文字コードがUTF-8でもcp932（Shift_JIS）でもありません。",
+    ),
+    "first_row": (
+        "The inventory is {path}; its first row must name the columns: {reason}.",
+        "家具一覧（{path}）の1行目に列名がありません：{reason}。",
+    ),
+    "is_empty": ("it is empty", "ファイルが空です"),
+    "no_rows": (
+        "The inventory is {path}; it must have a row below its header.",
+        "家具一覧（{path}）に見出しの行しかありません。家具の行が必要です。",
+    ),
+    "not_parquet": (
+        "The inventory is {path}; it must be a Parquet file.",
+        "家具一覧（{path}）はParquetファイルではありません。",
+    ),
+    "not_a_workbook": (
+        "The inventory is {path}; it must be an Excel workbook.",
+        "家具一覧（{path}）はExcelブックではありません。",
+    ),
+    "workbook_too_large": (
+        "The inventory is {path}; unpacked it must be below 8 GiB.",
+        "家具一覧（{path}）が大きすぎます。展開後の大きさを8 GiB未満にしてください。",
+    ),
+    "workbook_texts": (
+        (
+            "The texts of the workbook take more than {size:.0f} MiB; they must "
+            "take less, or the memory be more, or the table CSV or Parquet."
+        ),
+        (
+            "ブックの文字列が{size:.0f} MiBを超えています。減らすか、メモリの指定を増やすか、"
+            "CSVまたはParquetにしてください。"
+        ),
+    ),
+    "empty_sheet": (
+        "The inventory is {path}; its first sheet must not be empty.",
+        "家具一覧（{path}）の先頭のシートが空です。",
+    ),
+    "open_quote": (
+        "In row {row} of the inventory (line {line}) a quote opens that does not close; it must close.",
+        "家具一覧の{row}行目（ファイルの{line}行目）で始まる引用符が閉じられていません。",
+    ),
+    "long_cell": (
+        (
+            "In row {row} of the inventory (line {line}) a cell goes beyond {most:,} characters; it must be "
+            "shorter (is a quote not closed?)."
+        ),
+        (
+            "家具一覧の{row}行目（ファイルの{line}行目）のセルが{most:,}文字を超えています。"
+            "引用符の閉じ忘れがないか確かめてください。"
+        ),
+    ),
+    "bad_row": ("The row cannot be read: {reason}.", "行を読み込めません：{reason}。"),
+    # header
+    "row_length": (
+        "The row has {cells} cells; it must have one for each of {columns} columns.",
+        "この行のセルは{cells}個です。列の数と同じ{columns}個にしてください。",
+    ),
+    "cell_without_name": (
+        "Cell {cell} is {value}, in a column without a name.",
+        "{cell}番目のセルに{value}とありますが、その列に名前がありません。",
+    ),
+    "too_many_columns": (
+        "The table has {columns} columns; it must have at most {most}.",
+        "表に{columns}列あります。{most}列以下にしてください。",
+    ),
+    "commas": (
+        "The first row is {row}; commas must be between the columns.",
+        "1行目が{row}になっています。列はコンマで区切ってください。",
+    ),
+    "no_id": (
+        (
+            "The first row names {names}; it must name every column, id among them "
+            "(is the header merged, or of two rows?)."
+        ),
+        (
+            "1行目にある列名は{names}です。idを含むすべての列名を1行目に書いてください"
+            "（見出しのセルが結合されていたり、2行になっていたりしませんか）。"
+        ),
+    ),
+    "nothing": ("nothing", "なし"),
+    "column_twice": (
+        "The column {name} is there twice; each must be there once.",
+        "{name}という列が2つあります。1つにしてください。",
+    ),
+    "unknown_column": (
+        "The column {name} is unknown (did you mean {near}? It holds: {holds}); the columns are {columns}.",
+        "{name}という列はありません（{near}の間違いではありませんか。内容：{holds}）。使える列：{columns}。",
+    ),
+    "column_id": ("what the piece is called; every row its own", "家具の識別名（行ごとに異なるもの）"),
+    "column_preset": ("a common piece of furniture", "一般的な家具の種類"),
+    "column_width": ("size along the shaking [m]", "揺れの方向の寸法 [m]"),
+    "column_height": ("height [m]", "高さ [m]"),
+    "column_mass": (
+        "mass; with a load, that of the empty piece [kg]",
+        "質量（積載物があるときは空の質量） [kg]",
+    ),
+    "column_cg_offset": (
+        "centre of gravity right of and above the centroid, as right;up [m]",
+        "図心に対する重心の位置（右;上） [m]",
+    ),
+    "column_load": (
+        "load, spread evenly, or of each shelf from the lowest up, as 10;10;5 [kg]",
+        "積載物の質量（等分布、または下の棚から順に10;10;5のように） [kg]",
+    ),
+    "column_floor": ("a surface, or static;kinetic friction", "床材、または静止;動摩擦係数"),
+    "column_gap": ("distance to the wall behind [m]", "背後の壁とのすき間 [m]"),
+    "column_building": (
+        "a building of the scenario, or storeys and structure such as 10 RC",
+        "シナリオにある建物、または「10 RC」のように階数と構造",
+    ),
+    "column_storey": ("storey, 1 on the ground", "階（1階が1）"),
+    "column_measures": (
+        "what to compare, as gel_mats;tension_pole+wedge_stopper",
+        "比較する対策（gel_mats;tension_pole+wedge_stopperのように）",
+    ),
+    "column_costs": (
+        "cost of each of these measures for one piece, in the currency of value",
+        "各対策の家具1点あたりの費用（valueと同じ通貨）",
+    ),
+    "column_count": ("how many such pieces stand there", "同じ家具の数"),
+    "column_value": ("loss if one such piece overturns", "1点が転倒したときの損失額"),
+    "column_lat": ("latitude [°]", "緯度 [°]"),
+    "column_lon": ("longitude [°]", "経度 [°]"),
+    # cells
+    "unusable": (
+        "{name} is {what}; it must be a plain text or number.",
+        "{name}が{what}になっています。文字列または数値にしてください。",
+    ),
+    "cell_formula": ("a formula", "数式"),
+    "cell_bool": ("true or false", "TRUEまたはFALSE"),
+    "cell_date": ("a date", "日付"),
+    "cell_other": ("neither text nor number", "文字列でも数値でもない値"),
+    "cell_error": ("an error of the spreadsheet ({error})", "表計算ソフトのエラー値（{error}）"),
+    "cell_unit": ("a number that is shown in {unit}", "単位{unit}付きで表示される数値"),
+    "too_long": (
+        "{name} has {count} characters; it must have at most {most}.",
+        "{name}が{count}文字あります。{most}文字以下にしてください。",
+    ),
+    "several_lines": (
+        "{name} goes over several lines; it must be one line (is a quote missing?).",
+        "{name}が複数行になっています。1行にしてください（引用符の抜けはありませんか）。",
+    ),
+    "control_character": (
+        "{name} has a control character or an invisible one; it must be plain text.",
+        "{name}に制御文字または目に見えない文字があります。普通の文字だけにしてください。",
+    ),
+    "not_plain_number": (
+        "{name} is {value}; it must be a plain number{unit}{hint}.",
+        "{name}が{value}になっています。数値だけ{unit}にしてください{hint}。",
+    ),
+    "in_unit": (" in {unit}", "（単位は{unit}）"),
+    "without_unit": (", without its unit", "（単位は書きません）"),
+    "not_whole": (
+        "{name} is {value:g}; it must be a whole number.",
+        "{name}が{value:g}になっています。整数にしてください。",
+    ),
+    "too_many_numbers": (
+        "{name} has {count} numbers; it must have at most {most}.",
+        "{name}に数値が{count}個あります。{most}個以下にしてください。",
+    ),
+    "missing_number": (
+        "{name} is {value}; between its semicolons there must be numbers.",
+        "{name}が{value}になっています。セミコロンの間には数値を書いてください。",
+    ),
+    # rows
+    "no_id_in_row": (
+        "id is missing; every row must have one.",
+        "idがありません。すべての行にidが必要です。",
+    ),
+    "id_twice": (
+        "id is {id}, which is that of row {row}; every row must have its own.",
+        "idの{id}は{row}行目と同じです。行ごとに異なるidにしてください。",
+    ),
+    "lat_and_lon": (
+        "{name} is missing; lat and lon must be given together.",
+        "{name}がありません。latとlonは両方とも指定してください。",
+    ),
+    "place_missing": (
+        "{name} is missing; it must be given where there are stations or a shake map.",
+        "{name}がありません。観測点や地震動マップを使うときは必要です。",
+    ),
+    "costs_count": (
+        "costs has {costs} numbers and measures has {measures}; they must be as many.",
+        "costsの数値は{costs}個、measuresは{measures}個です。同じ数にしてください。",
+    ),
+    "building_missing": (
+        "building is missing; it must be given where a storey is.",
+        "buildingがありません。storeyを指定するときは必要です。",
+    ),
+    "storey_missing": (
+        "storey is missing; it must be given where a building is.",
+        "storeyがありません。buildingを指定するときは必要です。",
+    ),
+    "storey_range": (
+        "storey is {storey}; it must be between 1 and {highest}, the roof.",
+        "storeyが{storey}になっています。1～{highest}（屋上）にしてください。",
+    ),
+    "unknown_building": (
+        "building is {value}; it must be {known}, or storeys and structure such as 10 RC.",
+        "buildingが{value}になっています。{known}、または「10 RC」のような階数と構造にしてください。",
+    ),
+    "one_of_the_scenario": ("one of the scenario's ({names})", "シナリオにある建物（{names}）"),
+    "one_that_is_named": ("one that the scenario names", "シナリオにある建物"),
+    "floor": (
+        "floor is {value}; it must be a surface, or static;kinetic friction.",
+        "floorが{value}になっています。床材、または静止;動摩擦係数にしてください。",
+    ),
+    "unknown_measure": (
+        "measures has {value}; each must be one of {known}.",
+        "measuresに{value}があります。次のいずれかにしてください：{known}。",
+    ),
+    "too_many_sets": (
+        "measures has {count} sets; it must have at most {most}.",
+        "measuresに対策の組み合わせが{count}個あります。{most}個以下にしてください。",
+    ),
+    "measure_twice": (
+        "measures has {value} twice; each must be there once.",
+        "measuresに{value}が2回あります。1回にしてください。",
+    ),
+    # scenarios
+    "other_building": (
+        "The building {name} is another one in {scenario}; it must be the same.",
+        "建物{name}の内容が{scenario}では異なります。同じにしてください。",
+    ),
+    "no_scenarios": (
+        "The folder of scenarios is {path}; it must hold files that end in .toml.",
+        "シナリオのフォルダー{path}に.tomlファイルがありません。",
+    ),
+    "station_missing": (
+        "{name}.toml has no [station], and others have one; all must have it or none.",
+        "{name}.tomlに[station]がありません。すべてのファイルに書くか、どれにも書かないでください。",
+    ),
+    "map_beside_stations": (
+        "A shake map is given beside stations or several scenarios; it goes with one scenario.",
+        "地震動マップが観測点または複数のシナリオと一緒に指定されています。シナリオは1つにしてください。",
+    ),
+    "scale_beside_map": (
+        "shaking.scale is given beside a shake map, which says how strong it shakes.",
+        "shaking.scaleが地震動マップと一緒に指定されています。揺れの強さはマップで決まります。",
+    ),
+    "buildings_not_a_table": (
+        "buildings is not a table; it must be one of [buildings.NAME].",
+        "buildingsがテーブルではありません。[buildings.NAME]の形で書いてください。",
+    ),
+    # shake maps
+    "period": (
+        "The column {column} has the period {period:g} s; it must be {low:g} to {high:g} s.",
+        "列{column}の周期が{period:g}秒になっています。{low:g}～{high:g}秒にしてください。",
+    ),
+    "on_the_map": ("{name} on the shake map", "地震動マップ上の{name}"),
+    "in_row_of_the_map": ("{name} in row {row} of the shake map", "地震動マップ{row}行目の{name}"),
+    "map_place_twice": (
+        (
+            "Row {row} of the shake map is at {lat:g}°, {lon:g}°, as row {before} is; "
+            "each place must be there once."
+        ),
+        (
+            "地震動マップの{row}行目の位置（{lat:g}°、{lon:g}°）は{before}行目と同じです。"
+            "同じ位置は1回だけにしてください。"
+        ),
+    ),
+    "map_not_csv": (
+        "The shake map is {path}; it must be CSV, a text in UTF-8.",
+        "地震動マップ（{path}）がUTF-8のCSVファイルではありません。",
+    ),
+    "map_empty": (
+        "The shake map is {path}; it must have at least one place.",
+        "地震動マップ（{path}）に地点がありません。",
+    ),
+    "map_columns": (
+        (
+            "The shake map has the columns {columns}; they must be lat, lon "
+            "and one of intensity (JMA's) and sa_T, Sa [g] at 5 % damping at a period T [s], such as sa_0.3."
+        ),
+        (
+            "地震動マップの列は{columns}です。lat、lonと、intensity（計測震度）またはsa_T"
+            "（周期T秒、減衰5%の加速度応答スペクトル [g]、例：sa_0.3）の3列にしてください。"
+        ),
+    ),
+    "of_an_empty_file": ("of an empty file", "なし（空のファイル）"),
+    "map_cells": (
+        "Row {row} of the shake map has {cells} cells; it must have {columns}.",
+        "地震動マップの{row}行目のセルは{cells}個です。{columns}個にしてください。",
+    ),
+    # the folder of the results
+    "folder_is_file": (
+        "The folder is {folder}; it must be a folder, and {path} is a file.",
+        "{folder}はフォルダーにしてください。{path}はファイルです。",
+    ),
+    "other_assessment": (
+        ("The folder {folder} holds an assessment of another {other}; give the same one, or another folder."),
+        "フォルダー{folder}には別の{other}による結果があります。同じものか、別のフォルダーを指定してください。",
+    ),
+    "input_format": ("format", "形式"),
+    "input_version_of_stayput": ("version of stayput", "stayputのバージョン"),
+    "input_inventory": ("inventory", "家具一覧"),
+    "input_scenario": ("scenario", "シナリオ"),
+    "input_shake_map": ("shake map", "地震動マップ"),
+    "input_slide_limit": ("slide limit", "移動量の上限"),
+    "input_list_of_inputs": ("list of inputs", "入力の一覧"),
+    "strangers": (
+        "The folder {folder} holds {name} and no assessment; it must be empty or new.",
+        "フォルダー{folder}に{name}がありますが、評価結果ではありません。空または新しいフォルダーにしてください。",
+    ),
+    "damaged_manifest": (
+        (
+            "The folder {folder} holds a {manifest} that is damaged or no assessment's; "
+            "give another folder, or move it elsewhere with the results beside it."
+        ),
+        (
+            "フォルダー{folder}の{manifest}が壊れているか、評価結果のものではありません。"
+            "別のフォルダーを指定するか、結果とともに別の場所へ移してください。"
+        ),
+    ),
+    "at_work": (
+        "Another command is at work in {folder}; wait until it ends.",
+        "別のコマンドが{folder}で実行中です。終わるまでお待ちください。",
+    ),
+    "in_the_way": (
+        (
+            "The folder {folder} holds the {kind} {name}, which is not the assessment's and is in its "
+            "way; move it elsewhere."
+        ),
+        "フォルダー{folder}にある{kind}{name}は評価結果のものではなく、妨げになります。別の場所へ移してください。",
+    ),
+    "kind_file": ("file", "ファイル"),
+    "kind_folder": ("folder", "フォルダー"),
+    "kind_link": ("link", "リンク"),
+    # executors
+    "no_scheduler": (
+        "The scheduler is {scheduler}; it could not be reached: {reason}.",
+        "スケジューラー{scheduler}に接続できませんでした：{reason}。",
+    ),
+    "cluster_lost": (
+        "The cluster is gone ({reason}); what is complete is kept, and the same command goes on from it.",
+        "クラスターとの接続が切れました（{reason}）。完了した分は残っており、同じコマンドで続きから再開できます。",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

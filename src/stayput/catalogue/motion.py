@@ -1,0 +1,341 @@
+"""Motions and suites; the sentences about their files stand in `stayput.catalogue.motion_files`."""
+
+from stayput.catalogue.motion_files import TEXTS as FILE_TEXTS
+
+TEXTS: dict[str, tuple[str, str]] = {
+    **FILE_TEXTS,
+    # What numbers and names are called, for the refusals of `stayput.catalogue.common`.
+    "name_motion_dt": ("Motion dt", "地震動の時間刻み"),
+    "name_motion_scale": ("Motion scale", "地震動の倍率"),
+    "name_motion_angle": ("Motion angle", "地震動を回転する角度"),
+    "name_intensity": ("Intensity", "震度"),
+    "name_trim_start": ("Trim start", "切り出しの始まり"),
+    "name_trim_end": ("Trim end", "切り出しの終わり"),
+    "name_padding": ("Padding", "前後に加える静止時間"),
+    "name_dt": ("dt", "時間刻み"),
+    "name_time_step": ("The time step", "時間刻み"),
+    "name_pgv": ("PGV", "最大速度（PGV）"),
+    "name_pga": ("PGA", "最大加速度（PGA）"),
+    "name_period": ("Period", "周期"),
+    "name_damping": ("Damping ratio", "減衰定数"),
+    "name_konno_ohmachi": ("Konno-Ohmachi b", "Konno-Ohmachiウィンドウのb"),
+    "name_sine_amplitude": ("Sine amplitude", "正弦波の振幅"),
+    "name_sine_frequency": ("Sine frequency", "正弦波の振動数"),
+    "name_sine_duration": ("Sine duration", "正弦波の継続時間"),
+    "name_sine_phase": ("Sine phase", "正弦波の位相"),
+    "name_sine_quiet": ("Sine quiet", "正弦波の後の静止時間"),
+    "name_sine_dt": ("Sine dt", "正弦波の時間刻み"),
+    "name_pulse_amplitude": ("Pulse amplitude", "パルスの振幅"),
+    "name_pulse_quiet": ("Pulse quiet", "パルスの後の静止時間"),
+    "name_pulse_gamma": ("Pulse gamma", "パルスのγ"),
+    "name_pulse_nu": ("Pulse nu", "パルスのν"),
+    "name_pulse_duration": ("Pulse duration", "パルスの継続時間"),
+    "name_pulse_frequency": ("Pulse frequency", "パルスの振動数"),
+    "name_pulse_dt": ("Pulse dt", "パルスの時間刻み"),
+    "name_target_sa": ("Target Sa", "目標スペクトルのSa"),
+    "name_target_damping": ("Target damping ratio", "目標スペクトルの減衰定数"),
+    "name_target_period": ("Period of {target}", "「{target}」の周期"),
+    "name_band_shortest": ("Band's shortest period", "周期帯の最短周期"),
+    "name_band_longest": ("Band's longest period", "周期帯の最長周期"),
+    "name_sds": ("SDS", "SDS"),
+    "name_sd1": ("SD1", "SD1"),
+    "name_tl": ("TL", "TL"),
+    "name_ts": ("TS = SD1/SDS", "TS（SD1/SDS）"),
+    "name_count": ("Number of motions", "地震動の数"),
+    "name_n": ("Number of selected motions", "選ぶ地震動の数"),
+    "name_number": ("Number", "地震動の番号"),
+    "name_seed": ("Seed", "乱数のシード"),
+    "not_whole": (
+        "{name} is {value!r}; it must be a whole number from {low} to {high}.",
+        "{name}が{value!r}になっています。{low}～{high}の整数を指定してください。",
+    ),
+    # The samples of a motion.
+    "samples_masked": (
+        "Motion {component} has gaps (masked samples); it must be complete.",
+        "地震動の{component}成分に欠測（マスクされたデータ）があります。欠測のないデータが必要です。",
+    ),
+    "samples_no_array": (
+        "Motion {component} is not an array; it must be one row of numbers [m/s²].",
+        "地震動の{component}成分が配列ではありません。数値（m/s²）を1列に並べて指定してください。",
+    ),
+    "samples_not_real": (
+        "Motion {component} holds {kind} values; it must be real numbers [m/s²].",
+        "地震動の{component}成分が{kind}型の値です。実数（m/s²）を指定してください。",
+    ),
+    "samples_shape": (
+        "Motion {component} has shape {shape}; it must be one row of samples.",
+        "地震動の{component}成分の形状が{shape}です。データを1列に並べて指定してください。",
+    ),
+    "samples_count": (
+        "Motion {component} has {count} samples; it must have 2 to {most}.",
+        "地震動の{component}成分のデータが{count}個です。2～{most}個にしてください。",
+    ),
+    "samples_not_finite": (
+        "Motion {component} is {value} at sample {index}; it must be finite.",
+        "地震動の{component}成分に数値でない値が含まれています（データ番号{index}が{value}）。",
+    ),
+    "samples_too_large": (
+        (
+            "Motion {component} at sample {index} is {value:g} m/s²; it must be between "
+            "{low:g} and {high:g} m/s²."
+        ),
+        (
+            "加速度が大きすぎます（{component}成分のデータ番号{index}が{value:g} m/s²）。"
+            "{low:g}～{high:g} m/s²が有効です。単位を確かめてください。"
+        ),
+    ),
+    "components_differ": (
+        "Motion {component} has {count} samples and x has {x_count}; they must be as many.",
+        "地震動の{component}成分のデータは{count}個、x成分は{x_count}個です。同じ数にしてください。",
+    ),
+    # What is done with a motion.
+    "no_such_component": (
+        "The component is {component!r}; this motion has {known}.",
+        "成分に「{component}」が指定されましたが、この地震動にあるのは{known}です。",
+    ),
+    "rotation_without_y": (
+        "The motion has no y component; rotated needs x and y (flipped does not).",
+        "地震動にy成分がありません。回転（rotated）にはx成分とy成分が必要です（反転（flipped）には不要です）。",
+    ),
+    "trim_too_short": (
+        "The trim from {start:g} s to {end:g} s keeps fewer than 2 samples; it must keep 2.",
+        "{start:g}～{end:g}秒の切り出しでは、残るデータが2個未満です。2個以上が必要です。",
+    ),
+    "resampling_ratio": (
+        "The new dt is {step:g} s; it must be a whole part or a multiple of {dt:g} s.",
+        "新しい時間刻みが{step:g}秒になっています。{dt:g}秒の整数分の1か整数倍にしてください。",
+    ),
+    "resampled_too_long": (
+        "The finer record would have {count} samples; {most} are allowed.",
+        "細かくした記録のデータが{count}個になります。{most}個以下にしてください。",
+    ),
+    "resampled_too_short": (
+        "The record has {count} samples; a step {ratio} times as long needs at least {least}.",
+        "記録のデータは{count}個です。時間刻みを{ratio}倍にするには{least}個以上が必要です。",
+    ),
+    "baseline_order": (
+        "The baseline order is {order!r}; it must be a whole number from 0 to 5.",
+        "基線補正の次数が{order!r}になっています。0～5の整数を指定してください。",
+    ),
+    "at2_one_component": (
+        "The motion has {components} and an AT2 file holds one component; it must be picked first.",
+        "地震動には成分が{components}とありますが、AT2ファイルに書けるのは1成分です。先に成分を選んでください。",
+    ),
+    # Intensity and spectra.
+    "too_short_for_intensity": (
+        "The motion lasts {duration:g} s; an intensity needs at least {least} s.",
+        "記録が短すぎて震度を求められません（{duration:g}秒）。{least}秒以上必要です。",
+    ),
+    "unknown_intensity": (
+        "The intensity is {intensity!r}; it must be a number or one of {known}.",
+        "震度が「{intensity}」になっています。数値か、次のいずれかを指定してください：{known}",
+    ),
+    "still_floor": (
+        "The motion is a still floor; it cannot be scaled to an intensity.",
+        "揺れのない記録なので、震度に合わせることができません。",
+    ),
+    "not_positive": (
+        "{name} is {value:g} {unit}; it must be larger than 0.",
+        "{name}が{value:g} {unit}になっています。0より大きくしてください。",
+    ),
+    "periods_shape": (
+        "The periods have shape {shape}; they must be one row of at least one.",
+        "周期の配列の形状が{shape}です。1個以上の周期を1列に並べて指定してください。",
+    ),
+    "periods_not_increasing": (
+        "The periods are not increasing; each must be longer than the one before it.",
+        "周期が昇順に並んでいません。短い順に指定してください。",
+    ),
+    # Computed motions.
+    "too_many_samples": (
+        "The motion would have {count} samples; it must have at most {most}.",
+        "地震動のデータが{count}個になります。{most}個以下にしてください。",
+    ),
+    "sine_step": (
+        "Sine dt is {step:g} s; at most {most:g} s, period/{fewest}, is allowed.",
+        "正弦波の時間刻みが{step:g}秒になっています。周期の{fewest}分の1（{most:g}秒）以下にしてください。",
+    ),
+    "pulse_kind": (
+        "The pulse kind is {kind!r}; it must be one of {known}.",
+        "パルスの種類が「{kind}」になっています。次のいずれかにしてください：{known}",
+    ),
+    "pulse_needs_duration": (
+        (
+            "A {kind} pulse is given duration {duration} and frequency {frequency}; "
+            "it must be given its duration only."
+        ),
+        (
+            "「{kind}」のパルスに継続時間{duration}、振動数{frequency}が指定されました。"
+            "継続時間だけを指定してください。"
+        ),
+    ),
+    "pulse_needs_frequency": (
+        (
+            "A {kind} pulse is given duration {duration} and frequency {frequency}; "
+            "it must be given its frequency only."
+        ),
+        (
+            "「{kind}」のパルスに継続時間{duration}、振動数{frequency}が指定されました。"
+            "振動数だけを指定してください。"
+        ),
+    ),
+    "pulse_step": (
+        "Pulse dt is {step:g} s; it must be at most a {fewest}th of {period:g} s.",
+        "パルスの時間刻みが{step:g}秒になっています。{period:g}秒の{fewest}分の1以下にしてください。",
+    ),
+    # From the channels of a file to the components of a motion.
+    "peak_differs": (
+        (
+            "The header's peak acceleration is {stated:g} m/s² and the samples' is {peak:g} m/s²; "
+            "they must agree within 1 %, so the file is damaged."
+        ),
+        (
+            "ヘッダーの最大加速度（{stated:g} m/s²）とデータの最大加速度（{peak:g} m/s²）が"
+            "1 %以内で合いません。"
+            "ファイルが壊れています。"
+        ),
+    ),
+    "lengths_differ": (
+        "The components have {listing} samples; their lengths must agree within 1 %.",
+        "成分のデータの数が合いません（{listing}）。長さの違いは1 %以内でなければなりません。",
+    ),
+    "channel_dt_differs": (
+        "The channels' dt are {dt:g} s and {other:g} s; they must be the same.",
+        "チャンネルの時間刻みが{dt:g}秒と{other:g}秒です。同じでなければなりません。",
+    ),
+    "motion_dt_differs": (
+        "The {component} motion's dt is {dt:g} s; it must be the x motion's, {x_dt:g} s.",
+        "{component}方向の地震動の時間刻みが{dt:g}秒です。x方向と同じ{x_dt:g}秒でなければなりません。",
+    ),
+    "no_such_channel": (
+        "The component {component!r} is no channel of the file; it must be one of {channels}.",
+        "「{component}」というチャンネルはファイルにありません。次から選んで入力してください：「{channels}」",
+    ),
+    "ambiguous_channel": (
+        "The component {component!r} is more than one channel of the file; it must be one of {channels}.",
+        (
+            "「{component}」に当たるチャンネルがファイルに複数あります。"
+            "次から選んで入力してください：「{channels}」"
+        ),
+    ),
+    "many_channels": (
+        "The file has {count} channels; component must name one of {channels}.",
+        "記録に多くのチャンネルがあります（{count}個）。使うものを次から選んで入力してください：「{channels}」",
+    ),
+    "not_one_vertical": (
+        "The channels are {channels}; exactly one must be vertical.",
+        "ファイルのチャンネルは「{channels}」です。上下動の成分が1つだけ必要です。",
+    ),
+    "vertical_alone": (
+        (
+            "The file has a vertical channel alone, {label!r}, which is taken as x, the horizontal shaking; "
+            "component must name it where that is meant."
+        ),
+        (
+            "ファイルには上下動の成分（「{label}」）しかありません。水平の揺れとして使います。"
+            "それでよければ、この成分を選んでください。"
+        ),
+    ),
+    "x_chosen": (
+        (
+            "The file has the horizontal channels {channels}; component names none of them, and {label} "
+            "is taken "
+            "as x, along the shaking."
+        ),
+        (
+            "ファイルには水平の成分が「{channels}」とあります。成分が選ばれていないので、"
+            "このうち{label}を揺れの方向（x）に使います。"
+        ),
+    ),
+    "the_first": ("the first", "最初の成分"),
+    "large_peak": (
+        "The peak acceleration of {component} is {peak:.4g} g; above {limit:g} g check the unit.",
+        (
+            "{component}成分の最大加速度が{peak:.4g} gあります。"
+            "{limit:g} gを超えています。単位を確かめてください。"
+        ),
+    ),
+    "upper_floor": (
+        (
+            "The name or the header says that it was recorded on {floor} of a building; "
+            "it is not a motion of the ground."
+        ),
+        "建物の上の階で観測された記録のようです（{floor}）。地面の揺れではありません。",
+    ),
+    "floor_number": ("floor {number}", "{number}階"),
+    "storey_number": ("storey {number}", "{number}階"),
+    "roof": ("roof", "屋上"),
+    # ObsPy's traces.
+    "no_traces": (
+        "The stream has no traces; it must have one a channel.",
+        "ObsPyのストリームにトレースがありません。チャンネルごとに1つ必要です。",
+    ),
+    "trace_repeated": (
+        "The stream has more than one trace of {channel!r}; merge it: it must have no gaps.",
+        "ストリームに「{channel}」のトレースが複数あります。欠測のない1つのトレースに結合してください。",
+    ),
+    "trace_gaps": (
+        "The trace of {channel!r} has gaps; it must be complete.",
+        "「{channel}」のトレースに欠測があります。欠測のないデータが必要です。",
+    ),
+    "trace_start": (
+        "The trace of {channel!r} starts {late:g} s after the first; all must start together.",
+        (
+            "「{channel}」のトレースは最初のトレースより{late:g}秒遅れて始まります。"
+            "すべて同時に始まらなければなりません。"
+        ),
+    ),
+    # Suites and target spectra.
+    "suite_empty": (
+        "The suite has no motions; it must have at least one.",
+        "地震動群に地震動がありません。1つ以上必要です。",
+    ),
+    "suite_item": (
+        "The suite holds a {kind}; it must hold motions only.",
+        "地震動群に{kind}が含まれています。地震動（Motion）だけを入れてください。",
+    ),
+    "suite_one_motion": (
+        "The suite has 1 motion; a standard deviation needs at least 2.",
+        "地震動が1つしかありません。標準偏差を求めるには2つ以上必要です。",
+    ),
+    "suite_still": (
+        "The {component} component of {motion!r} is still; its ln Sa is none.",
+        "「{motion}」の{component}成分に揺れがないので、ln Saを求められません。",
+    ),
+    "match_still": (
+        "The {component} component of {motion!r} is still; it cannot meet a target.",
+        "「{motion}」の{component}成分に揺れがないので、目標スペクトルに合わせられません。",
+    ),
+    "suite_no_folder": (
+        "The suite {path!r} is no folder; it must be a folder or a list of files.",
+        "「{path}」はフォルダではありません。地震記録のフォルダかファイルの一覧を指定してください。",
+    ),
+    "suite_no_files": (
+        "The suite {name!r} has no files; it must have at least one record.",
+        "「{name}」にファイルがありません。地震記録が1つ以上必要です。",
+    ),
+    "unknown_family": (
+        "The family is {family!r}; it must be one of {known}.",
+        "地震の種類が「{family}」になっています。次のいずれかにしてください：{known}",
+    ),
+    "target_lengths": (
+        (
+            "The target has {periods} periods and {values} values of Sa; it must have "
+            "as many of each, at least 2."
+        ),
+        "目標スペクトルの周期が{periods}個、Saが{values}個です。同じ数で、2個以上にしてください。",
+    ),
+    "target_level": (
+        "The level is {level!r}; it must be one of {known}.",
+        "地震動のレベルが「{level}」になっています。次のいずれかにしてください：{known}",
+    ),
+    "target_soil": (
+        "The class of soil is {soil!r}; it must be 1, 2 or 3.",
+        "地盤種別が{soil!r}になっています。1、2、3のいずれかにしてください。",
+    ),
+    "target_line": (
+        "{file}, line {number} is {line!r}; it must be a period [s] and Sa [{unit}].",
+        "「{file}」の{number}行目が「{line}」になっています。周期（秒）とSa（{unit}）を書いてください。",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

@@ -1,0 +1,352 @@
+"""Files of motions and their readers; the ids are those of `stayput.catalogue.motion`."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # Files that are no text.
+    "file_is_folder": (
+        "The motion file {path!r} is a directory; it must be a file.",
+        "「{path}」はフォルダです。地震記録のファイルを指定してください。",
+    ),
+    "file_is_device": (
+        "The motion file {path!r} is a device or a pipe; it must be a file.",
+        "「{path}」はデバイスまたはパイプです。地震記録のファイルを指定してください。",
+    ),
+    "file_too_large": (
+        "The motion file {path!r} has {size} bytes; at most {most} are read.",
+        "「{path}」のサイズが大きすぎます（{size}バイト）。{most}バイトまで読めます。",
+    ),
+    "file_missing": (
+        "The motion file {path!r} does not exist; it must be a readable file.",
+        "「{path}」というファイルがありません。読み込めるファイルを指定してください。",
+    ),
+    "file_unreadable": (
+        "The motion file {path!r} cannot be read ({reason}); it must be readable.",
+        "「{path}」を読み込めません（{reason}）。読み込めるファイルを指定してください。",
+    ),
+    "file_no_path": (
+        "The motion file is {path!r}; it must be the path of a file.",
+        "地震記録のファイルとして{path!r}が指定されました。ファイルのパスを指定してください。",
+    ),
+    "file_empty": (
+        "The motion file {path!r} is empty; it must hold a record.",
+        "「{path}」は空のファイルです。地震記録のファイルを指定してください。",
+    ),
+    "file_binary": (
+        (
+            "The motion file {path!r} is binary; it must be text "
+            "(read other formats with ObsPy and use Motion.from_obspy)."
+        ),
+        (
+            "「{path}」はテキストのファイルではありません。地震記録のテキストファイルを選んでください"
+            "（ほかの形式は「ObsPy」で読み、「Motion.from_obspy」で渡してください）。"
+        ),
+    ),
+    "file_long_line": (
+        "The motion file {path!r} has a line of {length} characters; {most} are allowed.",
+        "「{path}」に長すぎる行があります（{length}文字）。1行は{most}文字までです。",
+    ),
+    "file_cut": (
+        "The file ends within a number, with {tail!r}; it must be complete.",
+        "ファイルが途中で切れています（末尾の数値が「{tail}」）。",
+    ),
+    "unknown_format": (
+        "The motion file {path!r} is in no known format; it must be one of {formats}.",
+        "「{path}」は対応している形式のファイルではありません。次のいずれかの形式にしてください：「{formats}」",
+    ),
+    # A file's unit and time step.
+    "unknown_unit": (
+        "The unit of acceleration is {unit}; it must be one of {known}.",
+        "加速度の単位が{unit}になっています。次のいずれかにしてください：{known}",
+    ),
+    "no_unit": (
+        "The file states no unit; unit must be given as one of {known}.",
+        "加速度の単位がファイルに書かれていません。次から選んでください：{known}",
+    ),
+    "no_unit_but_mentioned": (
+        "The file states no unit (its header mentions {mentioned!r}); unit must be given as one of {known}.",
+        (
+            "加速度の単位がファイルに書かれていません（ヘッダーに「{mentioned}」という語があります）。"
+            "次から選んでください：{known}"
+        ),
+    ),
+    "another_unit": (
+        "The unit is given as {given!r}; it must be the one that the file states, {stated}.",
+        "「{given}」という単位が選ばれましたが、ファイルに書かれている単位は{stated}です。それを選んでください。",
+    ),
+    "unit_mentioned": (
+        "The unit is given as {given!r} and the file's header mentions {mentioned!r}; check which it is.",
+        "選ばれた単位は「{given}」ですが、ファイルのヘッダーには「{mentioned}」と書かれています。確かめてください。",
+    ),
+    "no_time_step": (
+        "The file states no time step; dt must be given [s].",
+        "時間刻みがファイルに書かれていません。秒単位で入力してください。",
+    ),
+    "another_time_step": (
+        "The dt is given as {given:g} s; it must be the one that the file states, {stated:g} s.",
+        (
+            "時間刻みに{given:g}秒が指定されましたが、ファイルに書かれている時間刻みは{stated:g}秒です。"
+            "それを入力してください。"
+        ),
+    ),
+    "time_column_step": (
+        "The dt is given as {given:g} s; it must be the one of the time column, {step:g} s.",
+        (
+            "時間刻みに{given:g}秒が指定されましたが、ファイルの時刻の列から求めた時間刻みは{step:g}秒です。"
+            "それを入力してください。"
+        ),
+    ),
+    "time_not_growing": (
+        "The time runs from {start:g} s to {end:g} s; it must grow.",
+        "時刻が{start:g}秒から{end:g}秒になっています。時刻は増えていかなければなりません。",
+    ),
+    "irregular_sampling": (
+        "The sampling is irregular near {time:g} s; the time must grow by equal steps.",
+        "時刻が{time:g}秒付近で等間隔になっていません。等間隔の記録が必要です。",
+    ),
+    # The numbers in a file, and what the sentences about them call them.
+    "the_numbers": ("the numbers", "数値"),
+    "the_samples": ("the samples", "データ"),
+    "the_counts": ("the counts", "カウント値"),
+    "the_offsets": ("the offsets", "オフセット"),
+    "the_peak": ("the peak", "最大加速度"),
+    "the_integer_header": ("the integer header", "整数ヘッダー"),
+    "the_real_header": ("the real header", "実数ヘッダー"),
+    "the_line_before_the_samples": ("the line before the samples", "データの前の行"),
+    "the_esm_size": ("NDATA and SAMPLING_INTERVAL_S", "「NDATA」と「SAMPLING_INTERVAL_S」"),
+    "the_esm_duration": ("DURATION_S", "「DURATION_S」"),
+    "the_esm_peak": ("PGA_CM/S^2", "「PGA_CM/S^2」"),
+    "sampling_rate": ("sampling rate", "サンプリングレート"),
+    "sampling_frequency": ("sampling frequency", "サンプリング周波数"),
+    "duration": ("duration", "継続時間"),
+    "scale_factor": ("scale factor in gal", "スケールファクター（gal）"),
+    "npts": ("NPTS", "「NPTS」"),
+    "dt": ("DT", "「DT」"),
+    "not_a_decimal": (
+        "Value {index} of {what} is {value}; it must be a finite decimal number.",
+        "{what}の{index}番目の値が{value}になっていて、数値ではありません。有限の10進数が必要です。",
+    ),
+    "not_one_number": (
+        "The {what} is {value}; it must be one number.",
+        "ヘッダーの{what}が{value}になっています。数値を1つだけ書いてください。",
+    ),
+    "not_one_number_with_unit": (
+        "The {what} is {value}; it must be one number [{unit}].",
+        "ヘッダーの{what}が{value}になっています。数値を1つだけ書いてください（単位は「{unit}」）。",
+    ),
+    "sample_count": (
+        "The header states {stated:.0f} samples and the file has {count}; they must be as many.",
+        "ヘッダーに書かれた数（{stated:.0f}個）とデータの数（{count}個）が合いません。",
+    ),
+    "row_width": (
+        "Row {row} is {value}; it must have {columns} values.",
+        "{row}行目が{value}になっています。1行に{columns}個の値が必要です。",
+    ),
+    "few_rows": (
+        "The file has {rows} rows of samples; it must have at least 2.",
+        "ファイルのデータが{rows}行しかありません。2行以上必要です。",
+    ),
+    "no_header_entry": (
+        "The header has no {what}; it must state it.",
+        "ヘッダーに{what}がありません。",
+    ),
+    # Columns of numbers.
+    "column_count": (
+        "The file has {columns} columns; it must have 1 (x), 2 (time, x) or 4 (time, x, y, z).",
+        "{columns}列あります。1列（加速度）、2列（時刻と加速度）、4列（時刻とx、y、z）に対応しています。",
+    ),
+    "column_row": (
+        "Row {row} has {count} values; it must have {columns} like the first.",
+        "行によって列の数が違います（1行目は{columns}個、{row}行目は{count}個）。",
+    ),
+    "column_no_rows": (
+        "The file has no rows of numbers; it must have at least 2.",
+        "ファイルに数値の行がありません。2行以上必要です。",
+    ),
+    "column_one_row": (
+        "The file has one row of numbers; it must have at least 2.",
+        "ファイルに数値の行が1行しかありません。2行以上必要です。",
+    ),
+    "column_count_first": (
+        "The first number, {number:g}, looks like a count; only samples may stand there.",
+        "最初の数値（{number:g}）はデータの個数のようです。データだけを書いてください。",
+    ),
+    # COSMOS.
+    "cosmos_no_end": (
+        "The samples have no line End-of-data after them; the file must be complete.",
+        "データの後に「End-of-data」の行がありません。ファイルが途中で切れています。",
+    ),
+    "cosmos_no_header": (
+        "The header has no {kind}-header block; it must have one.",
+        "ヘッダーに「{kind}-header」のブロックがありません。",
+    ),
+    "cosmos_header_count": (
+        "The {kind} header has {count} values; it must have the {stated} it states.",
+        "「{kind}-header」の値が{count}個です。書かれたとおり{stated}個必要です。",
+    ),
+    "cosmos_short_header": (
+        "The real header has {count} values; it must have 64 or more.",
+        "「real-header」の値が{count}個です。64個以上必要です。",
+    ),
+    "cosmos_no_format": (
+        "The line {line} stands where a channel begins; it must state the format.",
+        "チャンネルの最初の行が{line}になっています。ここには形式を書く必要があります。",
+    ),
+    "cosmos_no_layout": (
+        "The line {line} stands before the samples; it must state their number and format.",
+        "データの前の行が{line}になっています。ここにはデータの数と書式を書く必要があります。",
+    ),
+    "no_samples_announced": (
+        "The line {line} announces no samples; it must announce some.",
+        "{line}の行に書かれたデータの数が0です。1以上でなければなりません。",
+    ),
+    "cosmos_another_end": (
+        "A block of {begun} ends as one of {ended}; it must be the same.",
+        "「{begun}」のブロックが「{ended}」として終わっています。同じでなければなりません。",
+    ),
+    "cosmos_duration": (
+        (
+            "The header states about {stated} s and {count} samples every {step:g} s last {duration:g} s; "
+            "they must agree."
+        ),
+        (
+            "ヘッダーに書かれた長さは約{stated}秒ですが、{step:g}秒ごとのデータ{count}個の長さは{duration:g}秒です。"
+            "一致しなければなりません。"
+        ),
+    ),
+    "cosmos_no_acceleration": (
+        "The file has no block of acceleration; it must have at least one.",
+        "ファイルに加速度のブロックがありません。1つ以上必要です。",
+    ),
+    # CSMIP.
+    "csmip_two_numbers": (
+        "Channel {channel} of the file is numbered {numbers}; it must have one number.",
+        "ファイルの{channel}番目のチャンネルに複数の番号があります（{numbers}）。番号は1つでなければなりません。",
+    ),
+    "csmip_directions": (
+        "The header of channel {channel} gives the directions {directions}; {taken} is taken.",
+        "チャンネル{channel}のヘッダーの成分の方向が一致しません（{directions}）。{taken}として使います。",
+    ),
+    "csmip_acceleration_lines": (
+        "Channel {channel} of the file has {count} lines that announce acceleration data; it must have one.",
+        (
+            "ファイルの{channel}番目のチャンネルに、加速度データの始まりを示す行が{count}行あります。"
+            "1行でなければなりません。"
+        ),
+    ),
+    "csmip_lengths": (
+        (
+            "Channel {channel} has {count} samples of acceleration every {step:g} s and {other_count} "
+            "of {kind} "
+            "every {other_step:g} s; they must last as long."
+        ),
+        (
+            "チャンネル{channel}のデータは、加速度が{step:g}秒ごとに{count}個、「{kind}」が{other_step:g}秒ごとに"
+            "{other_count}個です。同じ長さでなければなりません。"
+        ),
+    ),
+    "csmip_no_end": (
+        "The last channel has no end-of-data line /&; the file must be complete.",
+        "最後のチャンネルに終わりの行（/&）がありません。ファイルが途中で切れています。",
+    ),
+    "csmip_channels_missing": (
+        "The header counts {stated} channels and the file has {count}; it may have been cut.",
+        (
+            "ヘッダーによるとチャンネルは{stated}個ですが、ファイルには{count}個しかありません。"
+            "途中で切れているかもしれません。"
+        ),
+    ),
+    # ESM.
+    "esm_no_acceleration": (
+        "The DATA_TYPE is {kind}; it must be 'ACCELERATION'.",
+        "「DATA_TYPE」が{kind}になっています。「ACCELERATION」でなければなりません。",
+    ),
+    "esm_duration": (
+        (
+            "The header's DURATION_S is {stated:g} and NDATA times SAMPLING_INTERVAL_S is {duration:g} s; "
+            "they must agree."
+        ),
+        (
+            "ヘッダーの「DURATION_S」は{stated:g}秒ですが、「NDATA」に「SAMPLING_INTERVAL_S」を掛けると"
+            "{duration:g}秒です。一致しなければなりません。"
+        ),
+    ),
+    # JMA.
+    "jma_no_names": (
+        "The header has no line of component names; it must have one such as NS,EW,UD.",
+        "ヘッダーに成分名の行がありません。「NS,EW,UD」のような行が必要です。",
+    ),
+    "jma_rate": (
+        "The sampling rate is {rate:g} Hz; it must be more than 0 Hz.",
+        "サンプリングレートが{rate:g}Hzになっています。0より大きくなければなりません。",
+    ),
+    "jma_names_repeated": (
+        "The component names are {names}; they must differ.",
+        "成分名が「{names}」になっています。互いに異なる名前が必要です。",
+    ),
+    "jma_unknown_name": (
+        "The component names have {name!r}; they must be among NS, EW, UD.",
+        "成分名に「{name}」があります。「NS」「EW」「UD」のいずれかでなければなりません。",
+    ),
+    # K-NET.
+    "knet_no_obspy": (
+        "ObsPy is absent; it must be installed to read K-NET ASCII: pip install obspy.",
+        "K-NET ASCIIを読むにはObsPyが必要です。「pip install obspy」でインストールしてください。",
+    ),
+    "knet_header_unread": (
+        "The header cannot be read ({reason}); it must be the 17 lines of the format.",
+        "ヘッダーを読み取れません（「{reason}」）。形式どおりの17行が必要です。",
+    ),
+    "knet_no_memo": (
+        "The header does not end with Memo. on line 17; it must be the format's 17 lines.",
+        "ヘッダーの17行目が「Memo.」ではありません。形式どおりの17行が必要です。",
+    ),
+    "knet_no_scale": (
+        "The header has no scale factor in gal; it must be like 2000(gal)/8388608.",
+        "ヘッダーにスケールファクター（gal）がありません。2000(gal)/8388608のように書いてください。",
+    ),
+    "knet_not_positive": (
+        "The header's sampling frequency is {rate:g} Hz; it and the scale must be positive.",
+        (
+            "ヘッダーのサンプリング周波数が{rate:g}Hzになっています。"
+            "サンプリング周波数とスケールファクターは正でなければなりません。"
+        ),
+    ),
+    "knet_duration": (
+        "The header states {stated:g} s and the file has {duration:g} s; they must agree.",
+        "ヘッダーに書かれた長さは{stated:g}秒ですが、データは{duration:g}秒です。一致しなければなりません。",
+    ),
+    "knet_offset_count": (
+        "The header line {line} has {count} numbers; it must have {columns}.",
+        "ヘッダーの{line}の行に数値が{count}個あります。{columns}個必要です。",
+    ),
+    "knet_no_date": (
+        "The row {line} has no date and time; each must begin with them.",
+        "{line}の行に日時がありません。各行は日時で始まらなければなりません。",
+    ),
+    "knet_no_offset": (
+        "The header has no line #Offset; it must state what to subtract.",
+        "ヘッダーに「#Offset」の行がありません。差し引く値が必要です。",
+    ),
+    "knet_rate": (
+        "The header's sampling frequency is {rate:g} Hz and the rows' step {step:g} s; they must agree.",
+        (
+            "ヘッダーのサンプリング周波数は{rate:g}Hzですが、データの間隔は{step:g}秒です。"
+            "一致しなければなりません。"
+        ),
+    ),
+    # PEER.
+    "peer_no_npts": (
+        "The header has no NPTS and DT; it must state them.",
+        "ヘッダーに「NPTS」と「DT」がありません。",
+    ),
+    "peer_no_acceleration": (
+        "The file is a {kind} history; it must be an acceleration history.",
+        "ファイルは{kind}の時刻歴です。加速度の時刻歴が必要です。",
+    ),
+    "velocity": ("velocity", "速度"),
+    "displacement": ("displacement", "変位"),
+    "peer_npts_line": (
+        "The line {line} is not NPTS= a number, DT= a number; it must be.",
+        "{line}の行が「NPTS= 数値, DT= 数値」の形になっていません。",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

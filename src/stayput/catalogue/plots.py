@@ -1,0 +1,100 @@
+"""Plots of runs, motions, suites, buildings and fragility curves."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # Fragility curves.
+    "curves_number": (
+        "There are {count} curves; a plot must have 1 to {most}.",
+        "曲線が{count}本あります。図には1～{most}本を指定してください。",
+    ),
+    "curves_measures": (
+        "The curves are over {measures}; those of a plot must be over one measure.",
+        "曲線の強さの指標が{measures}と異なっています。1つの図では同じ指標にしてください。",
+    ),
+    "no_bands": ("; one motion: no bands", "（地震動が1つのため帯なし）"),
+    "isotonic": ("Lines: isotonic regression of the marks{alone}", "線：印の単調回帰{alone}"),
+    "curve": ("curve", "曲線"),
+    "half": ("{name}: half fall at {half}", "{name}：半数が{half}で転倒"),
+    "half_state": ("{name}: {state}; half fall at {half}", "{name}：{state}、半数が{half}で転倒"),
+    "probability": ("Probability of overturning", "転倒確率"),
+    # Floors of a building.
+    "building": (
+        "{name}, T1 = {period:.3g} s, {kind}: {motion}",
+        "{name}、T1 = {period:.3g} s、{kind}：{motion}",
+    ),
+    "yielding": ("before yielding", "降伏前"),
+    "linear": ("linear", "線形"),
+    "floors": ("floors, {component}", "床、{component}"),
+    "thumb": ("ground's x times 1 + 2z/h", "地盤のx × (1 + 2z/h)"),
+    "ground_x": ("ground's x", "地盤のx"),
+    "peak_acceleration": ("Peak floor acceleration [m/s²]", "最大床加速度 [m/s²]"),
+    "peak_velocity": ("Peak floor velocity [cm/s]", "最大床速度 [cm/s]"),
+    "storey": ("Floor of storey ({roof}: roof)", "階の床（{roof}：屋上）"),
+    "ground": ("ground", "地盤"),
+    "periods": ("natural periods", "固有周期"),
+    "period": ("Period [s]", "周期 [s]"),
+    "frequency": ("Frequency [Hz]", "振動数 [Hz]"),
+    "floor_sa": (
+        "Floor spectrum Sa, x, {damping:g} % [m/s²]",
+        "床応答スペクトル Sa、x、減衰{damping:g}% [m/s²]",
+    ),
+    "recorded": (
+        "{name}, T1 = {period:.3g} s: {place}, recorded and computed",
+        "{name}、T1 = {period:.3g} s：{place}、観測と計算",
+    ),
+    "ground_recorded": ("ground, recorded", "地盤、観測"),
+    "place_recorded": ("{place}, recorded", "{place}、観測"),
+    "place_computed": ("{place}, computed", "{place}、計算"),
+    "peaks": ("{label}: {pga:.2f} m/s², {pgv:.0f} cm/s", "{label}：{pga:.2f} m/s²、{pgv:.0f} cm/s"),
+    "sa": ("Sa, {damping:g} % damping [m/s²]", "Sa、減衰{damping:g}% [m/s²]"),
+    "sa_of": (
+        "Sa of {component}, {damping:g} % damping [m/s²]",
+        "{component}のSa、減衰{damping:g}% [m/s²]",
+    ),
+    "acceleration": ("Acceleration [m/s²]", "加速度 [m/s²]"),
+    "velocity": ("Velocity [cm/s]", "速度 [cm/s]"),
+    "displacement": ("Displacement [cm]", "変位 [cm]"),
+    "component_x": ("x, along the shaking", "x、加振方向"),
+    "component_y": ("y, across", "y、直交方向"),
+    "component_z": ("z, up", "z、上下方向"),
+    # A motion and its spectra.
+    "spectra": ("{name}: spectra, {damping:g} % damping", "{name}：スペクトル、減衰{damping:g}%"),
+    "spectrum_sa": ("Acceleration Sa [m/s²]", "加速度応答 Sa [m/s²]"),
+    "spectrum_psv": ("Pseudo-velocity ω·Sd [cm/s]", "擬似速度応答 ω·Sd [cm/s]"),
+    "spectrum_sva": ("Absolute velocity Sva [cm/s]", "絶対速度応答 Sva [cm/s]"),
+    "spectrum_fourier": (
+        "Fourier amplitude [cm/s],\nsmoothed (Konno and Ohmachi, b = 40)",
+        "フーリエ振幅 [cm/s]、\n平滑化（Konno・Ohmachi、b = 40）",
+    ),
+    "long_period_class": ("class {number}", "階級{number}"),
+    "long_period": (
+        "Lines: JMA's classes of long-period motion, 1.6 to 7.8 s",
+        "線：気象庁の長周期地震動階級、1.6～7.8 s",
+    ),
+    # A run.
+    "floor_x": ("x, horizontal", "x、水平"),
+    "floor_z": ("z, vertical", "z、上下"),
+    "floor_acceleration": ("Floor\nacceleration [m/s²]", "床の\n加速度 [m/s²]"),
+    "tilt": ("Tilt [°]\n(+ to the right)", "傾き [°]\n（右が＋）"),
+    "slide": ("Slide [cm]\n(+ to the right)", "移動量 [cm]\n（右が＋）"),
+    "mode": ("Mode", "状態"),
+    "critical": ("critical angle {angle:.1f}°", "限界角 {angle:.1f}°"),
+    "wall_reached": ("wall reached at {angle:.1f}°, no slide", "壁に達する角 {angle:.1f}°（移動なし）"),
+    "overturned": ("overturned at {time:.2f} s", "{time:.2f} sに転倒"),
+    # A suite.
+    "suite": ("{name} ({count}{kind})", "{name}（{count}{kind}）"),
+    "suite_unnamed": ("suite", "地震動群"),
+    "suite_whole": (", synthetic", "、合成"),
+    "suite_part": (", partly synthetic", "、一部合成"),
+    "each_motion": ("each motion", "各地震動"),
+    "median": ("median (geometric mean)", "中央値（幾何平均）"),
+    "spread": ("median × exp(±σ)", "中央値 × exp(±σ)"),
+    "target": ("target: {name}", "目標：{name}"),
+    "usual_scatter": (
+        "usual in ground-motion models, {low:g}–{high:g}",
+        "地震動予測式での通常の範囲、{low:g}–{high:g}",
+    ),
+    "this_suite": ("this suite", "この地震動群"),
+    "scatter": ("Standard deviation\nof ln Sa [–]", "ln Saの\n標準偏差 [–]"),
+    "peak": ("peak {value:.2g} {unit}", "最大 {value:.2g} {unit}"),
+}
+"""Texts by their keys: English, Japanese."""

@@ -1,0 +1,422 @@
+"""The report of a verdict."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # The page, from its top to its foot.
+    "no_language": (
+        "The language is {given!r}; it must be one of {languages}.",
+        "言語が{given!r}になっています。{languages}のいずれかを指定してください。",
+    ),
+    "report": ("Verification of earthquake-proof measures", "家具の地震対策 検証報告書"),
+    "skip": ("Skip to the ranking", "順位表へ移動"),
+    "contents": ("Contents", "目次"),
+    "verdict": ("The verdict", "結論"),
+    "shaking": ("Shaking of the ground", "地盤の揺れ"),
+    "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
+    "simulations": ("Simulations", "計算回数"),
+    "simulations_told": (
+        (
+            "{runs} in all: motions × draws of what is not known, {motions} × {samples} for "
+            "each measure and level"
+        ),
+        "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各対策・各レベルで計算",
+    ),
+    "motions": ("Motions", "地震動"),
+    "not_precise": (
+        "The precision that was asked for was not reached with the samples that were allowed.",
+        "指定された精度には、許された標本数では達していません。",
+    ),
+    "one_motion": (
+        (
+            "Only one motion was run: the shares and their intervals hold for this motion, "
+            "not for other earthquakes of the same intensity."
+        ),
+        (
+            "地震動は1本だけです。割合と区間はこの地震動についてのもので、同じ震度の他の地震"
+            "には当てはまりません。"
+        ),
+    ),
+    "before": ("Without a measure", "対策なし"),
+    "after": ("With the best of those compared", "比較した中で最良の対策"),
+    "ranking": ("The measures, best first", "対策の順位"),
+    "ranking_told": (
+        (
+            "Shares of all runs with their 95 % intervals. All measures met the same motions "
+            "and the same draws. Ranked by overturning; where that is equal, by sliding, "
+            "failing devices, and hits on a wall. “Unsure”: the runs are too few to say it "
+            "with 95 % confidence."
+        ),
+        (
+            "全計算に対する割合と95%区間です。どの対策にも同じ地震動と同じ標本を用いています"
+            "。順位は転倒の少なさで決め、同じなら移動、器具の破損、壁への衝突の順に比べます。"
+            "「不確実」は、計算数が少なく95%の信頼度では言えないものです。"
+        ),
+    ),
+    "grade": ("Grade of its inputs", "入力の根拠"),
+    "brief_grade": ("Grade", "根拠"),
+    "grade_told": (
+        "Grade: that of the weakest of the inputs that decide a number ({meanings}).",
+        "根拠：数値を左右する入力のうち、最も不確かなものの区分（{meanings}）。",
+    ),
+    "weakest": ("weakest inputs: {told}", "最も不確かな入力：{told}"),
+    "colon": (": ", "："),
+    "stop": (". ", "。"),
+    "listed": ("; ", "、"),
+    "aside": (" ({told})", "（{told}）"),
+    "rank": ("Rank", "順位"),
+    "measure": ("Measure", "対策"),
+    "overturned": ("Overturns", "転倒"),
+    "slid": ("Slides more than {limit}", "{limit}を超える移動"),
+    "hit_wall": ("Hits a wall", "壁に衝突"),
+    "device_failed": ("A device fails", "器具の破損・脱落"),
+    "slide": ("Peak slide, median", "最大移動量（中央値）"),
+    "tilt": ("Peak tilt, median", "最大傾き（中央値）"),
+    "most": ("90 %: {value}", "90%値：{value}"),
+    "slide_both": ("Peak slide: median, 90 %", "最大移動量：中央値、90%値"),
+    "capacity": ("Intensity at which {share} % overturn", "{share}%が転倒する計測震度"),
+    "brief_overturned": ("Overturns", "転倒"),
+    "brief_slid": ("Slides\n> {limit}", "移動\n> {limit}"),
+    "brief_hit_wall": ("Hits\na wall", "壁に\n衝突"),
+    "brief_device_failed": ("Device\nfails", "器具\n破損"),
+    "brief_not_possible": ("not\npossible", "設置\n不可"),
+    "brief_slide": ("Slide", "移動量"),
+    "brief_falls": ("falls", "転倒"),
+    "brief_capacity": ("I{share}", "I{share}"),
+    "brief_told": (
+        (
+            "Shares of all runs, with the grade of the inputs. Slide: median of the peak. "
+            "I10, I50: JMA intensity at which 10, 50 % overturn; ?: unsure. Below, in "
+            "brackets: the 95 % interval of overturning."
+        ),
+        (
+            "全計算に対する割合（括弧内の英字は入力の根拠の区分）。移動量：最大値の中央値。I1"
+            "0、I50：10%、50%が転倒する計測震度。?は不確実。かっこ内：転倒の95%区間。"
+        ),
+    ),
+    "capacity_short": ("{share} % overturn at intensity", "{share}%転倒の計測震度"),
+    "change": ("Against no measure", "対策なしとの差"),
+    "points": ("points", "ポイント"),
+    "why": ("Why", "理由"),
+    "falls": ("overturned", "転倒"),
+    "none": ("none", "なし"),
+    "not_possible": ("not possible", "設置不可"),
+    "no_device": ("no device", "器具なし"),
+    "unknown": ("unknown", "不明"),
+    "unsure": ("unsure", "不確実"),
+    "at_least": ("at least {low}", "{low}以上"),
+    "at_most": ("at most {high}", "{high}以下"),
+    "up_to": ("up to {value}", "最大{value}"),
+    "less_than": ("less than {value}", "{value}未満"),
+    "more_than": ("more than {value} (no wall to stop it)", "{value}を超えて（止める壁なし）"),
+    "between": ("{low} to {high}", "{low}〜{high}"),
+    "interval": ("95 % interval", "95%区間"),
+    "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
+    "fragility_told": (
+        (
+            "Share that overturns against the intensity of the ground. The marks are what "
+            "was counted at each level; the lines join the nearest rising shares (isotonic "
+            "regression: no shape is assumed); the bands are 95 % intervals, as with other "
+            "motions of the same kind. Marks and bands are drawn for no measure and for the "
+            "best one."
+        ),
+        (
+            "地盤の計測震度に対する転倒の割合です。印は各レベルで数えた割合、線は増加のみを仮"
+            "定した当てはめ（単調回帰）、帯は同じ種類の別の地震動も考えた95%区間です（印と帯"
+            "は対策なしと最良の対策のみ）。"
+        ),
+    ),
+    "fragility_alt": (
+        (
+            "Curves of the share that overturns over the intensity, one for each measure; "
+            "the numbers are in the table of the measures."
+        ),
+        "計測震度に対する転倒割合の曲線（対策ごと）。数値は順位の表にあります。",
+    ),
+    "axis_intensity": ("JMA instrumental intensity of the ground", "地盤の計測震度"),
+    "axis_share": ("Share that overturns", "転倒する割合"),
+    "here": ("this shaking: {value}", "この揺れ：{value}"),
+    "no_curve": ("no curve ({state})", "曲線なし（{state}）"),
+    "none_fell": ("none fell", "転倒なし"),
+    "all_fell": ("all fell", "すべて転倒"),
+    "abrupt": ("all stand, then all fall", "あるレベルから一斉に転倒"),
+    "no_interval": ("one motion: no interval", "地震動が1つのため区間なし"),
+    "no_bands": (
+        "One motion tells nothing of how other motions scatter, so there are no bands.",
+        "地震動が1つだけでは、他の地震動でどれだけばらつくか分からないため、帯はありません。",
+    ),
+    "one_level": ("one level", "1レベルのみ"),
+    "no_trend": ("no trend", "傾向なし"),
+    "watch": ("See it happen", "動きを見る"),
+    "watch_told": (
+        (
+            "The room moves with the ground, without its drift below {corner} Hz; the dotted "
+            "lines stand still, {grid} m apart."
+        ),
+        (
+            "部屋は地盤とともに動きます（{corner} Hz未満のゆっくりした動きは除外）。点線は動"
+            "かない目印で、間隔は{grid} mです。"
+        ),
+    ),
+    "part_shown": (
+        "The room's movement is drawn at {part} % of its size.",
+        "部屋の動きは実際の{part}%で描いています。",
+    ),
+    "typical": ("A typical case", "典型的な場合"),
+    "typical_told": (
+        (
+            "Without a measure, half of the runs went better than this one and half went "
+            "worse. The same motion and the same draw on both sides."
+        ),
+        "対策なしで、結果がちょうど中程度だった計算です。左右とも同じ地震動・同じ標本です。",
+    ),
+    "worst": ("The worst case", "最悪の場合"),
+    "worst_told": (
+        "The run that went worst with the best measure, and the same one without it.",
+        "最良の対策で最も悪い結果になった計算と、その対策なしの場合です。",
+    ),
+    "worst_bare_told": (
+        "The run that went worst without a measure.",
+        "対策なしで最も悪い結果になった計算です。",
+    ),
+    "play": ("Play", "再生"),
+    "pause": ("Pause", "一時停止"),
+    "time": ("Time", "時刻"),
+    "speed": ("Speed", "速さ"),
+    "scene_alt": (
+        "Animation of the piece in its room, seen from its side: {told}",
+        "家具と部屋を横から見た動画：{told}",
+    ),
+    "histories": ("Time histories", "時刻歴"),
+    "histories_alt": (
+        "Floor acceleration, tilt and slide over time, without and with the measure: {told}",
+        "床の加速度・傾き・移動量の時刻歴（対策なしとあり）：{told}",
+    ),
+    "axis_acceleration": ("Floor acceleration [m/s²]", "床の加速度 [m/s²]"),
+    "axis_tilt": ("Tilt [°]", "傾き [°]"),
+    "axis_slide": ("Slide [cm]", "移動量 [cm]"),
+    "typical_bare_told": (
+        "Without a measure, half of the runs went better than this one and half went worse.",
+        "対策なしで、結果がちょうど中程度だった計算です。",
+    ),
+    "axis_time": ("Time [s]", "時刻 [s]"),
+    "device_failure": ("device fails", "器具の破損"),
+    "motion_shown": (
+        (
+            "Motion {number} of {count}: {name}; peak acceleration of the floor {peak} m/s². "
+            "Shown from {start} to {end} s of {duration} s; tilts are cut at three critical "
+            "angles."
+        ),
+        (
+            "地震動 {number}/{count}：{name}、床の最大加速度 {peak} m/s²。全{duration}秒のう"
+            "ち{start}〜{end}秒を表示。傾きは限界角の3倍までを表示します。"
+        ),
+    ),
+    "estimates": ("Quick estimates, to compare", "簡易式による目安"),
+    "estimates_told": (
+        (
+            "These are formulas for a piece that does not slide and stands free, not "
+            "simulations. They are here so that the size of the results can be checked."
+        ),
+        (
+            "滑らず周囲に壁のない家具についての略算式で、シミュレーションではありません。結果"
+            "の大きさを確かめるために並べています。"
+        ),
+    ),
+    "formula": ("Formula", "式"),
+    "says": ("What it says", "内容"),
+    "beside": ("Simulation beside it", "シミュレーションの結果"),
+    "west": ("West", "ウェストの式"),
+    "west_told": (
+        "rocks where the floor's peak acceleration exceeds {value} m/s²",
+        "床の最大加速度が{value} m/s²を超えるとロッキングを始める",
+    ),
+    "ishiyama": ("Ishiyama (1982)", "石山（1982）"),
+    "ishiyama_told": (
+        (
+            "can only overturn where the floor's peak velocity also exceeds {value} cm/s: "
+            "{share} of the motions"
+        ),
+        "さらに床の最大速度が{value} cm/sを超えないと転倒しない：該当する地震動は{share}",
+    ),
+    "kaneko": ("Kaneko and Hayashi", "金子・林の式"),
+    "kaneko_told": ("{share} overturn", "{share}が転倒"),
+    "details": ("Each measure", "対策ごとの詳細"),
+    "drawing_alt": (
+        ("Drawing to scale, seen from the side: {piece}, {width} cm deep and {height} cm high; {label}"),
+        "縮尺図（横から）：{piece}、奥行{width} cm、高さ{height} cm。{label}",
+    ),
+    "scale_told": ("Drawn to scale, seen from the side", "縮尺どおり、横から見た図"),
+    "device": ("Device", "器具"),
+    "failed": ("Failed", "破損・脱落"),
+    "failure_time": ("Fails at, median", "破損の時刻（中央値）"),
+    "seconds": ("{value} s", "{value} 秒"),
+    "peak_force": ("Peak force: median, 90 %", "最大の力：中央値、90%値"),
+    "used": ("Of its strength: median, 90 %", "強度に対する割合：中央値、90%値"),
+    "devices": ("Loads in the devices", "器具にかかる力"),
+    "parameter": ("Parameter", "項目"),
+    "value": ("Value", "値"),
+    "confidence": ("How well founded", "確からしさ"),
+    "parameters": ("Parameters", "設定値"),
+    "assumptions": ("What this rests on", "前提"),
+    "assumptions_told": (
+        (
+            "Values marked as defaults are common values that were not measured on your "
+            "furniture. Measure what matters, above all friction and the strength of wall, "
+            "ceiling and anchors."
+        ),
+        (
+            "「既定値」は一般的な値で、お使いの家具で測ったものではありません。特に摩擦と、壁"
+            "・天井・留め具の強さは、実際に確かめてください。"
+        ),
+    ),
+    "assumption": ("Assumption", "前提"),
+    "low": ("default, low confidence", "既定値・信頼度 低"),
+    "medium": ("default, medium confidence", "既定値・信頼度 中"),
+    "high": ("default, high confidence", "既定値・信頼度 高"),
+    "given": ("given by the user", "利用者の指定"),
+    "model": ("limit of the model", "モデルの限界"),
+    "again": ("To do it again", "再現するには"),
+    "again_told": (
+        (
+            "Save this as {file}, and run the command with stayput {version}. The same seed "
+            "gives the same numbers."
+        ),
+        ("これを{file}に保存し、stayput {version}でコマンドを実行します。同じシードなら同じ数値になります。"),
+    ),
+    "record_told": (
+        "It names files of records; they are needed too, in the same place relative to it.",
+        "記録ファイルの名前を含みます。それらも同じ相対位置に必要です。",
+    ),
+    "seed": ("Seed", "シード"),
+    "command": ("Command", "コマンド"),
+    "took": ("{seconds} s of computing", "計算時間 {seconds} 秒"),
+    "version": ("Version", "版"),
+    "caution": (
+        ("A simulation of a rigid body in a plane is not a guarantee. Real rooms, walls and fixings differ."),
+        (
+            "これは平面内の剛体シミュレーションであり、安全を保証するものではありません。実際"
+            "の部屋や壁、固定の状態はこれと異なります。"
+        ),
+    ),
+    "floor": ("Floor", "床"),
+    "piece": ("Furniture", "家具"),
+    "wall": ("Wall behind", "背後の壁"),
+    "front_wall": ("Wall in front", "前方の壁"),
+    "ceiling": ("Ceiling", "天井"),
+    "building": ("Building", "建物"),
+    # What a verdict rests on.
+    "piece_told": (
+        "{width:g} m × {height:g} m, {mass:.4g} kg, centre of gravity {up:.3g} m up{forward}",
+        "{width:g} m × {height:g} m, {mass:.4g} kg、重心の高さ {up:.3g} m{forward}",
+    ),
+    "forward": (", {across:+.3g} m forward", "、前方へ {across:+.3g} m"),
+    "surface": ("{name}: ", "{name}："),
+    "frictions": (
+        "{surface}static friction {static:g}, kinetic {kinetic:g}",
+        "{surface}静止摩擦係数 {static:g}、動摩擦係数 {kinetic:g}",
+    ),
+    "gap_told": ("{gap:.3g} cm away", "すき間 {gap:.3g} cm"),
+    "height_told": ("{height:g} m high", "高さ {height:g} m"),
+    "motions_read": ("{count}, read from {name}", "{count}本（{name}から読込み）"),
+    "motions_synthetic": (
+        "{count} synthetic ones ({family}): computed, not recorded",
+        "模擬地震動{count}本（{family}）：計算で作ったもので、観測記録ではありません",
+    ),
+    "motion_synthetic": (
+        "{name}, synthetic: computed, not recorded",
+        "{name}（模擬）：観測記録ではありません",
+    ),
+    "suite_member": ("synthetic {family} {number}", "合成地震動（{family}）{number}"),
+    "building_told": (
+        "{name}, floor of storey {storey}, as a shear model",
+        "{name}、{storey}階の床（せん断質点系モデル）",
+    ),
+    "lognormal": (
+        "lognormal, median {median:g}, coefficient of variation {cov:g}",
+        "対数正規分布、中央値 {median:g}、変動係数 {cov:g}",
+    ),
+    "normal": (
+        "normal, mean {mean:g}, standard deviation {deviation:g}",
+        "正規分布、平均 {mean:g}、標準偏差 {deviation:g}",
+    ),
+    "uniform": ("uniform, {low:g} to {high:g}", "一様分布、{low:g}〜{high:g}"),
+    "limit_body": ("Rigid body in a plane", "平面内の剛体"),
+    "limit_body_told": (
+        (
+            "No shaking across the piece, no turning about its vertical axis, no bending; contents do "
+            "not fall out, doors stay shut."
+        ),
+        "奥行方向以外の水平動、水平面内の回転、家具の変形、中身の飛び出しや扉の開きは考慮しません。",
+    ),
+    "limit_contacts": ("Contacts", "接触"),
+    "limit_contacts_told": (
+        (
+            "Coulomb friction; a landing corner does not bounce, and rocking loses what the momentum "
+            "balance demands (Housner)."
+        ),
+        (
+            "クーロン摩擦。着地した角は跳ね返らず、ロッキングは運動量のつり合い（ハウスナー）に"
+            "従って減衰します。"
+        ),
+    ),
+    "limit_devices": ("Devices", "器具"),
+    "limit_devices_told": (
+        "Springs with slack, damping and a strength; age, dirt and faulty mounting are not in it.",
+        "がた・減衰・強さをもつばねです。経年劣化、汚れ、取付け不良は含みません。",
+    ),
+    # What became of one of the runs in the report.
+    "outcome_rested": ("stays where it is", "動きません"),
+    "outcome_slid": ("slides by {slide} and stays upright", "{slide}滑りますが、倒れません"),
+    "outcome_rocked": (
+        "rocks by {tilt}, slides by {slide} and stays upright",
+        "{tilt}傾き、{slide}移動しますが、倒れません",
+    ),
+    "outcome_leaning": ("is left leaning", "寄りかかったまま止まります"),
+    "outcome_overturned": ("overturns after {time} s", "{time}秒後に転倒します"),
+    "outcome_failed": ("could not be followed to the end", "最後まで計算できませんでした"),
+    "outcome_hardly": (
+        "hardly moves (tilt {tilt}, slide {slide})",
+        "ほとんど動きません（傾き{tilt}、移動{slide}）",
+    ),
+    # What is drawn at random.
+    "quantity_friction_factor": ("Friction, factor on its value", "摩擦係数に掛ける倍率"),
+    "quantity_restitution_factor": ("Rebound of the rocking, factor", "ロッキングの反発に掛ける倍率"),
+    "quantity_wall_restitution": ("Restitution of the walls", "壁の反発係数"),
+    "quantity_mass_factor": ("Mass, factor on its value", "質量に掛ける倍率"),
+    "quantity_height_of_gravity_factor": (
+        "Height of the centre of gravity, factor",
+        "重心の高さに掛ける倍率",
+    ),
+    "quantity_device_strength_factor": ("Strength of the devices, factor", "器具の強さに掛ける倍率"),
+    # What is left out of the files of curves, and why.
+    "in_no_file": (
+        "{option} is in no file: it cannot be put in place. {reason}",
+        "{option}は設置できないため、どのファイルにも含まれていません。{reason}",
+    ),
+    "renamed": (
+        "{option} is {identifier} in the files for loss tools, which take plain names.",
+        "{option}は、損失評価ツール用のファイルでは{identifier}という名前になります（英数字のみ使えるため）。",
+    ),
+    "no_nrml": (
+        "There is no NRML file: OpenQuake has no {measure}.",
+        "OpenQuakeには{measure}がないため、NRMLファイルはありません。",
+    ),
+    "overturning_of": ("Overturning of {piece}", "{piece}の転倒"),
+    "left_out_state": (
+        "{option} is not in the files for loss tools: it has no curve ({state}).",
+        "{option}には曲線がないため、損失評価ツール用のファイルに含まれていません（{state}）。",
+    ),
+    "left_out_one_motion": (
+        "{option} is not in the files for loss tools: one motion has no scatter of motions.",
+        "{option}は地震動が1つでばらつきが分からないため、損失評価ツール用のファイルに含まれていません。",
+    ),
+    "left_out_abrupt": (
+        "{option} is not in pelicun.csv: its falls are too abrupt for a lognormal.",
+        "{option}は転倒が急に始まり対数正規分布に合わないため、pelicun.csvに含まれていません。",
+    ),
+    "left_out_misfit": (
+        "{option} is not in pelicun.csv. {why}",
+        "{option}はpelicun.csvに含まれていません。{why}",
+    ),
+    "motions_shown": ("Motions: {motions}", "地震動：{motions}"),
+}
+"""Texts by their keys: English, Japanese."""

@@ -1,0 +1,114 @@
+"""What became of a run: in a sentence, in rows, in an animation."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # What became of a run, in one sentence.
+    "rested": ("The {name} stayed put: it neither slid nor rocked.", "{name}は動きませんでした。"),
+    "slid": (
+        "The {name} slid by {slide} without rocking{hits}, and stayed upright.",
+        "{name}は{hits}{slide}滑りましたが、倒れませんでした。",
+    ),
+    "rocked": (
+        "The {name} rocked by {tilt} and slid by {slide}{hits}, and stayed upright.",
+        "{name}は{hits}{tilt}揺れ動き、{slide}滑りましたが、倒れませんでした。",
+    ),
+    "rocked_only": (
+        "The {name} rocked by {tilt}{hits}, and stayed upright.",
+        "{name}は{hits}{tilt}揺れ動きましたが、倒れませんでした。",
+    ),
+    "leaning": (
+        "The {name} did not overturn but was left leaning to the {side}{hits}.",
+        "{name}は{hits}倒れませんでしたが、{side}へ寄りかかったまま止まりました。",
+    ),
+    "overturned": (
+        "The {name} overturned to the {side} {time:.1f} s into the motion{hits}.",
+        "{name}は{hits}揺れ始めから{time:.1f}秒後に{side}へ倒れました。",
+    ),
+    "failed": (
+        (
+            "The {name} could not be followed beyond {end:.2f} s, because too many events "
+            "crowded together, so this run says nothing about whether it stands."
+        ),
+        "{name}の動きは{end:.2f}秒より先を計算できませんでした。倒れるかどうかは分かりません。",
+    ),
+    "first_to_fail": (
+        "{said} First to fail: {device}, after {time:.1f} s.",
+        "{said}最初に壊れた対策：{device}（{time:.1f}秒後）。",
+    ),
+    "side_left": ("left", "左"),
+    "side_right": ("right", "右"),
+    "side_back": ("back", "奥"),
+    "side_front": ("front", "手前"),
+    "hits": (" after hitting {parts}", "{parts}ぶつかり、"),
+    "hits_wall": ("the wall {times}", "壁に{times}"),
+    "hits_ceiling": ("the ceiling {times}", "天井に{times}"),
+    "once": ("once", "1回"),
+    "twice": ("twice", "2回"),
+    "times": ("{n} times", "{n}回"),
+    "slid_far": (
+        "more than {far:g} m (there is no wall to stop it)",
+        "{far:g} mを超えて（止める壁がありません）",
+    ),
+    "slid_least": ("less than a millimetre", "1 mm未満"),
+    "slid_up_to": ("up to {length}", "最大{length}"),
+    "tilted_least": ("less than 0.1°", "0.1度未満の傾きで"),
+    "tilted_up_to": ("up to {angle:.1f}°", "最大{angle:.1f}度の傾きで"),
+    # The results of a run, a row each.
+    "row_motion": ("Motion", "地震動"),
+    "row_motion_value": (
+        "{name}, {duration:g} s, peak {peak:.2f} m/s²",
+        "{name}、{duration:g}秒、最大加速度 {peak:.2f} m/s²",
+    ),
+    "row_outcome": ("Outcome", "結果"),
+    "row_overturned": ("Overturned at", "転倒した時刻"),
+    "row_tilt": ("Peak tilt", "最大傾き"),
+    "row_slide": ("Peak slide", "最大移動量"),
+    "row_residual": ("Residual slide", "残留移動量"),
+    "row_floor": ("Floor impacts", "床への衝突"),
+    "row_walls": ("Wall impacts", "壁への衝突"),
+    "row_walls_and_ceiling": ("Wall and ceiling impacts", "壁と天井への衝突"),
+    "row_used": (", {share:.0f} % of its strength", "、強度の{share:.0f}%"),
+    "row_failed": ("; {cause} at {time:.2f} s", "、{time:.2f}秒に破損（{cause}）"),
+    "row_holds": ("; holds", "、破損なし"),
+    "open_side": (" (there is no wall to stop it)", "（止める壁がありません）"),
+    "synthetic": ("{name} (synthetic)", "{name}（合成）"),
+    # Animations.
+    "motion_title": ("{name}, peak {peak:.1f} m/s²", "{name}、最大加速度 {peak:.1f} m/s²"),
+    "caption": (
+        (
+            "The room moves with the ground: the record integrated twice, without its drift "
+            "below {corner:g}\u00a0Hz{part}. The dotted lines stand still, {grid:g}\u00a0m apart."
+        ),
+        (
+            "部屋は地盤とともに動きます（記録を2回積分し、{corner:g}\u00a0Hz未満のゆっくりした動き"
+            "を除いたもの{part}）。点線は動かない目印で、間隔は{grid:g}\u00a0mです。"
+        ),
+    ),
+    "floor_acceleration": ("Floor acceleration: {motion}", "床の加速度：{motion}"),
+    "drawn_smaller": (", drawn at {share:.0f} % of its size", "、実際の{share:.0f}%で表示"),
+    "too_short": (
+        "The run has {samples} samples; an animation needs at least 2.",
+        "計算結果のデータは{samples}個です。動画には2個以上必要です。",
+    ),
+    "animation_fps": ("The animation's fps", "動画のフレームレート"),
+    "animation_speed": ("The animation's speed", "動画の速さ"),
+    "animation_hold": ("The animation's hold", "動画の最後の静止時間"),
+    "animation_width": ("The animation's width", "動画の幅"),
+    "no_video": (
+        "ffmpeg could not write {suffix}: {reason}.",
+        "ffmpegで{suffix}を書き出せませんでした：{reason}。",
+    ),
+    "no_reason": ("no reason given", "理由は不明です"),
+    "no_letters": (
+        (
+            "No font of this machine has the letters {letters}; pictures show {shown} "
+            "instead. Install one that has, such as Noto Sans CJK (on Debian and Ubuntu: "
+            "fonts-noto-cjk)."
+        ),
+        (
+            "この環境のフォントには{letters}の文字がないため、図では{shown}と表示します。Noto"
+            " Sans CJKなど、これらの文字を含むフォントをインストールしてください（DebianとUbu"
+            "ntuではfonts-noto-cjk）。"
+        ),
+    ),
+}
+"""Texts by their keys: English, Japanese."""

@@ -1,0 +1,131 @@
+"""Scenario files: what is wrong with one. Names of keys stand as in the file."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    "in_table": ("In [{table}]", "[{table}]"),
+    # What a key must be, from the JSON Schema
+    "unknown_key": (
+        "{name} is unknown{hint}; {where} must be one of {known}.",
+        "{name}というキーはありません{hint}。{where}は次のいずれかです：{known}",
+    ),
+    "key_of_table": ("a key of [{table}]", "[{table}]のキー"),
+    "top_level_key": ("a top-level key", "最上位のキー"),
+    "missing": (
+        "{name} is missing; it must be {allowed}.",
+        "{name}がありません。{allowed}を指定してください。",
+    ),
+    "not_allowed": (
+        "{name} is {value}{hint}; it must be {allowed}.",
+        "{name}が{value}になっています{hint}。{allowed}を指定してください。",
+    ),
+    "table": ("a table", "テーブル"),
+    "one_of_tables": ("a table with type or combine", "typeかcombineのあるテーブル"),
+    "or": (" or ", "、または"),
+    "one_of": ("one of {names}", "{names}のいずれか"),
+    "whole_number": ("a whole number between {low:g} and {high:g}{unit}", "{low:g}～{high:g}{unit}の整数"),
+    "number": ("a number between {low:g} and {high:g}{unit}", "{low:g}～{high:g}{unit}の数値"),
+    "true_or_false": ("true or false", "trueかfalse"),
+    "list": ("a list of {count} items, each {item}", "{count}個の要素のリスト（各要素は{item}）"),
+    "few_to_many": ("{few} to {many}", "{few}～{many}"),
+    "table_of": ("a table of {keys}", "{keys}からなるテーブル"),
+    "text": ("a text of {few} to {many} characters", "{few}～{many}文字の文字列"),
+    # Keys that do not go together
+    "no_preset": (
+        "{name} is missing; it must be given where no preset is.",
+        "{name}がありません。presetを使わない場合は必要です。",
+    ),
+    "follows_from_shelves": (
+        "{name} follows from furniture.shelves; give only one of them.",
+        "{name}はfurniture.shelvesから決まります。どちらか一方だけを指定してください。",
+    ),
+    "no_carcass": (
+        "furniture.mass is missing; where shelves are given it must be the empty carcass's [kg].",
+        "furniture.massがありません。shelvesを指定する場合は、空の本体の質量 [kg] が必要です。",
+    ),
+    "two_back_walls": (
+        "room.back_wall is given beside room.left_wall; they are one wall and it must be given once.",
+        "room.back_wallとroom.left_wallの両方があります。同じ壁なので、一方だけを指定してください。",
+    ),
+    "beside": (
+        "{name} is given beside {other}; it must be left out.",
+        "{other}があるので、{name}は指定できません。",
+    ),
+    "only_one": (
+        "{name} is given beside {other}; it must be only one.",
+        "{other}と{name}の両方があります。一方だけを指定してください。",
+    ),
+    "needs_both": (
+        "{name} is given without {other}; it needs both.",
+        "{name}だけがあります。{other}も必要です。",
+    ),
+    "nonlinear_masses": (
+        "{name} is true beside {other}; it must be false or left out.",
+        "{other}があるので、{name}はtrueにできません。falseにするか、省いてください。",
+    ),
+    "no_storeys": (
+        "shaking.building.storeys is missing; it must be a whole number of storeys.",
+        "shaking.building.storeysがありません。階数（整数）を指定してください。",
+    ),
+    "without_record": (
+        "{name} is given without shaking.record; it belongs to a record only.",
+        "{name}はshaking.recordがある場合だけ指定できます。",
+    ),
+    "vertical_without_record": (
+        "shaking.vertical is {value} without shaking.record; it must be true or false there.",
+        "shaking.recordがないのにshaking.verticalが{value}になっています。trueかfalseにしてください。",
+    ),
+    "scale_and_intensity": (
+        "shaking.scale is {value:g} beside shaking.intensity; it must be one of the two.",
+        "shaking.scale（{value:g}）とshaking.intensityの両方があります。一方だけを指定してください。",
+    ),
+    "member_of_one": (
+        "shaking.member is given for one motion; it belongs to a suite.",
+        "shaking.memberは地震動が1つの場合は指定できません。suiteとともに使ってください。",
+    ),
+    "storey": (
+        "shaking.storey is {value}; it must be between 1 and {roof}, the roof.",
+        "shaking.storeyが{value}になっています。1～{roof}（屋上）にしてください。",
+    ),
+    "member": (
+        "shaking.member is {value}; it must be between 1 and {most}.",
+        "shaking.memberが{value}になっています。1～{most}にしてください。",
+    ),
+    "same_name": (
+        "{name} is {value}; it must not be that of {other}.",
+        "{name}が{value}になっていますが、{other}と同じ名前です。別の名前にしてください。",
+    ),
+    "not_a_measure": (
+        "{name} is {value}; it must be a table with type.",
+        "{name}が{value}になっています。typeのあるテーブルにしてください。",
+    ),
+    "not_a_measure_or_several": (
+        "{name} is {value}; it must be a table with type or combine.",
+        "{name}が{value}になっています。typeかcombineのあるテーブルにしてください。",
+    ),
+    "no_type": (
+        "{name} is missing; it must be one of {known}.",
+        "{name}がありません。次のいずれかにしてください：{known}",
+    ),
+    # The file itself
+    "file": ("The scenario file is {file}; {reason}.", "シナリオファイル{file}：{reason}。"),
+    "file_too_long": ("it may have {most} bytes at most", "ファイルは{most}バイトまでです"),
+    "file_not_read": ("it could not be read: {reason}", "読み込めませんでした（{reason}）"),
+    "file_not_utf8": ("it must be a text in UTF-8", "UTF-8のテキストファイルにしてください"),
+    "file_not_toml": ("it must be TOML, but: {reason}", "TOMLとして読めません（{reason}）"),
+    "file_long_number": (
+        "a whole number in it is too long; it must fit in 64 bits",
+        "64ビットに収まらない整数があります",
+    ),
+    "file_too_deep": (
+        "its brackets must be nested at most {most} deep",
+        "括弧の入れ子は{most}段までにしてください",
+    ),
+    "file_long_key": (
+        "a key in it has {count} parts; it must have at most {most}",
+        "{count}個の部分からなるキーがあります。{most}個までにしてください",
+    ),
+    "file_long_keys": (
+        "its keys have {count} parts beyond two each; they must have at most {most}",
+        "キーの3個目以降の部分が合わせて{count}個あります。{most}個までにしてください",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

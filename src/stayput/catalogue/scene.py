@@ -1,0 +1,145 @@
+"""Bodies, rooms, cases, what is not known, and a run of them."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # What numbers are called
+    "width": ("Body width", "家具の奥行き"),
+    "height": ("Body height", "家具の高さ"),
+    "mass": ("Body mass", "家具の質量"),
+    "cg_offset": ("Body cg_offset", "重心のずれ（cg_offset）"),
+    "inertia": ("Body inertia", "家具の慣性モーメント"),
+    "base_height": ("Body base height", "底の角の高さ"),
+    "load_width": ("load_width", "棚の荷物の奥行き（load_width）"),
+    "part_mass": ("Part mass", "部分の質量"),
+    "part_x": ("Part x", "部分のx座標"),
+    "part_z": ("Part z", "部分のz座標"),
+    "part_width": ("Part width", "部分の幅"),
+    "part_height": ("Part height", "部分の高さ"),
+    "static_friction": ("{surface} static friction", "{surface}の静止摩擦係数"),
+    "kinetic_friction": ("{surface} kinetic friction", "{surface}の動摩擦係数"),
+    "floor": ("Floor", "床"),
+    "edge": ("Floor edge", "底の角"),
+    "left_edge": ("Floor left edge", "底の左の角"),
+    "right_edge": ("Floor right edge", "底の右の角"),
+    "floor_restitution": ("Floor restitution", "床の反発係数"),
+    "floor_normal_restitution": ("Floor normal restitution", "床の鉛直方向の反発係数"),
+    "wall_gap": ("Wall gap", "壁とのすき間"),
+    "wall_restitution": ("Wall restitution", "壁の反発係数"),
+    "wall_friction": ("Wall friction", "壁の摩擦係数"),
+    "ceiling_height": ("Ceiling height", "天井の高さ"),
+    "ceiling_restitution": ("Ceiling restitution", "天井の反発係数"),
+    "ceiling_friction": ("Ceiling friction", "天井の摩擦係数"),
+    "tilt": ("Initial tilt", "初期の傾き"),
+    "tilt_rate": ("Initial tilt rate", "初期の傾きの角速度"),
+    "slide": ("Initial slide", "初期の移動量"),
+    "slide_rate": ("Initial slide rate", "初期の移動速度"),
+    "gravity": ("Gravity", "重力加速度"),
+    "motion_scale": ("Scale of the motion", "地震動の倍率"),
+    # Bodies
+    "cg_offset_not_two": (
+        "Body cg_offset is {value}; it must be two numbers (e_x, e_z) [m].",
+        "重心のずれ（cg_offset）が{value}になっています。2つの数値 (e_x, e_z) [m] を指定してください。",
+    ),
+    "cg_outside": (
+        (
+            "Body cg_offset is ({x:g}, {z:g}) m; the centre of gravity must lie inside the section, "
+            "so below {half_width:g} m sideways and {half_height:g} m upwards in size."
+        ),
+        (
+            "重心のずれ（cg_offset）が ({x:g}, {z:g}) mになっています。重心は断面の内側になければなりません。"
+            "横は{half_width:g} m未満、縦は{half_height:g} m未満にしてください。"
+        ),
+    ),
+    "base_heights_not_two": (
+        "Body base_heights is {value}; it must be two numbers (left, right) [m].",
+        "底の角の高さ（base_heights）が{value}になっています。2つの数値（左、右）[m] を指定してください。",
+    ),
+    "no_mass": (
+        "The parts' total mass is {mass:g} kg; it must be more than 0 kg.",
+        "部分の質量の合計が{mass:g} kgになっています。0 kgより大きくしてください。",
+    ),
+    "no_shelves": (
+        "The bookcase has no shelves; loads must list at least one load [kg].",
+        "本棚に棚がありません。棚の荷重（loads）[kg] を1つ以上指定してください。",
+    ),
+    # Rooms
+    "kinetic_above_static": (
+        "{surface} kinetic friction is {kinetic:g}; it must not be above the static one, {static:g}.",
+        "{surface}の動摩擦係数は{kinetic:g}です。静止摩擦係数（{static:g}）以下にしてください。",
+    ),
+    "surface": ("Floor surface", "床の種類"),
+    # The start of a run
+    "laid_down": (
+        (
+            "The body is tilted by {tilt:.5g}° at the start, {rest:.5g}° of it at rest; "
+            "it must be less than 90° to either side."
+        ),
+        "家具が最初から{tilt:.5g}°傾いています（うち静止時の傾き{rest:.5g}°）。左右とも90°未満にしてください。",
+    ),
+    "inside": (
+        "The body stands {depth:g} m inside {place} at the start; it must be clear of it.",
+        "家具が最初から{place}に{depth:g} mめり込んでいます。離して置いてください。",
+    ),
+    "right_wall": ("the right wall", "右の壁"),
+    "left_wall": ("the left wall", "左の壁"),
+    "ceiling": ("the ceiling", "天井"),
+    "most_events": (
+        "most_events is {value}; it must be at least 2, for the first and the last.",
+        "most_eventsが{value}になっています。最初と最後を含めるため2以上にしてください。",
+    ),
+    "contact": (
+        "Contact is {value}; it must be 'coulomb' or 'paper'.",
+        "接触の法則（contact）が{value}になっています。'coulomb'か'paper'にしてください。",
+    ),
+    # Quick estimates
+    "estimate_width": ("Width", "奥行き"),
+    "estimate_height": ("Height", "高さ"),
+    "estimate_mass": ("Mass", "質量"),
+    "acceleration": ("Acceleration", "加速度"),
+    "tie_height": ("Height of the tie", "取付け高さ"),
+    "peak_acceleration": ("Peak acceleration", "最大加速度"),
+    "peak_velocity": ("Peak velocity", "最大速度"),
+    "equivalent_frequency": ("Equivalent frequency", "等価振動数"),
+    "not_positive": (
+        "{name} is {value:g}{unit}; it must be larger than 0.",
+        "{name}が{value:g}{unit}になっています。0より大きくしてください。",
+    ),
+    # Files
+    "wrong_suffix": (
+        "The file to write is {file}; its name must end in {suffixes}.",
+        "書き込むファイルが{file}になっています。拡張子は{suffixes}にしてください。",
+    ),
+    "no_folder": (
+        "The file to write is {file}; its folder must exist.",
+        "書き込むファイル{file}のフォルダーがありません。先に作成してください。",
+    ),
+    "file_is_folder": (
+        "The file to write is {file}; it must be a file, and that is a folder.",
+        "書き込むファイル{file}はフォルダーです。ファイルを指定してください。",
+    ),
+    "not_written": (
+        "The file to write is {file}; it could not be written: {reason}.",
+        "ファイル{file}に書き込めませんでした（{reason}）。",
+    ),
+    "no_ffmpeg": (
+        (
+            "The file to write is {file}; an MP4 needs the program ffmpeg, which is not installed, "
+            "so install it or choose .gif or .html."
+        ),
+        (
+            "書き込むファイルは{file}ですが、MP4に必要なffmpegがインストールされていません。"
+            "ffmpegをインストールするか、.gifか.htmlを選んでください。"
+        ),
+    ),
+    # Optional libraries
+    "not_installed": (
+        (
+            "{what} needs {module}, which is not installed; pip install '.[{extra}]' in a checkout of stayput "
+            "installs it."
+        ),
+        (
+            "{what}には{module}が必要ですが、インストールされていません。stayputのソースのフォルダーで "
+            "pip install '.[{extra}]' を実行してください。"
+        ),
+    ),
+}
+"""Texts by their keys: English, Japanese."""

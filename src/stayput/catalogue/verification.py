@@ -1,0 +1,167 @@
+"""Verdicts: what happens with each measure, and why; Monte Carlo sampling behind them."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # verification
+    "needs_coulomb": (
+        'The contact is "{contact}"; {what} needs "coulomb".',
+        "接触モデル（contact）が「{contact}」になっています。{what}には「coulomb」を指定してください。",
+    ),
+    "a_verification": ("a verification", "対策の検証"),
+    "an_assessment": ("an assessment", "一括評価"),
+    "the_map": ("the map", "寸法と震度の図"),
+    "levels_not_increasing": (
+        "The levels are not increasing; each must be higher than the one before it.",
+        "震度の段階が小さい順に並んでいません。前の段階より大きい値を順に指定してください。",
+    ),
+    "two_of_one_name": (
+        "Two measures are named {name}; each must have a name of its own.",
+        "{name}という名前の対策が2つあります。それぞれに異なる名前を付けてください。",
+    ),
+    "still_component": (
+        "The {component} component of {motion} is still; it cannot have an Sa.",
+        "{motion}の{component}成分は揺れていません。加速度応答スペクトルSaを求められません。",
+    ),
+    "no_measure": ("No measure", "対策なし"),
+    # events
+    "event_overturned": ("overturns", "転倒"),
+    "event_slid": ("slides too far", "大きく移動"),
+    "event_hit_wall": ("hits a wall", "壁に衝突"),
+    "event_device_failed": ("a device fails", "器具が破損"),
+    # classes of JMA's intensity
+    # the verdict in a sentence
+    "falls": ("in {share} of the cases", "{share}の場合に転倒します"),
+    "never_falls": ("in none of the cases", "計算した場合のいずれでも転倒しません"),
+    "always_falls": ("in all of the cases", "すべての場合に転倒します"),
+    "no_run_without_a_measure": (
+        "No run without a measure could be followed to its end, so nothing can be said.",
+        "対策なしの計算が最後まで進まなかったため、判定できません。",
+    ),
+    "better": (
+        (
+            "In shaking of JMA intensity {strength} the {name} overturns {falls}; "
+            "with {measure}, {then}{chance}."
+        ),
+        "{strength}の揺れで、この家具は{falls}。{measure}があれば{then}。{chance}",
+    ),
+    "then_falls": ("in {share}", "{share}です"),
+    "then_never": ("in none", "、計算した場合のいずれでも転倒しません"),
+    "may_be_chance": (
+        ", which may be chance: the runs are too few",
+        "計算数が少なく、偶然の差かもしれません。",
+    ),
+    "stays_upright": (
+        "In shaking of JMA intensity {strength} the {name} stays upright without any measure.",
+        "{strength}の揺れでも、この家具は対策なしで転倒しません。",
+    ),
+    "none_helps": (
+        (
+            "In shaking of JMA intensity {strength} the {name} overturns {falls}, "
+            "and no measure that was compared makes it clearly less."
+        ),
+        "{strength}の揺れで、この家具は{falls}。比較した対策では明らかには減りません。",
+    ),
+    # why an option stands where it does: clauses
+    "no_run": ("No run could be followed to its end.", "最後まで進んだ計算がありません。"),
+    "overturns": ("it overturns {falls}", "{falls}"),
+    "about_as_often": (
+        "it overturns about as often as without a measure",
+        "転倒する割合は対策なしと明らかな差がありません",
+    ),
+    "less_or_more_by_chance": (
+        "it overturns {held} instead of {bare}, which may be chance",
+        "転倒は対策なしの{bare}に対し{held}ですが、偶然の差かもしれません",
+    ),
+    "less_often": ("it overturns {held} instead of {bare}", "転倒は{bare}から{held}に減ります"),
+    "more_often": (
+        "it overturns more often than without a measure, {held}",
+        "転倒は対策なしより増えて{held}です",
+    ),
+    "device_fails": ("a device fails in {share}", "器具は{share}の場合に破損または脱落します"),
+    "slides_far": (
+        "in one of ten or more it slides by over {far:g} m, as no wall in front or behind stops it",
+        "10回に1回以上は{far:g} mを超えて移動します（止める壁がありません）",
+    ),
+    "slides": ("in nine of ten it slides by {length} at most", "10回中9回は移動が{length}以内です"),
+    "stays_where_it_is": ("it stays where it is", "その場に留まります"),
+    # notes beside the numbers
+    "estimate_differs": (
+        (
+            "The quick estimate (Kaneko and Hayashi) lets {formula} % overturn without a measure, the "
+            "simulation {simulated} %. The formula knows nothing of: {left_out}."
+        ),
+        (
+            "対策なしの転倒は、簡易式（金子・林）では{formula}%、シミュレーションでは{simulated}%です。"
+            "簡易式が考慮していないもの：{left_out}。"
+        ),
+    ),
+    "wall_behind": ("the wall behind ({gap} away)", "背後の壁（すき間{gap}）"),
+    "wall_in_front": ("the wall in front ({gap} away)", "前方の壁（すき間{gap}）"),
+    "ceiling": ("the ceiling, which the piece meets as it tips", "傾くと当たる天井"),
+    "may_slide": (
+        "a floor on which it may slide (friction {friction:.2g}, depth over height {slender:.2g})",
+        "滑ることのある床（摩擦係数{friction:.2g}、奥行き÷高さ{slender:.2g}）",
+    ),
+    "centre_off_middle": (
+        "a centre of gravity at {percent:.0f} % of the height, not at half",
+        "高さの{percent:.0f}%にある重心（式では50%）",
+    ),
+    "of_their_own": (
+        (
+            "what these motions and this piece have of their own (its spread, ζ = 0.5, stands for all kinds "
+            "of earthquakes and furniture on average)"
+        ),
+        "この地震動と家具に固有の性質（式のばらつきζ=0.5は、さまざまな地震と家具の平均的な値）",
+    ),
+    "grade": (
+        "The numbers of “{option}” rest on inputs of grade {letter} ({meaning}): {inputs}.",
+        "「{option}」の数値の根拠は{letter}（{meaning}）です：{inputs}。",
+    ),
+    "and_more": ("; and {more} more", "、ほか{more}件"),
+    "slides_off": (
+        (
+            "A slide of more than {far:g} m is told as that only: the room has no wall on one side, so "
+            "nothing stops a piece that slides or rolls off. If there is something, give it as a wall."
+        ),
+        (
+            "{far:g} mを超える移動は「> {far:g} m」と示します。壁のない側では止めるものがないためです。"
+            "実際に壁や家具があれば、壁として指定してください。"
+        ),
+    ),
+    # inputs that decide an outcome
+    "size_and_mass": ("size and mass of the piece", "家具の寸法と質量"),
+    "floor_friction": ("friction on the floor", "床の摩擦"),
+    "the_building": ("the building", "建物"),
+    "of_a_measure": ("{measure}: {parameter}", "{measure}：{parameter}"),
+    # probability distributions and draws
+    "mean": ("Mean", "平均"),
+    "deviation": ("Deviation", "標準偏差"),
+    "median": ("Median", "中央値"),
+    "cov": ("Coefficient of variation", "変動係数"),
+    "low": ("Low", "下限"),
+    "high": ("High", "上限"),
+    "draws": ("Draws", "サンプル数"),
+    "start": ("Start", "開始番号"),
+    "motions": ("Motions", "地震動の数"),
+    "seed": ("Seed", "乱数の種"),
+    "not_above_zero": (
+        "{name} is {value:g}; it must be larger than 0.",
+        "{name}が{value:g}になっています。0より大きい値にしてください。",
+    ),
+    "not_above_zero_or_too_large": (
+        "{name} is {value:g}; it must be larger than 0 and at most {most:g}.",
+        "{name}が{value:g}になっています。0より大きく{most:g}以下の値にしてください。",
+    ),
+    "low_not_below_high": (
+        "Low is {low:g} and high is {high:g}; low must be below high.",
+        "下限が{low:g}、上限が{high:g}になっています。下限は上限より小さくしてください。",
+    ),
+    "sampling_method": (
+        "The method is {method}; it must be 'sobol' or 'latin hypercube'.",
+        "サンプリング手法が{method}になっています。'sobol'または'latin hypercube'にしてください。",
+    ),
+    "hypercube_start": (
+        "Start is {start}; a Latin hypercube must be drawn at once, with start 0.",
+        "開始番号が{start}になっています。ラテン超方格は一度に生成するため、0にしてください。",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

@@ -1,0 +1,178 @@
+"""Lognormal fragility curve for loss tools, and a test of its goodness of fit.
+
+The curve is p = Φ(a + b u), fitted by maximum likelihood (see `stayput.fragility.probit`). It is tested
+against p = Φ(a + b u + c u² + d u³), which bends where a lognormal cannot: a lower tail that is too heavy, a
+plateau between two kinds of motions. The test is Rao's score test with the motions as the units: their
+scores of (c, d), less what a change of (a, b) would explain, are compared with their own scatter (Liang and
+Zeger 1986; Rotnitzky and Jewell 1990) by Hotelling's T², whose F distribution knows that the motions are few.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.special import chdtrc, fdtrc, ndtr
+
+from stayput.fragility.probabilities import percent
+from stayput.fragility.probit import derivatives, fit, information, separated, solved
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from stayput.fragility.intensity_measures import IntensityMeasure
+    from stayput.fragility.trials import Level, Trials
+
+SIGNIFICANCE = 0.05
+"""A lognormal fits where its test gives no smaller probability than this."""
+
+FEWEST_MOTIONS = 5
+"""Motions that the test needs: with fewer their scatter says nothing."""
+
+_BENDS = 2
+"""Powers of u that the test adds, where there are levels enough to see them."""
+
+_SINGULAR = 1e-12
+"""Share of the product of its diagonal below which a covariance's determinant counts as none."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LognormalFit:
+    """The curve p = Φ((u − μ)/β), u being the logarithm of a peak or the intensity itself, and its test.
+
+    Parameters
+    ----------
+    measure : IntensityMeasure
+        What the curve is over.
+    median : float
+        Parameter θ = exp μ [SI], or μ of an intensity. It may lie outside what was run.
+    dispersion : float
+        Parameter β: standard deviation of the logarithm of the peak, or of the intensity, at falling.
+    p_value : float
+        Probability of falls that bend so much or more, were the curve right; NaN where it cannot be tested.
+    misfit : float
+        Largest difference between an observed share and the curve.
+    seen : bool
+        Whether the median lies within what was run. Beyond, nothing bears it out.
+    """
+
+    measure: IntensityMeasure
+    median: float
+    dispersion: float
+    p_value: float
+    misfit: float
+    seen: bool
+
+    @property
+    def fits(self) -> bool:
+        """Whether the curve was tested and passed, and its median was seen."""
+        return self.seen and self.p_value >= SIGNIFICANCE
+
+    @property
+    def family(self) -> str:
+        """Family of the distribution: normal in an intensity, which is a logarithm already."""
+        return "normal" if self.measure.is_logarithm else "lognormal"
+
+    @property
+    def log_dispersion(self) -> float:
+        """Standard deviation of the logarithm of the shaking: β of a peak, β ln(10)/2 of an intensity."""
+        return self.dispersion * (0.5 * math.log(10.0) if self.measure.is_logarithm else 1.0)
+
+    @property
+    def text(self) -> str:
+        """The parameters and the test in a sentence."""
+        parameters = f"median {self.measure.text(self.median)}, dispersion {self.dispersion:.3g}"
+        if math.isnan(self.p_value):
+            return f"A {self.family} curve ({parameters}) cannot be tested on these runs."
+        if not self.seen:
+            return f"A {self.family} curve ({parameters}) has its median outside what was run."
+        test = f"p = {self.p_value:.2g}, at most {percent(self.misfit)} points off"
+        return f"A {self.family} curve {'fits' if self.fits else 'does not fit'}: {parameters} ({test})."
+
+    def probability(self, im: ArrayLike) -> NDArray[np.float64]:
+        """Return the probability of falling at intensities [SI]."""
+        u, middle = self.measure.coordinate(im), self.measure.coordinate(self.median)
+        return ndtr((u - middle) / self.dispersion)
+
+
+def lognormal(trials: Trials, levels: tuple[Level, ...]) -> LognormalFit | None:
+    """Fit a lognormal curve and test it; None where no rise of the falls has a slope.
+
+    Parameters
+    ----------
+    trials : Trials
+        What was run.
+    levels : tuple of Level
+        What was observed, to compare the curve with.
+    """
+    u = trials.measure.coordinate(trials.im)
+    fell, stood = trials.fell[np.newaxis], (trials.runs - trials.fell)[np.newaxis]
+    (first_fall,), (last_fall,), (first_stand,), (last_stand,) = separated(u, fell, stood)
+    if last_stand <= first_fall or last_fall <= first_stand:
+        return None
+    middle, spread = float(u.mean()), float(u.std())
+    v = (u - middle) / spread
+    ab = fit(v, fell, stood)
+    a, b = float(ab[0, 0]), float(ab[0, 1])
+    if not b > 0.0:
+        return None
+    slope, curvature = (each[0] for each in derivatives(v, fell, stood, ab))
+    median = float(trials.measure.value(middle - a / b * spread))
+    p = ndtr(a + b * (trials.measure.coordinate([level.im for level in levels]) - middle) / spread)
+    gaps = [abs(level.probability.estimate - float(there)) for level, there in zip(levels, p, strict=True)]
+    p_value = _tested(v, slope, curvature, trials.motion)
+    seen = levels[0].im <= median <= levels[-1].im
+    return LognormalFit(trials.measure, median, spread / b, p_value, max(gaps), seen)
+
+
+def _tested(
+    v: NDArray[np.float64],
+    slope: NDArray[np.float64],
+    curvature: NDArray[np.float64],
+    motion: NDArray[np.intp] | None,
+) -> float:
+    """Return the test's p-value from each cell's slope and curvature of the log-likelihood."""
+    bends = min(_BENDS, len(np.unique(v)) - 2)
+    if bends < 1 or (motion is not None and motion.max() + 1 < FEWEST_MOTIONS):
+        return math.nan
+    # what of each power the line a + b v does not explain, so that an error of a and b does not count
+    line = np.stack((np.ones_like(v), v), axis=1)
+    of_line = information(v, curvature[np.newaxis])
+    bent = np.stack([_unexplained(v**power, line, of_line, curvature) for power in range(2, 2 + bends)])
+    score = (slope * bent).sum(axis=1)
+    if motion is None:
+        variance = (curvature * bent[:, np.newaxis] * bent).sum(axis=2)
+        return math.nan if _singular(variance) else float(chdtrc(bends, _squared(score, variance)))
+    motions = int(motion.max()) + 1
+    parts = np.stack([np.bincount(motion, slope * column, motions) for column in bent])
+    apart = parts - parts.mean(axis=1, keepdims=True)
+    variance = motions / (motions - 1.0) * (apart[:, np.newaxis] * apart).sum(axis=2)
+    if _singular(variance):
+        return math.nan
+    free = motions - bends
+    return float(fdtrc(bends, free, _squared(score, variance) * free / (bends * (motions - 1.0))))
+
+
+def _unexplained(
+    power: NDArray[np.float64],
+    line: NDArray[np.float64],
+    of_line: NDArray[np.float64],
+    curvature: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    shared = (curvature[:, np.newaxis] * line * power[:, np.newaxis]).sum(axis=0)
+    return power - (line * solved(of_line, shared[np.newaxis])).sum(axis=1)
+
+
+def _squared(score: NDArray[np.float64], variance: NDArray[np.float64]) -> float:
+    """Return s V⁻¹ s of one or two numbers s."""
+    if len(score) == 1:
+        return float(score[0] ** 2 / variance[0, 0])
+    return float((score * solved(variance[np.newaxis], score[np.newaxis])[0]).sum())
+
+
+def _singular(variance: NDArray[np.float64]) -> bool:
+    diagonal = float(np.prod(np.diag(variance)))
+    determinant = diagonal if len(variance) == 1 else diagonal - float(variance[0, 1] * variance[1, 0])
+    return not determinant > _SINGULAR * diagonal

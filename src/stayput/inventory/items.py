@@ -1,0 +1,348 @@
+"""Rows of an inventory as checked items: the piece, where it stands, and the measures to compare."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from copy import copy
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from pydantic import ValidationError
+
+from stayput.cases import State, refuse_bad_start
+from stayput.catalogue import phrase
+from stayput.errors import InputError, within
+from stayput.inventory.cells import number_of, numbers_of, plain, shown, text_of, whole_of
+from stayput.inventory.city import stated_building
+from stayput.inventory.store import ground_spec, measures_spec, thing_spec
+from stayput.measures import MEASURES, hold
+from stayput.measures.measure import refuse_conflicts
+from stayput.room import Floor, Wall
+from stayput.scenario import Scenario
+from stayput.scenario.tables import FurnitureTable
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Hashable, Mapping
+
+    from stayput.body import Body
+    from stayput.inventory.cells import Cell
+    from stayput.inventory.city import Cities
+    from stayput.measures import Measure
+    from stayput.room import Room
+    from stayput.scenario.building import BuildingTable
+
+KEPT = 100_000
+"""Bodies, and rooms with their measures, that are cached for rows with the same values."""
+
+MOST_OPTIONS = 20
+"""Most sets of measures that a row compares."""
+
+OF_THE_BODY = ("preset", "width", "height", "mass", "cg_offset", "load")
+OF_THE_ROOM = ("floor", "gap", "measures")
+UNITS = {"width": "m", "height": "m", "mass": "kg"}
+NO_MEASURE = "none"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MeasureSet:
+    """A set of measures that a row compares; without a measure it is the piece as it stands."""
+
+    name: str
+    measures: tuple[Measure, ...]
+    spec: str
+
+    @classmethod
+    def of(cls, name: str, measures: tuple[Measure, ...] = ()) -> MeasureSet:
+        """Make an option of measures in any order."""
+        ordered = tuple(sorted(measures, key=lambda one: one.kind))
+        return cls(name, ordered, measures_spec(ordered))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Exposure:
+    """An item under one event.
+
+    Parameters
+    ----------
+    event : str
+        The event.
+    station : int
+        Place of the scenario among all.
+    level : float, optional
+        Level of the ground from a map; see `stayput.montecarlo.hazard`.
+    ground : str
+        Spec of the shaking of its building.
+    storey : int
+        The storey, 1 on the ground.
+    building : str, optional
+        What the building is called; none on the ground.
+    thing : str
+        Spec of the piece in its room.
+    options : tuple of MeasureSet
+        Without a measure first.
+    impossible : tuple of (str, str)
+        Names of the sets of measures that cannot be put in place, and why not.
+    costs : tuple of float
+        Costs of the options but the first, where they are given.
+    """
+
+    event: str
+    station: int
+    level: float | None
+    ground: str
+    storey: int
+    building: str | None
+    thing: str
+    options: tuple[MeasureSet, ...]
+    impossible: tuple[tuple[str, str], ...]
+    costs: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Item:
+    """A checked row of an inventory."""
+
+    row: int
+    id: str
+    count: int
+    value: float | None
+    lat: float | None
+    lon: float | None
+    exposures: tuple[Exposure, ...]
+
+
+class ResultCache:
+    """Cache of results, refusals among them, of which the oldest are dropped."""
+
+    def __init__(self, most: int = KEPT) -> None:
+        self.most = most
+        self.found: OrderedDict[Hashable, Any] = OrderedDict()
+
+    def of(self, key: Hashable, make: Callable[[], Any]) -> Any:
+        """Return the result for a key, or raise the refusal: a copy, since each raise adds to a traceback."""
+        if key not in self.found:
+            try:
+                self.found[key] = make()
+            except InputError as error:
+                self.found[key] = error.with_traceback(None)
+            if len(self.found) > self.most:
+                self.found.popitem(last=False)
+        value = self.found[key]
+        if isinstance(value, InputError):
+            raise copy(value)
+        return value
+
+
+class RowReader:
+    """Makes items of rows.
+
+    Parameters
+    ----------
+    cities : Cities
+        The scenarios.
+    """
+
+    def __init__(self, cities: Cities) -> None:
+        self.cities = cities
+        self.bodies, self.rooms, self.buildings, self.grounds = (ResultCache() for _ in range(4))
+
+    def item(self, row: int, cells: Mapping[str, Cell]) -> Item:
+        """Return the item of a row.
+
+        Raises
+        ------
+        InputError
+            The first thing that is wrong.
+        """
+        piece = text_of("id", cells.get("id"))
+        if piece is None:
+            raise InputError("inventory.no_id_in_row", "id")
+        count = whole_of("count", cells.get("count"), 1, 1_000_000)
+        value = number_of("value", cells.get("value"))
+        if value is not None:
+            within("value", value, 0.0, 1e15)
+        lat, lon = number_of("lat", cells.get("lat"), "°"), number_of("lon", cells.get("lon"), "°")
+        if (lat is None) != (lon is None):
+            name = "lat" if lat is None else "lon"
+            raise InputError("inventory.lat_and_lon", name, name=name)
+        if lat is not None and lon is not None:
+            within("lat", lat, -90.0, 90.0, "°")
+            within("lon", lon, -180.0, 360.0, "°")
+        body = self.bodies.of(*self._with(cells, OF_THE_BODY, body_of))
+        costs = numbers_of("costs", cells.get("costs"))
+        exposures: list[Exposure] = []
+        for event, station, level in self.cities.events_at(lat, lon):
+            label, building, storey = self._building(cells, station)
+            thing, options, not_possible = self._room(cells, body, station)
+            if costs and len(costs) != len(options) - 1:
+                raise InputError(
+                    "inventory.costs_count", "costs", costs=len(costs), measures=len(options) - 1
+                )
+            ground = self.grounds.of((station, level, label), partial(ground_spec, station, level, building))
+            possible = [n for n, option in enumerate(options) if option.name not in not_possible]
+            exposures.append(
+                Exposure(
+                    event.name,
+                    station,
+                    level,
+                    ground,
+                    storey,
+                    label,
+                    thing,
+                    tuple(options[n] for n in possible),
+                    tuple(not_possible.items()),
+                    tuple(costs[n - 1] for n in possible[1:]) if costs else (),
+                )
+            )
+        for cost in costs:
+            within("costs", cost, 0.0, 1e15)
+        return Item(row, piece, count or 1, value, lat, lon, tuple(exposures))
+
+    def _with(
+        self, cells: Mapping[str, Cell], names: tuple[str, ...], make: Callable[[Mapping[str, Cell]], Any]
+    ) -> tuple[Hashable, Callable[[], Any]]:
+        key = tuple(plain(name, cells.get(name)) for name in names)
+        return key, lambda: make(cells)
+
+    def _room(
+        self, cells: Mapping[str, Cell], body: Body, station: int
+    ) -> tuple[str, tuple[MeasureSet, ...], dict[str, str]]:
+        """Return the spec of the piece in its room, the options, and reasons against those not possible."""
+        key = tuple(plain(name, cells.get(name)) for name in OF_THE_ROOM)
+        scenario = self.cities.all[station].scenario
+
+        def make() -> tuple[str, tuple[MeasureSet, ...], dict[str, str]]:
+            room = room_of(cells, scenario)
+            refuse_bad_start(body, room, State())
+            options, not_possible = options_of(cells, scenario), dict[str, str]()
+            for option in options:
+                refuse_conflicts(option.measures)
+                try:
+                    hold(body, room, option.measures)
+                except InputError as error:  # no wall behind, no ceiling, an anchor above the ceiling
+                    not_possible[option.name] = str(error)
+            return thing_spec(body, room), options, not_possible
+
+        return self.rooms.of((station, body, key), make)
+
+    def _building(
+        self, cells: Mapping[str, Cell], station: int
+    ) -> tuple[str | None, BuildingTable | None, int]:
+        given = text_of("building", cells.get("building"))
+        storey = whole_of("storey", cells.get("storey"), 1, 200)
+        shaking = self.cities.all[station].scenario.shaking
+        if given is None:
+            label, building = (None, shaking.building)
+            storey = storey or shaking.storey
+            if building is None and storey is not None:
+                raise InputError("inventory.building_missing", "building")
+        else:
+            label, building = given, self.buildings.of(given, lambda: self._named(given))
+        if building is None or storey is None:
+            if building is not None:
+                raise InputError("inventory.storey_missing", "storey")
+            return None, None, 1
+        if storey > building.highest():
+            raise InputError("inventory.storey_range", "storey", storey=storey, highest=building.highest())
+        return label or building.building().name, building, storey
+
+    def _named(self, name: str) -> BuildingTable:
+        named = self.cities.buildings
+        building = named[name] if name in named else stated_building(name)
+        if building is None:
+            known = phrase("inventory.one_that_is_named")
+            if named:
+                known = phrase("inventory.one_of_the_scenario", names=", ".join(named))
+            raise InputError("inventory.unknown_building", "building", value=shown(name), known=known)
+        return building
+
+
+def body_of(cells: Mapping[str, Cell]) -> Body:
+    """Return the body of a row.
+
+    Raises
+    ------
+    InputError
+        What is missing or cannot be.
+    """
+    table: dict[str, Any] = {"preset": text_of("preset", cells.get("preset"))}
+    table |= {name: number_of(name, cells.get(name), unit) for name, unit in UNITS.items()}
+    if offset := numbers_of("cg_offset", cells.get("cg_offset"), "m"):
+        table["cg_offset"] = list(offset)
+    if load := numbers_of("load", cells.get("load"), "kg"):
+        table["shelves"] = list(load)
+    said = {name: value for name, value in table.items() if value is not None}
+    try:
+        return FurnitureTable.model_validate(said).body()
+    except ValidationError:
+        try:
+            Scenario.parse({"furniture": said})
+        except InputError as error:
+            # A row has columns where a scenario has keys of its table [furniture].
+            known = error.renamed("furniture.shelves", "load").renamed("furniture.", "")
+            raise known.anywhere() from None
+        raise
+
+
+def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:
+    """Return the room of a row: the scenario's, with the row's floor and gap.
+
+    Raises
+    ------
+    InputError
+        No such surface, or a number that cannot be.
+    """
+    room = scenario.room.room()
+    floor, gap = plain("floor", cells.get("floor")), number_of("gap", cells.get("gap"), "m")
+    if floor is not None:
+        room = replace(room, floor=_floor(floor, room.floor))
+    if gap is not None:
+        within("gap", gap, 0.0, 1e4, "m")
+        room = replace(room, left_wall=replace(room.left_wall or Wall(0.0), gap=gap))
+    return room
+
+
+def _floor(given: str | float, before: Floor) -> Floor:
+    if isinstance(given, str) and ";" not in given:
+        of = Floor.of(given)
+        static, kinetic = of.static_friction, of.kinetic_friction
+    else:
+        pair = numbers_of("floor", given)
+        if len(pair) != 2:
+            raise InputError("inventory.floor", "floor", value=shown(given))
+        static, kinetic = pair
+    return Floor(
+        static, kinetic, restitution=before.restitution, normal_restitution=before.normal_restitution
+    )
+
+
+def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[MeasureSet, ...]:
+    """Return the options of a row, that without a measure first; the scenario's where it says nothing.
+
+    Raises
+    ------
+    InputError
+        No such measure, one given twice, or too many.
+    """
+    named = {one.name: one.measures for one in scenario.measures}
+    text = text_of("measures", cells.get("measures"), 1000)
+    if text is None:
+        return (MeasureSet.of(NO_MEASURE), *(MeasureSet.of(name, of) for name, of in named.items()))
+    found = [MeasureSet.of(NO_MEASURE)]
+    for part in text.split(";"):
+        names = [name.strip() for name in part.split("+")]
+        measures: tuple[Measure, ...] = ()
+        for name in names:
+            if name not in named and name not in MEASURES:
+                known = ", ".join(dict.fromkeys((*named, *MEASURES)))
+                raise InputError("inventory.unknown_measure", "measures", value=shown(name), known=known)
+            measures += named[name] if name in named else (MEASURES[name](),)
+        found.append(MeasureSet.of("+".join(names), measures))
+    if len(found) > MOST_OPTIONS + 1:
+        raise InputError("inventory.too_many_sets", "measures", count=len(found) - 1, most=MOST_OPTIONS)
+    names = [option.name for option in found]
+    if len(set(names)) < len(names):
+        twice = next(name for name in names if names.count(name) > 1)
+        raise InputError("inventory.measure_twice", "measures", value=shown(twice))
+    return tuple(found)

@@ -1,0 +1,171 @@
+"""The work folder of an assessment: atomic file writes, and no foreign file touched.
+
+Every file or folder is made as a draft and takes its name when it is whole. The name of a draft begins with a
+token, which stands in the journal before the first draft is made: so what a killed process left is told from
+what others put there.
+"""
+
+from __future__ import annotations
+
+import itertools
+import json
+import os
+import re
+import secrets
+from contextlib import contextmanager
+from typing import IO, TYPE_CHECKING, Any, cast
+
+from stayput.catalogue import phrase
+from stayput.errors import InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Generator, Iterator, Mapping
+    from pathlib import Path
+
+DRAFTS, JOURNAL = "drafts", "journal"
+
+PLAN = re.compile(r"plan\.sqlite(-journal)?|rejects\.(parquet|csv)|sums\.json|rows/(part-\d{6}\.parquet)?")
+"""What a plan consists of: paths in its folder, of which folders end in a slash."""
+
+BEGUN = re.compile(r"\.lock|work/(journal|claim\.json|drafts/([0-9a-f]{16}-\d+)?)?")
+"""What an assessment leaves that was killed before its manifest was written."""
+
+OWN = re.compile(
+    BEGUN.pattern
+    + r"|manifest\.json|report\.html|(summary|rejects)\.(parquet|csv)|pieces/(part-\d{6}\.parquet)?"
+    + rf"|work/(plan|drafts/[0-9a-f]{{16}}-\d+)/({PLAN.pattern})?"
+    + r"|work/units/([0-9a-f]{24}\.units)?|work/sums/(part-\d{6}\.parquet\.json)?"
+)
+"""All that an assessment writes, by its path in the folder of the results."""
+
+
+class Workspace:
+    """Makes files by way of drafts; what killed processes left of theirs is removed.
+
+    Parameters
+    ----------
+    folder : Path
+        The work folder; it must be there.
+
+    Raises
+    ------
+    InputError
+        A draft that is left holds somebody else's file.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        drafts, journal = folder / DRAFTS, folder / JOURNAL
+        drafts.mkdir(exist_ok=True)
+        tokens = recorded(journal)
+        for left in sorted(drafts.iterdir()):
+            if left.name.partition("-")[0] in tokens:
+                remove(left)
+        self._token = secrets.token_hex(8)
+        with journal.open("wb") as file:
+            file.write(f"{self._token}\n".encode())
+            file.flush()
+            os.fsync(file.fileno())
+        sync_folder(folder)
+        self._numbers = itertools.count()
+
+    def draft(self) -> Path:
+        """Return a path for something that is to be made; nothing is there yet."""
+        return self.folder / DRAFTS / f"{self._token}-{next(self._numbers)}"
+
+    @contextmanager
+    def durable(self, path: Path) -> Generator[IO[bytes]]:
+        """Give a file to write; whole and on the disk it takes its name, else it is removed."""
+        draft = self.draft()
+        try:
+            with draft.open("xb") as file:
+                yield file
+                file.flush()
+                os.fsync(file.fileno())
+            draft.replace(path)
+            sync_folder(path.parent)
+        finally:
+            draft.unlink(missing_ok=True)
+
+    def write_json(self, path: Path, content: Mapping[str, Any]) -> None:
+        """Write a mapping as JSON, whole or not at all."""
+        with self.durable(path) as file:
+            file.write((json.dumps(content, indent=2, sort_keys=True) + "\n").encode())
+
+
+def recorded(journal: Path) -> frozenset[str]:
+    """Return the tokens of a journal; lines that are not whole belong to no draft."""
+    try:
+        lines = journal.read_bytes().decode("ascii", "replace").splitlines()
+    except FileNotFoundError:
+        return frozenset()
+    return frozenset(line for line in lines if re.fullmatch(r"[0-9a-f]{16}", line))
+
+
+def sync_folder(folder: Path) -> None:
+    """Bring a folder's names to the disk, where the system can."""
+    if os.name != "posix":
+        return
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
+
+
+def read_json(path: Path) -> dict[str, Any] | None:
+    """Return what a JSON file says, or None where it is not there or not whole."""
+    try:
+        found: Any = json.loads(path.read_bytes())
+    except (FileNotFoundError, ValueError, RecursionError):
+        return None
+    return cast("dict[str, Any]", found) if isinstance(found, dict) else None
+
+
+def entries(folder: Path, own: re.Pattern[str], below: str = "") -> Iterator[str]:
+    """Give the paths of all that lies in a folder, from it: folders end in a slash, links in "@".
+
+    Only folders that match ``own`` are looked into; a folder comes before what lies in it.
+    """
+    for one in sorted(os.scandir(folder / below), key=lambda one: one.name):
+        path = below + one.name
+        if one.is_symlink():
+            yield f"{path}@"
+        elif one.is_dir():
+            yield f"{path}/"
+            if own.fullmatch(f"{path}/"):
+                yield from entries(folder, own, f"{path}/")
+        else:
+            yield path
+
+
+def remove(path: Path) -> None:
+    """Remove a draft or a plan: a file, or a folder with what a plan consists of; a link is left alone.
+
+    Raises
+    ------
+    InputError
+        The folder holds something else: nothing is removed.
+    """
+    if path.is_symlink():
+        return
+    if not path.is_dir():
+        path.unlink(missing_ok=True)
+        return
+    found = list(entries(path, PLAN))
+    for one in found:
+        if not PLAN.fullmatch(one):
+            raise in_the_way(path, one)
+    for one in reversed(found):
+        if one.endswith("/"):
+            (path / one).rmdir()
+        else:
+            (path / one).unlink()
+    path.rmdir()
+
+
+def in_the_way(folder: Path, entry: str) -> InputError:
+    """Return the refusal of something that lies where the assessment writes or reads."""
+    kind = phrase(f"inventory.kind_{ {'/': 'folder', '@': 'link'}.get(entry[-1], 'file') }")
+    name = repr(entry.rstrip("/@"))
+    return InputError("inventory.in_the_way", "out", folder=repr(str(folder)), kind=kind, name=name)

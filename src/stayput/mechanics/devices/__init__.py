@@ -1,0 +1,1 @@
+"""The solver for bodies with devices: force elements beside the contacts, Dormand–Prince integration."""

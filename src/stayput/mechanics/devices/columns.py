@@ -1,0 +1,180 @@
+"""Record layouts of force elements: their parameters, their present state and their results.
+
+All forces are per unit mass of the body, as everywhere in the mechanics: newtons divided by the body's
+mass, so N/kg. An element joins a point of the body to a place in the room. It has up to two *lines*,
+NORMAL and TANGENT, each a spring with a damper, slack, strength and plastic elongation; see `device_law`.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from stayput.mechanics.columns import CONTACTS
+
+# kinds of element
+NONE, AXIAL, PLANAR = range(3)
+
+# lines of an element
+NORMAL, TANGENT = range(2)
+
+ELEMENT = np.dtype(
+    [
+        ("kind", "i8"),  # NONE (no element), AXIAL or PLANAR
+        ("u", "f8"),  # attachment point on the body relative to G, in the body's axes: + right [m]
+        ("v", "f8"),  # the same, + up [m]
+        ("x", "f8"),  # its anchor, right of the initial middle of the base [m]
+        ("z", "f8"),  # anchor above the floor [m]; x and z NaN: at the point, for the body at rest at slide 0
+        ("cos", "f8"),  # PLANAR: direction of the plane; its normal (−sin, cos) points into the room
+        ("sin", "f8"),
+        ("length", "f8"),  # AXIAL: distance between point and anchor at no elongation [m]
+        # the lines, NORMAL first; elongation is + away from the anchor or plane, or along the tangent
+        ("stiffness", "f8", (2,)),  # [N/(kg m)]; 0: no such line
+        ("damping", "f8", (2,)),  # [N s/(kg m)]
+        ("slack_plus", "f8", (2,)),  # elongation at which it pulls [m]; inf: never, negative: preload
+        ("slack_minus", "f8", (2,)),  # shortening at which it pushes [m]; inf: never, negative: preload
+        ("limit_plus", "f8", (2,)),  # strength in pull, or to the tangent's side [N/kg]; inf: none
+        ("limit_minus", "f8", (2,)),  # strength in push, or to the other side [N/kg]
+        ("ultimate", "f8", (2,)),  # accumulated plastic elongation at rupture [m]; 0: brittle
+        ("friction", "f8"),  # friction limit of the tangent per push of the normal line; NaN: none
+        ("interaction", "i8"),  # 1: breaks where (pull/strength)² + (shear/strength)² = 1
+        ("drops_out", "i8"),  # 1: fails once it no longer pushes
+    ],
+    align=True,
+)
+"""One device; the solver takes an array of these, shape [n], beside each CASE.
+
+An element whose two slacks add up to zero is bonded: it pulls and pushes as one spring. Any other is in
+contact on one side at a time, and its force there, damper included, never changes sign.
+"""
+
+DEVICE = np.dtype(
+    [
+        ("peak_pull", "f8"),  # largest normal force away from the anchor at any time [N/kg]
+        ("peak_push", "f8"),  # largest one towards it [N/kg]
+        ("peak_shear", "f8"),  # largest magnitude of the tangential force [N/kg]
+        ("plastic", "f8", (2,)),  # plastic elongation or slip at the end [m]
+        ("failure", "i8"),  # HOLDS, or why it failed
+        ("failure_time", "f8"),  # [s], NaN where it holds
+    ],
+    align=True,
+)
+"""Result of one device."""
+
+# failure modes of a device; where pull and shear interact, the one with the larger utilization
+HOLDS, PULLED, PUSHED, SHEARED, DRAWN_OUT, DROPPED_OUT = range(6)
+
+# columns of the force history, one row per sample and element
+F_NORMAL, F_TANGENT = range(2)
+FORCES = 2
+
+# branches of a line's force law, each valid from one event to the next
+OPEN, PLUS, MINUS, BOND, SLIP_PLUS, SLIP_MINUS = range(6)
+
+LINK = np.dtype(
+    [
+        ("lines", "i8"),  # number of active lines; 0: none, or failed
+        ("branch", "i8", (2,)),
+        ("x", "f8"),  # the anchor [m]
+        ("z", "f8"),
+        ("plastic", "f8", (2,)),  # [m]
+        ("plastic_sum", "f8", (2,)),  # accumulated plastic elongation [m]
+        ("e", "f8", (2,)),  # as last evaluated: elongation, rate, force and push
+        ("rate", "f8", (2,)),
+        ("force", "f8", (2,)),
+        ("push", "f8"),
+        ("push_rate", "f8"),
+    ],
+    align=True,
+)
+"""Present state of an element."""
+
+# form of a line's law on its present branch
+ELASTIC, SLACK, YIELDING, FRICTION = range(4)
+
+LINE = np.dtype(
+    [
+        ("element", "i8"),  # index of its element
+        ("tangent", "i8"),  # 1: tangent line; its row follows that of the normal line
+        ("axial", "i8"),
+        ("state", "i8"),
+        ("bears_friction", "i8"),  # 1: its push is the normal force of its tangent's friction
+        ("interacts", "i8"),  # 1: this tangent interacts with its normal line in the strength
+        # geometry: e = a + n·(x, z) + p cos θ + q sin θ about the origin; AXIAL: from (x, z) to the point
+        ("nx", "f8"),
+        ("nz", "f8"),
+        ("a", "f8"),
+        ("p", "f8"),
+        ("q", "f8"),
+        ("u", "f8"),  # the point from the origin
+        ("v", "f8"),
+        ("x", "f8"),
+        ("z", "f8"),
+        # force: constant + k e + c ė + per_push × push
+        ("constant", "f8"),
+        ("k", "f8"),
+        ("c", "f8"),
+        ("per_push", "f8"),
+        # margins, see `branch_law`: of an ELASTIC line low_at_0 + low_F F + low_per_push × push
+        ("low_at_0", "f8"),
+        ("low_F", "f8"),
+        ("low_per_push", "f8"),
+        ("high_at_0", "f8"),
+        ("high_F", "f8"),
+        ("high_per_push", "f8"),
+        ("stiffness", "f8"),  # of spring and damper, whatever the branch
+        ("damping", "f8"),
+        ("per_plus", "f8"),  # 1/strength where pull and shear interact, else 0
+        ("per_minus", "f8"),
+        # elongation, rate and force as last evaluated, and at the start of the step
+        ("e", "f8"),
+        ("rate", "f8"),
+        ("force", "f8"),
+        ("e0", "f8"),
+        ("rate0", "f8"),
+        ("force0", "f8"),
+        ("deviation", "f8"),  # bound on how far the force exceeds its end values inside the step [N/kg]
+        ("inactive", "i8"),  # 1: no margin of its element can change sign in the step
+        # margins at the start of the step (0), as last evaluated (1), and the levels at which they end it
+        ("low0", "f8"),
+        ("high0", "f8"),
+        ("joint0", "f8"),
+        ("low1", "f8"),
+        ("high1", "f8"),
+        ("joint1", "f8"),
+        ("low", "f8"),
+        ("high", "f8"),
+        ("joint", "f8"),
+        ("low_weight", "f8"),  # scale of the margins in the event search; 0: not searched
+        ("high_weight", "f8"),
+        ("joint_weight", "f8"),
+    ],
+    align=True,
+)
+"""One line of an active element: its geometry and the coefficients of its law on the present branch."""
+
+MAX_FACETS = 40
+MAX_ELEMENTS = 12
+MAX_LINES = 2 * MAX_ELEMENTS
+
+WORK = np.dtype(
+    [
+        ("stage", "f8", (7, 3)),  # accelerations of x, z and θ at the Runge–Kutta stages
+        ("weight", "f8", (CONTACTS + 3,)),  # scale of gaps, the mode's two margins, rotation to 90°
+        ("lines", "i8"),  # number of active lines
+        ("line", LINE, (MAX_LINES,)),
+        ("level", "f8", (CONTACTS,)),  # gaps at which the open contacts close in the present step [m]
+        ("gap", "f8", (CONTACTS,)),  # gaps of the open contacts as last evaluated [m]
+        ("reach", "f8", (CONTACTS, 3)),  # gaps on a fulcrum: a + p cos θ + q sin θ [m]
+        ("step_limit", "f8"),  # step length allowed by the last error estimate [s]
+        ("still_rate", "f8"),  # rate below which a body is at rest after the present event [m/s]
+        ("foot", "f8"),  # position of a sticking fulcrum along its plane [m]
+        ("slack_factor", "f8"),  # factor on event slacks, see `transitions.relax_event_thresholds`
+        ("crowded_events", "i8"),  # near-simultaneous events in a row
+        ("failed", "i8"),  # devices that failed at the present event
+        ("facets", "i8"),  # number of facets in use
+        # the body is at rest where c₀ + c₁ẍ_G + c₂G ≥ 0 for all facets; c₃ multiplies the elements' moment
+        ("facet", "f8", (MAX_FACETS, 4)),
+    ],
+    align=True,
+)
+"""Work record of the solver, beside the state."""

@@ -1,0 +1,207 @@
+"""Adaptive stepping of a moving body with elements to its next event, of contacts or of elements."""
+
+from __future__ import annotations
+
+import math
+
+from stayput.compiled import inline, inner
+from stayput.mechanics.columns import CLOSED, ENDED, FLIGHT, LIMIT, ROCK, TURNED_OVER
+from stayput.mechanics.devices.active_elements import (
+    SLACK_FORCE,
+    begin_step,
+    level_of,
+    note_forces_within,
+    record_forces,
+)
+from stayput.mechanics.devices.branch_law import set_lines
+from stayput.mechanics.devices.events import (
+    excursion_bound,
+    first_event,
+    gaps_stay_open,
+    least_margin,
+    move_to_event,
+    note_gaps,
+    set_gap_levels,
+)
+from stayput.mechanics.devices.rocking_step import set_about_fulcrum
+from stayput.mechanics.devices.screening import no_line_event
+from stayput.mechanics.devices.step import (
+    evaluate_state,
+    set_state,
+    state_of,
+    take_step,
+)
+from stayput.mechanics.geometry import RIGHT_ANGLE, update_peaks
+from stayput.mechanics.roots import hermite, horner
+from stayput.mechanics.sampling import advance_clock, loads, record_sample
+
+SLACK_SLIP = 5e-11
+"""Slack of a slip rate that starts a step at zero [m/s]; see `active_elements.SLACK_FORCE`."""
+
+REST_RATE = 1e-9
+"""Rate up to which a slipping corner, or a moving body, is at rest [m/s]."""
+
+NEAR_LIMIT = 0.01
+"""Margin, as a part of g, below which at either end of a step it is also evaluated at the midpoint."""
+
+MIN_STEP = 1e-6
+"""Least step; it is accepted whatever its error [s]."""
+
+MAX_ROTATION = 0.1
+"""Approximate largest rotation in a step [rad]."""
+
+
+@inner
+def _turning_tilt(theta0, omega0, alpha0, theta1, omega1, alpha1, h):
+    """Extreme tilt inside a step, where the rotation reverses: two Newton steps on the dense output."""
+    curve = hermite(theta0, omega0, alpha0, theta1, omega1, alpha1, h)
+    u, slope = omega0 / (omega0 - omega1), h * (omega1 - omega0)
+    for _ in range(2):
+        u = min(1.0, max(0.0, u - horner(curve, u)[1] / slope))
+    return horner(curve, u)[0]
+
+
+@inline
+def _next_length(h, error, tolerance):
+    """Step length for the tolerance, from a step h with this error (fifth order; factor 0.2 to 4)."""
+    if 2048.0 * error <= tolerance:  # the factor would be over 4; also where the error is zero
+        return 4.0 * h
+    return h * min(4.0, max(0.2, 0.9 * math.exp(0.2 * math.log(tolerance / error))))
+
+
+@inline
+def _reason(s):
+    if s.hit:
+        return CLOSED
+    return TURNED_OVER if abs(s.theta) >= RIGHT_ANGLE else LIMIT
+
+
+@inner
+def _set_laws(elements, links, contacts, case, s, work):
+    if s.kind == ROCK:
+        set_about_fulcrum(elements, links, contacts, case, s, work)
+    else:
+        set_lines(elements, links, case, -1, 0.0, 0.0, work)
+
+
+@inner
+def advance_step_by_step(
+    elements,
+    links,
+    devices,
+    contacts,
+    rows,
+    case,
+    s,
+    work,
+    ax,
+    az,
+    dt,
+    tolerance,
+    max_step,
+    history,
+    forces,
+):
+    """Advance a body with elements in its mode to its next event.
+
+    Each pass of the loop takes one step: choose its length, repeat it until the error is within the
+    tolerance, screen the margins, search the step for its first event and move the state there, then update
+    peaks and history. Laws of the lines are set once, since their branches change only at events.
+
+    Parameters
+    ----------
+    tolerance : float
+        Largest error of a step: of position, tilt, and step length times their rates [m, rad].
+    max_step : float
+        Longest step [s].
+
+    Returns
+    -------
+    int
+        ENDED, CLOSED (s.hit says which contacts), LIMIT (a force, a slip rate or an element) or TURNED_OVER.
+    """
+    last = ax.shape[0] - 1
+    per_second = case.scale / dt
+    slips = s.kind != ROCK and s.kind != FLIGHT
+    slack_f, slack_g = (
+        work.slack_factor * SLACK_FORCE,
+        work.slack_factor * (SLACK_SLIP if slips else SLACK_FORCE),
+    )
+    near_limit = NEAR_LIMIT * case.gravity
+    _set_laws(elements, links, contacts, case, s, work)
+    load = loads(case, ax, az, per_second, s.k, s.tau)
+    y0 = state_of(s)
+    k0, f0, g0, _ = evaluate_state(contacts, rows, case, s, work, load, 0.0)
+    note_gaps(contacts, s, work)
+    why = ENDED
+    while s.k < last and why == ENDED:
+        base = s.theta, s.sin, s.cos
+        load = loads(case, ax, az, per_second, s.k, s.tau)
+        levels = level_of(f0, slack_f), level_of(g0, slack_g)
+        set_gap_levels(s, work)
+        begin_step(work)
+        whole = min(dt - s.tau, max_step)
+        if abs(s.omega) * whole > MAX_ROTATION:
+            whole = MAX_ROTATION / abs(s.omega)
+        h = min(whole, work.step_limit)
+        if h > 0.8 * whole:  # rather one slightly longer step than a sliver before the sample
+            h = whole
+        while True:
+            k1, f1, g1, least, error = take_step(contacts, rows, case, s, work, base, load, y0, k0, h)
+            s.steps += 1
+            if error <= tolerance or h <= MIN_STEP:
+                break
+            h = work.step_limit = max(_next_length(h, error, tolerance), MIN_STEP)
+        if h < whole or work.step_limit < dt:
+            proposed = _next_length(h, error, tolerance)
+            work.step_limit = proposed if h < whole else max(proposed, work.step_limit)
+        y1 = state_of(s)
+        least = least_margin(contacts, s, work, levels, f1, g1, least)
+        near = min(f0, f1) < near_limit or (not slips and min(g0, g1) < near_limit)
+        start, end = (y0, k0, f0, g0), (y1, k1, f1, g1)
+        inactive = no_line_event(work, h)
+        excursion = excursion_bound(case, y0, y1, h)
+        t, looked = -1.0, False
+        if near or least < 0.0 or not inactive or not gaps_stay_open(s, work, excursion):
+            t, looked = first_event(
+                contacts,
+                rows,
+                case,
+                s,
+                work,
+                base,
+                load,
+                start,
+                end,
+                least,
+                near,
+                inactive,
+                excursion,
+                h,
+                levels,
+            )
+        if t >= 0.0:
+            h, k1, f1, g1, least = move_to_event(
+                contacts, rows, case, s, work, base, load, start, end, levels, t, h
+            )
+            y1 = state_of(s)
+            if least < 0.0:
+                why = _reason(s)
+            no_line_event(work, h)
+        elif looked:
+            set_state(s, y1, base)
+            k1, f1, g1, _ = evaluate_state(contacts, rows, case, s, work, load, h)
+            note_gaps(contacts, s, work)
+        if y0[5] * y1[5] < 0.0 and abs(y0[2] - s.rest) + h * (abs(y0[5]) + abs(y1[5])) > s.peak_tilt:
+            turning = _turning_tilt(y0[2], y0[5], k0[2], y1[2], y1[5], k1[2], h)
+            s.peak_tilt = max(s.peak_tilt, abs(turning - s.rest))
+        note_forces_within(work, devices, h)
+        update_peaks(case, s)
+        y0, k0, f0, g0 = y1, k1, f1, g1
+        if advance_clock(s, h, dt):
+            record_sample(history, case, s)
+            record_forces(forces, work, s)
+    s.alpha = k0[2]
+    # a slip that has reversed at the event has stopped, however little beyond zero its rate was located
+    work.still_rate = max(REST_RATE, -4.0 * g0) if slips and why == LIMIT else REST_RATE
+    return why

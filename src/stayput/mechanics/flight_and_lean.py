@@ -1,0 +1,280 @@
+"""Flight (no contact), and lean: sliding on two planes at once, such as floor and wall."""
+
+from __future__ import annotations
+
+import math
+
+from stayput.compiled import inner
+from stayput.mechanics.columns import CLOSED, ENDED, LIMIT, TURNED_OVER
+from stayput.mechanics.contact import fill_rows, forces_of_slipping_pair
+from stayput.mechanics.geometry import (
+    RIGHT_ANGLE,
+    arm_at,
+    gap,
+    slip_rate,
+    to_plane_axes,
+    turn_to,
+    update_peaks,
+)
+from stayput.mechanics.modes import project_on_both
+from stayput.mechanics.roots import MIN_START_VALUE, closed_level, first_zero, illinois_update, secant
+from stayput.mechanics.sampling import advance_clock, loads, record_sample
+
+MAX_ROTATION = 0.05
+"""Largest rotation in a step of flight [rad]: the quintics of the gaps assume a small one."""
+
+LOCATED = 1e-13
+"""Tolerance to which the end of a lean is located [s]."""
+
+SLACK_PRESS, SLACK_SLIP = 1e-8, 5e-11
+"""A lean ends when a contact pulls, or slips back, by more than this [m/s², m/s]."""
+
+MIN_STEP = 1e-6
+"""Least step of a lean; it is accepted whatever its error [s]."""
+
+
+@inner
+def _slide_rate_after(case, s, a, a_rate, corner, t):
+    """Horizontal velocity of a corner after a time t of flight [m/s]."""
+    theta = s.theta + t * s.omega
+    up = case.v[corner] * math.cos(theta) - case.u[corner] * math.sin(theta)
+    return s.vx - t * (a + 0.5 * t * a_rate) + s.omega * up
+
+
+@inner
+def _turn_of_slide(case, s, a, a_rate, h):
+    """Time in a step of flight at which the slide reverses (its peak), or h."""
+    corner = 1 if s.theta > s.rest else 0
+    rate0 = _slide_rate_after(case, s, a, a_rate, corner, 0.0)
+    rate1 = _slide_rate_after(case, s, a, a_rate, corner, h)
+    if rate0 * rate1 >= 0.0:
+        return h
+    bracket = (0.0, abs(rate0), h, -abs(rate1), 0)
+    for _ in range(30):
+        t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
+        rate = _slide_rate_after(case, s, a, a_rate, corner, t)
+        bracket = illinois_update(bracket, t, math.copysign(1.0, rate0) * rate)
+        if bracket[2] - bracket[0] <= 1e-9:
+            break
+    return bracket[2]
+
+
+@inner
+def _fly(s, a, a_rate, G, G_rate, t):
+    """Advance the state by a time t of free flight under linear loads."""
+    s.x += t * (s.vx - t * (a / 2.0 + t * a_rate / 6.0))
+    s.z += t * (s.vz - t * (G / 2.0 + t * G_rate / 6.0))
+    s.vx -= t * (a + 0.5 * t * a_rate)
+    s.vz -= t * (G + 0.5 * t * G_rate)
+    turn_to(s, s.theta + t * s.omega)
+
+
+@inner
+def _flying_gap(con, s, a, a_rate, G, G_rate, t):
+    """Gap of a contact after a time t of flight, with its first and second derivatives."""
+    theta = s.theta + t * s.omega
+    sigma, kappa = arm_at(con, math.sin(theta), math.cos(theta))
+    x = s.x + t * (s.vx - t * (a / 2.0 + t * a_rate / 6.0))
+    z = s.z + t * (s.vz - t * (G / 2.0 + t * G_rate / 6.0))
+    height = to_plane_axes(con, x, z)[1]
+    rate = to_plane_axes(con, s.vx - t * (a + 0.5 * t * a_rate), s.vz - t * (G + 0.5 * t * G_rate))[1]
+    fall = to_plane_axes(con, -a - t * a_rate, -G - t * G_rate)[1]
+    return height + con.offset - kappa, rate - s.omega * sigma, fall + s.omega * s.omega * kappa
+
+
+@inner
+def advance_flight(contacts, case, s, ax, az, dt, history):
+    """Advance a body in flight to where a contact closes or it overturns."""
+    last = ax.shape[0] - 1
+    per_second = case.scale / dt
+    while s.k < last:
+        a, a_rate, G, G_rate = loads(case, ax, az, per_second, s.k, s.tau)
+        h = dt - s.tau
+        if abs(s.omega) * h > MAX_ROTATION:
+            h = MAX_ROTATION / abs(s.omega)
+        outcome = ENDED
+        if abs(s.theta + h * s.omega) >= RIGHT_ANGLE:
+            h, outcome = (RIGHT_ANGLE - abs(s.theta)) / abs(s.omega), TURNED_OVER
+        c = 0
+        while s.present >> c:
+            if s.present >> c & 1:
+                con = contacts[c]
+                g0, v0, c0 = _flying_gap(con, s, a, a_rate, G, G_rate, 0.0)
+                g1, v1, c1 = _flying_gap(con, s, a, a_rate, G, G_rate, h)
+                level = closed_level(g0)
+                t = first_zero(g0 - level, v0, c0, g1 - level, v1, c1, h)
+                if t >= 0.0:
+                    for _ in range(2):  # Newton steps on the exact motion; first_zero uses its quintic
+                        g, v, _ = _flying_gap(con, s, a, a_rate, G, G_rate, t)
+                        if v < 0.0:
+                            t = min(h, max(0.5 * t, t - (g - level) / v))
+                    h, outcome, s.hit = t, CLOSED, 1 << c
+            c += 1
+        turn = _turn_of_slide(case, s, a, a_rate, h)
+        _fly(s, a, a_rate, G, G_rate, turn)
+        update_peaks(case, s)
+        a, G = a + a_rate * turn, G + G_rate * turn
+        _fly(s, a, a_rate, G, G_rate, h - turn)
+        update_peaks(case, s)
+        s.alpha = 0.0
+        s.steps += 1
+        if advance_clock(s, h, dt):
+            record_sample(history, case, s)
+        if outcome != ENDED:
+            return outcome
+    return ENDED
+
+
+@inner
+def _lean_rates(rows, contacts, case, s, theta, omega, a, G):
+    """Accelerations of a body that slides on both its contacts, and their normal forces."""
+    fill_rows(rows, contacts, s.closed, math.sin(theta), math.cos(theta), case)
+    for k in range(2):
+        row = rows[k]
+        row.bias_n = to_plane_axes(contacts[row.index], -a, -G)[1] - omega * omega * row.tl
+        row.target = 0.0
+    i, j = (0, 1) if s.i < s.j else (1, 0)
+    Ni, Nj, fx, fz, fl = forces_of_slipping_pair(rows[i], float(s.d), rows[j], float(s.dj), case.inertia)
+    return fx - a, fz - G, fl / case.inertia, Ni, Nj
+
+
+@inner
+def _lean(rows, contacts, case, s, start, load, h):
+    """Set the state to that a time h after ``start``, by the classical fourth-order Runge–Kutta method."""
+    x, z, theta, vx, vz, omega = start
+    a, a_rate, G, G_rate = load
+    e = 0.5 * h
+    am, Gm, ae, Ge = a + e * a_rate, G + e * G_rate, a + h * a_rate, G + h * G_rate
+    k1x, k1z, k1t, _, _ = _lean_rates(rows, contacts, case, s, theta, omega, a, G)
+    w2 = omega + e * k1t
+    k2x, k2z, k2t, _, _ = _lean_rates(rows, contacts, case, s, theta + e * omega, w2, am, Gm)
+    w3 = omega + e * k2t
+    k3x, k3z, k3t, _, _ = _lean_rates(rows, contacts, case, s, theta + e * w2, w3, am, Gm)
+    w4 = omega + h * k3t
+    k4x, k4z, k4t, _, _ = _lean_rates(rows, contacts, case, s, theta + h * w3, w4, ae, Ge)
+    s.x = x + h * (vx + h * (k1x + k2x + k3x) / 6.0)
+    s.z = z + h * (vz + h * (k1z + k2z + k3z) / 6.0)
+    turn_to(s, theta + h * (omega + h * (k1t + k2t + k3t) / 6.0))
+    s.vx = vx + h * (k1x + 2.0 * (k2x + k3x) + k4x) / 6.0
+    s.vz = vz + h * (k1z + 2.0 * (k2z + k3z) + k4z) / 6.0
+    s.omega = omega + h * (k1t + 2.0 * (k2t + k3t) + k4t) / 6.0
+    project_on_both(contacts[s.i], contacts[s.j], case.inertia, s)
+
+
+@inner
+def _set_levels(contacts, s):
+    """Set the levels at which a step ends: gaps of the open contacts, slip rates of the two closed ones."""
+    others = s.present & ~s.closed
+    c = 0
+    while others >> c:
+        if others >> c & 1:
+            contacts[c].level = closed_level(gap(contacts[c], s))
+        c += 1
+    first, second = contacts[s.i], contacts[s.j]
+    first.level = min(float(s.d) * slip_rate(first, s), 0.0) - SLACK_SLIP
+    second.level = min(float(s.dj) * slip_rate(second, s), 0.0) - SLACK_SLIP
+
+
+@inner
+def _lean_margins(rows, contacts, case, s, load, h):
+    """Event margins of a lean, positive while it lasts, h after the start of the step.
+
+    Both normal forces, both slip rates, and the least of the others: rotation left to 90° and open gaps.
+    """
+    a, G = load[0] + h * load[1], load[2] + h * load[3]
+    _, _, s.alpha, Ni, Nj = _lean_rates(rows, contacts, case, s, s.theta, s.omega, a, G)
+    if math.isnan(Ni):  # the two contacts jam: end the lean
+        Ni = Nj = -1.0
+    first, second = contacts[s.i], contacts[s.j]
+    others_least = RIGHT_ANGLE - abs(s.theta)
+    s.hit = 0
+    others = s.present & ~s.closed
+    c = 0
+    while others >> c:
+        if others >> c & 1:
+            over = gap(contacts[c], s) - contacts[c].level
+            if over < 0.0:
+                s.hit |= 1 << c
+            others_least = min(others_least, over)
+        c += 1
+    return (
+        Ni + SLACK_PRESS,
+        Nj + SLACK_PRESS,
+        float(s.d) * slip_rate(first, s) - first.level,
+        float(s.dj) * slip_rate(second, s) - second.level,
+        others_least,
+    )
+
+
+@inner
+def _least_of(margins, ends):
+    """Least of the margins that are negative at the end of a search, each scaled to −1 there.
+
+    Scaling makes forces and slip rates comparable; margins that stay positive would mislead the secant
+    method.
+    """
+    least = math.inf
+    for k in range(5):
+        if ends[k] < 0.0:
+            least = min(least, margins[k] / -ends[k])
+    return least
+
+
+@inner
+def _reason(s):
+    if s.hit:
+        return CLOSED
+    return TURNED_OVER if abs(s.theta) >= RIGHT_ANGLE else LIMIT
+
+
+@inner
+def advance_lean(rows, contacts, case, s, ax, az, dt, tolerance, max_step, history):
+    """Advance a body that slides on two planes at once, to its next event.
+
+    Each pass of the loop takes one step: choose its length by step doubling, evaluate the margins at its end,
+    and where one is negative find the first crossing with the Illinois method, re-integrating to each guess.
+    The lean ends where a contact sticks, opens or jams, another closes, or the body overturns.
+    """
+    last = ax.shape[0] - 1
+    per_second = case.scale / dt
+    longest = min(dt, max_step)
+    while s.k < last:
+        load = loads(case, ax, az, per_second, s.k, s.tau)
+        start = s.x, s.z, s.theta, s.vx, s.vz, s.omega
+        _set_levels(contacts, s)
+        starts = _lean_margins(rows, contacts, case, s, load, 0.0)
+        h = min(dt - s.tau, longest)
+        _lean(rows, contacts, case, s, start, load, h)
+        while h > MIN_STEP:  # step doubling: two half steps must agree with the whole (15 = 2⁴ − 1)
+            whole = s.theta
+            _lean(rows, contacts, case, s, start, load, 0.5 * h)
+            half = s.x, s.z, s.theta, s.vx, s.vz, s.omega
+            late = load[0] + 0.5 * h * load[1], load[1], load[2] + 0.5 * h * load[3], load[3]
+            _lean(rows, contacts, case, s, half, late, 0.5 * h)
+            if abs(s.theta - whole) <= 15.0 * tolerance:
+                longest = min(dt, max_step, 2.0 * longest)
+                break
+            h = longest = 0.5 * h
+            _lean(rows, contacts, case, s, start, load, h)
+        outcome = ENDED
+        ends = _lean_margins(rows, contacts, case, s, load, h)
+        if min(ends) < 0.0:
+            bracket = (0.0, max(_least_of(starts, ends), MIN_START_VALUE), h, -1.0, 0)
+            for _ in range(200):
+                t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
+                if bracket[2] - bracket[0] <= LOCATED:
+                    break
+                _lean(rows, contacts, case, s, start, load, t)
+                margins = _lean_margins(rows, contacts, case, s, load, t)
+                bracket = illinois_update(bracket, t, _least_of(margins, ends))
+            h = bracket[2]
+            _lean(rows, contacts, case, s, start, load, h)
+            _lean_margins(rows, contacts, case, s, load, h)
+            outcome = _reason(s)
+        s.steps += 1
+        update_peaks(case, s)
+        if advance_clock(s, h, dt):
+            record_sample(history, case, s)
+        if outcome != ENDED:
+            return outcome
+    return ENDED

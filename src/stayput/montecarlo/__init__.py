@@ -1,0 +1,1 @@
+"""Monte Carlo core of verifications, inventories and the app's size map: draws, hazard, runs and counts."""

@@ -1,0 +1,107 @@
+"""Outcomes of Monte Carlo runs, and what is counted of them: events, probabilities, quantiles."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from functools import lru_cache
+from typing import TYPE_CHECKING, Self
+
+import numpy as np
+
+from stayput.fragility.probabilities import probability_of_counts
+from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from stayput.fragility import Probability
+
+OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED = "overturned", "slid", "hit_wall", "device_failed"
+EVENTS = (OVERTURNED, SLID, HIT_WALL, DEVICE_FAILED)
+"""Events that are counted: it overturns; it slides farther than the limit; it hits a wall; a device fails."""
+
+SLIDE_LIMIT = 0.10
+"""Default of the slide that counts as too far [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Quantiles:
+    """Median and 90 % quantile of a peak over all runs; infinite where so many overturn."""
+
+    median: float
+    p90: float
+
+    @classmethod
+    def of(cls, peaks: NDArray[np.float64], overturned: NDArray[np.bool_]) -> Quantiles:
+        """Return the quantiles of peaks, those of bodies that overturn counted as infinite."""
+        values = np.sort(np.where(overturned, np.inf, peaks).ravel())
+        if values.size == 0:
+            return cls(np.nan, np.nan)
+        last = len(values) - 1
+        return cls(float(values[round(0.5 * last)]), float(values[round(0.9 * last)]))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outcomes:
+    """Outcomes of a piece with one set of measures at one level, over motions and samples.
+
+    Parameters
+    ----------
+    overturned, missing, hit_wall, device_failed : ndarray of bool, shape (motions, samples)
+        Whether it overturned; whether the run was given up; whether it hit a wall; whether a device failed.
+    slide, tilt : ndarray, shape (motions, samples)
+        Peak slide [m] and tilt [rad].
+    """
+
+    overturned: NDArray[np.bool_]
+    missing: NDArray[np.bool_]
+    hit_wall: NDArray[np.bool_]
+    device_failed: NDArray[np.bool_]
+    slide: NDArray[np.float64]
+    tilt: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, results: NDArray[np.void], device_failed: NDArray[np.bool_]) -> Outcomes:
+        """Return the outcomes of results, and of whether a device failed, of shape (motions, samples)."""
+        return Outcomes(
+            overturned=results["outcome"] == OVERTURNED_OUTCOME,
+            missing=results["outcome"] == FAILED_OUTCOME,
+            hit_wall=results["wall_impacts"] > 0,
+            device_failed=device_failed,
+            slide=results["peak_slide"],
+            tilt=results["peak_tilt"],
+        )
+
+    @classmethod
+    def impossible(cls, shape: tuple[int, int]) -> Outcomes:
+        """Return the outcomes of runs that could not be set up: all count as given up."""
+        no, unknown = np.zeros(shape, np.bool_), np.full(shape, np.nan)
+        return Outcomes(no, ~no, no, no, unknown, unknown)
+
+    @classmethod
+    def joined(cls, parts: list[Self]) -> Self:
+        """Join the samples of several batches."""
+        if len(parts) == 1:
+            return parts[0]
+        names = [field.name for field in fields(cls)]
+        return cls(*(np.concatenate([getattr(part, name) for part in parts], axis=1) for name in names))
+
+    def probability_of_overturning(self) -> Probability:
+        """Return the probability of overturning."""
+        return self._probability(self.overturned)
+
+    def probabilities(self, slide_limit: float) -> dict[str, Probability]:
+        """Return the probability of each of `EVENTS`; ``slide_limit`` is the slide that is too far [m]."""
+        happened = (self.overturned, self.slide > slide_limit, self.hit_wall, self.device_failed)
+        return {event: self._probability(of) for event, of in zip(EVENTS, happened, strict=True)}
+
+    def _probability(self, happened: NDArray[np.bool_]) -> Probability:
+        known = ~self.missing
+        counts = ((happened & known).sum(axis=1), known.sum(axis=1), self.missing.sum(axis=1))
+        return _probability(*(tuple(count.tolist()) for count in counts))
+
+
+@lru_cache(maxsize=16_384)
+def _probability(fell: tuple[int, ...], runs: tuple[int, ...], missing: tuple[int, ...]) -> Probability:
+    """Return a probability from counts by motion; in an inventory the same counts come again and again."""
+    return probability_of_counts(fell, runs, missing)

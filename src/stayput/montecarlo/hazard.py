@@ -1,0 +1,287 @@
+"""Hazard levels: motions of the ground scaled to an intensity, and the floor motions under the furniture.
+
+A level says how strong the ground shakes: a JMA intensity, or the common logarithm of a spectral
+acceleration [g], to which each motion is scaled. Without a building, or in one that stays elastic, the
+floor's motion scales with the ground's; where storeys yield it does not, and is computed anew at each level.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.errors import InputError
+from stayput.fragility import JMA_INTENSITY, PFA, PFV, PGA, PGV
+from stayput.mechanics.runner import Shaking, shaking
+from stayput.motion.intensity import factor_to_intensity
+from stayput.motion.spectrum import DAMPING, response_spectrum
+from stayput.motion.units import STANDARD_GRAVITY
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.fragility import IntensityMeasure
+    from stayput.motion import Motion
+    from stayput.motion.suites import Suite
+    from stayput.scenario.building import BuildingTable
+
+
+def level_of(measure: IntensityMeasure, value: float) -> float:
+    """Return the level of a value in the measure's shown unit: the intensity itself, or log10 of a peak."""
+    return value if measure.is_logarithm else math.log10(value)
+
+
+def growth(measure: IntensityMeasure) -> float:
+    """Return by how much a level grows where a motion grows tenfold: JMA's intensity is 2 log10 a + const."""
+    return 2.0 if measure.is_logarithm else 1.0
+
+
+def factors_to_level_zero(measure: IntensityMeasure, motions: Iterable[Motion]) -> NDArray[np.float64]:
+    """Return the factors that bring motions to level 0, shape (motions,).
+
+    Parameters
+    ----------
+    measure : IntensityMeasure
+        JMA's intensity or a spectral acceleration.
+    motions : iterable of Motion
+        The motions of the ground.
+
+    Raises
+    ------
+    InputError
+        A motion that is still.
+    """
+    period = measure.period
+    if period is None:
+        return np.array([factor_to_intensity(motion.intensity, 0.0) for motion in motions])
+    return np.array([STANDARD_GRAVITY / horizontal_sa(motion, period) for motion in motions])
+
+
+def horizontal_sa(motion: Motion, period: float) -> float:
+    """Return the geometric mean of Sa of the horizontal components [m/s²]; of a motion without y it is x's.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    period : float
+        The period [s]; the damping is 5 %.
+
+    Raises
+    ------
+    InputError
+        A component that is still.
+    """
+    names = [name for name in ("x", "y") if name in motion.components]
+    values = [float(response_spectrum(motion, period, DAMPING, name).sa[0]) for name in names]
+    for name, sa in zip(names, values, strict=True):
+        if not sa > 0.0:
+            raise InputError("verification.still_component", component=name, motion=repr(motion.name))
+    return math.prod(values) ** (1.0 / len(values))
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """The motions of the ground, and what scales them to a level.
+
+    Parameters
+    ----------
+    motions : Suite
+        The motions.
+    vertical : bool
+        Whether the vertical motion acts on the furniture. The intensity counts it in any case.
+    measure : IntensityMeasure
+        What levels are of: JMA's intensity or a spectral acceleration.
+    """
+
+    motions: Suite
+    vertical: bool = True
+    measure: IntensityMeasure = JMA_INTENSITY
+
+    @cached_property
+    def to_jma_zero(self) -> NDArray[np.float64]:
+        """Factors that bring the motions to JMA intensity 0, shape (motions,)."""
+        return factors_to_level_zero(JMA_INTENSITY, self.motions)
+
+    @cached_property
+    def to_zero(self) -> NDArray[np.float64]:
+        """Factors that bring the motions to level 0, shape (motions,)."""
+        if self.measure == JMA_INTENSITY:
+            return self.to_jma_zero
+        return factors_to_level_zero(self.measure, self.motions)
+
+    @property
+    def acting(self) -> tuple[Motion, ...]:
+        """The motions without the components that do not act on the furniture."""
+        return tuple(
+            replace(motion, y=None, z=motion.z if self.vertical else None) for motion in self.motions
+        )
+
+    def factors(self, level: float | None, scale: float) -> NDArray[np.float64]:
+        """Return the factors to a level; without one, ``scale`` for each motion."""
+        if level is None:
+            return np.full(len(self.motions), scale)
+        return 10.0 ** (level / growth(self.measure)) * self.to_zero
+
+    def intensities(self, factors: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the JMA intensities of the motions times factors."""
+        return 2.0 * np.log10(np.abs(factors) / self.to_jma_zero)
+
+    def median_intensity(self, factors: NDArray[np.float64]) -> float:
+        """Return the median JMA intensity of the motions times factors."""
+        return float(np.median(self.intensities(factors)))
+
+    def floors(
+        self,
+        building: BuildingTable | None,
+        storeys: Sequence[int],
+        factors: NDArray[np.float64],
+        threads: int | None = None,
+    ) -> tuple[list[tuple[Motion, ...]], NDArray[np.float64]]:
+        """Return the motions under the furniture of each storey, and the factors on them.
+
+        Parameters
+        ----------
+        building : BuildingTable, optional
+            The building, which is computed once for all its storeys; none on the ground.
+        storeys : sequence of int
+            The storeys; anything without a building.
+        factors : ndarray, shape (motions,)
+            Factors on the ground's motions.
+        threads : int, optional
+            As many as there are cores by default. The bits do not depend on them.
+        """
+        acting = self.acting
+        if building is None:
+            return [acting for _ in storeys], factors
+        if building.yields:
+            acting = tuple(motion.scaled(float(k)) for motion, k in zip(acting, factors, strict=True))
+            factors = np.ones(len(factors))
+        by_motion = building.building().floor_motions(acting, list(storeys), threads=threads)
+        return list(zip(*by_motion, strict=True)), factors
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PreparedFloor:
+    """The motions under the furniture of one storey as the kernels read them, and the factors on them."""
+
+    shakings: tuple[Shaking, ...]
+    scales: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, motions: Iterable[Motion], scales: NDArray[np.float64]) -> PreparedFloor:
+        """Prepare motions for the kernels."""
+        return cls(tuple(shaking(motion.x, motion.z, motion.dt, 0) for motion in motions), scales)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FloorMotions:
+    """The motions under the furniture at one level.
+
+    Parameters
+    ----------
+    motions : tuple of Motion
+        The floor's motions, x and, where it acts, z.
+    scales : ndarray, shape (motions,)
+        Factors on them.
+    measures : dict
+        Each intensity measure of each motion, shape (motions,).
+    """
+
+    motions: tuple[Motion, ...]
+    scales: NDArray[np.float64]
+    measures: dict[IntensityMeasure, NDArray[np.float64]]
+
+    def felt(self, number: int) -> Motion:
+        """Return a motion as it is felt, scaled."""
+        scale = float(self.scales[number])
+        return self.motions[number] if scale == 1.0 else self.motions[number].scaled(scale)
+
+
+@dataclass(frozen=True, eq=False)
+class Hazard:
+    """The motions of the ground, and the building between them and a piece on one of its storeys.
+
+    Parameters
+    ----------
+    ground : Suite
+        The motions of the ground; their own strength does not matter.
+    building : BuildingTable, optional
+        The building; none on the ground.
+    storey : int
+        The storey where the furniture stands.
+    vertical : bool
+        Whether the vertical motion acts on the furniture. The intensity counts it in any case.
+    """
+
+    ground: Suite
+    building: BuildingTable | None = None
+    storey: int = 1
+    vertical: bool = True
+
+    @cached_property
+    def _scaled(self) -> Ground:
+        return Ground(self.ground, self.vertical)
+
+    @cached_property
+    def _acting(self) -> tuple[Motion, ...]:
+        return self._scaled.acting
+
+    @cached_property
+    def _elastic(self) -> tuple[Motion, ...]:
+        """The floor's motions where they scale with the ground's."""
+        if self.building is None:
+            return self._acting
+        return self._scaled.floors(self.building, (self.storey,), np.ones(len(self.ground)))[0][0]
+
+    def at(self, intensity: float, threads: int | None = None) -> FloorMotions:
+        """Return the motions under the furniture with the ground at a JMA intensity.
+
+        Parameters
+        ----------
+        intensity : float
+            The level.
+        threads : int, optional
+            As many as there are cores by default. The bits do not depend on them.
+
+        Raises
+        ------
+        InputError
+            A still motion.
+        """
+        return self._with(self._scaled.factors(intensity, 1.0), threads)
+
+    def as_given(self, scale: float = 1.0, threads: int | None = None) -> FloorMotions:
+        """Return the motions under the furniture with the ground's own strength times a factor."""
+        return self._with(self._scaled.factors(None, scale), threads)
+
+    def stated(
+        self, intensity: float | None, scale: float | None, threads: int | None = None
+    ) -> FloorMotions:
+        """Return the motions at the shaking that a scenario states: an intensity, or a factor (default 1)."""
+        return self._with(self._scaled.factors(intensity, 1.0 if scale is None else scale), threads)
+
+    def _with(self, factors: NDArray[np.float64], threads: int | None) -> FloorMotions:
+        if self.building is not None and self.building.yields:
+            floors, scales = self._scaled.floors(self.building, (self.storey,), factors, threads)
+            motions = floors[0]
+        else:
+            motions, scales = self._elastic, factors
+
+        def peaks(of: tuple[Motion, ...], name: str) -> NDArray[np.float64]:
+            return np.array([getattr(motion, name) for motion in of])
+
+        measures = {
+            JMA_INTENSITY: self._scaled.intensities(factors),
+            PGA: np.abs(factors) * peaks(self._acting, "pga"),
+            PGV: np.abs(factors) * peaks(self._acting, "pgv"),
+            PFA: np.abs(scales) * peaks(motions, "pga"),
+            PFV: np.abs(scales) * peaks(motions, "pgv"),
+        }
+        return FloorMotions(motions, scales, measures)

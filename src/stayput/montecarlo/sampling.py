@@ -1,0 +1,310 @@
+"""Monte Carlo samples: draws of the uncertain quantities, the cases that they make, and how many it takes.
+
+The same draws serve every set of measures and every hazard level (common random numbers), so that differences
+between measures are not blurred by chance.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+from typing import TYPE_CHECKING, TypeVar
+
+import numpy as np
+
+from stayput.cases import State, case_rows, leaves, leaves_of_body, leaves_of_room
+from stayput.fragility import samples_needed
+from stayput.measures import element_rows, hold
+from stayput.mechanics.devices.runner import no_elements
+from stayput.uncertainty import USUAL, Uncertainty
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+    from typing import Self
+
+    from numpy.typing import NDArray
+
+    from stayput.body import Body
+    from stayput.cases import Numbers
+    from stayput.fragility import Probability
+    from stayput.measures import Held, Measure
+    from stayput.montecarlo.counting import Outcomes
+    from stayput.room import Floor, Room
+    from stayput.scenario import Scenario
+
+QUANTITIES = Uncertainty(USUAL)
+"""The quantities that are drawn."""
+
+FIRST_SAMPLES = 4
+"""Samples of each motion before the precision is checked for the first time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """Monte Carlo settings.
+
+    Parameters
+    ----------
+    motions, samples : int
+        Motions, and most samples of each.
+    seed : int
+        Seed of the draws.
+    precision : float, optional
+        Half-width of the 95 % interval of the probability of overturning at which sampling stops; without it
+        all samples are run.
+    slide_limit : float
+        Slide that counts as too far [m].
+    gravity : float
+        Acceleration of gravity [m/s²].
+    """
+
+    motions: int
+    samples: int
+    seed: int
+    precision: float | None
+    slide_limit: float
+    gravity: float
+
+    @classmethod
+    def of(cls, scenario: Scenario, motions: int, slide_limit: float) -> Self:
+        """Return the settings of a scenario, its samples spread evenly over a number of motions."""
+        stated = scenario.uncertainty
+        samples = max(1, -(-stated.samples // motions))
+        return cls(motions, samples, stated.seed, stated.precision, slide_limit, scenario.gravity)
+
+
+@dataclass(frozen=True, slots=True)
+class Draw:
+    """One draw: factors on what the scenario states, and the wall's restitution.
+
+    The fields are in the order of `stayput.uncertainty.USUAL`.
+    """
+
+    friction: float
+    restitution: float
+    wall_restitution: float
+    mass: float
+    gravity_height: float
+    strength: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DrawTable:
+    """DrawTable for every motion.
+
+    Parameters
+    ----------
+    columns : dict of str to ndarray, shape (motions, samples)
+        Each field of `Draw`.
+    """
+
+    columns: dict[str, NDArray[np.float64]]
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Motions, and samples of each."""
+        motions, samples = self.columns["mass"].shape
+        return motions, samples
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def __getitem__(self, motion: int) -> list[Draw]:
+        """Return the draws of a motion."""
+        columns = (column[motion].tolist() for column in self.columns.values())
+        return [Draw(*row) for row in zip(*columns, strict=True)]
+
+    def __iter__(self) -> Iterator[list[Draw]]:
+        return (self[motion] for motion in range(len(self)))
+
+
+def draws(motions: int, samples: int, seed: int, start: int = 0) -> DrawTable:
+    """Return the draws of every motion; ``start`` continues an earlier call after so many samples."""
+    drawn = QUANTITIES.sample(samples, seed, motions=motions, start=start)
+    return DrawTable(dict(zip(Draw.__slots__, (drawn[name] for name in USUAL), strict=True)))
+
+
+def drawn_body(body: Body, draw: Draw) -> Body:
+    """Return the body with its mass and the height of its centre of gravity as drawn."""
+    x, z = body.cg_offset
+    height = min(0.95, draw.gravity_height * (0.5 + z / body.height)) * body.height
+    inertia = None if body.inertia is None else draw.mass * body.inertia
+    offset = (x, height - 0.5 * body.height)
+    return replace(body, mass=draw.mass * body.mass, cg_offset=offset, inertia=inertia)
+
+
+def _drawn_floor(floor: Floor, draw: Draw) -> Floor:
+    coefficients = {f.name: getattr(floor, f.name) for f in fields(floor) if f.name.endswith("friction")}
+    changed = {name: draw.friction * value for name, value in coefficients.items() if value is not None}
+    return replace(floor, **changed, restitution=draw.restitution * floor.restitution)
+
+
+def drawn_room(room: Room, draw: Draw) -> Room:
+    """Return the room with its friction and restitution as drawn."""
+    left, right = room.left_wall, room.right_wall
+    return replace(
+        room,
+        floor=_drawn_floor(room.floor, draw),
+        left_wall=None if left is None else replace(left, restitution=draw.wall_restitution),
+        right_wall=None if right is None else replace(right, restitution=draw.wall_restitution),
+    )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rows:
+    """Case and element rows of one piece with one set of measures, by motion and by sample within it.
+
+    Parameters
+    ----------
+    cases : ndarray of CASE, shape (motions · samples,)
+        The cases.
+    elements : ndarray of ELEMENT, shape (motions · samples, elements)
+        Their devices, per unit mass.
+    masses : ndarray, shape (motions · samples,)
+        Mass of the body [kg].
+    """
+
+    cases: NDArray[np.void]
+    elements: NDArray[np.void]
+    masses: NDArray[np.float64]
+
+
+def rows_of(
+    body: Body,
+    room: Room,
+    measures: tuple[Measure, ...],
+    drawn: DrawTable,
+    gravity: float,
+    initial: State | None = None,
+) -> Rows:
+    """Return the rows of a piece under all draws.
+
+    The body is drawn before the measures are applied, friction after them: a measure's surface is as
+    uncertain as the floor's.
+
+    Parameters
+    ----------
+    body, room, measures
+        The piece as stated.
+    drawn : DrawTable
+        The draws.
+    gravity : float
+        Acceleration of gravity [m/s²].
+    initial : State, optional
+        The initial state; at rest by default.
+
+    Raises
+    ------
+    InputError
+        The measures cannot be applied, as stated or in one of the draws.
+    """
+    columns = {name: column.ravel() for name, column in drawn.columns.items()}
+    count = len(columns["mass"])
+    held = hold(body, room, measures)
+    numbers: dict[str, Numbers] = {**leaves(held.body, held.room, initial or State(), gravity)}
+    if not held.elements and _same_mass(body, held.body):
+        # Nothing but numbers changes with the draw, so that all rows are made at once: far faster than one by
+        # one. The formulas are those of `drawn_body`, in the same order of operations: the bits are the same.
+        z = body.cg_offset[1]
+        height = np.minimum(0.95, columns["gravity_height"] * (0.5 + z / body.height)) * body.height
+        masses = columns["mass"] * body.mass
+        numbers |= {"body.mass": masses, "body.cg_offset.z": height - 0.5 * body.height}
+        if body.inertia is not None:
+            numbers["body.inertia"] = columns["mass"] * body.inertia
+        elements = no_elements(0, count)
+    else:
+        by_draw = [draw for row in drawn for draw in row]
+        held_each = [hold(drawn_body(body, draw), room, measures) for draw in by_draw]
+        leaf_rows = [
+            {**leaves_of_body(drawn_held.body), **leaves_of_room(drawn_held.room)} for drawn_held in held_each
+        ]
+        numbers |= {path: np.array([row[path] for row in leaf_rows]) for path in leaf_rows[0]}
+        masses = np.array([drawn_held.body.mass for drawn_held in held_each])
+        strengths = (draw.strength for draw in by_draw)
+        elements = np.stack([element_rows(*pair) for pair in zip(held_each, strengths, strict=True)])
+    for path in numbers:
+        if path.startswith("room.floor.") and path.endswith("friction"):
+            numbers[path] = columns["friction"] * numbers[path]
+    numbers["room.floor.restitution"] = columns["restitution"] * numbers["room.floor.restitution"]
+    for wall in ("left_wall", "right_wall"):
+        if getattr(held.room, wall) is not None:
+            numbers[f"room.{wall}.restitution"] = columns["wall_restitution"]
+    return Rows(case_rows(numbers, count), elements, masses)
+
+
+def _same_mass(body: Body, held: Body) -> bool:
+    same = ("width", "height", "mass", "cg_offset", "inertia")
+    return all(getattr(body, name) == getattr(held, name) for name in same)
+
+
+def stated_rows(held: Held, motions: int, gravity: float) -> Rows:
+    """Return the rows of a piece at rest as stated, without draws: one sample of each motion."""
+    case = case_rows(leaves(held.body, held.room, State(), gravity), motions)
+    elements = np.repeat(element_rows(held)[np.newaxis], motions, axis=0)
+    return Rows(case, elements, np.full(motions, held.body.mass))
+
+
+OutcomesT = TypeVar("OutcomesT", bound="Outcomes")
+
+
+def sample_until_precise(
+    count: int,
+    settings: Settings,
+    run: Callable[[list[int], int, int], Sequence[OutcomesT]],
+    *,
+    together: bool,
+) -> tuple[list[OutcomesT], int, bool]:
+    """Run batches of samples, each doubling their number, until the probabilities are as precise as asked.
+
+    Parameters
+    ----------
+    count : int
+        How many items are sampled: sets of measures, or pieces.
+    settings : Settings
+        The asked precision, and the most samples.
+    run : callable
+        Given the places of the items that go on, a number of samples of each motion and how many samples were
+        run before, returns their outcomes.
+    together : bool
+        Whether all items go on until the last one is precise enough, so that they can be compared sample by
+        sample; else each stops by itself.
+
+    Returns
+    -------
+    tuple
+        The outcomes of each item, the samples of the item that has the most, and whether all have the asked
+        precision.
+    """
+    outcomes: list[list[OutcomesT]] = [[] for _ in range(count)]
+    joined: dict[int, OutcomesT] = {}
+    active: list[int] = list(range(count))
+    done = 0
+    precise = True
+    chances: dict[int, Probability] = {}
+    most, precision = settings.samples, settings.precision
+    while active:
+        wanted = most if precision is None else min(most, max(FIRST_SAMPLES, 2 * done))
+        for place, outcome in zip(active, run(active, wanted - done, done), strict=True):
+            outcomes[place].append(outcome)
+            joined[place] = type(outcome).joined(outcomes[place])
+        done = wanted
+        if precision is None:
+            break
+        chances |= {place: joined[place].probability_of_overturning() for place in active}
+        more = [place for place in active if _needs_more(chances[place], precision, done)]
+        if done >= most or not more:
+            precise = not more and all(_is_reachable(chance, precision) for chance in chances.values())
+            break
+        active = active if together else more
+    return [joined[place] for place in range(count)], done, precise
+
+
+def _needs_more(chance: Probability, precision: float, done: int) -> bool:
+    """Return whether more samples of the same motions would reach the precision, and are needed for it."""
+    if not chance.runs:
+        return False
+    plan = samples_needed(chance, precision)
+    return plan.reachable and plan.samples > done
+
+
+def _is_reachable(chance: Probability, precision: float) -> bool:
+    return chance.runs > 0 and samples_needed(chance, precision).reachable

@@ -1,0 +1,116 @@
+"""Response spectra of rows of acceleration samples, by period and damping."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.errors import InputError, within
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+PERIODS: NDArray[np.float64] = np.geomspace(0.05, 10.0, 100)
+"""Periods at which a spectrum is taken where nothing is said [s], shape (100,)."""
+PERIODS.setflags(write=False)
+
+DAMPING = 0.05
+"""Damping ratio where nothing is said."""
+
+PERIOD_RANGE = (1e-3, 1e3)
+"""Shortest and longest period that is accepted [s]."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ResponseSpectrum:
+    """Largest responses of damped oscillators on the floor, over the length of the motion.
+
+    Parameters
+    ----------
+    periods : ndarray, shape (m,)
+        Natural periods T [s].
+    damping : float
+        Damping ratio.
+    sd : ndarray, shape (m,)
+        Displacement relative to the floor [m].
+    sv : ndarray, shape (m,)
+        Velocity relative to the floor [m/s].
+    sa : ndarray, shape (m,)
+        Absolute acceleration [m/s²].
+    sva : ndarray, shape (m,)
+        Absolute velocity [m/s].
+    """
+
+    periods: NDArray[np.float64]
+    damping: float
+    sd: NDArray[np.float64]
+    sv: NDArray[np.float64]
+    sa: NDArray[np.float64]
+    sva: NDArray[np.float64]
+
+    @property
+    def psv(self) -> NDArray[np.float64]:
+        """Pseudo-velocity ω·Sd [m/s], shape (m,)."""
+        return 2.0 * math.pi / self.periods * self.sd
+
+    @property
+    def psa(self) -> NDArray[np.float64]:
+        """Pseudo-acceleration ω²·Sd [m/s²], shape (m,)."""
+        return (2.0 * math.pi / self.periods) ** 2 * self.sd
+
+
+def checked_periods(periods: ArrayLike) -> NDArray[np.float64]:
+    """Return periods [s] as an increasing row of floats, shape (m,).
+
+    Raises
+    ------
+    InputError
+        No periods, or periods that are not increasing or out of range.
+    """
+    row = np.atleast_1d(np.array(periods, np.float64))
+    if row.ndim != 1 or row.size == 0:
+        raise InputError("motion.periods_shape", "periods", shape=str(row.shape))
+    for period in row:
+        within("motion.name_period", period, *PERIOD_RANGE, "s", "periods")
+    if not np.all(np.diff(row) > 0.0):
+        raise InputError("motion.periods_not_increasing", "periods")
+    return row
+
+
+def spectrum_of_samples(
+    a: NDArray[np.float64], dt: float, periods: ArrayLike = PERIODS, damping: float = DAMPING
+) -> ResponseSpectrum:
+    """Return the response spectrum of an acceleration history.
+
+    The oscillators start at rest. The acceleration is linear between its samples and the responses are
+    exact for it (Nigam and Jennings 1969), with their peaks between samples; nothing is sought after its
+    end.
+
+    Parameters
+    ----------
+    a : ndarray, shape (n,)
+        Acceleration [m/s²].
+    dt : float
+        Time step [s].
+    periods : array_like, shape (m,)
+        Natural periods, increasing, 1e-3 to 1e3 s.
+    damping : float
+        Damping ratio, 0 to 0.95.
+
+    Raises
+    ------
+    InputError
+        Periods or a damping out of range.
+    """
+    from stayput.motion.oscillator import RESPONSES, peak_responses  # Numba takes its time to load
+
+    checked = checked_periods(periods)
+    zeta = within("motion.name_damping", damping, 0.0, 0.95, field="damping")
+    peaks = np.empty((len(checked), RESPONSES))
+    # The compiled function takes writable arrays alone; a motion's cannot be written to.
+    peak_responses(a.copy(), dt, checked, zeta, peaks)
+    sd, sv, sa, sva = (np.ascontiguousarray(column) for column in peaks.T)
+    return ResponseSpectrum(checked, zeta, sd, sv, sa, sva)

@@ -1,0 +1,58 @@
+"""The scene's scripts and styles, served by the app and held by HTML files that stand alone."""
+
+from __future__ import annotations
+
+import json
+import re
+from importlib import resources
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from importlib.resources.abc import Traversable
+
+_IN_SCRIPT = str.maketrans({c: f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"})
+_MODULES = ("clock.js", "pen.js", "furniture.js", "painter.js")
+_IMPORT = re.compile(r"^import [^;]*;\n", re.MULTILINE)
+_EXPORT = re.compile(r"^export ", re.MULTILINE)
+
+
+def canvas_files() -> dict[str, Traversable]:
+    """Return the scripts and styles that draw a scene, by their names."""
+    folder = resources.files("stayput.report").joinpath("canvas")
+    return {file.name: file for file in folder.iterdir() if file.name.endswith((".js", ".css"))}
+
+
+def script_json(values: object) -> str:
+    """Return values as JSON that an HTML script element can hold.
+
+    In it ``</script`` ends the element, and after ``<!--<script`` the end that follows is not seen: so none
+    of HTML's own characters is left. Only strings can hold them, where JSON writes them by their numbers.
+
+    Raises
+    ------
+    ValueError
+        A number that is not finite.
+    """
+    text = json.dumps(values, allow_nan=False, ensure_ascii=False, separators=(",", ":"))
+    return text.translate(_IN_SCRIPT)
+
+
+def script_module(script: str) -> str:
+    """Return a script and the modules that draw a scene as the text of one inline module.
+
+    A page that is opened from disk cannot import a module, so all stand in one scope: imports and the word
+    ``export`` are left out.
+
+    Parameters
+    ----------
+    script : str
+        The page's own script, which imports from the modules.
+    """
+    files = canvas_files()
+    texts = [*(files[name].read_text(encoding="utf-8") for name in _MODULES), script]
+    return "\n".join(_EXPORT.sub("", _IMPORT.sub("", text)) for text in texts)
+
+
+def inks_css() -> str:
+    """Return the colours of a scene in both themes, as the text of a style sheet."""
+    return canvas_files()["inks.css"].read_text(encoding="utf-8")

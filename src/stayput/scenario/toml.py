@@ -1,0 +1,107 @@
+"""TOML of a scenario file to a table, with bounds on what a parser would otherwise take memory and depth for.
+
+A dotted key of n parts takes memory that grows with n², nested brackets take the parser's own stack, and a
+whole number of any length is a whole number: a scenario needs none of the three.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from typing import TYPE_CHECKING, Any, cast
+
+from stayput.catalogue import phrase
+from stayput.errors import InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+LARGEST_FILE = 1024 * 1024
+"""Largest scenario file [bytes]."""
+
+MOST_PARTS = 8
+"""Most parts of a dotted key."""
+
+MOST_EXTRA_PARTS = 1000
+"""Most parts of a file's keys beyond two each."""
+
+DEEPEST = 16
+"""Deepest nesting of brackets and braces."""
+
+_LITERAL = re.compile(  # strings and comments, up to their end where they are closed, or the file's or line's
+    r'"""(?:[^"\\]|\\[\s\S]?|"(?!""))*+"{0,5}'
+    r"|'''(?:[^']|'(?!''))*+'{0,5}"
+    r'|"(?:[^"\\\n]|\\[^\n]?)*+"?'
+    r"|'[^'\n]*+'?"
+    r"|#[^\n]*+"
+)
+_BRACKET = re.compile(r"[\[\]{}]")
+_BETWEEN_KEYS = re.compile(r"[=,{}\[\]\n]")
+
+
+def read_toml(file: Path) -> dict[str, object]:
+    """Return the keys and values of a TOML file.
+
+    Parameters
+    ----------
+    file : Path
+        The file, UTF-8.
+
+    Raises
+    ------
+    InputError
+        It cannot be read, is too large, is not TOML, or has keys, brackets or numbers beyond the bounds.
+    """
+    try:
+        with file.open("rb") as opened:
+            data = opened.read(LARGEST_FILE + 1)
+        if len(data) > LARGEST_FILE:
+            raise _refused(file, "too_long", most=LARGEST_FILE)
+        text = data.decode("utf-8-sig")
+    except OSError as error:
+        raise _refused(file, "not_read", reason=(error.strerror or str(error)).lower()) from None
+    except UnicodeDecodeError:
+        raise _refused(file, "not_utf8") from None
+    _refuse_excess(file, text)
+    try:
+        table = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise _refused(file, "not_toml", reason=error) from None
+    except (ValueError, RecursionError):  # of int(), which reads at most 4300 digits
+        raise _refused(file, "long_number") from None
+    if any(not -(2**63) <= number < 2**63 for number in _whole_numbers(table)):
+        raise _refused(file, "long_number")
+    return table
+
+
+def _refused(file: Path, why: str, **values: object) -> InputError:
+    reason = phrase(f"scenario.file_{why}", **values)
+    return InputError("scenario.file", file=repr(str(file)), reason=reason)
+
+
+def _refuse_excess(file: Path, text: str) -> None:
+    """Refuse what goes beyond the bounds; the text is not yet known to be TOML."""
+    bare = _LITERAL.sub(lambda found: "" if found[0].startswith("#") else "s", text)
+    depth = 0
+    for found in _BRACKET.finditer(bare):
+        depth = depth + 1 if found[0] in "[{" else max(0, depth - 1)
+        if depth > DEEPEST:
+            raise _refused(file, "too_deep", most=DEEPEST)
+    dots = [piece.count(".") for piece in _BETWEEN_KEYS.split(bare)]
+    if max(dots) >= MOST_PARTS:
+        raise _refused(file, "long_key", count=max(dots) + 1, most=MOST_PARTS)
+    extra = sum(count - 1 for count in dots if count > 1)
+    if extra > MOST_EXTRA_PARTS:
+        raise _refused(file, "long_keys", count=extra, most=MOST_EXTRA_PARTS)
+
+
+def _whole_numbers(value: object) -> Iterator[int]:
+    if isinstance(value, int):
+        yield value
+    elif isinstance(value, dict):
+        for one in cast("dict[str, Any]", value).values():
+            yield from _whole_numbers(one)
+    elif isinstance(value, list):
+        for one in cast("list[Any]", value):
+            yield from _whole_numbers(one)

@@ -1,0 +1,37 @@
+"""CSV that is safe to open in a spreadsheet, which runs a text that looks like a formula."""
+
+from __future__ import annotations
+
+import csv
+import io
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠")
+"""How a text begins that a spreadsheet takes for a formula; East Asian ones take the wide signs as well."""
+
+
+def harmless(cell: object) -> object:
+    """Return a cell as it is written: nothing for None, a quote before a text that looks like a formula."""
+    if cell is None:
+        return ""
+    return f"'{cell}" if isinstance(cell, str) and cell.startswith(FORMULA) else cell
+
+
+def text_cell(text: str) -> str:
+    """Return a text for a cell of a CSV file whose lines end in LF alone; see `harmless`.
+
+    There `csv` leaves a lone carriage return without quotes, and it would end the row: it becomes a blank.
+    """
+    return str(harmless(text)).replace("\r", " ")
+
+
+def csv_text(names: Sequence[str], rows: Iterable[Iterable[object]]) -> str:
+    """Return a table as CSV."""
+    text = io.StringIO()
+    lines = csv.writer(text)
+    lines.writerow(map(harmless, names))
+    lines.writerows(map(harmless, row) for row in rows)
+    return text.getvalue()

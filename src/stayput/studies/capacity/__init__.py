@@ -1,1 +1,0 @@
-"""Median overturning capacity of bare furniture by simulation, beside Kaneko and Hayashi's formula."""

@@ -1,1 +1,0 @@
-"""The critical aspect ratio for overturning (the paper, §4.3)."""

@@ -1,1 +1,0 @@
-"""Sliding and the coefficients of friction (the paper, §4.2)."""

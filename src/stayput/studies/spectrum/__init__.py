@@ -1,1 +1,0 @@
-"""Overturning and rocking spectra."""

@@ -1,1 +1,0 @@
-"""The Tokyo Metropolitan Government's product test of 2015, simulated with stated parameters."""

@@ -1,0 +1,118 @@
+"""How well founded the numbers of an option are: the inputs that decide it, and the grade of the weakest.
+
+What each grade means, and which parameters of a measure decide, stands with the parameters:
+`stayput.measures.parameters`. The earthquakes are what is asked, so they have no grade.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from stayput.catalogue import phrase
+from stayput.furniture import FURNITURE
+from stayput.measures import hold
+from stayput.measures.parameters import GIVEN, GRADE_OF, Grade, parameters
+from stayput.uncertainty import Confidence
+from stayput.wording import inside
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from stayput.catalogue import Phrase
+    from stayput.scenario import Scenario
+    from stayput.scenario.building import BuildingTable
+    from stayput.scenario.tables import FurnitureTable
+    from stayput.verification.options import Option
+
+
+@dataclass(frozen=True, slots=True)
+class Input:
+    """Something that decides the outcome.
+
+    Parameters
+    ----------
+    label : Phrase
+        What it is, in English and Japanese.
+    tag : str
+        A `stayput.uncertainty.Confidence`, or `stayput.measures.parameters.GIVEN`.
+    """
+
+    label: Phrase
+    tag: str
+
+    @property
+    def grade(self) -> Grade:
+        """Its grade."""
+        return GRADE_OF[self.tag]
+
+
+def inputs(option: Option, scenario: Scenario) -> tuple[Input, ...]:
+    """Return what decides the outcome of an option, the piece first.
+
+    Parameters
+    ----------
+    option : Option
+        The measures, which can be put in place.
+    scenario : Scenario
+        The furniture and where it stands.
+    """
+    return tuple(_inputs(option, scenario))
+
+
+def weakest(option: Option, scenario: Scenario) -> tuple[Input, ...]:
+    """Return the inputs of the worst grade among those of an option; see `inputs`."""
+    deciding = inputs(option, scenario)
+    worst = max(each.grade for each in deciding)
+    return tuple(each for each in deciding if each.grade == worst)
+
+
+def grade(option: Option, scenario: Scenario) -> Grade:
+    """Return the grade of an option: that of its weakest input."""
+    return weakest(option, scenario)[0].grade
+
+
+def _inputs(option: Option, scenario: Scenario) -> Iterator[Input]:
+    yield Input(phrase("verification.size_and_mass"), furniture_tag(scenario.furniture))
+    room = scenario.room.room()
+    held = hold(scenario.furniture.body(), room, option.measures)
+    before, after = room.floor, held.room.floor
+    if (after.static_friction, after.kinetic_friction) == (before.static_friction, before.kinetic_friction):
+        yield Input(phrase("verification.floor_friction"), floor_tag(scenario))
+    building = scenario.shaking.building
+    if building is not None:
+        yield Input(phrase("verification.the_building"), building_tag(building))
+    for measure in option.measures:
+        for about in parameters(measure):
+            if about.decides:
+                label = phrase(
+                    "verification.of_a_measure",
+                    measure=(inside(measure.label[0]), measure.label[1]),
+                    parameter=about.label,
+                )
+                yield Input(label, about.tag(getattr(measure, about.name)))
+
+
+def furniture_tag(table: FurnitureTable) -> str:
+    """Return how well founded size and mass of a piece are; what is a preset's own value is its default."""
+    preset = FURNITURE.get(table.preset or "")
+    if preset is None:
+        return GIVEN
+    known = (
+        table.width not in (None, preset.width),
+        table.height not in (None, preset.height),
+        table.shelves is not None or table.mass not in (None, preset.mass),
+    )
+    return GIVEN if all(known) else Confidence.LOW.value
+
+
+def floor_tag(scenario: Scenario) -> str:
+    """Return how well founded the friction of the floor is."""
+    table = scenario.room.floor
+    surface = table if isinstance(table, str) else table.surface
+    return GIVEN if surface is None else Confidence.MEDIUM.value
+
+
+def building_tag(table: BuildingTable) -> str:
+    """Return how well founded a building is: its masses are the user's, or made of a kind of structure."""
+    return GIVEN if table.masses is not None else Confidence.LOW.value

@@ -1,0 +1,44 @@
+"""What sentences in several places need: names and counts within a sentence, and slides beyond a room."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from stayput.room import Room
+
+FAR = 3.0
+"""A slide beyond this, in a room that is open to a side, is told as no more than that [m].
+
+On casters or glides a piece may go on for ten metres and more where no wall stands in its way: a true result
+of the model, and none of a room.
+"""
+
+
+def inside(label: str) -> str:
+    """Return a measure's label as it stands within an English sentence.
+
+    Examples
+    --------
+    >>> inside("Wedge stopper + Tension poles"), inside("L-brackets in studs"), inside("PTFE glides")
+    ('wedge stopper + tension poles', 'L-brackets in studs', 'PTFE glides')
+    """
+    return " + ".join(
+        part[:1].lower() + part[1:] if part[1:2].islower() else part for part in label.split(" + ")
+    )
+
+
+def counted(number: int, noun: str, plural: str | None = None) -> str:
+    """Return a number with its noun in English.
+
+    Examples
+    --------
+    >>> counted(1, "earthquake"), counted(1200, "run"), counted(2, "piece that fell", "pieces that fell")
+    ('1 earthquake', '1,200 runs', '2 pieces that fell')
+    """
+    return f"{number:,} {noun if number == 1 else plural or f'{noun}s'}"
+
+
+def is_open(room: Room) -> bool:
+    """Return whether a room has no wall on one side at least."""
+    return room.left_wall is None or room.right_wall is None

@@ -1,0 +1,110 @@
+"""What is written as one HTML file, opened in Chromium: any name of the user's is only text in it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+from browsing import browser  # noqa: F401
+from playwright.sync_api import expect
+
+import stayput as sp
+from stayput.report.animation import animate_run
+from stayput.verification import verify
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from playwright.sync_api import Browser, Page
+
+NAMES = ["<!--<script>", "</script><script>document.title = 1</script>", "{{data}}", "a\u2028<!--"]
+
+
+def opened(browser: Browser, path: Path) -> tuple[Page, list[str]]:  # noqa: F811
+    page = browser.new_page()
+    page.set_default_timeout(15_000)
+    said: list[str] = []
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.goto(path.as_uri())
+    return page, said
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_animation_plays_under_any_name(browser: Browser, tmp_path: Path, name: str) -> None:  # noqa: F811
+    body = sp.Body(width=0.4, height=1.8, mass=100.0)
+    run = sp.simulate(body, sp.Room(floor=sp.Floor()), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0))
+    page, said = opened(browser, animate_run(run, tmp_path / "run.html", name=name))
+    assert name[:4].strip().lower() in page.locator("h1").inner_text().lower()
+    page.wait_for_function("document.getElementById('mode').textContent !== ''")
+    assert page.locator("body > script").count() == 2
+    assert not said
+    page.close()
+
+
+def test_the_report_draws_its_scenes_under_any_name(browser: Browser, tmp_path: Path) -> None:  # noqa: F811
+    scenario = sp.Scenario.parse(
+        {
+            "title": NAMES[0],
+            "furniture": {"preset": "bookcase", "name": NAMES[1]},
+            "room": {"left_wall": {"gap": 0.02}},
+            "shaking": {"builtin": "near-fault", "scale": 0.6},
+            "measures": [{"type": "belt", "name": "<!--<script>"}],
+            "uncertainty": {"samples": 2},
+        }
+    )
+    verdict = verify(scenario, levels=[], threads=1, progress=False)
+    path = tmp_path / "report.html"
+    verdict.report(path)
+    page, said = opened(browser, path)
+    assert page.title() == NAMES[0]
+    page.wait_for_selector("canvas", state="attached")
+    for state in page.locator(".pair .state").all():
+        expect(state).to_contain_text("°")
+    assert page.locator(".pair canvas").count() >= 1
+    assert not said
+    page.close()
+
+
+def test_the_animation_plays_pauses_and_steps(browser: Browser, tmp_path: Path) -> None:  # noqa: F811
+    run = sp.simulate(
+        sp.Body(0.4, 1.8, 100.0), sp.Room(), sp.sine(amplitude=4.0, frequency=1.0, duration=2.0)
+    )
+    page, said = opened(browser, animate_run(run, tmp_path / "run.html"))
+    page.wait_for_function("parseFloat(document.getElementById('clock').textContent) > 0.1")
+    assert page.locator("#play").inner_text() == "Pause"
+    page.keyboard.press(" ")
+    assert page.locator("#play").inner_text() == "Play"
+    paused = page.locator("#clock").inner_text()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function(f"document.getElementById('clock').textContent !== '{paused}'")
+    page.locator("#theme").click()
+    assert page.evaluate("document.documentElement.dataset.theme") == "dark"
+    assert not said
+    page.goto((tmp_path / "run.html").as_uri() + "#0.5")
+    page.reload()
+    page.wait_for_function("document.getElementById('clock').textContent === '0.50 s'")
+    assert page.locator("#play").inner_text() == "Play"
+    page.close()
+
+
+def test_the_report_plays_a_pair_from_its_start_to_its_end(browser: Browser, tmp_path: Path) -> None:  # noqa: F811
+    scenario = sp.Scenario.parse(
+        {
+            "furniture": {"preset": "bookcase"},
+            "shaking": {"sine": {"amplitude": 4.0, "frequency": 1.0, "duration": 2.0}},
+            "measures": [{"type": "anti_slip_sheet"}],
+            "uncertainty": {"samples": 1},
+        }
+    )
+    verify(scenario, levels=[], threads=1, progress=False).report(tmp_path / "report.html")
+    page, said = opened(browser, tmp_path / "report.html")
+    pair = page.locator(".pair").first
+    pair.locator(".speed").select_option("2")
+    poster = pair.locator(".clock").inner_text()
+    pair.locator(".play").click()
+    assert pair.locator(".play").inner_text() == "Pause"
+    expect(pair.locator(".clock")).not_to_have_text(poster)
+    expect(pair.locator(".play")).to_have_text("Play", timeout=15_000)
+    assert float(pair.locator(".time").input_value()) == 1000.0
+    assert not said
+    page.close()

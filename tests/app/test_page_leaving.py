@@ -1,0 +1,148 @@
+"""The page in Chromium: its jobs and its scene when it is left, comes back, or lacks its server."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from browsing import COMPILING, PHONE, browser, opened  # noqa: F401
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Route
+    from serving import Running
+
+    from stayput.app.service import Service
+
+
+def _long(route: Route) -> None:
+    asked: dict[str, Any] = route.request.post_data_json
+    asked["scene"]["uncertainty"]["samples"] = 2000
+    route.continue_(post_data=asked)
+
+
+def test_a_page_that_is_left_takes_its_verification_along(browser: Browser, server: Running) -> None:
+    service: Service = server.app.state.service
+    with opened(browser, server) as it:
+        it.page.unroute("**/api/v1/verify")
+        it.page.route("**/api/v1/verify", _long)
+        with it.page.expect_response(
+            lambda answer: "/jobs/" in answer.url and answer.json()["done"] > 0, timeout=COMPILING
+        ) as found:
+            it.page.get_by_label("Height (cm)").fill("175")
+        job = found.value.json()
+        it.page.goto("about:blank")
+        it.asked.remove("about:blank") if "about:blank" in it.asked else None
+        until = time.monotonic() + 10.0
+        while (left := service.jobs.get(job["id"])).state == "running":
+            assert time.monotonic() < until
+            time.sleep(0.05)
+        assert left.state == "cancelled"
+
+
+def test_what_was_asked_for_comes_before_what_was_not(browser: Browser, server: Running) -> None:
+    with opened(browser, server, verify=True) as it:
+        it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
+        it.page.wait_for_selector("#whatif[data-state=done]", timeout=COMPILING)
+        asked: list[tuple[str, bool | None]] = []
+        it.page.on(
+            "request",
+            lambda one: (
+                one.url.endswith(("/verify", "/size-map"))
+                and asked.append((one.url.rsplit("/", 1)[1], one.post_data_json.get("compare_usual")))
+            ),
+        )
+        it.page.click("#verify", timeout=COMPILING)
+        it.page.wait_for_selector("#whatif[data-state=done]", timeout=COMPILING)
+        it.page.wait_for_selector("#map[data-old=false] svg", timeout=COMPILING)
+        assert asked[:2] == [("verify", False), ("verify", True)]  # the verdict, the ranking
+        assert sorted(asked[2:]) == [("size-map", None), ("verify", False)]  # the map, another floor
+
+
+def test_a_job_that_the_server_has_lost_is_begun_again(browser: Browser, server: Running) -> None:
+    with opened(browser, server, verify=True, allowed=("404",)) as it:
+        lost = []
+
+        def lose(route: Route) -> None:
+            if lost:
+                route.fallback()
+            else:
+                lost.append(route.request.url)
+                route.fulfill(status=404, json={"message": "There is no such job.", "field": None})
+
+        it.page.route("**/api/v1/jobs/*", lose)
+        it.page.click("#verify", timeout=COMPILING)
+        it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
+        assert lost
+        assert "falls over" in it.text("#verdict")
+
+
+def test_the_page_goes_on_by_itself_when_the_server_is_back(browser: Browser, server: Running) -> None:
+    with opened(browser, server, allowed=("Failed to load",)) as it:
+        it.page.route("**/api/v1/**", lambda route: route.abort())
+        it.page.get_by_label("Height (cm)").fill("150")
+        it.page.wait_for_selector("#problem:visible")
+        assert "does not answer" in it.text("#problem")
+        assert it.page.locator("#away").is_visible()
+        assert it.page.get_attribute("#see", "data-old") == "true"
+        it.page.unroute("**/api/v1/**")
+        it.page.route("**/api/v1/verify", lambda route: None)
+        with it.page.expect_response("**/simulate") as found:
+            pass  # nobody clicks
+        assert found.value.json()["without"]["body"]["height_m"] == pytest.approx(1.5)
+        it.page.wait_for_selector("#problem", state="hidden")
+        assert not it.page.locator("#away").is_visible()
+        assert it.page.get_attribute("#see", "data-old") == "false"
+
+
+def test_back_takes_a_change_back(browser: Browser, server: Running) -> None:
+    with opened(browser, server) as it:
+        height = it.page.get_by_label("Height (cm)")
+        first = height.input_value()
+        it.simulated(lambda: it.page.click("#presets button:has-text('Chest')"))
+        it.page.wait_for_timeout(400)
+        it.simulated(lambda: height.fill("150"))
+        it.page.wait_for_timeout(400)
+        height.fill("151")  # goes on with the same field: one place for both
+        it.page.wait_for_timeout(400)
+        it.simulated(lambda: it.page.go_back())
+        assert it.text("#presets [aria-pressed=true]") == "Chest of drawers"
+        assert height.input_value() not in ("150", "151")
+        it.simulated(lambda: it.page.go_back())
+        assert it.text("#presets [aria-pressed=true]") == "Bookcase, full"
+        assert height.input_value() == first
+        it.simulated(lambda: it.page.go_forward())
+        assert it.text("#presets [aria-pressed=true]") == "Chest of drawers"
+
+
+def test_back_shows_the_screen_before_on_a_phone(browser: Browser, server: Running) -> None:
+    with opened(browser, server, size=PHONE) as it:
+        it.go("scene")
+        it.go("understand")
+        it.page.go_back()
+        assert it.page.locator(".screen:visible").get_attribute("id") == "scene"
+        it.page.go_back()
+        assert it.page.locator(".screen:visible").get_attribute("id") == "see"
+        assert it.page.get_attribute("#steps [aria-current]", "data-screen") == "see"
+
+
+def test_care_speed_building_and_floor_are_remembered(browser: Browser, server: Running) -> None:
+    with opened(browser, server) as it:
+        it.page.select_option("#samples", "400")
+        it.page.select_option("#speed", "0.25")
+        it.page.fill("#whatif-floor", "12")
+        it.page.press("#whatif-floor", "Tab")
+        it.simulated(lambda: it.page.get_by_label("In a building").check())
+        it.simulated(lambda: it.page.get_by_role("slider", name="Storeys of the building").fill("14"))
+        it.simulated(lambda: it.page.get_by_role("slider", name="On storey").fill("9"))
+        it.simulated(lambda: it.page.get_by_label("On the ground").check())
+        it.page.wait_for_timeout(350)
+        it.page.reload()
+        it.settle()
+        assert it.page.input_value("#samples") == "400"
+        assert it.page.input_value("#speed") == "0.25"
+        assert it.page.input_value("#whatif-floor") == "12"
+        asked, _ = it.simulated(lambda: it.page.get_by_label("In a building").check())
+        assert asked["scene"]["shaking"]["storey"] == 9
+        assert asked["scene"]["shaking"]["building"]["storeys"] == 14

@@ -1,0 +1,310 @@
+"""The page in Chromium: what is not as it was asked for is said where the reader looks, in both languages."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from browsing import COMPILING, PHONE, browser, opened  # noqa: F401
+
+import stayput as sp
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from playwright.sync_api import Browser, Route
+    from serving import Running
+
+SIDEWAYS = {"width": 844, "height": 390}
+
+CUT = """all => {
+  const pen = document.createElement("canvas").getContext("2d");
+  const spinner = 18;
+  return all.filter(one => one.checkVisibility()).filter(one => {
+    const style = getComputedStyle(one);
+    pen.font = `${style.fontSize} ${style.fontFamily}`; // "font" is empty beside tabular figures
+    const inside = one.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight) - spinner;
+    return pen.measureText(one.value).width > inside;
+  }).map(one => `${one.ariaLabel}: ${one.value}`);
+}"""
+
+
+def scene(**changed: object) -> str:
+    usual = {
+        "piece": "bookcase",
+        "width": 0.3,
+        "height": 1.8,
+        "mass": 35,
+        "shelves": "33,33,33,33,33",
+        "wall": 1,
+    }
+    return "#" + "&".join(f"{name}={value}" for name, value in {**usual, **changed}.items())
+
+
+@pytest.mark.parametrize("size", [PHONE, {"width": 1280, "height": 900}])
+def test_number_fields_show_all_of_their_digits(
+    browser: Browser, server: Running, size: dict[str, int]
+) -> None:
+    measures = "l_bracket;stiffness:123456,belt;stiffness:250000,gel_mats,tension_pole;stiffness:1000000"
+    with opened(browser, server, scene(measures=measures, storeys=10, storey=3), size=size) as it:
+        it.go("scene")
+        for summary in it.page.locator("#measures summary:visible, #sizes summary").all():
+            if summary.evaluate("one => !one.parentElement.open"):
+                summary.click()
+        values = it.page.eval_on_selector_all("input[type=number]", "all => all.map(one => one.value)")
+        assert "123456" in values
+        assert it.page.eval_on_selector_all("input[type=number]", CUT) == []
+        it.go("understand")
+        it.page.fill("#whatif-floor", "60")
+        assert it.page.eval_on_selector_all("input[type=number]", CUT) == []
+
+
+def test_a_number_is_shown_as_it_was_given_and_its_limits_are_said(browser: Browser, server: Running) -> None:
+    with opened(browser, server) as it:
+        height = it.page.get_by_label("Height (cm)")
+        asked, _ = it.simulated(lambda: height.fill("181.5"))
+        height.press("Tab")
+        assert height.input_value() == "181.5"
+        assert asked["scene"]["furniture"]["height"] == pytest.approx(1.815)
+        asked, _ = it.simulated(lambda: height.fill("1000"))
+        assert asked["scene"]["furniture"]["height"] == pytest.approx(2.6)
+        assert "From 30 to 260 cm." in it.text("#sizes")
+        it.simulated(lambda: height.fill("170"))
+        assert "From 30" not in it.text("#sizes")
+
+
+def test_a_link_whose_record_has_expired_says_so_above_the_picture(browser: Browser, server: Running) -> None:
+    link = scene(record=32 * "0", name="my town.csv")
+    with opened(browser, server, link, allowed=("404",)) as it:
+        assert "“my town.csv” is no longer on the server" in it.text("#notices")
+        it.page.click("#languages [lang=ja]")
+        assert "「my town.csv」はサーバーに残っていません" in it.text("#notices")
+        it.page.click("#languages [lang=en]")
+        it.page.click("text=Understood")
+        it.page.locator("#notices").wait_for(state="hidden")
+
+
+def test_an_old_picture_does_not_pass_for_the_answer(browser: Browser, server: Running) -> None:
+    with opened(browser, server, motion="no-preference") as it:
+        held: list[Route] = []
+        it.page.route("**/simulate", lambda route: held.append(route))
+        it.page.get_by_label("Height (cm)").fill("150")
+        it.page.wait_for_selector("#see[data-old=true]")
+        assert "from the scene before" in it.text("#wait")
+        assert it.page.get_attribute("#play", "aria-label") == "Play"  # it has stopped
+        still = it.page.input_value("#time")
+        it.page.wait_for_timeout(200)
+        assert it.page.input_value("#time") == still
+        it.page.unroute("**/simulate")
+        held[0].continue_()
+        it.page.wait_for_selector("#see[data-old=false]")
+        assert not it.page.locator("#wait").is_visible()
+        assert it.page.get_attribute("#play", "aria-label") == "Pause"
+
+
+def test_what_has_no_wall_or_ceiling_is_said_to_be_left_out(browser: Browser, server: Running) -> None:
+    with opened(browser, server, scene(measures="l_bracket,tension_pole")) as it:
+        assert not it.page.locator("#notices").is_visible()
+        it.simulated(lambda: it.page.get_by_label("There is a wall behind it").uncheck())
+        told = "no wall behind the piece: L-brackets in studs."
+        assert told in it.text("#notices")
+        assert told in it.text("#room")
+        asked, _ = it.simulated(lambda: it.page.get_by_label("Height of the room (cm)").fill("180"))
+        assert "ceiling" not in asked["scene"]["room"]
+        assert asked["measures"] == []
+        for place in ("#notices", "#room"):
+            assert "does not go under this ceiling" in it.text(place)
+            assert "no ceiling above the piece: Tension poles." in it.text(place)
+        it.page.click("#languages [lang=ja]")
+        assert "家具が入りません" in it.text("#notices")
+        assert "L型金具" in it.text("#room")
+
+
+def record(folder: Path, name: str, motion: sp.Motion) -> Path:
+    return motion.write(folder / name)
+
+
+def test_the_component_of_a_record_is_said_and_chosen(
+    browser: Browser, server: Running, tmp_path: Path
+) -> None:
+    motion = sp.near_fault()
+    file = record(tmp_path, "three.csv", replace(motion, y=0.5 * motion.x, z=0.25 * motion.x))
+    with opened(browser, server) as it:
+        _, answer = it.simulated(lambda: it.page.set_input_files("#file", file))
+        peak = answer["motion"]["pga_m_s2"]
+        choice = it.page.locator("#uploaded select")
+        assert choice.input_value() == "x"
+        assert choice.locator("option").all_inner_texts() == ["x", "y", "z (vertical)"]
+        assert it.page.locator("#strength input[type=radio]:checked").count() == 0  # it has its own strength
+        asked, answer = it.simulated(lambda: choice.select_option("y"))
+        assert asked["scene"]["shaking"]["component"] == "y"
+        assert answer["motion"]["pga_m_s2"] == pytest.approx(0.5 * peak, rel=1e-6)
+        it.simulated(lambda: choice.select_option("z"))
+        assert choice.locator("option:checked").inner_text() == "z (vertical)"
+        it.page.wait_for_timeout(350)
+        it.page.reload()
+        it.settle()
+        assert it.page.locator("#uploaded select").input_value() == "z"
+        it.page.click("#languages [lang=ja]")
+        assert "上下動" in it.text("#uploaded")
+        asked, _ = it.simulated(lambda: it.page.get_by_label("震度6強", exact=True).check())
+        assert asked["scene"]["shaking"]["intensity"] == 6.25  # it is made as strong
+
+
+def test_a_record_of_an_upper_floor_is_not_sent_through_a_building_without_a_word(
+    browser: Browser, server: Running, tmp_path: Path
+) -> None:
+    with opened(browser, server) as it:
+        it.simulated(lambda: it.page.get_by_label("In a building").check())
+        it.simulated(
+            lambda: it.page.set_input_files("#file", record(tmp_path, "ground.csv", sp.near_fault()))
+        )
+        assert not it.page.locator("#notices").is_visible()
+        it.simulated(
+            lambda: it.page.set_input_files("#file", record(tmp_path, "floor42.csv", sp.near_fault()))
+        )
+        assert "goes through a building once more" in it.text("#notices")
+        assert "recorded on floor 42 of a building" in it.text("#uploaded")
+        it.simulated(lambda: it.page.get_by_label("On the ground").check())
+        assert not it.page.locator("#notices").is_visible()
+
+
+def test_nothing_lies_over_the_picture_of_a_phone_on_its_side(browser: Browser, server: Running) -> None:
+    overlap = """() => {
+      const bar = document.querySelector(".transport").getBoundingClientRect();
+      return [...document.querySelectorAll("canvas.stage")].filter(one => one.checkVisibility())
+        .some(one => one.getBoundingClientRect().bottom > bar.top + 1);
+    }"""
+    with opened(browser, server, size=SIDEWAYS) as it:
+        for down in (0, 40, 120, 240):
+            it.page.evaluate(f"scrollTo(0, {down})")
+            it.page.wait_for_timeout(30)
+            assert not it.page.evaluate(overlap), down
+        # the picture and its buttons are on the screen together
+        it.page.evaluate("document.querySelector('.theatre').scrollIntoView()")
+        stage, bar = (it.page.locator(what).first.bounding_box() for what in (".stage", ".transport"))
+        assert stage is not None
+        assert bar is not None
+        steps = it.page.locator("#steps").bounding_box()
+        assert steps is not None
+        assert stage["y"] >= 0
+        assert bar["y"] + bar["height"] <= steps["y"]
+
+
+@pytest.mark.parametrize("size", [PHONE, SIDEWAYS, {"width": 1280, "height": 700}])
+def test_an_event_is_jumped_to_with_the_picture_in_sight(
+    browser: Browser, server: Running, size: dict[str, int]
+) -> None:
+    seen = """one => {
+      const box = one.getBoundingClientRect();
+      return Math.min(box.bottom, innerHeight) - Math.max(box.top, 0);
+    }"""
+    with opened(browser, server, size=size) as it:
+        jump = it.page.locator("#story .jump").last
+        jump.scroll_into_view_if_needed()
+        jump.click()
+        it.page.wait_for_timeout(100)
+        assert it.page.eval_on_selector("#stage-with", seen) > 100
+
+
+def test_lines_of_devices_have_their_names(browser: Browser, server: Running) -> None:
+    with opened(
+        browser, server, scene(measures="l_bracket,gel_mats,tension_pole,belt", ceiling=2.4, gap=0.02)
+    ) as it:
+        names = it.page.locator("#device-key li").all_inner_texts()
+        assert "Adhesive gel mats, front" in names
+        assert len(names) == 5
+        assert names[-1] == "and 1 more"
+        dashes = it.page.eval_on_selector_all(
+            "#device-key path", "all => all.map(one => one.getAttribute('stroke-dasharray'))"
+        )
+        assert len(set(dashes)) == 4
+
+
+def test_a_tilt_beyond_its_picture_is_marked(browser: Browser, server: Running) -> None:
+    spy = """
+    const write = CanvasRenderingContext2D.prototype.fillText;
+    globalThis.written = [];
+    CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+      written.push(text);
+      return write.call(this, text, ...rest);
+    };"""
+    with opened(browser, server) as it:
+        it.page.add_init_script(spy)
+        it.page.reload()
+        it.settle()
+        it.page.wait_for_timeout(100)
+        assert "▲ up to 90 °" in it.page.evaluate("written")
+
+
+def test_the_slider_of_the_time_and_the_title_speak_the_language(browser: Browser, server: Running) -> None:
+    with opened(browser, server, language="ja") as it:
+        assert it.page.title().startswith("stayput：地震のとき")
+        it.page.fill("#time", "500")
+        it.page.wait_for_timeout(50)
+        said = it.page.get_attribute("#time", "aria-valuetext")
+        assert said is not None
+        assert re.fullmatch(r"\d+秒のうち\d+\.\d秒", said)
+        it.page.click("#languages [lang=en]")
+        assert it.page.title().startswith("stayput: will my furniture")
+
+
+def test_what_is_not_possible_or_not_known_is_no_chance_of_zero(browser: Browser, server: Running) -> None:
+    def unknown(route: Route) -> None:
+        answer = route.fetch()
+        found: dict[str, Any] = answer.json()
+        if found.get("result"):
+            found["result"]["intensity"] = None
+            for option in found["result"]["options"]:
+                option["overturned"] |= {"estimate": None, "low": 0.0, "high": 1.0}
+                for seen in (option["curve"] or {"observed": []})["observed"]:
+                    seen["estimate"] = None
+        route.fulfill(response=answer, json=found)
+
+    with opened(browser, server, scene(measures="belt", ceiling=2.4, gap=0.02), verify=True) as it:
+        it.page.wait_for_selector("#map svg.chart", timeout=COMPILING)
+        titled = it.page.locator("#map .simpossible title")
+        too_high = titled.count()  # for the room, whatever holds the piece
+        it.page.locator("#map-which").get_by_label("With the measures").check()
+        # The map of before stands until the new one has come: the measures' own refusal tells which it is.
+        it.page.locator("#map p", has_text="must be between floor and ceiling").wait_for(timeout=COMPILING)
+        titles = titled.all_text_contents()
+        assert len(titles) > too_high
+        for title in titles:
+            assert "not possible: " in title
+            assert "%" not in title
+        assert "not possible" in it.text("#map .key")
+        assert "must be between floor and ceiling" in it.text("#map")
+        it.page.click("#languages [lang=ja]")
+        assert "設置不可" in it.text("#map .key")
+        assert "床と天井の間" in it.text("#map")
+        it.page.click("#languages [lang=en]")
+        ranks = it.page.eval_on_selector_all(
+            "#ranking .bar", "all => all.map(one => Math.round(one.getBoundingClientRect().width))"
+        )
+        assert len(set(ranks)) == 1  # one scale for all, the reader's own among them
+        it.page.route("**/api/v1/jobs/*", unknown)
+        it.page.click("#verify")
+        it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
+        assert "not known, since no simulation came to its end" in it.text("#verdict")
+        assert it.page.locator("#tens svg").count() == 0
+        assert it.page.locator("#fragility .dot[d*='NaN'], #fragility .here").count() == 0
+        assert set(it.page.locator("#ranking .share").all_inner_texts()) == {"not known"}
+        assert it.page.locator("#ranking .bar .part").count() == 0
+
+
+def test_a_refused_file_leaves_the_record_in_use_with_its_button(
+    browser: Browser, server: Running, tmp_path: Path
+) -> None:
+    bad = tmp_path / "bad.csv"
+    bad.write_text("no numbers\n" * 30)
+    with opened(browser, server, allowed=("422",)) as it:
+        it.simulated(lambda: it.page.set_input_files("#file", record(tmp_path, "good.csv", sp.near_fault())))
+        it.page.set_input_files("#file", bad)
+        it.page.locator("#uploaded .refusal").wait_for()
+        assert "good.csv" in it.text("#uploaded")
+        it.simulated(lambda: it.page.get_by_text("Without this record").click())
+        assert it.text("#uploaded") == ""

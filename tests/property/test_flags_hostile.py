@@ -1,0 +1,146 @@
+"""Hostile flags, mutated by their grammar: a command does what is asked, or says what is wrong.
+
+HYPOTHESIS_PROFILE=thorough tries many more.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import re
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from typer.testing import CliRunner
+
+from stayput.cli import app
+
+pytestmark = pytest.mark.hostile
+
+FLAGS = {
+    "simulate": {
+        "--body": "0.4x1.8x100",
+        "--motion": "sine:5,0.8,2",
+        "--scale": "1.5",
+        "--intensity": "6-upper",
+        "--building": "3,RC",
+        "--storey": "2",
+        "--floor": "carpet",
+        "--friction": "0.4,0.3",
+        "--wall": "0.02",
+        "--right-wall": "0.1",
+        "--contact": "coulomb",
+        "--measure": "anti_slip_sheet",
+        "--dt": "0.01",
+        "--unit": "gal",
+        "--component": "x",
+    },
+    "building": {
+        "--storeys": "3",
+        "--structure": "wood",
+        "--period": "0.4",
+        "--damping": "0.05",
+        "--motion": "sine:1,1,2",
+    },
+    "assess": {
+        "--scenario": "no-such.toml",
+        "--out": "no-such-folder/out",
+        "--slide-limit": "0.1",
+        "--threads": "2",
+        "--memory": "2GB",
+    },
+}
+NEEDED = {
+    "simulate": ["--json"],
+    "building": ["--json"],
+    "assess": ["no-such.csv", "--scenario", "x.toml", "--out", "x"],
+}
+NUMBERS = [
+    "nan",
+    "inf",
+    "-inf",
+    "-1",
+    "0",
+    "-0.0",
+    "1e999",
+    "1e-320",
+    "1e308",
+    "9" * 400,
+    "1_0",
+    "0x1",
+    "１",
+    "1,5",
+    "",
+]
+MARKS = [
+    "x",
+    ",",
+    ":",
+    ";",
+    " ",
+    "-",
+    "=",
+    "\u00d7",
+    "\u3000",
+    "\u202e",
+    "'",
+    '"',
+    "%s",
+    "{}",
+    "\n",
+    "../",
+    "~",
+    "\\",
+    "\ufffd",
+]
+places = st.integers(0, 10**6)
+
+
+@st.composite
+def mutated(draw, text: str) -> str:
+    """A value of which numbers are replaced, and marks put in, left out or repeated."""
+    for _ in range(draw(st.integers(1, 3))):
+        place = draw(places) % (len(text) or 1)
+        match draw(st.sampled_from(["number", "number", "mark", "cut", "repeat", "any"])):
+            case "number":
+                numbers = list(re.finditer(r"[\d.]+", text))
+                if numbers:
+                    one = numbers[draw(places) % len(numbers)]
+                    text = text[: one.start()] + draw(st.sampled_from(NUMBERS)) + text[one.end() :]
+            case "mark":
+                text = text[:place] + draw(st.sampled_from(MARKS)) + text[place:]
+            case "cut":
+                text = text[:place]
+            case "repeat":
+                text = text[:place] + text[place:] * 2
+            case _:
+                text = draw(st.text(st.characters(exclude_characters="\0", codec="utf-8"), max_size=10))
+    return text
+
+
+@st.composite
+def lines(draw) -> list[str]:
+    """A command with some flags, one or more of them mutated."""
+    command = draw(st.sampled_from(sorted(FLAGS)))
+    flags = FLAGS[command]
+    chosen = draw(st.lists(st.sampled_from(sorted(flags)), min_size=1, max_size=4))
+    wrong = draw(places) % len(chosen)
+    found = [command, *NEEDED[command]]
+    for place, flag in enumerate(chosen):
+        value = draw(mutated(flags[flag])) if place == wrong or draw(st.booleans()) else flags[flag]
+        found += [f"{flag}={value}"]
+    return found
+
+
+@given(lines())
+def test_flags_are_taken_or_refused_in_a_sentence(tmp_path_factory, line):
+    with contextlib.chdir(tmp_path_factory.getbasetemp()):
+        done = CliRunner().invoke(app, line)
+    assert done.exception is None or isinstance(done.exception, SystemExit), (line, done.exception)
+    assert done.exit_code in (0, 2), (line, done.output)
+    if done.exit_code == 0:
+        json.loads(done.stdout)
+    else:
+        assert done.stderr.strip(), line
+        assert "Traceback" not in done.output

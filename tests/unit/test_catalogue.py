@@ -1,0 +1,64 @@
+"""The catalogue: each sentence in two languages, and each id that the code names."""
+
+import ast
+import pickle
+import string
+from pathlib import Path
+
+import pytest
+
+import stayput
+from stayput.catalogue import TEXTS, phrase, say
+from stayput.errors import InputError, InputWarning, within
+
+SOURCES = sorted(Path(stayput.__file__).parent.rglob("*.py"))
+SILENT = {"page.state_refused"}  # the refusal itself stands in its place
+REFUSALS = ("InputError", "InputWarning")
+
+
+def placeholders(text: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
+
+
+@pytest.mark.parametrize("key", TEXTS)
+def test_both_languages_are_filled_in_from_the_same_values(key):
+    english, japanese = TEXTS[key]
+    assert english or japanese or key in SILENT  # one language may need nothing between two words
+    assert placeholders(japanese) <= placeholders(english)
+
+
+def refusals():
+    for file in SOURCES:
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in REFUSALS:
+                yield pytest.param(node, id=f"{file.stem}:{node.lineno}")
+
+
+@pytest.mark.parametrize("call", list(refusals()))
+def test_each_refusal_names_a_sentence_and_gives_its_values(call):
+    code = call.args[0]
+    if not isinstance(code, ast.Constant):  # computed; its caller's tests meet it
+        return
+    given = {word.arg for word in call.keywords}
+    assert code.value in TEXTS
+    if None not in given:
+        assert placeholders(TEXTS[code.value][0]) <= given
+
+
+def test_an_error_tells_its_sentence_in_both_languages_and_survives_another_process():
+    with pytest.raises(InputError) as caught:
+        within(("The gap", "すき間"), 12.0, 0.0, 10.0, "m", field="left_wall.gap")
+    error = pickle.loads(pickle.dumps(caught.value.at("room.toml")))
+    assert str(error) == "room.toml: The gap is 12 m; it must be between 0 and 10 m."
+    assert error.told("ja") == "room.toml：すき間が12 mになっています。0～10 mにしてください。"
+    assert (error.code, error.field, error.values["value"]) == ("common.not_within", "left_wall.gap", 12.0)
+    assert isinstance(pickle.loads(pickle.dumps(InputWarning("common.colon"))), InputWarning)
+
+
+def test_a_value_may_itself_be_in_two_languages():
+    told = phrase("common.not_a_number", name=("The gap", "すき間"), value="wide")
+    assert told == (
+        "The gap is wide; it must be a number.",
+        "すき間がwideになっています。数値を指定してください。",
+    )
+    assert say("common.colon", "ja") == "："

@@ -1,0 +1,62 @@
+"""Output that cannot be written: a full disk, a reader that has gone, a closed output."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PROGRAM = [sys.executable, "-c", "from stayput.cli import main; main()"]
+BODY = ["--body", "0.5x1.0x50", "--motion", "sine:2,1,1"]
+COMMANDS = [
+    ["simulate", *BODY],
+    ["simulate", *BODY, "--json"],
+    ["motion", "info", "near-fault"],
+    ["building", "--motion", "sine:2,1,1", "--storeys", "2"],
+    ["simulate", "--help"],
+    ["--version"],
+]
+
+
+def given(arguments: list[str], **options):
+    # no thread of a crash reporter or profiler speaks here: all that is on standard error is ours
+    return subprocess.run(
+        [*PROGRAM, *arguments], stderr=subprocess.PIPE, text=True, timeout=300, check=False, **options
+    )
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full on this system")
+@pytest.mark.parametrize("arguments", COMMANDS, ids=" ".join)
+def test_a_full_disk_is_said_in_a_sentence(arguments):
+    with Path("/dev/full").open("w") as full:
+        done = given(arguments, stdout=full)
+    assert done.stderr == "The output could not be written: no space left on device.\n"
+    assert done.returncode == 2
+
+
+@pytest.mark.parametrize("arguments", COMMANDS, ids=" ".join)
+def test_a_reader_that_has_gone_is_no_error_to_speak_of(arguments):
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = given(arguments, stdout=writer)
+    os.close(writer)
+    assert done.stderr == ""
+    assert done.returncode == 141
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full on this system")
+def test_where_nothing_can_be_said_the_exit_code_says_it():
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run([*PROGRAM, "simulate", *BODY], stdout=full, stderr=full, check=False)
+    assert done.returncode == 2
+
+
+@pytest.mark.skipif(os.name != "posix", reason="a shell closes the output")
+def test_a_closed_output_is_as_good_as_none():
+    line = ["sh", "-c", '"$@" >&-', "sh", *PROGRAM, "simulate", *BODY]
+    done = subprocess.run(line, stderr=subprocess.PIPE, text=True, check=False)
+    assert done.stderr == ""
+    assert done.returncode == 0

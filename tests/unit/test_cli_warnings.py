@@ -1,0 +1,51 @@
+"""What is doubtful about a record: one line on standard error, told once."""
+
+import json
+
+import pytest
+from typer.testing import CliRunner
+
+from stayput.cli import app
+
+ROWS = "".join(f"{0.01 * i:.2f} {2.0 * (i % 50 - 25) / 25:.3f}\n" for i in range(400))
+
+
+@pytest.fixture
+def run(tmp_path):
+    """Run a command in whose arguments {} stands for the folder of files."""
+    (tmp_path / "floor42.txt").write_text("# unit: m/s2\n" + ROWS)
+    (tmp_path / "plain.txt").write_text("# unit: m/s2\n" + ROWS)
+    (tmp_path / "scene.toml").write_text(
+        '[furniture]\npreset = "bookcase"\n[shaking]\nrecord = "floor42.txt"\nstorey = 3\n'
+        "[shaking.building]\nstoreys = 4\n[uncertainty]\nsamples = 4\n"
+    )
+
+    def invoke(*words):
+        return CliRunner().invoke(app, [word.replace("{}", str(tmp_path)) for word in words])
+
+    return invoke
+
+
+def told(done):
+    return [line for line in done.stderr.splitlines() if line.startswith("Warning: ")]
+
+
+def test_a_floor_under_a_building_is_told_once(run):
+    for words in (
+        ("simulate", "--motion", "{}/floor42.txt", "--building", "4,RC", "--storey", "3", "--json"),
+        ("simulate", "{}/scene.toml", "--json"),
+        ("verify", "{}/scene.toml", "--json"),
+        ("building", "--storeys", "4", "--motion", "{}/floor42.txt", "--json"),
+    ):
+        done = run(*words)
+        assert done.exit_code == 0, done.output
+        json.loads(done.stdout)
+        lines = told(done)
+        assert len(lines) == len(set(lines)) == 2, lines
+        assert "floor42.txt (columns of numbers): The name or the header says" in lines[0]
+        assert "is of floor 42 of a building and goes through the 4-storey" in lines[1]
+
+
+def test_a_floor_by_itself_and_the_ground_under_a_building(run):
+    assert len(told(run("simulate", "--motion", "{}/floor42.txt"))) == 1
+    assert told(run("simulate", "--motion", "{}/plain.txt", "--building", "4,RC", "--storey", "3")) == []

@@ -1,0 +1,142 @@
+"""Grades of the inputs beside the numbers, and quick estimates that are far from the simulation."""
+
+import csv
+import io
+import json
+from dataclasses import replace
+
+import pytest
+import verdict_cases
+
+import stayput as sp
+from stayput.app.verification import verdict_reply
+from stayput.measures import MEASURES, GelMats, LBracket, parameters
+from stayput.measures.parameters import GRADE_OF, MEANINGS, Grade
+from stayput.report.verdict.html import report_html
+from stayput.report.verdict.markdown import verdict_markdown
+from stayput.report.verdict.tables import verdict_csv
+from stayput.verification.grades import grade, inputs, weakest
+from stayput.verification.notes import APART, notes
+from stayput.verification.options import Option
+from stayput.verification.verdict import Estimates
+
+MINE = {"width": 0.4, "height": 1.8, "mass": 90.0}
+ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
+
+
+def scenario(furniture=MINE, room=ROOM, **tables):
+    return sp.Scenario.parse({"furniture": furniture, "room": room, **tables})
+
+
+def option(*measures):
+    return Option("it", measures)
+
+
+def test_a_grade_is_that_of_the_weakest_input_that_decides():
+    own_floor = {**ROOM, "floor": {"static_friction": 0.5}}
+    assert grade(option(), scenario(room=own_floor)) is Grade.A
+    assert grade(option(), scenario()) is Grade.B
+    assert grade(option(), scenario({"preset": "bookcase"})) is Grade.C
+    assert grade(option(MEASURES["anti_slip_sheet"]()), scenario()) is Grade.B
+    assert grade(option(GelMats()), scenario()) is Grade.C
+    assert {one.label[0] for one in weakest(option(LBracket()), scenario())} == {
+        "L-brackets in studs: strength of one"
+    }
+    building = {"shaking": {"intensity": 6.0, "building": {"storeys": 5}, "storey": 3}}
+    assert grade(option(), scenario(**building)) is Grade.C
+
+
+def test_what_the_user_gives_counts_as_known():
+    own_floor = {**ROOM, "floor": {"static_friction": 0.5}}
+    given = option(LBracket(strength=1200.0))
+    assert grade(given, scenario()) is Grade.B
+    assert grade(given, scenario(room=own_floor)) is Grade.A
+    # stiffness and damping do not decide; a default that is said again is the default
+    assert grade(option(LBracket(stiffness=2e5)), scenario(room=own_floor)) is Grade.C
+    assert grade(option(LBracket(strength=1500.0)), scenario(room=own_floor)) is Grade.C
+
+
+def test_a_preset_s_own_sizes_are_defaults_even_where_a_page_sends_them():
+    sent = {"preset": "bookcase", "width": 0.30, "height": 1.80, "mass": 200.0}
+    assert inputs(option(), scenario(sent))[0].grade is Grade.C
+    assert inputs(option(), scenario({**sent, "mass": 150.0}))[0].grade is Grade.C
+    measured = {"preset": "bookcase", "width": 0.31, "height": 1.78, "mass": 150.0}
+    assert inputs(option(), scenario(measured))[0].grade is Grade.A
+    shelves = {"preset": "bookcase", "width": 0.31, "height": 1.78, "shelves": [30.0, 20.0]}
+    assert inputs(option(), scenario(shelves))[0].grade is Grade.A
+
+
+def test_the_floor_counts_where_the_piece_stands_on_it():
+    def about_the_floor(*measures):
+        return any(one.label[0] == "friction on the floor" for one in inputs(option(*measures), scenario()))
+
+    assert about_the_floor()
+    assert about_the_floor(LBracket())
+    assert about_the_floor(MEASURES["wedge_stopper"]())
+    assert not about_the_floor(MEASURES["felt_glides"]())
+    assert not about_the_floor(GelMats())
+
+
+def test_every_measure_that_holds_by_strength_or_grip_says_what_decides():
+    for kind, measure in MEASURES.items():
+        decides = [about.name for about in parameters(measure) if about.decides]
+        grips = {"strength", "static_friction", "tension"} & {about.name for about in parameters(measure)}
+        assert grips <= set(decides), kind
+        assert not {"damping", "stiffness", "count", "height"} & set(decides), kind
+    assert set(GRADE_OF.values()) == set(MEANINGS) == set(Grade)
+    assert max(Grade) is Grade.C
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_every_form_of_a_verdict_carries_the_grades(language):
+    verdict = verdict_cases.made()
+    place = 0 if language == "en" else 1
+    for text in (report_html(verdict, language), verdict_markdown(verdict, language).replace("\\", "")):
+        assert MEANINGS[Grade.C][place] in text
+        for note in verdict.notes(language):
+            assert note.replace("ζ", "") in text.replace("ζ", "").replace("\N{NO-BREAK SPACE}", " ")
+    html = report_html(verdict, language)
+    assert html.count("tag gradeC") >= 2 * len(verdict.options)
+    data = json.loads(verdict.to_json())
+    assert [one["grade"] for one in data["options"]] == ["C", "C", "C"]
+    assert data["options"][0]["inputs"][0]["en"] == "size and mass of the piece"
+    assert data["grades"]["C"][language] == MEANINGS[Grade.C][place]
+    rows = list(csv.DictReader(io.StringIO(verdict_csv(verdict))))
+    assert [row["grade"] for row in rows] == ["C", "C", "C"]
+    assert "belts: strength of one" in rows[0]["weakest_inputs"]
+    reply = verdict_reply(verdict)
+    assert [one.grade for one in reply.options] == ["C", "C", "C"]
+    assert getattr(reply.notes[0], language) == verdict.notes(language)[0]
+
+
+def estimated(verdict, ratio):
+    return replace(verdict, estimates=Estimates(1.63, 0.23, 1.0, ratio))
+
+
+def test_a_quick_estimate_far_from_the_simulation_is_explained():
+    verdict = verdict_cases.made()
+    found = verdict.without.probabilities["overturned"].estimate
+    near, far = found + APART - 0.01, found - APART - 0.01
+    assert not any("quick estimate" in english for english, _ in notes(estimated(verdict, near)))
+    english, japanese = notes(estimated(verdict, far))[0]
+    assert "The quick estimate (Kaneko and Hayashi)" in english
+    assert "the wall behind (2.0 cm away)" in english
+    assert "背後の壁（すき間2.0 cm）" in japanese
+    assert "may slide" not in english
+    unknown = estimated(verdict_cases.without_numbers(), 0.9)
+    assert not any("quick estimate" in note for note, _ in notes(unknown))
+
+
+def test_what_the_formula_leaves_out_is_what_there_is():
+    slippery = {"floor": "PTFE glide", "right_wall": {"gap": 0.1}, "ceiling": {"height": 1.81}}
+    table = {
+        "furniture": {"preset": "bookcase", "cg_offset": [0.0, -0.3]},
+        "room": slippery,
+        "shaking": {"builtin": "near-fault"},
+    }
+    verdict = verdict_cases.made(table)
+    bare = replace(verdict, options=(verdict.without,))
+    english = notes(estimated(bare, 0.0))[0][0]
+    for said in ("the wall in front (10 cm away)", "the ceiling", "may slide", "centre of gravity at 33 %"):
+        assert said in english
+    assert "the wall behind" not in english

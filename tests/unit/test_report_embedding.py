@@ -1,0 +1,84 @@
+"""Texts of a user's inside pages and tables: they stay texts."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import io
+import json
+import re
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from report_runs import rocking
+from verdict_cases import made
+
+from stayput.report.animation import player_page
+from stayput.report.embedding import canvas_files, script_json, script_module
+from stayput.report.film import film_of
+from stayput.report.verdict.exports import curves_csv, observed_csv
+from stayput.report.verdict.tables import verdict_csv
+from stayput.spreadsheets import text_cell
+
+HOSTILE = ["<!--<script>", "</script><script>alert(1)</script>", "{{data}}", "{{title}}", "a\u2028b&amp;"]
+
+
+@given(st.recursive(st.text(), lambda inside: st.lists(inside) | st.dictionaries(st.text(), inside)))
+def test_json_in_a_script_has_none_of_html_s_characters_and_is_the_same(values: object) -> None:
+    text = script_json(values)
+    assert not set(text) & set("<>&\u2028\u2029")
+    assert json.loads(text) == values
+
+
+def test_json_in_a_script_has_finite_numbers_only() -> None:
+    with pytest.raises(ValueError, match="JSON"):
+        script_json([float("nan")])
+
+
+def test_an_inline_module_has_no_imports_and_no_exports() -> None:
+    text = script_module('import { drawScene } from "./canvas/painter.js";\ndrawScene();\n')
+    assert not re.search(r"^(import|export)\b", text, re.MULTILINE)
+    assert text.count("function drawScene(") == 1
+    assert text.endswith("drawScene();\n")
+    names = re.findall(r"^(?:const|let|function) (\w+)", text, re.MULTILINE)
+    assert len(names) == len(set(names)), "all modules share one scope"
+    assert "</script" not in text
+    assert "inks.css" in canvas_files()
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_the_player_holds_any_name(name: str) -> None:
+    page = player_page(film_of(rocking(), name), 1.0, 1.0)
+    data = re.search(r'<script id="run" type="application/json">(.*?)</script>', page, re.S)
+    assert data
+    assert "<" not in data[1]
+    assert name.lower() in json.loads(data[1])["title"].lower()
+    assert page.count("<script") == player_page(film_of(rocking(), "a"), 1.0, 1.0).count("<script")
+
+
+@pytest.mark.parametrize("begins", ["=", "+", "-", "@", "\t", "\r", "＝"])
+def test_cells_that_a_spreadsheet_would_run_are_texts(begins: str) -> None:
+    name = f"{begins}cmd|' /C calc'!A0"
+    shown = name.replace("\r", " ")
+    assert text_cell(name) == f"'{shown}"
+    assert text_cell(f"a{name}") == f"a{shown}"
+    verdict = made()
+    one = verdict.options[0]
+    curve, *_ = one.curves.values()
+    one = dataclasses.replace(one, option=dataclasses.replace(one.option, name=name))
+    curve = dataclasses.replace(curve, name=name)
+    texts = (
+        verdict_csv(dataclasses.replace(verdict, options=(one, *verdict.options[1:]))),
+        curves_csv([curve], curve.measure),
+        observed_csv([curve]),
+    )
+    for text in texts:
+        rows = list(csv.DictReader(io.StringIO(text, newline="")))
+        assert rows[0]["option"] == f"'{shown}"
+
+
+def test_numbers_keep_their_signs() -> None:
+    rows = list(csv.DictReader(verdict_csv(made()).splitlines()))
+    numbers = [value for row in rows for key, value in row.items() if "_text" not in key and key != "option"]
+    assert not [value for value in numbers if value.startswith("'")]

@@ -1,0 +1,212 @@
+"""Sentences with every measure's name, with one and with many, with very small and very large numbers."""
+
+import dataclasses
+import math
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import report_runs
+import verdict_cases
+
+import stayput as sp
+from stayput.catalogue import LANGUAGES
+from stayput.catalogue.page import TEXTS
+from stayput.fragility import probability
+from stayput.fragility.probabilities import percent
+from stayput.inventory.report import storey_map
+from stayput.inventory.summary import Total
+from stayput.measures import MEASURES, Belt, DeviceResult
+from stayput.montecarlo.counting import DEVICE_FAILED, Quantiles
+from stayput.report.summary import piece_sentences, rows, sentence
+from stayput.report.verdict import numbers
+from stayput.report.verdict.words import word
+from stayput.simulation import Outcome
+from stayput.verification.options import Option
+from stayput.verification.words import headline, reason, title
+from stayput.wording import FAR, counted, inside
+
+PAGE = Path(sp.__file__).parent / "app" / "page"
+
+
+def moved(tilt, slide, outcome, room=None):
+    """Return a run whose peaks are these, to the right."""
+    t = np.linspace(0.0, 1.0, 201)
+    run = report_runs.made(tilt * np.sin(3.0 * t), slide * t, ["rock"] * len(t), outcome=outcome)
+    return dataclasses.replace(run, room=room or run.room, peak_tilt=abs(tilt), peak_slide=abs(slide))
+
+
+def all_words(run):
+    """Return the sentences of a run: of the command line, and of the page in both languages."""
+    return sentence(run, "chest"), *piece_sentences(run, "chest")
+
+
+def held(kind, **values):
+    """Return a verdict whose best option is a measure of a kind, with a device that fails in all runs."""
+    verdict = verdict_cases.made()
+    best = replace(verdict.best, option=Option(kind, (MEASURES[kind](**values),)))
+    return replace(verdict, options=(best, *verdict.options[1:]))
+
+
+@pytest.mark.parametrize("outcome", [Outcome.SLID, Outcome.ROCKED])
+@pytest.mark.parametrize("slide", [0.0, 1e-5, 4e-4, 0.00996, 0.0099, 0.02, 0.999, 1.0, 2.9, 14.588])
+@pytest.mark.parametrize("tilt", [0.0, 1e-5, math.radians(0.049), math.radians(0.051), 0.1])
+def test_peaks_are_told_as_people_tell_them(outcome, slide, tilt):
+    for text in all_words(moved(tilt, slide, outcome)):
+        assert "up to less" not in text
+        assert not re.search(r"最大[^、。]*未満", text)
+        assert "0.0°" not in text
+        assert "0.0度" not in text
+        assert " 0 mm" not in text
+        assert "10 mm" not in text
+        assert not re.search(r"\d{3,}\.\d cm", text)
+
+
+def test_a_slide_without_a_wall_in_its_way_is_told_as_one():
+    """On casters of friction 0.03 a body does roll for ten metres; no room is so long."""
+    english, page, japanese = all_words(moved(0.0, 14.588, Outcome.SLID, sp.Room(left_wall=sp.Wall(0.02))))
+    assert "more than 3 m (there is no wall to stop it)" in english
+    assert "more than 3 m (there is no wall to stop it)" in page
+    assert "3 mを超えて" in japanese
+    assert "14" not in english + page + japanese
+    walled = moved(0.0, 14.588, Outcome.SLID, sp.Room(right_wall=sp.Wall(20.0)))
+    assert "up to 14.59 m" in sentence(walled)
+    assert ("Peak slide", "1458.80 cm") in rows(walled)
+    to_the_back = moved(0.0, -14.588, Outcome.SLID, sp.Room(right_wall=sp.Wall(20.0)))
+    assert "no wall to stop it" in sentence(to_the_back)
+    assert ("Peak slide", "1458.80 cm (there is no wall to stop it)") in rows(to_the_back)
+
+
+@pytest.mark.parametrize("sign", [-1.0, 1.0])
+@pytest.mark.parametrize("outcome", [Outcome.OVERTURNED, Outcome.LEANING])
+def test_the_page_names_the_sides_as_its_labels_do(sign, outcome):
+    run = dataclasses.replace(report_runs.falling(sign), outcome=outcome)
+    english, japanese = piece_sentences(run, "chest")
+    assert f"to the {'front' if sign > 0.0 else 'back'}" in english
+    assert f"{'手前' if sign > 0.0 else '奥'}へ" in japanese
+    assert not re.search(r"\b(left leaning to the )?(right|left) ", english.replace("was left", "was"))
+    assert not set("右左") & set(japanese)
+    assert f"to the {'right' if sign > 0.0 else 'left'}" in sentence(run)
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_no_text_of_the_page_speaks_of_right_and_left(language):
+    text = "\n".join(words[LANGUAGES.index(language)] for words in TEXTS.values())
+    assert not re.search(r"to the (right|left)|右へ|左へ|右側|左側", text)
+
+
+def test_no_text_of_the_page_counts_with_a_plural():
+    """A number in them may be 1: "Share of 1 earthquakes"."""
+    text = "\n".join(english for english, _ in TEXTS.values())
+    counts = re.findall(r"\{(?:n|motions|runs|count|number)\} (?:\w+ )?\w+s\b", text)
+    assert counts == []
+    assert not re.search(r"\{(device|measures)\} (fails|holds|is|has|was)\b", text)
+
+
+@pytest.mark.parametrize("kind", MEASURES)
+def test_a_measure_s_name_goes_with_its_sentence(kind):
+    label = MEASURES[kind].label[0]
+    verdict = held(kind)
+    said = headline(verdict, "en")
+    assert f"with {inside(label)}" in said
+    assert reason(verdict.best, verdict, "en").startswith("It overturns")
+    assert label[1:] in inside(label)
+    capital = not label[1].islower()
+    assert (inside(label) == label) == capital
+
+
+def test_acronyms_and_letters_keep_their_capitals():
+    assert inside("L-brackets in studs + Tension poles") == "L-brackets in studs + tension poles"
+    assert inside("Sliding glides (PTFE)") == "sliding glides (PTFE)"
+    assert inside("PTFE glides") == "PTFE glides"
+
+
+@pytest.mark.parametrize("kind", ["l_bracket", "sliding_glides", "gel_mats", "belt"])
+def test_the_device_that_failed_first_is_named_within_its_sentence(kind):
+    label = MEASURES[kind].label
+    failed = DeviceResult(
+        kind=kind, label=label, place="", peak_pull=9.0, peak_push=0.0, peak_shear=0.0,
+        failed=True, failure_time=1.25, cause="pull", utilisation=1.0,
+        pull=np.zeros(1), shear=np.zeros(1),
+    )  # fmt: skip
+    english, _ = piece_sentences(dataclasses.replace(report_runs.falling(), devices=(failed,)), "chest")
+    assert f"First to fail: {inside(label[0])}, after 1.2 s." in english
+    assert "l-brackets" not in english
+    assert "ptfe" not in english
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_the_user_s_own_name_is_kept(language):
+    verdict = verdict_cases.made()
+    mine = replace(verdict.best, option=Option("Grandma's belt", (Belt(),)))
+    named = replace(verdict, options=(mine, *verdict.options[1:]))
+    assert "Grandma's belt" in title(mine.option, named, language)
+    assert "Grandma's belt" in headline(named, language)
+    yours = Option("yours", (Belt(strength=900.0),))  # the set of the page's reader has no name of its own
+    assert not yours.own_name
+    for plain in verdict.options:
+        assert title(plain.option, verdict, language) == plain.option.label(language)
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+@pytest.mark.parametrize("share", [0.0, 1.0 / 16000.0, 0.004, 0.5, 0.996, 1.0 - 1.0 / 16000.0, 1.0])
+@pytest.mark.parametrize("slide", [0.0, 1e-4, 0.012, 0.3, 2.0, 14.6, math.inf, math.nan])
+def test_reasons_for_small_and_large_numbers(language, share, slide):
+    verdict = verdict_cases.made()
+    chance = replace(verdict.best.probabilities[DEVICE_FAILED], estimate=share)
+    best = replace(
+        verdict.best,
+        slide=Quantiles(slide, slide),
+        probabilities=dict.fromkeys(verdict.best.probabilities, chance),
+    )
+    changed = replace(verdict, options=(best, *verdict.options[1:]))
+    texts = [reason(best, changed, language), headline(changed, language)]
+    texts += numbers.slides(best.slide, verdict.scenario.room.room(), language)
+    for text in texts:
+        assert not re.search(r"\b(nan|inf)\b", text)
+        assert not re.search(r"\d{3,} cm", text)
+        assert "14" not in text.replace("14 cm", "")
+        if share not in (0.0, 1.0):
+            assert not re.search(r"(?<![\d.<>])(0|0\.0|100|100\.0) ?%", text)
+
+
+def test_a_slide_beyond_all_rooms_is_a_number_where_walls_are_on_both_sides():
+    far = Quantiles(1.0, 4.0)
+    open_room = sp.Room(left_wall=sp.Wall(0.02))
+    closed = sp.Room(left_wall=sp.Wall(0.02), right_wall=sp.Wall(8.0))
+    assert numbers.slides(far, open_room, "en") == ("1.0 m", f"> {FAR:g} m")
+    assert numbers.slides(far, closed, "ja") == ("1.0 m", "4.0 m")
+
+
+@pytest.mark.parametrize(("tilt", "slide"), [(0.0, 0.0), (1e-4, 1e-4), (0.03, 1e-4), (0.1, 0.04)])
+def test_outcomes_of_the_report(tilt, slide):
+    for language in ("en", "ja"):
+        for outcome in (Outcome.SLID, Outcome.ROCKED):
+            text = word(
+                f"outcome_{outcome.value}",
+                language,
+                tilt=numbers.peak_tilt(tilt, language),
+                slide=numbers.peak_slide(slide, language),
+            )
+            assert "up to less" not in text
+            assert not re.search(r"最大[^、]*未満", text)
+            assert "0.0" not in text
+
+
+def test_counts():
+    assert [counted(n, "run") for n in (0, 1, 2, 1000)] == ["0 runs", "1 run", "2 runs", "1,000 runs"]
+    lone = storey_map({("a", 1): Total(1, 1, 0.0004, 0.0, None, None, 0)}, False, "map")
+    assert "% of 1 piece<" in lone
+    assert "&lt;0.1" in lone
+    assert "of 2 pieces<" in storey_map({("a", 1): Total(1, 2, 1.0, 0.0)}, False, "map")
+
+
+def test_a_share_is_never_all_or_nothing_where_it_is_not():
+    assert [percent(p) for p in (0.0, 1e-5, 4e-4, 6e-4, 0.5, 0.9994, 0.99996, 1.0)] == [
+        "0", "<0.1", "<0.1", "0.1", "50", "99.9", ">99.9", "100",
+    ]  # fmt: skip
+    assert percent(-1e-5) == "−<0.1"
+    found = probability(np.arange(40_000).reshape(4000, 10) < 1)
+    assert found.text.startswith("<0.1 % (")
