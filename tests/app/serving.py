@@ -5,16 +5,18 @@ from __future__ import annotations
 import threading
 import time
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import httpx
 
+from stayput.app import verification
 from stayput.app.addresses import address_of, bind
 from stayput.app.server import create_app, server_of
 
 if TYPE_CHECKING:
-    from collections.abc import Generator
+    from collections.abc import Callable, Generator
 
+    import pytest
     from fastapi import FastAPI
 
     from stayput.app.limits import Limits
@@ -58,3 +60,16 @@ def running(limits: Limits | None = None, *, warming: bool = False) -> Generator
 
 def client_of(server: Running) -> httpx.Client:
     return httpx.Client(base_url=server.address, timeout=COMPILING, trust_env=False)
+
+
+def hold_verifications(patched: pytest.MonkeyPatch) -> threading.Event:
+    """Keep verifications at their first simulation until the event is set, however fast the machine is."""
+    go_on, verify = threading.Event(), verification.verify
+
+    def held(scenario: Any, *, told: Callable[[int, int], None], **more: Any) -> Any:
+        while not go_on.wait(0.01):
+            told(1, 1000)
+        return verify(scenario, told=told, **more)
+
+    patched.setattr(verification, "verify", held)
+    return go_on
