@@ -97,7 +97,6 @@ def load() -> float:
 
 def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
     """Runs, seconds and CPU seconds of the kernel alone: rows and motions ready, blocks over threads."""
-    from stayput.ensemble.columns import run_rows
     from stayput.inventory.city import read_cities
     from stayput.inventory.header import header_of
     from stayput.inventory.items import RowReader
@@ -105,6 +104,7 @@ def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
     from stayput.inventory.tables import open_table
     from stayput.montecarlo.hazard import Ground, PreparedFloor
     from stayput.montecarlo.sampling import Settings, draws, rows_of
+    from stayput.simulation.columns import run_rows
 
     cities = read_cities(scenario)
     city = cities.all[0]

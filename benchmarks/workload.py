@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 import stayput as sp
-from stayput.cases import State, case_columns
 from stayput.execution import cores as cores
 from stayput.mechanics.runner import run_cases, shaking
+from stayput.model.state import State
 from stayput.motion.units import STANDARD_GRAVITY
+from stayput.simulation.flat_fields import case_columns
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

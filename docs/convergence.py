@@ -11,8 +11,9 @@ import numpy as np
 
 import stayput as sp
 import workload
-from stayput.cases import State, case_columns
 from stayput.mechanics.runner import Traced, shaking, trace
+from stayput.model.state import State
+from stayput.simulation.flat_fields import case_columns
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -8,8 +8,8 @@ import validation_run
 from PIL import Image
 
 import stayput as sp
-from stayput.furniture import FURNITURE
 from stayput.measures import MEASURES, Chain, TensionPole, WedgeStopper, parameters
+from stayput.model.furniture import FURNITURE
 from stayput.report.film import film_of
 from stayput.report.frames import Painter
 

@@ -20,10 +20,10 @@ import suite_pages
 import validation_run
 
 import stayput as sp
-from stayput.ensemble.results import QUANTITIES
-from stayput.furniture import FURNITURE
+from stayput.model.furniture import FURNITURE
 from stayput.motion.readers import READERS
 from stayput.scenario.messages import kinds
+from stayput.simulation.results import QUANTITIES
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "examples"

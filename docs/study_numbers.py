@@ -21,9 +21,9 @@ import stayput.studies.tokyo_runs as tokyo_test
 import stayput.studies.walls as walls
 from stayput import studies
 from stayput.estimates import SCATTER
+from stayput.model.room import Wall
 from stayput.motion.units import STANDARD_GRAVITY
-from stayput.room import Wall
-from stayput.simulation import LAWS
+from stayput.simulation.run import LAWS
 from stayput.studies.capacity import inside, stated
 from stayput.studies.study import listed, span
 from stayput.studies.tokyo import names

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 def load_solvers() -> None:
     """Run each compiled entry point of the mechanics once: from the cache on disk, or compiled into it."""
     from stayput import Body, Room, State
-    from stayput.cases import case_columns
     from stayput.mechanics.devices.runner import no_elements, trace_with_devices
     from stayput.mechanics.runner import shaking, trace
+    from stayput.simulation.flat_fields import case_columns
 
     (case,) = case_columns(Body(0.4, 1.6), Room(), State(), 9.81)
     motion = shaking(np.zeros(2), None, 0.01, 0)

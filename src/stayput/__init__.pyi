@@ -1,15 +1,9 @@
 # The public names, each once: `stayput.__init__` loads one from here when it is first used, and type
 # checkers read it. A name that is added here is public.
 
-from .body import Body as Body
-from .body import Part as Part
 from .building import Building as Building
 from .building import Isolation as Isolation
 from .building import ShearModel as ShearModel
-from .ensemble import overturning_map as overturning_map
-from .ensemble import simulate_many as simulate_many
-from .ensemble import sweep as sweep
-from .ensemble import trace_boundary as trace_boundary
 from .errors import InputError as InputError
 from .errors import InputWarning as InputWarning
 from .fragility import FragilityCurve as FragilityCurve
@@ -21,6 +15,14 @@ from .inventory import assess as assess
 from .measures import MEASURES as MEASURES
 from .measures import Measure as Measure
 from .measures import hold as hold
+from .model.body import Body as Body
+from .model.body import Part as Part
+from .model.room import SURFACES as SURFACES
+from .model.room import Ceiling as Ceiling
+from .model.room import Floor as Floor
+from .model.room import Room as Room
+from .model.room import Wall as Wall
+from .model.state import State as State
 from .motion import Motion as Motion
 from .motion import near_fault as near_fault
 from .motion import pulse as pulse
@@ -35,21 +37,19 @@ from .motion.suites import japanese_design as japanese_design
 from .motion.suites import read_suite as read_suite
 from .motion.suites import read_target as read_target
 from .motion.suites import synthetic_suite as synthetic_suite
-from .room import SURFACES as SURFACES
-from .room import Ceiling as Ceiling
-from .room import Floor as Floor
-from .room import Room as Room
-from .room import Wall as Wall
 from .scenario import Scenario as Scenario
 from .scenario import read_scenario as read_scenario
-from .simulation import Case as Case
-from .simulation import Event as Event
-from .simulation import EventKind as EventKind
-from .simulation import Mode as Mode
-from .simulation import Outcome as Outcome
-from .simulation import Run as Run
-from .simulation import State as State
-from .simulation import simulate as simulate
+from .simulation.boundary import overturning_map as overturning_map
+from .simulation.boundary import trace_boundary as trace_boundary
+from .simulation.many import simulate_many as simulate_many
+from .simulation.run import Case as Case
+from .simulation.run import Event as Event
+from .simulation.run import EventKind as EventKind
+from .simulation.run import Mode as Mode
+from .simulation.run import Outcome as Outcome
+from .simulation.run import Run as Run
+from .simulation.run import simulate as simulate
+from .simulation.sweep import sweep as sweep
 from .uncertainty import Lognormal as Lognormal
 from .uncertainty import Normal as Normal
 from .uncertainty import Uncertainty as Uncertainty

@@ -18,8 +18,8 @@ and contact together (common knowledge, not re-checked)."""
 
 
 def _ratio(width: float, height: float) -> float:
-    within("scene.estimate_width", width, 0.01, 100.0, "m")
-    within("scene.estimate_height", height, 0.01, 100.0, "m")
+    within("model.estimate_width", width, 0.01, 100.0, "m")
+    within("model.estimate_height", height, 0.01, 100.0, "m")
     return width / height
 
 
@@ -98,8 +98,8 @@ def ishiyama_overturns(
     InputError
         A size or a peak out of range.
     """
-    within("scene.peak_acceleration", pga, 0.0, math.inf, "m/s²")
-    within("scene.peak_velocity", pgv, 0.0, math.inf, "m/s")
+    within("model.peak_acceleration", pga, 0.0, math.inf, "m/s²")
+    within("model.peak_velocity", pgv, 0.0, math.inf, "m/s")
     return pga >= rocking_acceleration(width, height, gravity) and pgv >= ishiyama_velocity(
         width, height, gravity
     )
@@ -167,7 +167,7 @@ def kaneko_hayashi_median(
     (2.66, 6.19)
     """
     ratio = _ratio(width, height)
-    fe = within("scene.equivalent_frequency", frequency, 0.0, 1000.0, "Hz")
+    fe = within("model.equivalent_frequency", frequency, 0.0, 1000.0, "Hz")
     if fe <= kaneko_hayashi_branch(width, height):
         return gravity * ratio * (1.0 + ratio)
     return 2.0 * math.pi * fe * width / math.sqrt(height) * (1.0 + ratio) ** 2.5
@@ -205,7 +205,7 @@ def kaneko_hayashi(
     a, v = (finite(name, value) for name, value in (("PGA", pga), ("PGV", pgv)))
     for name, value, unit in (("PGA", a, " m/s²"), ("PGV", v, " m/s"), ("ζ", scatter, "")):
         if not value > 0.0:
-            raise InputError("scene.not_positive", name=name, value=value, unit=unit)
+            raise InputError("model.not_positive", name=name, value=value, unit=unit)
     fe = a / (2.0 * math.pi * v)
     median = kaneko_hayashi_median(width, height, fe, gravity)
     ratio = 0.5 * math.erfc(-math.log(a / median) / (scatter * math.sqrt(2.0)))
@@ -249,7 +249,7 @@ def tie_force(
     291.0
     """
     _ratio(width, height)
-    within("scene.estimate_mass", mass, 0.0, 1e6, "kg")
-    a = abs(finite("scene.acceleration", acceleration))
-    z = within("scene.tie_height", tie_height, 1e-3, height, "m")
+    within("model.estimate_mass", mass, 0.0, 1e6, "kg")
+    a = abs(finite("model.acceleration", acceleration))
+    z = within("model.tie_height", tie_height, 1e-3, height, "m")
     return max(mass * (a * height - gravity * width) / (2.0 * z), 0.0)

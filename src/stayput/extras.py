@@ -17,4 +17,4 @@ def absent(what: str, module: str, extra: str) -> InputError:
     extra : str
         Name of the extra that holds it.
     """
-    return InputError("scene.not_installed", what=what, module=module, extra=extra)
+    return InputError("model.not_installed", what=what, module=module, extra=extra)

@@ -38,11 +38,11 @@ def check_target(path: str | Path, suffixes: Sequence[str]) -> Path:
     """
     target = Path(path)
     if target.suffix.lower() not in suffixes:
-        raise InputError("scene.wrong_suffix", file=repr(str(target)), suffixes=", ".join(suffixes))
+        raise InputError("model.wrong_suffix", file=repr(str(target)), suffixes=", ".join(suffixes))
     if not target.parent.is_dir():
-        raise InputError("scene.no_folder", file=repr(str(target)))
+        raise InputError("model.no_folder", file=repr(str(target)))
     if target.is_dir():
-        raise InputError("scene.file_is_folder", file=repr(str(target)))
+        raise InputError("model.file_is_folder", file=repr(str(target)))
     return target
 
 
@@ -63,7 +63,7 @@ def draft(target: Path) -> Generator[Path]:
         path.replace(target)
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
-        raise InputError("scene.not_written", file=repr(str(target)), reason=reason) from error
+        raise InputError("model.not_written", file=repr(str(target)), reason=reason) from error
     finally:
         path.unlink(missing_ok=True)
 
@@ -112,5 +112,5 @@ def check_animation(path: str | Path) -> Path:
     """
     target = check_target(path, ANIMATION_SUFFIXES)
     if target.suffix.lower() == ".mp4" and shutil.which("ffmpeg") is None:
-        raise InputError("scene.no_ffmpeg", file=repr(str(target)))
+        raise InputError("model.no_ffmpeg", file=repr(str(target)))
     return target

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from stayput.room import Room
+    from stayput.model.room import Room
 
 FAR = 3.0
 """A slide beyond this, in a room that is open to a side, is told as no more than that [m].

@@ -9,9 +9,9 @@ from hypothesis import HealthCheck, given, settings
 from serving import client_of
 
 from stayput.building import STRUCTURES
-from stayput.furniture import FURNITURE
 from stayput.measures import MEASURES
-from stayput.room import SURFACES
+from stayput.model.furniture import FURNITURE
+from stayput.model.room import SURFACES
 
 if TYPE_CHECKING:
     from serving import Running

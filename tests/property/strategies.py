@@ -14,10 +14,11 @@ import numpy as np
 from hypothesis import strategies as st
 
 from stayput import Body, Ceiling, Floor, Motion, Room, State, Wall
-from stayput.cases import case_columns, standing_corners
 from stayput.mechanics.devices import columns as el
 from stayput.mechanics.devices.runner import no_elements
-from stayput.simulation import STANDARD_GRAVITY
+from stayput.model.state import standing_corners
+from stayput.simulation.flat_fields import case_columns
+from stayput.simulation.run import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

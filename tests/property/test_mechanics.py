@@ -29,14 +29,14 @@ from strategies import (
 )
 
 from stayput import Floor, Motion, Room, State, simulate
-from stayput.cases import standing_corners
 from stayput.mechanics.runner import run_cases, shaking
-from stayput.simulation import STANDARD_GRAVITY, Outcome
+from stayput.model.state import standing_corners
+from stayput.simulation.run import STANDARD_GRAVITY, Outcome
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from stayput.simulation import Run
+    from stayput.simulation.run import Run
 
 MANY = 50
 """Cases an example, where they run by the column."""

@@ -6,9 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import stayput as sp
-from stayput.furniture import FURNITURE
 from stayput.measures import MEASURES
-from stayput.room import SURFACES
+from stayput.model.furniture import FURNITURE
+from stayput.model.room import SURFACES
 
 names = st.text(st.characters(codec="utf-8"), min_size=1, max_size=200)
 

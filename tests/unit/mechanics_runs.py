@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 import stayput as sp
-from stayput.cases import case_columns
 from stayput.mechanics.devices import columns as el
 from stayput.mechanics.devices.runner import no_elements
 from stayput.mechanics.runner import Shaking, Traced, shaking, trace
+from stayput.simulation.flat_fields import case_columns
 
 G = 9.81
 BLOCK = sp.Body(0.4, 1.6)

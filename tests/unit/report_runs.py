@@ -5,7 +5,8 @@ import math
 import numpy as np
 
 import stayput as sp
-from stayput.simulation import Event, EventKind, Mode, Outcome, Run, State
+from stayput.model.state import State
+from stayput.simulation.run import Event, EventKind, Mode, Outcome, Run
 
 DT = 0.01
 BODY = sp.Body(0.3, 1.8, 200.0)

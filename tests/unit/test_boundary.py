@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.ensemble import overturning
-from stayput.ensemble.boundary import (
+from stayput.simulation import overturning
+from stayput.simulation.boundary import (
     bisected,
     hidden_crossings,
     overturning_map,

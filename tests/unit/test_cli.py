@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 
 import stayput
 from stayput.cli import app
-from stayput.simulation import Case
+from stayput.simulation.run import Case
 
 PROGRAM = [sys.executable, "-c", "from stayput.cli import main; main()"]
 RECORD = "\n".join(f"{k * 0.01:.2f} {300 * ((k // 40) % 2 * 2 - 1)}" for k in range(400))

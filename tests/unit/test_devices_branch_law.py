@@ -9,13 +9,13 @@ import pytest
 from numba import njit
 
 import stayput as sp
-from stayput.cases import case_columns
 from stayput.mechanics.devices import columns as el
 from stayput.mechanics.devices.active_elements import evaluate_lines, line_force
 from stayput.mechanics.devices.branch_law import set_lines
 from stayput.mechanics.devices.device_law import interaction_margin, margins
 from stayput.mechanics.devices.elements import evaluate_elements
 from stayput.mechanics.devices.runner import no_elements
+from stayput.simulation.flat_fields import case_columns
 
 BRANCHES = (el.OPEN, el.PLUS, el.MINUS, el.BOND, el.SLIP_PLUS, el.SLIP_MINUS)
 

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.cases import State, case_columns
 from stayput.mechanics.devices import columns as el
 from stayput.mechanics.devices.runner import (
     check_elements,
@@ -16,6 +15,8 @@ from stayput.mechanics.devices.runner import (
     trace_with_devices,
 )
 from stayput.mechanics.runner import run_cases, shaking
+from stayput.model.state import State
+from stayput.simulation.flat_fields import case_columns
 
 CASE = case_columns(sp.Body(0.4, 1.8), sp.Room(), State(), 9.80665)
 MOTION = shaking(4.0 * np.sin(0.05 * np.arange(400)), None, 0.01, 0)

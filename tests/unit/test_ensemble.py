@@ -14,10 +14,10 @@ import pytest
 from interrupts import hears_interrupts
 
 import stayput as sp
-from stayput.ensemble.grid import Grid
-from stayput.ensemble.many import run_grid
-from stayput.ensemble.results import OUTCOMES, QUANTITIES
 from stayput.progress import bar
+from stayput.simulation.grid import Grid
+from stayput.simulation.many import run_grid
+from stayput.simulation.results import OUTCOMES, QUANTITIES
 
 WALLED = sp.Room(sp.Floor(0.4, 0.3), right_wall=sp.Wall(0.1))
 PULSE = sp.pulse("ricker", 6.0, frequency=1.0, quiet=3.0, dt=0.01)
@@ -215,7 +215,7 @@ def test_the_work_in_hand_does_not_grow_with_the_number_of_cases(monkeypatch):
         return block(grid, start, stop)
 
     axes = {"body.width": np.linspace(0.2, 0.6, 100), "motion.scale": np.linspace(0.01, 0.02, 100)}
-    from stayput.ensemble.axes import make_grid
+    from stayput.simulation.axes import make_grid
 
     grid = make_grid(CASE, axes)
     monkeypatch.setattr(Grid, "block", counted)

@@ -2,8 +2,8 @@
 
 import pytest
 
-from stayput.body import Body
-from stayput.furniture import FURNITURE
+from stayput.model.body import Body
+from stayput.model.furniture import FURNITURE
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,6 @@ from inventories import CITY, HEADER, city, digests, pieces, rows_of_results, ta
 from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.cases import State, case_columns
 from stayput.cli.assess import assess as command
 from stayput.inventory import assess
 from stayput.inventory.assess import memory_of
@@ -27,8 +26,10 @@ from stayput.inventory.report import storey_map
 from stayput.inventory.results import choose
 from stayput.inventory.summary import Total
 from stayput.measures import MEASURES, element_rows, hold
+from stayput.model.state import State
 from stayput.montecarlo.counting import EVENTS
 from stayput.montecarlo.sampling import drawn_body, drawn_room, draws, rows_of
+from stayput.simulation.flat_fields import case_columns
 from stayput.verification import verify
 
 ROWS = [

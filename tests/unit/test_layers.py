@@ -13,13 +13,12 @@ SOURCES = Path(stayput.__file__).parent
 
 LAYERS = (
     {"catalogue", "errors"},
-    {"extras", "files", "wording", "randomness", "quantities", "spreadsheets", "compiled_files"},
+    {"extras", "files", "wording", "randomness", "spreadsheets", "compiled_files"},
     {"progress", "execution", "uncertainty", "compiled"},
-    {"mechanics", "body", "room", "furniture"},
-    {"cases", "motion"},
+    {"mechanics", "model"},
+    {"motion"},
     {"building", "measures", "estimates"},
     {"simulation", "fragility"},
-    {"ensemble"},
     {"montecarlo", "scenario"},
     {"verification"},
     {"report"},

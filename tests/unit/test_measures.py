@@ -8,8 +8,6 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.cases import standing_corners, wall_faces
-from stayput.furniture import FURNITURE
 from stayput.measures import (
     MEASURES,
     AgainstWall,
@@ -32,6 +30,8 @@ from stayput.measures import (
 )
 from stayput.measures.element import at_rest
 from stayput.mechanics.devices.columns import NORMAL, TANGENT
+from stayput.model.furniture import FURNITURE
+from stayput.model.state import standing_corners, wall_faces
 
 ROOM = sp.Room(left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))
 BODY = sp.Body(0.4, 1.8, 100.0)

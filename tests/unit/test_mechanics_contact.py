@@ -7,9 +7,9 @@ import pytest
 from numba import njit
 
 import stayput as sp
-from stayput.cases import case_columns
 from stayput.mechanics import columns as col
 from stayput.mechanics import contact, geometry
+from stayput.simulation.flat_fields import case_columns
 
 G = 9.81
 

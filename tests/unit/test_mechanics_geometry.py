@@ -7,9 +7,10 @@ import pytest
 from numba import njit
 
 import stayput as sp
-from stayput.cases import case_columns, standing_corners
 from stayput.mechanics import columns as col
 from stayput.mechanics import geometry
+from stayput.model.state import standing_corners
+from stayput.simulation.flat_fields import case_columns
 
 BODY = sp.Body(0.4, 1.6, cg_offset=(0.03, -0.1))
 ROOM = sp.Room(left_wall=sp.Wall(0.5), right_wall=sp.Wall(0.6), ceiling=sp.Ceiling(1.9))

@@ -13,9 +13,9 @@ from report_runs import falling, rocking
 
 import stayput
 from stayput.catalogue import TEXTS
+from stayput.model.room import Room
 from stayput.report.summary import rows, sentence, summary
-from stayput.room import Room
-from stayput.simulation import EventKind, Outcome
+from stayput.simulation.run import EventKind, Outcome
 
 
 @pytest.mark.parametrize(

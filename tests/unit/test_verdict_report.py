@@ -16,8 +16,9 @@ from stayput.building import STRUCTURES
 from stayput.catalogue import names, runs
 from stayput.catalogue.report import TEXTS
 from stayput.fragility import INTENSITY_MEASURES
-from stayput.furniture import FURNITURE
 from stayput.measures import MEASURES, Belt
+from stayput.model.furniture import FURNITURE
+from stayput.model.room import SURFACES
 from stayput.motion.suites import FAMILIES, synthetic_suite
 from stayput.report.verdict import words
 from stayput.report.verdict.assumptions import assumptions
@@ -27,8 +28,7 @@ from stayput.report.verdict.exports import write_curves
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.numbers import capacity, capacity_interval, change, force, length, share
 from stayput.report.verdict.tables import device_rows, ranking, verdict_csv
-from stayput.room import SURFACES
-from stayput.simulation import EventKind, Mode, Outcome
+from stayput.simulation.run import EventKind, Mode, Outcome
 from stayput.uncertainty import USUAL
 from stayput.verification import EVENTS, Quantiles
 from stayput.verification.options import Option

@@ -9,10 +9,10 @@ import numpy as np
 from setups import G
 
 import stayput as sp
-from stayput.cases import case_columns
 from stayput.mechanics.devices import columns as el
 from stayput.mechanics.devices.runner import TracedDevices, no_elements, trace_with_devices
 from stayput.mechanics.runner import Traced, shaking, trace
+from stayput.simulation.flat_fields import case_columns
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -5,7 +5,7 @@ import pytest
 from time_stepping import time_stepping
 
 import stayput as sp
-from stayput.cases import refuse_bad_start
+from stayput.model.state import refuse_bad_start
 
 STILL = sp.Motion(0.001, np.zeros(41), name="still")
 

@@ -13,7 +13,7 @@ from equations import Rocking
 from setups import STICKING, G, block
 
 import stayput as sp
-from stayput.ensemble.boundary import trace_boundary
+from stayput.simulation.boundary import trace_boundary
 from stayput.studies.spectrum import spectrum
 
 ALPHA, E, P = 0.25, 0.9, 2.14

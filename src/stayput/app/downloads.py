@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from stayput.app.motions import Motions
     from stayput.motion import Motion
     from stayput.scenario import Scenario
-    from stayput.simulation import Run
+    from stayput.simulation.run import Run
     from stayput.verification import Verdict
 
 _drawing = threading.Lock()  # Matplotlib draws on one thread at a time

@@ -20,7 +20,6 @@ from stayput.app.replies import (
     StructureReply,
     SurfaceReply,
 )
-from stayput.body import Body
 from stayput.building.building import STOREY_HEIGHT
 from stayput.building.building import STRUCTURES as BUILDINGS
 from stayput.catalogue.names import (
@@ -36,18 +35,19 @@ from stayput.catalogue.names import (
     SURFACES,
 )
 from stayput.errors import InputError
-from stayput.furniture import FURNITURE as PIECES
 from stayput.measures import MEASURES, hold, parameters
+from stayput.model.body import Body
+from stayput.model.furniture import FURNITURE as PIECES
+from stayput.model.room import SURFACES as FRICTIONS
+from stayput.model.room import Ceiling, Room, Wall
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.report.palette import MODE_COLOURS
-from stayput.room import SURFACES as FRICTIONS
-from stayput.room import Ceiling, Room, Wall
 from stayput.verification.options import USUAL
 
 if TYPE_CHECKING:
     from stayput.app.limits import Limits
-    from stayput.furniture import Preset
     from stayput.measures import Measure, Parameter
+    from stayput.model.furniture import Preset
 
 SHELVES = 5
 """Shelves that a bookcase is drawn with."""

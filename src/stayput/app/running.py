@@ -21,14 +21,14 @@ from stayput.app.run_replies import (
 from stayput.errors import InputError
 from stayput.report.scene import TIME_DIGITS, frames, ground_displacement, rounded, scene_of
 from stayput.report.summary import piece_sentences
-from stayput.simulation import simulate
+from stayput.simulation.run import simulate
 from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:
     from stayput.measures import Measure
     from stayput.motion import Motion
     from stayput.scenario import Scenario
-    from stayput.simulation import Run
+    from stayput.simulation.run import Run
 
 RATE = 60.0
 """Frames a second."""

@@ -11,11 +11,11 @@ from stayput.app.jobs import StoppedError
 from stayput.app.refusals import problem
 from stayput.app.run_replies import Here, SizeMapReply
 from stayput.app.running import yours
-from stayput.body import SIZE_RANGE, Body
-from stayput.cases import State, refuse_bad_start
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures import hold
+from stayput.model.body import SIZE_RANGE, Body
+from stayput.model.state import State, refuse_bad_start
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import Rows, stated_rows

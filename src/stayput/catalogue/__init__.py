@@ -9,28 +9,8 @@ only.
 from __future__ import annotations
 
 from collections import ChainMap
+from importlib import import_module
 from typing import TYPE_CHECKING, Literal, TypeGuard
-
-from stayput.catalogue import (
-    app,
-    building,
-    cli,
-    common,
-    ensemble,
-    fragility,
-    inventory,
-    measures,
-    mechanics,
-    motion,
-    page,
-    plots,
-    report,
-    runs,
-    scenario,
-    scene,
-    studies,
-    verification,
-)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -43,27 +23,27 @@ LANGUAGES: tuple[Language, ...] = ("en", "ja")
 Phrase = tuple[str, str]
 """A text in English and in Japanese."""
 
-_MODULES = {
-    module.__name__.rsplit(".", 1)[-1]: module.TEXTS
-    for module in (
-        app,
-        building,
-        cli,
-        common,
-        ensemble,
-        fragility,
-        inventory,
-        measures,
-        mechanics,
-        motion,
-        page,
-        plots,
-        report,
-        runs,
-        scenario,
-        scene,
-        studies,
-        verification,
+_MODULES: dict[str, dict[str, Phrase]] = {
+    name: import_module(f"{__name__}.{name}").TEXTS
+    for name in (
+        "app",
+        "building",
+        "cli",
+        "common",
+        "fragility",
+        "inventory",
+        "measures",
+        "mechanics",
+        "model",
+        "motion",
+        "page",
+        "plots",
+        "report",
+        "runs",
+        "scenario",
+        "simulation",
+        "studies",
+        "verification",
     )
 }
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from stayput.measures import Measure
     from stayput.report.animation import Progress
     from stayput.scenario import Scenario
-    from stayput.simulation import Run
+    from stayput.simulation.run import Run
 
 
 def simulate(

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
-from stayput.cases import State, refuse_bad_start
 from stayput.catalogue import phrase
 from stayput.errors import InputError, within
 from stayput.inventory.cells import number_of, numbers_of, plain, shown, text_of, whole_of
@@ -18,18 +17,19 @@ from stayput.inventory.city import stated_building
 from stayput.inventory.store import ground_spec, measures_spec, thing_spec
 from stayput.measures import MEASURES, hold
 from stayput.measures.measure import refuse_conflicts
-from stayput.room import Floor, Wall
+from stayput.model.room import Floor, Wall
+from stayput.model.state import State, refuse_bad_start
 from stayput.scenario import Scenario
 from stayput.scenario.tables import FurnitureTable
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Hashable, Mapping
 
-    from stayput.body import Body
     from stayput.inventory.cells import Cell
     from stayput.inventory.city import Cities
     from stayput.measures import Measure
-    from stayput.room import Room
+    from stayput.model.body import Body
+    from stayput.model.room import Room
     from stayput.scenario.building import BuildingTable
 
 KEPT = 100_000

@@ -12,17 +12,18 @@ import sqlite3
 from collections import OrderedDict
 from typing import TYPE_CHECKING, Any
 
-from stayput.cases import State, from_leaves, leaves
 from stayput.measures import MEASURES, parameters
+from stayput.model.state import State
 from stayput.scenario.building import BuildingTable
+from stayput.simulation.flat_fields import flat_fields, from_flat_fields
 
 if TYPE_CHECKING:
     from collections.abc import Hashable, Iterable, Iterator
     from pathlib import Path
 
-    from stayput.body import Body
     from stayput.measures import Measure
-    from stayput.room import Room
+    from stayput.model.body import Body
+    from stayput.model.room import Room
 
 KEPT = 400_000
 """Numbers of pieces and of units that are kept in memory."""
@@ -207,12 +208,12 @@ def ground_of(spec: str) -> tuple[int, float | None, BuildingTable | None]:
 
 def thing_spec(body: Body, room: Room) -> str:
     """Return a body in a room as text, each number with all its bits."""
-    return json.dumps(leaves(body, room, State(), 1.0))
+    return json.dumps(flat_fields(body, room, State(), 1.0))
 
 
 def thing_of(spec: str) -> tuple[Body, Room]:
     """Return the body and the room of a spec; the inverse of `thing_spec`."""
-    body, room, _ = from_leaves(json.loads(spec))
+    body, room, _ = from_flat_fields(json.loads(spec))
     return body, room
 
 

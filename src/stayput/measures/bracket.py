@@ -12,9 +12,9 @@ from stayput.measures.measure import Held, Measure, wall_behind
 from stayput.measures.parameters import choice, parameter
 
 if TYPE_CHECKING:
-    from stayput.body import Body
     from stayput.catalogue import Phrase
-    from stayput.room import Room
+    from stayput.model.body import Body
+    from stayput.model.room import Room
 
 REACH = 0.15
 """Farthest from the wall that an L-bracket reaches [m]."""

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.cases import State, standing_corners
 from stayput.mechanics.devices.columns import AXIAL, ELEMENT, PLANAR
+from stayput.model.state import State, standing_corners
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.body import Body
+    from stayput.model.body import Body
 
 
 @dataclass(frozen=True, slots=True)

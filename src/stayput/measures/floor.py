@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, ClassVar
 from stayput.errors import InputError
 from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
 from stayput.measures.parameters import parameter
-from stayput.room import FRICTION_RANGE, SURFACES
+from stayput.model.room import FRICTION_RANGE, SURFACES
 from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
     from typing import Any
 
-    from stayput.body import Body
     from stayput.catalogue import Phrase
-    from stayput.room import Floor, Room
+    from stayput.model.body import Body
+    from stayput.model.room import Floor, Room
 
 STATIC = ("static friction", "静止摩擦係数")
 KINETIC = ("kinetic friction", "動摩擦係数")

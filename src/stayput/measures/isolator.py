@@ -10,12 +10,12 @@ from stayput.measures.element import Element, Line, damper
 from stayput.measures.floor import KINETIC, STATIC, with_friction
 from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
 from stayput.measures.parameters import parameter
-from stayput.room import FRICTION_RANGE
+from stayput.model.room import FRICTION_RANGE
 
 if TYPE_CHECKING:
-    from stayput.body import Body
     from stayput.catalogue import Phrase
-    from stayput.room import Room
+    from stayput.model.body import Body
+    from stayput.model.room import Room
 
 
 @dataclass(frozen=True, slots=True)

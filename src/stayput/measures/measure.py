@@ -17,9 +17,9 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from stayput.body import Body
     from stayput.catalogue import Phrase
-    from stayput.room import Room, Wall
+    from stayput.model.body import Body
+    from stayput.model.room import Room, Wall
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,9 +10,9 @@ from stayput.measures.measure import Held, Measure, wall_behind
 from stayput.measures.parameters import parameter
 
 if TYPE_CHECKING:
-    from stayput.body import Body
     from stayput.catalogue import Phrase
-    from stayput.room import Room
+    from stayput.model.body import Body
+    from stayput.model.room import Room
 
 GAP = ("gap to the wall behind", "背面の壁とのすき間")
 

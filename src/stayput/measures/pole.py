@@ -10,12 +10,12 @@ from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest
 from stayput.measures.measure import Held, Measure
 from stayput.measures.parameters import parameter
-from stayput.room import FRICTION_RANGE, Ceiling
+from stayput.model.room import FRICTION_RANGE, Ceiling
 
 if TYPE_CHECKING:
-    from stayput.body import Body
     from stayput.catalogue import Phrase
-    from stayput.room import Room
+    from stayput.model.body import Body
+    from stayput.model.room import Room
 
 SHORTEST, LONGEST = 0.02, 2.0
 """Least and most space above the piece that a pole is made for [m]."""

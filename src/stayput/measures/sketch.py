@@ -10,16 +10,16 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
-from stayput.cases import wall_faces
 from stayput.measures.element import Element, at_rest
-from stayput.room import Wall
+from stayput.model.room import Wall
+from stayput.model.state import wall_faces
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from stayput.body import Body
     from stayput.measures.measure import Held, Measure
-    from stayput.room import Room
+    from stayput.model.body import Body
+    from stayput.model.room import Room
 
 Point: TypeAlias = "tuple[Literal['body', 'room'], float, float]"
 """A frame and a place in it [m]: from the middle of the base in the body's axes, or in the room."""

@@ -11,9 +11,9 @@ from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
 from stayput.measures.parameters import parameter
 
 if TYPE_CHECKING:
-    from stayput.body import Body
     from stayput.catalogue import Phrase
-    from stayput.room import Room
+    from stayput.model.body import Body
+    from stayput.model.room import Room
 
 
 @dataclass(frozen=True, slots=True)

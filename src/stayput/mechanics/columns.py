@@ -138,10 +138,10 @@ ENDED, CLOSED, LIMIT, TURNED_OVER = range(4)
 H_X, H_Z, H_TILT, H_TILT_RATE, H_SLIDE, H_SLIDE_RATE, H_MODE, H_REACHED = range(8)
 HISTORY = 8
 
-# public modes, in the order of `stayput.simulation.Mode`
+# public modes, in the order of `stayput.simulation.run.Mode`
 REST_MODE, SLIDE_MODE, ROCK_MODE, SLIDE_ROCK_MODE, FLIGHT_MODE, LEAN_MODE, OVERTURNED_MODE = range(7)
 
-# columns of the event list, and event kinds in the order of `stayput.simulation.EventKind`
+# columns of the event list, and event kinds in the order of `stayput.simulation.run.EventKind`
 E_TIME, E_KIND, E_MODE, E_TILT, E_TILT_RATE, E_SLIDE, E_SLIDE_RATE = range(7)
 EVENT = 7
 (
@@ -159,7 +159,7 @@ EVENT = 7
     DEVICE_FAILURE_EVENT,
 ) = range(12)
 
-# outcomes, in the order of `stayput.simulation.Outcome`
+# outcomes, in the order of `stayput.simulation.run.Outcome`
 RESTED, SLID, ROCKED, LEANING, OVERTURNED_OUTCOME, FAILED_OUTCOME = range(6)
 
 # bits of state.moved

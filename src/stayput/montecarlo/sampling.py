@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from stayput.cases import State, case_rows, leaves, leaves_of_body, leaves_of_room
 from stayput.fragility import samples_needed
 from stayput.measures import element_rows, hold
 from stayput.mechanics.devices.runner import no_elements
+from stayput.model.state import State
+from stayput.simulation.flat_fields import body_fields, case_rows, flat_fields, room_fields
 from stayput.uncertainty import USUAL, Uncertainty
 
 if TYPE_CHECKING:
@@ -23,13 +24,13 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.body import Body
-    from stayput.cases import Numbers
     from stayput.fragility import Probability
     from stayput.measures import Held, Measure
+    from stayput.model.body import Body
+    from stayput.model.room import Floor, Room
     from stayput.montecarlo.counting import Outcomes
-    from stayput.room import Floor, Room
     from stayput.scenario import Scenario
+    from stayput.simulation.flat_fields import Numbers
 
 QUANTITIES = Uncertainty(USUAL)
 """The quantities that are drawn."""
@@ -200,7 +201,7 @@ def rows_of(
     columns = {name: column.ravel() for name, column in drawn.columns.items()}
     count = len(columns["mass"])
     held = hold(body, room, measures)
-    numbers: dict[str, Numbers] = {**leaves(held.body, held.room, initial or State(), gravity)}
+    numbers: dict[str, Numbers] = {**flat_fields(held.body, held.room, initial or State(), gravity)}
     if not held.elements and _same_mass(body, held.body):
         # Nothing but numbers changes with the draw, so that all rows are made at once: far faster than one by
         # one. The formulas are those of `drawn_body`, in the same order of operations: the bits are the same.
@@ -215,7 +216,7 @@ def rows_of(
         by_draw = [draw for row in drawn for draw in row]
         held_each = [hold(drawn_body(body, draw), room, measures) for draw in by_draw]
         leaf_rows = [
-            {**leaves_of_body(drawn_held.body), **leaves_of_room(drawn_held.room)} for drawn_held in held_each
+            {**body_fields(drawn_held.body), **room_fields(drawn_held.room)} for drawn_held in held_each
         ]
         numbers |= {path: np.array([row[path] for row in leaf_rows]) for path in leaf_rows[0]}
         masses = np.array([drawn_held.body.mass for drawn_held in held_each])
@@ -238,7 +239,7 @@ def _same_mass(body: Body, held: Body) -> bool:
 
 def stated_rows(held: Held, motions: int, gravity: float) -> Rows:
     """Return the rows of a piece at rest as stated, without draws: one sample of each motion."""
-    case = case_rows(leaves(held.body, held.room, State(), gravity), motions)
+    case = case_rows(flat_fields(held.body, held.room, State(), gravity), motions)
     elements = np.repeat(element_rows(held)[np.newaxis], motions, axis=0)
     return Rows(case, elements, np.full(motions, held.body.mass))
 

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.report.film import Film
-    from stayput.simulation import Run
+    from stayput.simulation.run import Run
 
 Progress: TypeAlias = Callable[[int, int], None]
 """Called with the number of frames drawn and the number of all frames."""

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from stayput.quantities import COUNTS, HISTORIES, RESULTS
 from stayput.report.summary import sentence
+from stayput.simulation.results import COUNTS, HISTORIES, RESULTS
 
 if TYPE_CHECKING:
     from stayput.measures import DeviceResult
-    from stayput.simulation import Run
+    from stayput.simulation.run import Run
 
 _EVENT_VALUES = {
     "time": ("s", "time of the event"),

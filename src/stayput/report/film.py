@@ -16,7 +16,7 @@ from stayput.report.summary import motion_label, sentence
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from stayput.simulation import Run
+    from stayput.simulation.run import Run
 
 
 @dataclass(frozen=True, slots=True, eq=False)

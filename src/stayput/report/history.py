@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.simulation import EventKind, Mode
+from stayput.simulation.run import EventKind, Mode
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from stayput.simulation import Run
+    from stayput.simulation.run import Run
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from stayput.catalogue import LANGUAGES
 from stayput.catalogue.names import MODES
-from stayput.simulation import EventKind, Mode
+from stayput.simulation.run import EventKind, Mode
 
 MODE_COLOURS: dict[Mode, str] = {
     Mode.REST: "#b9bec5",

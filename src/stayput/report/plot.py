@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.patches import Patch
 
-from stayput.cases import State, standing_corners, wall_faces
 from stayput.catalogue import say
+from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.figures import FONT, new_figure, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.history import history
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, EVENT_MARKERS, INK, MODE_COLOURS, MUTED
 from stayput.report.summary import motion_label, sentence
-from stayput.simulation import EventKind, Mode
+from stayput.simulation.run import EventKind, Mode
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from stayput.motion import Motion
-    from stayput.simulation import Run
+    from stayput.simulation.run import Run
 
 _AFTER = 1.2  # the time axis goes on after overturning by this factor
 _TILT_SHOWN = 3.0  # the tilt axis ends here, in critical angles; a fall beyond it is marked, not followed

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.cases import wall_faces
 from stayput.measures.sketch import shapes, sketch
+from stayput.model.state import wall_faces
 from stayput.report.history import History, history, turned
 from stayput.report.summary import device_results, results
 
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.body import Body
+    from stayput.model.body import Body
     from stayput.motion import Motion
-    from stayput.simulation import Mode, Run
+    from stayput.simulation.run import Mode, Run
 
 DRIFT_CORNER = 0.1
 """Ground displacement slower than this is taken out of the picture [Hz]."""

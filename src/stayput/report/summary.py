@@ -9,14 +9,14 @@ import numpy as np
 
 from stayput.catalogue import phrase, say
 from stayput.catalogue.names import ANY_PIECE, PIECES
-from stayput.simulation import Event, EventKind, Outcome
+from stayput.simulation.run import Event, EventKind, Outcome
 from stayput.wording import FAR, inside
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.measures import DeviceResult
     from stayput.motion import Motion
-    from stayput.simulation import Run
+    from stayput.simulation.run import Run
 
 LEFT_AND_RIGHT = ("left", "right")
 """Sides of a picture: −x, +x; keys of the catalogue."""

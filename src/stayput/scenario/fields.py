@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
-from stayput.body import MASS_RANGE, SIZE_RANGE
 from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.room import FRICTION_RANGE
+from stayput.model.body import MASS_RANGE, SIZE_RANGE
+from stayput.model.room import FRICTION_RANGE
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection

@@ -17,7 +17,7 @@ from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyT
 from stayput.scenario.messages import refusal_of
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import FurnitureTable, InitialTable, RoomTable
-from stayput.simulation import Case
+from stayput.simulation.run import Case
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

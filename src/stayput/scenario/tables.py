@@ -7,10 +7,11 @@ from typing import Annotated, Self
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from stayput.body import Body
 from stayput.errors import InputError
-from stayput.furniture import FURNITURE
-from stayput.room import SURFACES, Ceiling, Floor, Room, Wall
+from stayput.model.body import Body
+from stayput.model.furniture import FURNITURE
+from stayput.model.room import SURFACES, Ceiling, Floor, Room, Wall
+from stayput.model.state import State
 from stayput.scenario.fields import (
     NAME,
     TABLE,
@@ -29,7 +30,6 @@ from stayput.scenario.fields import (
     named,
     one_of,
 )
-from stayput.simulation import State
 
 Surface = Annotated[str, one_of(SURFACES), named(SURFACES)]
 Kind = Annotated[str, one_of(FURNITURE), named(FURNITURE)]

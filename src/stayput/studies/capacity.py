@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.body import Body
+    from stayput.model.body import Body
     from stayput.studies.capacity_runs import Capacity, Shakings
 
 BAND = 0.2

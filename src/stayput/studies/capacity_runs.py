@@ -8,17 +8,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.body import Body
-from stayput.cases import State, case_columns
-from stayput.ensemble.columns import run_columns
 from stayput.errors import InputError
 from stayput.estimates import kaneko_hayashi_median
 from stayput.fragility import IntensityMeasure, Trials, fragility_curve
-from stayput.furniture import FURNITURE
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
+from stayput.model.body import Body
+from stayput.model.furniture import FURNITURE
+from stayput.model.room import Floor, Room, Wall
+from stayput.model.state import State
 from stayput.motion.suites import Suite, TargetSpectrum, synthetic_suite
 from stayput.motion.units import STANDARD_GRAVITY
-from stayput.room import Floor, Room, Wall
+from stayput.simulation.columns import run_columns
+from stayput.simulation.flat_fields import case_columns
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -12,7 +12,7 @@ from matplotlib import colormaps
 from stayput.errors import InputError, within
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import INK, MUTED
-from stayput.simulation import LAWS
+from stayput.simulation.run import LAWS
 from stayput.studies.critical_ratio_runs import (
     EQUATION_4_1,
     STICKING,

@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas as pd
 
-from stayput.body import Body
-from stayput.ensemble import simulate_many
+from stayput.model.body import Body
+from stayput.model.room import Floor, Room
 from stayput.motion import sine
 from stayput.motion.units import STANDARD_GRAVITY
-from stayput.room import Floor, Room
-from stayput.simulation import LAWS, Case, Contact
+from stayput.simulation.many import simulate_many
+from stayput.simulation.run import LAWS, Case, Contact
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping

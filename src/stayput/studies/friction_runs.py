@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from stayput.body import Body
-from stayput.ensemble import sweep
+from stayput.model.body import Body
+from stayput.model.room import Floor, Room
 from stayput.motion import sine
-from stayput.room import Floor, Room
-from stayput.simulation import Case, Contact
+from stayput.simulation.run import Case, Contact
+from stayput.simulation.sweep import sweep
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence

@@ -11,21 +11,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.body import Body
-from stayput.ensemble import sweep
-from stayput.ensemble.boundary import trace_boundary
 from stayput.errors import InputError
+from stayput.model.body import Body
+from stayput.model.room import Floor, Room
 from stayput.motion import sine
 from stayput.motion.units import STANDARD_GRAVITY
-from stayput.room import Floor, Room
-from stayput.simulation import Case
+from stayput.simulation.boundary import trace_boundary
+from stayput.simulation.run import Case
+from stayput.simulation.sweep import sweep
 
 if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-    from stayput.ensemble.axes import Axes
     from stayput.motion import Motion
+    from stayput.simulation.axes import Axes
 
 PULSE_SLENDERNESS, PULSE_E = 0.25, 0.9
 """α [rad] of Zhang and Makris's block, and e: rotation rate after a landing over that before it."""

@@ -19,7 +19,7 @@ from stayput.errors import InputError, within
 from stayput.motion import sine
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK, MUTED
-from stayput.simulation import LAWS
+from stayput.simulation.run import LAWS
 from stayput.studies.study import Quantity, Study, increasing, span
 from stayput.studies.walls import DURATION, FALLEN, RATIO, SIDES, WALLS, results_about, table_4_2, turnover
 
@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.ensemble.axes import Axes as Columns
     from stayput.motion import Motion
+    from stayput.simulation.axes import Axes as Columns
 
 WIDE = 1.0
 """The rule is for bodies wider than this [m]."""

@@ -11,11 +11,11 @@ import xarray as xr
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
 
-from stayput.ensemble import sweep
 from stayput.motion import near_fault
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK
-from stayput.simulation import LAWS
+from stayput.simulation.run import LAWS
+from stayput.simulation.sweep import sweep
 from stayput.studies.study import Quantity, Study, increasing
 from stayput.studies.walls import FALLEN, RATIO, SIDES, WALLS, results_about, table_4_2, turnover
 
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.ensemble.axes import Axes as Columns
     from stayput.motion import Motion
+    from stayput.simulation.axes import Axes as Columns
 
 Range = tuple[float, float]
 """First and last distance [m]."""

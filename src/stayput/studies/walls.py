@@ -8,19 +8,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.body import Body
-from stayput.ensemble import sweep
-from stayput.ensemble.results import OUTCOMES
-from stayput.room import Floor, Room, Wall
-from stayput.simulation import LAWS, Case, Outcome
+from stayput.model.body import Body
+from stayput.model.room import Floor, Room, Wall
+from stayput.simulation.results import OUTCOMES
+from stayput.simulation.run import LAWS, Case, Outcome
+from stayput.simulation.sweep import sweep
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.ensemble.axes import Axes
     from stayput.motion import Motion
+    from stayput.simulation.axes import Axes
 
 RATIO = 0.339
 """Aspect ratio b/h of Table 4.2 [–]."""

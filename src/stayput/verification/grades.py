@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
-from stayput.furniture import FURNITURE
 from stayput.measures import hold
 from stayput.measures.parameters import GIVEN, GRADE_OF, Grade, parameters
+from stayput.model.furniture import FURNITURE
 from stayput.uncertainty import Confidence
 from stayput.wording import inside
 

@@ -12,9 +12,9 @@ from stayput.measures import MEASURES, hold
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from stayput.body import Body
     from stayput.measures import Measure
-    from stayput.room import Room
+    from stayput.model.body import Body
+    from stayput.model.room import Room
     from stayput.scenario import Scenario
 
 USUAL = (

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.body import Body
     from stayput.fragility import Capacity, Difference, FragilityCurve, IntensityMeasure, Probability
     from stayput.measures.parameters import Grade
+    from stayput.model.body import Body
     from stayput.montecarlo.counting import Quantiles
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario

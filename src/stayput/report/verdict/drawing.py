@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from stayput.cases import State, standing_corners, wall_faces
 from stayput.measures import hold, shapes
 from stayput.measures.element import at_rest
+from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.verdict import svg
 from stayput.report.verdict.words import named, word
 

@@ -12,7 +12,7 @@ from stayput.wording import FAR, is_open
 
 if TYPE_CHECKING:
     from stayput.fragility import Capacity, Difference, Probability
-    from stayput.room import Room
+    from stayput.model.room import Room
     from stayput.verification import Quantiles
 
 NO_NUMBER = "–"

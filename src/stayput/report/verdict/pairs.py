@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.cases import case_columns
 from stayput.measures import element_rows, hold
 from stayput.measures.results import device_results
 from stayput.mechanics.runner import shaking
@@ -20,13 +19,14 @@ from stayput.report.scene import TIME_DIGITS, Scene, scene_of
 from stayput.report.summary import slides_off
 from stayput.report.verdict.numbers import peak_slide, peak_tilt
 from stayput.report.verdict.words import word
-from stayput.simulation import Case, Outcome, run_of, trace_held
+from stayput.simulation.flat_fields import case_columns
+from stayput.simulation.run import Case, Outcome, run_of, trace_held
 from stayput.wording import FAR
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.scenario.tables import FurnitureTable
-    from stayput.simulation import Run
+    from stayput.simulation.run import Run
     from stayput.verification import Option, Verdict
     from stayput.verification.verdict import Member
 

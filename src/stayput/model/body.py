@@ -41,11 +41,11 @@ class Part:
     height: float = 0.0
 
     def __post_init__(self) -> None:
-        within("scene.part_mass", self.mass, 0.0, MASS_RANGE[1], "kg")
-        within("scene.part_x", self.x, -SIZE_RANGE[1], SIZE_RANGE[1], "m")
-        within("scene.part_z", self.z, -SIZE_RANGE[1], SIZE_RANGE[1], "m")
-        within("scene.part_width", self.width, 0.0, SIZE_RANGE[1], "m")
-        within("scene.part_height", self.height, 0.0, SIZE_RANGE[1], "m")
+        within("model.part_mass", self.mass, 0.0, MASS_RANGE[1], "kg")
+        within("model.part_x", self.x, -SIZE_RANGE[1], SIZE_RANGE[1], "m")
+        within("model.part_z", self.z, -SIZE_RANGE[1], SIZE_RANGE[1], "m")
+        within("model.part_width", self.width, 0.0, SIZE_RANGE[1], "m")
+        within("model.part_height", self.height, 0.0, SIZE_RANGE[1], "m")
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,16 +84,16 @@ class Body:
     base_heights: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        within("scene.width", self.width, *SIZE_RANGE, "m", field="width")
-        within("scene.height", self.height, *SIZE_RANGE, "m", field="height")
-        within("scene.mass", self.mass, *MASS_RANGE, "kg", field="mass")
+        within("model.width", self.width, *SIZE_RANGE, "m", field="width")
+        within("model.height", self.height, *SIZE_RANGE, "m", field="height")
+        within("model.mass", self.mass, *MASS_RANGE, "kg", field="mass")
         if len(self.cg_offset) != 2:
-            raise InputError("scene.cg_offset_not_two", "cg_offset", value=repr(self.cg_offset))
-        e_x, e_z = (finite("scene.cg_offset", value, "cg_offset") for value in self.cg_offset)
+            raise InputError("model.cg_offset_not_two", "cg_offset", value=repr(self.cg_offset))
+        e_x, e_z = (finite("model.cg_offset", value, "cg_offset") for value in self.cg_offset)
         if abs(e_x) >= self.width / 2 or abs(e_z) >= self.height / 2:
             half_width, half_height = self.width / 2, self.height / 2
             raise InputError(
-                "scene.cg_outside",
+                "model.cg_outside",
                 "cg_offset",
                 x=e_x,
                 z=e_z,
@@ -102,12 +102,12 @@ class Body:
             )
         if self.inertia is not None:
             largest = 4.0 * self.mass * (self.width**2 + self.height**2)
-            within("scene.inertia", self.inertia, 1e-6 * self.uniform_inertia, largest, "kg m²", "inertia")
+            within("model.inertia", self.inertia, 1e-6 * self.uniform_inertia, largest, "kg m²", "inertia")
         if len(self.base_heights) != 2:
-            raise InputError("scene.base_heights_not_two", "base_heights", value=repr(self.base_heights))
+            raise InputError("model.base_heights_not_two", "base_heights", value=repr(self.base_heights))
         highest = min(self.width, self.height) / 4
         for value in self.base_heights:
-            within("scene.base_height", value, -self.width / 2, highest, "m", "base_heights")
+            within("model.base_height", value, -self.width / 2, highest, "m", "base_heights")
 
     @property
     def uniform_inertia(self) -> float:
@@ -183,7 +183,7 @@ class Body:
         pieces = tuple(parts)
         mass = sum(p.mass for p in pieces)
         if not mass > 0.0:
-            raise InputError("scene.no_mass", "mass", mass=mass)
+            raise InputError("model.no_mass", "mass", mass=mass)
         x_g = sum(p.mass * p.x for p in pieces) / mass
         z_g = sum(p.mass * p.z for p in pieces) / mass
         inertia = sum(
@@ -216,12 +216,12 @@ class Body:
         """
         shelves = tuple(loads)
         if not shelves:
-            raise InputError("scene.no_shelves", "loads")
+            raise InputError("model.no_shelves", "loads")
         clear = height / len(shelves)
         depth = (
             width
             if load_width is None
-            else within("scene.load_width", load_width, 0.0, width, "m", "load_width")
+            else within("model.load_width", load_width, 0.0, width, "m", "load_width")
         )
         carcass = Part(mass, 0.0, height / 2, width, height)
         books = (Part(load, 0.0, (i + 0.5) * clear, depth, clear) for i, load in enumerate(shelves))

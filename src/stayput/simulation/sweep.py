@@ -7,23 +7,22 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from stayput.ensemble.axes import make_grid, unit_of
-from stayput.ensemble.many import groups_of, prepared_motions, run_grid
-from stayput.ensemble.results import OUTCOMES, QUANTITIES
 from stayput.errors import InputError
 from stayput.execution import Call, ThreadExecutor
 from stayput.mechanics import columns as col
-from stayput.quantities import HISTORIES
-from stayput.simulation import trace_held
+from stayput.simulation.axes import make_grid, unit_of
+from stayput.simulation.many import groups_of, prepared_motions, run_grid
+from stayput.simulation.results import HISTORIES, OUTCOMES, QUANTITIES
+from stayput.simulation.run import trace_held
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.ensemble.axes import Axes
-    from stayput.ensemble.grid import Grid
-    from stayput.simulation import Case
+    from stayput.simulation.axes import Axes
+    from stayput.simulation.grid import Grid
+    from stayput.simulation.run import Case
 
 HISTORY_COLUMNS = {
     "slide": col.H_SLIDE,
@@ -122,15 +121,15 @@ def _histories(
     """
     for name in names:
         if name not in HISTORIES:
-            raise InputError("ensemble.unknown_history", "histories", name=name, known=", ".join(HISTORIES))
+            raise InputError("simulation.unknown_history", "histories", name=name, known=", ".join(HISTORIES))
     motions = prepared_motions(grid.motions, groups_of(grid))
     steps = sorted({motion.dt for motion in motions.values()})
     if len(steps) > 1:
-        raise InputError("ensemble.time_steps_differ", "motion", steps=steps)
+        raise InputError("simulation.time_steps_differ", "motion", steps=steps)
     samples = max(len(motion.along) for motion in motions.values())
     numbers = len(grid) * samples * len(names)
     if numbers > MOST_NUMBERS:
-        raise InputError("ensemble.histories_too_long", "histories", numbers=numbers, most=MOST_NUMBERS)
+        raise InputError("simulation.histories_too_long", "histories", numbers=numbers, most=MOST_NUMBERS)
     tables = {name: np.full((len(grid), samples), np.nan) for name in names}
 
     def run(place: int) -> None:

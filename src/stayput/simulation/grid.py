@@ -8,20 +8,21 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from stayput.cases import case_rows, from_leaves, leaves_of_body, leaves_of_room, refuse_bad_start
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.measure import element_rows, hold
 from stayput.mechanics.devices.columns import ELEMENT
+from stayput.model.state import refuse_bad_start
+from stayput.simulation.flat_fields import body_fields, case_rows, from_flat_fields, room_fields
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.cases import Numbers
     from stayput.measures import Measure
     from stayput.motion import Motion
+    from stayput.simulation.flat_fields import Numbers
 
 Columns: TypeAlias = "dict[str, NDArray[np.float64] | NDArray[np.int64]]"
 
@@ -121,14 +122,14 @@ class Grid:
                 except InputError as error:
                     if len(self) == 1:
                         raise
-                    where = phrase("ensemble.case_number", number=start + row, count=len(self))
+                    where = phrase("simulation.case_number", number=start + row, count=len(self))
                     raise error.at(where) from None
 
     def _refuse_bad_case(self, numbers: dict[str, float]) -> None:
-        from_leaves(numbers)
+        from_flat_fields(numbers)
         _, elements = held_rows(numbers, 1, self.measures)
         if elements.size and numbers[LAW] != 0.0:
-            raise InputError("ensemble.paper_with_devices", LAW)
+            raise InputError("simulation.paper_with_devices", LAW)
 
 
 def _extreme_rows(block: CaseBlock) -> set[int]:
@@ -218,7 +219,7 @@ def held_rows(
     table = np.stack([np.asarray(numbers[path]) for path in varied], 1) if varied else np.zeros((count, 0))
     first, which = _distinct(table)
     pairs = [_put_in_place({k: _number(v, row) for k, v in numbers.items()}, measures) for row in first]
-    changed = {path: np.array([leaves[path] for leaves, _ in pairs])[which] for path in pairs[0][0]}
+    changed = {path: np.array([fields[path] for fields, _ in pairs])[which] for path in pairs[0][0]}
     return case_rows({**numbers, **changed}, count), np.stack([rows for _, rows in pairs])[which]
 
 
@@ -248,7 +249,7 @@ def _number(values: Numbers, row: int) -> float:
 def _put_in_place(
     numbers: dict[str, float], measures: tuple[Measure, ...]
 ) -> tuple[dict[str, float], NDArray[np.void]]:
-    body, room, start = from_leaves(numbers)
+    body, room, start = from_flat_fields(numbers)
     held = hold(body, room, measures)
     refuse_bad_start(held.body, held.room, start)
-    return {**leaves_of_body(held.body), **leaves_of_room(held.room)}, element_rows(held)
+    return {**body_fields(held.body), **room_fields(held.room)}, element_rows(held)

@@ -6,23 +6,23 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from stayput.ensemble.axes import make_grid
-from stayput.ensemble.columns import run_rows
-from stayput.ensemble.grid import LAW, MOTION
-from stayput.ensemble.results import CASE_RESULT, case_results, empty_columns, fill_columns
 from stayput.errors import within
 from stayput.execution import Call, DaskExecutor, Shared, ThreadExecutor, thread_count
 from stayput.mechanics.runner import Shaking, shaking
 from stayput.progress import bar
+from stayput.simulation.axes import make_grid
+from stayput.simulation.columns import run_rows
+from stayput.simulation.grid import LAW, MOTION
+from stayput.simulation.results import CASE_RESULT, case_results, empty_columns, fill_columns
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from numpy.typing import NDArray
 
-    from stayput.ensemble.grid import CaseBlock, Grid
     from stayput.motion import Motion
-    from stayput.simulation import Case
+    from stayput.simulation.grid import CaseBlock, Grid
+    from stayput.simulation.run import Case
 
 PreparedMotions: TypeAlias = "dict[int, Shaking]"
 """Motions as the mechanics read them, by the groups of `CaseBlock.group`."""
@@ -62,7 +62,8 @@ def simulate_many(
     Returns
     -------
     dict of str to ndarray, shape (n,)
-        The columns of `stayput.ensemble.results.QUANTITIES`. They do not depend on threads, client or chunk.
+        The columns of `stayput.simulation.results.QUANTITIES`; they do not depend on threads, client or
+        chunk.
 
     Raises
     ------
@@ -88,7 +89,7 @@ def run_grid(
     if chunk is None:
         # At least eight for each thread, so that all threads end at about the same time.
         chunk = min(LARGEST_CHUNK, -(-count // (8 * threads)))
-    chunk = int(within("ensemble.chunk", chunk, 1, 1e9, "cases", "chunk"))
+    chunk = int(within("simulation.chunk", chunk, 1, 1e9, "cases", "chunk"))
     columns = empty_columns(count)
     # On a cluster the motions are sent once; a worker that is lost takes nothing that cannot be made again.
     motions = Shared(prepared_motions, grid.motions, groups_of(grid))

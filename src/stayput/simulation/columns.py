@@ -70,7 +70,8 @@ def run_columns(
     Parameters
     ----------
     cases : ndarray of CASE, shape [m]
-        The cases, as `stayput.cases.case_columns` makes them of a body and a room with measures in place.
+        The cases, as `stayput.simulation.flat_fields.case_columns` makes them of a body and a room with
+        measures in place.
     elements : ndarray of ELEMENT, shape [m, n], or None
         Their devices, as `stayput.measures.element_rows` makes them, filled up with elements of kind NONE.
     motions : sequence of Motion
@@ -99,11 +100,11 @@ def run_columns(
     indices = np.asarray(motion)
     if len(rows) != len(cases) or indices.shape != (len(cases),):
         raise InputError(
-            "ensemble.lengths_differ", cases=len(cases), elements=len(rows), motions=len(indices)
+            "simulation.lengths_differ", cases=len(cases), elements=len(rows), motions=len(indices)
         )
     if len(indices) and (indices.min() < 0 or indices.max() >= len(motions)):
         wrong = indices[(indices < 0) | (indices >= len(motions))][0]
-        raise InputError("ensemble.motion_index", "motion", value=wrong, last=len(motions) - 1)
+        raise InputError("simulation.motion_index", "motion", value=wrong, last=len(motions) - 1)
     used = {int(n): motions[int(n)] for n in np.unique(indices)}
     prepared = {n: shaking(motion.x, motion.z, motion.dt, 0) for n, motion in used.items()}
     results, devices = np.zeros(len(cases), RESULT), np.zeros(rows.shape, DEVICE)

@@ -14,11 +14,11 @@ FRICTION_RANGE = (0.0, 1e6)
 def _coefficients(surface: str, static: float, kinetic: float, prefix: str = "") -> None:
     static_field, kinetic_field = f"{prefix}static_friction", f"{prefix}kinetic_friction"
     called = phrase(surface)
-    within(phrase("scene.static_friction", surface=called), static, *FRICTION_RANGE, field=static_field)
-    within(phrase("scene.kinetic_friction", surface=called), kinetic, *FRICTION_RANGE, field=kinetic_field)
+    within(phrase("model.static_friction", surface=called), static, *FRICTION_RANGE, field=static_field)
+    within(phrase("model.kinetic_friction", surface=called), kinetic, *FRICTION_RANGE, field=kinetic_field)
     if kinetic > static:
         raise InputError(
-            "scene.kinetic_above_static", kinetic_field, surface=called, kinetic=kinetic, static=static
+            "model.kinetic_above_static", kinetic_field, surface=called, kinetic=kinetic, static=static
         )
 
 
@@ -61,13 +61,13 @@ class Floor:
     right_edge_kinetic_friction: float | None = None
 
     def __post_init__(self) -> None:
-        _coefficients("scene.floor", self.static_friction, self.kinetic_friction)
-        _coefficients("scene.edge", *self.edge_friction, "edge_")
-        _coefficients("scene.left_edge", *self._of_one_edge("left"), "left_edge_")
-        _coefficients("scene.right_edge", *self._of_one_edge("right"), "right_edge_")
-        within("scene.floor_restitution", self.restitution, 0.0, 1.0, field="restitution")
+        _coefficients("model.floor", self.static_friction, self.kinetic_friction)
+        _coefficients("model.edge", *self.edge_friction, "edge_")
+        _coefficients("model.left_edge", *self._of_one_edge("left"), "left_edge_")
+        _coefficients("model.right_edge", *self._of_one_edge("right"), "right_edge_")
+        within("model.floor_restitution", self.restitution, 0.0, 1.0, field="restitution")
         normal = self.normal_restitution
-        within("scene.floor_normal_restitution", normal, 0.0, 1.0, field="normal_restitution")
+        within("model.floor_normal_restitution", normal, 0.0, 1.0, field="normal_restitution")
 
     @property
     def edge_friction(self) -> tuple[float, float]:
@@ -92,7 +92,7 @@ class Floor:
     def of(cls, surface: str, *, restitution: float = 1.0, normal_restitution: float = 0.0) -> Floor:
         """Make a floor from a surface preset of `SURFACES`."""
         if surface not in SURFACES:
-            raise unknown("scene.surface", surface, SURFACES, field="surface")
+            raise unknown("model.surface", surface, SURFACES, field="surface")
         static, kinetic = SURFACES[surface]
         return cls(static, kinetic, restitution=restitution, normal_restitution=normal_restitution)
 
@@ -132,9 +132,9 @@ class Wall:
     friction: float = 0.3
 
     def __post_init__(self) -> None:
-        within("scene.wall_gap", self.gap, 0.0, 1e4, "m", "gap")
-        within("scene.wall_restitution", self.restitution, 0.0, 1.0, field="restitution")
-        within("scene.wall_friction", self.friction, *FRICTION_RANGE, field="friction")
+        within("model.wall_gap", self.gap, 0.0, 1e4, "m", "gap")
+        within("model.wall_restitution", self.restitution, 0.0, 1.0, field="restitution")
+        within("model.wall_friction", self.friction, *FRICTION_RANGE, field="friction")
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,9 +154,9 @@ class Ceiling:
     friction: float = 0.3
 
     def __post_init__(self) -> None:
-        within("scene.ceiling_height", self.height, 1e-3, 1e4, "m", "height")
-        within("scene.ceiling_restitution", self.restitution, 0.0, 1.0, field="restitution")
-        within("scene.ceiling_friction", self.friction, *FRICTION_RANGE, field="friction")
+        within("model.ceiling_height", self.height, 1e-3, 1e4, "m", "height")
+        within("model.ceiling_restitution", self.restitution, 0.0, 1.0, field="restitution")
+        within("model.ceiling_friction", self.friction, *FRICTION_RANGE, field="friction")
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,21 +7,28 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from stayput.body import Body
-from stayput.cases import SURFACES, leaves, leaves_of_body, leaves_of_floor, leaves_of_room, leaves_of_surface
 from stayput.catalogue import phrase
-from stayput.ensemble.grid import LAW, MOTION, Axis, Columns, Grid
 from stayput.errors import InputError
+from stayput.model.body import Body
+from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.motion import Motion
-from stayput.room import Ceiling, Floor, Room, Wall
-from stayput.simulation import law_number
+from stayput.simulation.flat_fields import (
+    WALLS_AND_CEILING,
+    body_fields,
+    flat_fields,
+    floor_fields,
+    room_fields,
+    surface_fields,
+)
+from stayput.simulation.grid import LAW, MOTION, Axis, Columns, Grid
+from stayput.simulation.run import law_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.simulation import Case
+    from stayput.simulation.run import Case
 
 Axes: TypeAlias = "Mapping[str | tuple[str, ...], Any]"
 
@@ -44,12 +51,12 @@ UNITS = {
 """Units by the last word of a path; other numbers have none."""
 
 OBJECT_PATHS: dict[str, tuple[type | tuple[type, ...], Callable[[Any], dict[str, float]]]] = {
-    "body": (Body, leaves_of_body),
-    "room": (Room, leaves_of_room),
-    "room.floor": (Floor, leaves_of_floor),
-    "room.left_wall": ((Wall, type(None)), lambda wall: leaves_of_surface("left_wall", wall)),
-    "room.right_wall": ((Wall, type(None)), lambda wall: leaves_of_surface("right_wall", wall)),
-    "room.ceiling": ((Ceiling, type(None)), lambda ceiling: leaves_of_surface("ceiling", ceiling)),
+    "body": (Body, body_fields),
+    "room": (Room, room_fields),
+    "room.floor": (Floor, floor_fields),
+    "room.left_wall": ((Wall, type(None)), lambda wall: surface_fields("left_wall", wall)),
+    "room.right_wall": ((Wall, type(None)), lambda wall: surface_fields("right_wall", wall)),
+    "room.ceiling": ((Ceiling, type(None)), lambda ceiling: surface_fields("ceiling", ceiling)),
 }
 """Paths whose values are objects: the types of these, and the function that returns an object's numbers."""
 
@@ -61,7 +68,7 @@ def unit_of(path: str) -> str:
 
 def base_numbers(case: Case) -> dict[str, float]:
     """Return a case's numbers by path; its motion is the first in the grid's list of motions."""
-    numbers = leaves(case.body, case.room, case.initial, case.gravity)
+    numbers = flat_fields(case.body, case.room, case.initial, case.gravity)
     return {**numbers, MOTION: 0.0, LAW: float(law_number(case.contact))}
 
 
@@ -82,7 +89,7 @@ def make_grid(case: Case, axes: Axes) -> Grid:
         names = (paths,) if isinstance(paths, str) else tuple(paths)
         given = (values,) if isinstance(paths, str) else tuple(values)
         if len(names) != len(given) or not names:
-            raise InputError("ensemble.axis_lists", "axes", names=str(names), count=len(given))
+            raise InputError("simulation.axis_lists", "axes", names=str(names), count=len(given))
         made.append(_axis(names, given, base, motions))
     _refuse_repeats(made)
     _refuse_missing_surfaces(base, made)
@@ -100,12 +107,12 @@ def _axis(
         added, label = _columns(name, values, base, motions)
         repeated = columns.keys() & added.keys()
         if repeated:
-            raise InputError("ensemble.path_twice", min(repeated), names=str(names), path=min(repeated))
+            raise InputError("simulation.path_twice", min(repeated), names=str(names), path=min(repeated))
         columns |= added
         labels[name] = label
     lengths = {name: len(label) for name, label in labels.items()}
     if len(set(lengths.values())) > 1:
-        raise InputError("ensemble.axis_lengths", names[0], names=str(names), lengths=lengths)
+        raise InputError("simulation.axis_lengths", names[0], names=str(names), lengths=lengths)
     return Axis(names[0], columns, labels)
 
 
@@ -133,31 +140,31 @@ def _columns(
     if name not in base:
         known = sorted({*base, *OBJECT_PATHS})
         near = get_close_matches(name, known, 1)
-        hint = phrase("ensemble.did_you_mean", path=near[0]) if near else ("", "")
-        raise InputError("ensemble.unknown_path", name, path=name, hint=hint, known=", ".join(known))
+        hint = phrase("simulation.did_you_mean", path=near[0]) if near else ("", "")
+        raise InputError("simulation.unknown_path", name, path=name, hint=hint, known=", ".join(known))
     try:
         numbers = np.array(values, np.float64)
     except (TypeError, ValueError):
-        raise InputError("ensemble.values_not_numbers", name, path=name) from None
+        raise InputError("simulation.values_not_numbers", name, path=name) from None
     if numbers.ndim != 1:
-        raise InputError("ensemble.values_not_a_list", name, path=name, dimensions=numbers.ndim)
+        raise InputError("simulation.values_not_a_list", name, path=name, dimensions=numbers.ndim)
     _refuse_empty(name, len(numbers))
     if not np.isfinite(numbers).all():
         bad = numbers[~np.isfinite(numbers)][0]
-        raise InputError("ensemble.value_not_finite", name, path=name, value=bad)
+        raise InputError("simulation.value_not_finite", name, path=name, value=bad)
     return {name: numbers}, numbers
 
 
 def _refuse_empty(name: str, count: int) -> None:
     if count == 0:
-        raise InputError("ensemble.no_values", name, path=name)
+        raise InputError("simulation.no_values", name, path=name)
 
 
 def _refuse_other(name: str, items: list[Any], kind: type | tuple[type, ...]) -> None:
     for item in items:
         if not isinstance(item, kind):
             wanted = (kind if isinstance(kind, type) else kind[0]).__name__
-            raise InputError("ensemble.value_type", name, path=name, value=repr(item), wanted=wanted)
+            raise InputError("simulation.value_type", name, path=name, value=repr(item), wanted=wanted)
 
 
 def _refuse_repeats(axes: list[Axis]) -> None:
@@ -165,18 +172,18 @@ def _refuse_repeats(axes: list[Axis]) -> None:
     for axis in axes:
         repeated = seen & axis.columns.keys()
         if repeated:
-            raise InputError("ensemble.path_on_two_axes", min(repeated), path=min(repeated))
+            raise InputError("simulation.path_on_two_axes", min(repeated), path=min(repeated))
         seen |= axis.columns.keys()
 
 
 def _refuse_missing_surfaces(base: dict[str, float], axes: list[Axis]) -> None:
     changed = {path for axis in axes for path in axis.columns}
-    for name in SURFACES:
+    for name in WALLS_AND_CEILING:
         distance = f"room.{name}.{'height' if name == 'ceiling' else 'gap'}"
         touched = [path for path in changed if path.startswith(f"room.{name}.")]
         if touched and distance not in changed and np.isinf(base[distance]):
             raise InputError(
-                "ensemble.surface_missing",
+                "simulation.surface_missing",
                 min(touched),
                 path=min(touched),
                 surface=phrase(f"ensemble.{name}"),

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.ensemble.sweep import sweep
 from stayput.errors import InputError
-from stayput.simulation import Outcome
+from stayput.simulation.run import Outcome
+from stayput.simulation.sweep import sweep
 
 if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.ensemble.axes import Axes
-    from stayput.simulation import Case
+    from stayput.simulation.axes import Axes
+    from stayput.simulation.run import Case
 
 SCALE = "motion.scale"
 """The path of the amplitude: the factor on the motion's acceleration."""
@@ -108,19 +108,19 @@ def checked_amplitudes(amplitudes: ArrayLike, axes: Axes | None) -> NDArray[np.f
     """
     for paths in axes or {}:
         if SCALE in ((paths,) if isinstance(paths, str) else paths):
-            raise InputError("ensemble.scale_on_axis", SCALE, path=SCALE)
+            raise InputError("simulation.scale_on_axis", SCALE, path=SCALE)
     try:
         sampled = np.array(amplitudes, np.float64)
     except (TypeError, ValueError):
-        raise InputError("ensemble.amplitudes_not_numbers", "amplitudes") from None
+        raise InputError("simulation.amplitudes_not_numbers", "amplitudes") from None
     if sampled.ndim != 1 or len(sampled) < 2:
-        raise InputError("ensemble.amplitudes_shape", "amplitudes", shape=sampled.shape)
+        raise InputError("simulation.amplitudes_shape", "amplitudes", shape=sampled.shape)
     bad = sampled[~np.isfinite(sampled) | (sampled < 0.0)]
     if len(bad):
-        raise InputError("ensemble.amplitude_not_possible", "amplitudes", value=bad[0])
+        raise InputError("simulation.amplitude_not_possible", "amplitudes", value=bad[0])
     for low, high in pairwise(sampled.tolist()):
         if high <= low:
-            raise InputError("ensemble.amplitudes_not_increasing", "amplitudes", value=high, before=low)
+            raise InputError("simulation.amplitudes_not_increasing", "amplitudes", value=high, before=low)
     return sampled
 
 

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
 
 import numpy as np
 
-from stayput.ensemble.axes import make_grid
-from stayput.ensemble.grid import Axis, Columns, Grid
-from stayput.ensemble.many import run_grid
-from stayput.ensemble.overturning import FALLEN, SCALE, checked_amplitudes, overturning_map
 from stayput.errors import InputError, within
+from stayput.simulation.axes import make_grid
+from stayput.simulation.grid import Axis, Columns, Grid
+from stayput.simulation.many import run_grid
+from stayput.simulation.overturning import FALLEN, SCALE, checked_amplitudes, overturning_map
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.ensemble.axes import Axes
-    from stayput.simulation import Case
+    from stayput.simulation.axes import Axes
+    from stayput.simulation.run import Case
 
     RunPoints: TypeAlias = (
         "Callable[[NDArray[np.intp], NDArray[np.float64]], tuple[NDArray[np.bool_], NDArray[np.int32]]]"
@@ -96,8 +96,8 @@ def trace_boundary(
         As for `overturning_map`, or an unknown edge or a tolerance outside 1e-12 to 0.1.
     """
     if edge not in get_args(Edge):
-        raise InputError("ensemble.unknown_edge", "edge", edge=repr(edge), known=", ".join(get_args(Edge)))
-    tolerance = within("ensemble.tolerance", tolerance, 1e-12, 0.1, field="tolerance")
+        raise InputError("simulation.unknown_edge", "edge", edge=repr(edge), known=", ".join(get_args(Edge)))
+    tolerance = within("simulation.tolerance", tolerance, 1e-12, 0.1, field="tolerance")
     sampled = checked_amplitudes(amplitudes, axes)
     grid = make_grid(case, axes or {})
     mapped = overturning_map(case, sampled, axes, threads=threads, client=client, progress=progress)

@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from stayput.cases import State, case_columns, refuse_bad_start
 from stayput.errors import InputError, within
 from stayput.measures.measure import Held, element_rows, hold
 from stayput.measures.results import DeviceResult, device_results
 from stayput.mechanics import columns as col
+from stayput.model.state import State, refuse_bad_start
 from stayput.motion.units import STANDARD_GRAVITY
+from stayput.simulation.flat_fields import case_columns
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -24,11 +25,11 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.body import Body
     from stayput.measures import Measure
     from stayput.mechanics.runner import Shaking, Traced
+    from stayput.model.body import Body
+    from stayput.model.room import Room
     from stayput.motion import Motion
-    from stayput.room import Room
 
 Contact = Literal["coulomb", "paper"]
 """The contact law: unilateral contact with Coulomb friction, or the rules of the paper as written.
@@ -306,9 +307,9 @@ def simulate(
     from stayput.mechanics.runner import shaking
 
     start = State() if initial is None else initial
-    within("scene.gravity", gravity, 0.01, 1e3, "m/s²", "gravity")
+    within("model.gravity", gravity, 0.01, 1e3, "m/s²", "gravity")
     if most_events is not None and most_events < 2:
-        raise InputError("scene.most_events", "most_events", value=most_events)
+        raise InputError("model.most_events", "most_events", value=most_events)
     refuse_bad_start(body, room, start)
     held = hold(body, room, measures)
     refuse_bad_start(held.body, held.room, start)
@@ -346,7 +347,7 @@ def trace_held(
 def law_number(contact: str) -> int:
     """Return the number of a contact law in the mechanics."""
     if contact not in LAWS:
-        raise InputError("scene.contact", "contact", value=repr(contact))
+        raise InputError("model.contact", "contact", value=repr(contact))
     return LAWS.index(contact)
 
 

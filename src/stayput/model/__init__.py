@@ -1,0 +1,1 @@
+"""What stands, and where: bodies, rooms, presets of furniture, the initial state."""

@@ -1,0 +1,94 @@
+"""How a body stands and moves at the beginning, and where it and the walls then are."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from stayput.catalogue import phrase
+from stayput.errors import InputError, within
+
+if TYPE_CHECKING:
+    from stayput.model.body import Body
+    from stayput.model.room import Room
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """Initial state of a body that stands on the floor.
+
+    Parameters
+    ----------
+    tilt, tilt_rate : float
+        Tilt from the position of rest, + to the right, and its rate [rad, rad/s]; the body turns about
+        the corner on the side it tilts to.
+    slide, slide_rate : float
+        Displacement of that corner from its place at rest, and its rate [m, m/s].
+
+    Raises
+    ------
+    InputError
+        A value that is not finite, or a tilt of 90° and more.
+    """
+
+    tilt: float = 0.0
+    tilt_rate: float = 0.0
+    slide: float = 0.0
+    slide_rate: float = 0.0
+
+    def __post_init__(self) -> None:
+        within("model.tilt", self.tilt, -1.57, 1.57, "rad", "tilt")
+        within("model.tilt_rate", self.tilt_rate, -1e3, 1e3, "rad/s", "tilt_rate")
+        within("model.slide", self.slide, -1e3, 1e3, "m", "slide")
+        within("model.slide_rate", self.slide_rate, -1e3, 1e3, "m/s", "slide_rate")
+
+
+def standing_corners(body: Body, start: State) -> tuple[tuple[float, float], ...]:
+    """Places of the corners A, B, C, D in the room, for a body that stands on the floor [m]."""
+    tilt = body.resting_tilt + start.tilt
+    sin, cos = math.sin(tilt), math.cos(tilt)
+    turned = [(u * cos + v * sin, v * cos - u * sin) for u, v in body.corners]
+    (u_a, v_a), (u_b, v_b), _, _ = body.corners
+    half = 0.5 * math.hypot(u_b - u_a, v_b - v_a)
+    right = start.tilt > 0.0 or (start.tilt == 0.0 and start.tilt_rate > 0.0)
+    foot = 1 if right else 0
+    x = start.slide + (half if right else -half) - turned[foot][0]
+    z = -turned[foot][1]
+    return tuple((x + u, z + v) for u, v in turned)
+
+
+def wall_faces(body: Body, room: Room) -> tuple[float, float]:
+    """Return where the faces of the left and the right wall stand [m]; infinitely far where there is none.
+
+    A gap is clear of the whole body as it stands at rest at slide 0, a tilted one's top corners as well.
+    """
+    across = [x for x, _ in standing_corners(body, State())]
+    left, right = room.left_wall, room.right_wall
+    return (
+        -math.inf if left is None else min(across) - left.gap,
+        math.inf if right is None else max(across) + right.gap,
+    )
+
+
+def refuse_bad_start(body: Body, room: Room, start: State) -> None:
+    """Raise `InputError` where the initial state lays the body down, or into a wall or the ceiling."""
+    if abs(body.resting_tilt + start.tilt) >= math.pi / 2:
+        tilt, rest = math.degrees(body.resting_tilt + start.tilt), math.degrees(body.resting_tilt)
+        raise InputError("model.laid_down", "initial.tilt", tilt=tilt, rest=rest)
+    corners = standing_corners(body, start)
+    left, right = wall_faces(body, room)
+    top = max(z for _, z in corners)
+    if room.right_wall is not None:
+        clear = right - max(x for x, _ in corners)
+        _refuse_negative("model.right_wall", clear)
+    if room.left_wall is not None:
+        clear = min(x for x, _ in corners) - left
+        _refuse_negative("model.left_wall", clear)
+    if room.ceiling is not None:
+        _refuse_negative("model.ceiling", room.ceiling.height - top)
+
+
+def _refuse_negative(place: str, clear: float) -> None:
+    if clear < -1e-12:
+        raise InputError("model.inside", depth=-clear, place=phrase(place))

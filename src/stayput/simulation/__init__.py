@@ -1,0 +1,1 @@
+"""How it moves: one case, or many over threads here or a Dask cluster."""
