@@ -200,10 +200,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "in_unit": (" in {unit}", "（単位は{unit}）"),
     "without_unit": (", without its unit", "（単位は書きません）"),
-    "not_whole": (
-        "{name} is {value:g}; it must be a whole number.",
-        "{name}が{value:g}になっています。整数にしてください。",
-    ),
     "too_many_numbers": (
         "{name} has {count} numbers; it must have at most {most}.",
         "{name}に数値が{count}個あります。{most}個以下にしてください。",

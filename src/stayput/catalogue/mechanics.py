@@ -11,7 +11,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "elements_need_coulomb": (
         "Contact is 'paper'; measures with force elements need 'coulomb'.",
-        "接触則が'paper'になっています。力要素のある対策では'coulomb'にしてください。",
+        "接触の法則が'paper'になっています。力を伝える器具を使う対策には'coulomb'を指定してください。",
     ),
     "element_rows": (
         "There are elements for {given} cases; there must be one row for each of {cases}.",

@@ -21,7 +21,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The axis {names} has {lengths} values; paths on one axis must have as many.",
         "軸{names}の値の数が{lengths}になっています。同じ軸のパスには同じ数の値を指定してください。",
     ),
-    "did_you_mean": (" (did you mean {path!r}?)", "（{path!r}の間違いではありませんか）"),
     "unknown_path": (
         "{path!r} is no path of a case{hint}; it must be one of {known}.",
         "{path!r}というパスはありません{hint}。次から選んでください：{known}",
@@ -53,10 +52,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "surface_missing": (
         "{path!r} changes a {surface} that is not there; give the room one, or set {distance!r} too.",
         "{path!r}に必要な{surface}が部屋にありません。{surface}を設けるか、{distance!r}も指定してください。",
-    ),
-    "paper_with_devices": (
-        "Contact is 'paper'; measures with force elements need 'coulomb'.",
-        "接触の法則が'paper'になっています。力を伝える器具を使う対策には'coulomb'を指定してください。",
     ),
     # Columns of cases
     "lengths_differ": (

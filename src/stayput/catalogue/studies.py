@@ -63,18 +63,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The folder is {folder!r}; it cannot be made: {reason}.",
         "フォルダー{folder!r}を作成できません：{reason}",
     ),
-    "folder_is_file": (
-        "The folder is {folder!r}; it must be a folder, and that is a file.",
-        "{folder!r}はファイルです。フォルダーを指定してください。",
-    ),
-    "name": (
-        "Study is {name!r}; it must be one of {names}.",
-        "スタディの名前が{name!r}になっています。{names}のいずれかを指定してください。",
-    ),
-    "name_near": (
-        "Study is {name!r} (did you mean {near!r}?); it must be one of {names}.",
-        "スタディの名前が{name!r}です（{near!r}のことでしょうか）。{names}のいずれかを指定してください。",
-    ),
+    "name": ("Study", "スタディの名前"),
     "no_motion": (
         "Study {name!r} takes no motion; --motion is for {names}.",
         "スタディ{name!r}では地震動を指定できません。--motionを使えるのは{names}です。",

@@ -43,20 +43,14 @@ def study(
     dt: TimeStep = None,
 ) -> None:
     """Run a study and write its data (NetCDF, CSV), figures, key numbers and tables."""
-    from difflib import get_close_matches
-
-    from stayput.errors import InputError
+    from stayput.errors import InputError, unknown
 
     if name not in STUDIES:
-        near = get_close_matches(name, STUDIES, 1)
-        known = ", ".join(STUDIES)
-        if near:
-            raise InputError("studies.name_near", "name", name=name, near=near[0], names=known)
-        raise InputError("studies.name", "name", name=name, names=known)
+        raise unknown("studies.name", name, STUDIES, "name")
     if motion is not None and name not in OF_A_RECORD:
         raise InputError("studies.no_motion", "motion", name=name, names=", ".join(OF_A_RECORD))
     if out.exists() and not out.is_dir():
-        raise InputError("studies.folder_is_file", "out", folder=str(out))
+        raise InputError("cli.folder_is_file", "out", folder=repr(str(out)))
 
     import stayput.studies as studies
 

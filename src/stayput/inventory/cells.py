@@ -135,7 +135,7 @@ def whole_of(name: str, cell: Cell, low: int, high: int) -> int | None:
     if value is None:
         return None
     if not value.is_integer():
-        raise InputError("inventory.not_whole", name, name=name, value=value)
+        raise InputError("common.not_whole", name, name=name, value=value)
     return int(within(name, value, low, high, field=name))
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, near_miss
 from stayput.model.body import Body
 from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.motion import Motion
@@ -139,8 +138,7 @@ def _columns(
         return {path: np.array([row[path] for row in table]) for path in table[0]}, np.arange(len(items))
     if name not in base:
         known = sorted({*base, *OBJECT_PATHS})
-        near = get_close_matches(name, known, 1)
-        hint = phrase("simulation.did_you_mean", path=near[0]) if near else ("", "")
+        hint = near_miss(name, known)
         raise InputError("simulation.unknown_path", name, path=name, hint=hint, known=", ".join(known))
     try:
         numbers = np.array(values, np.float64)
@@ -186,6 +184,6 @@ def _refuse_missing_surfaces(base: dict[str, float], axes: list[Axis]) -> None:
                 "simulation.surface_missing",
                 min(touched),
                 path=min(touched),
-                surface=phrase(f"ensemble.{name}"),
+                surface=phrase(f"simulation.{name}"),
                 distance=distance,
             )

@@ -129,7 +129,7 @@ class Grid:
         from_flat_fields(numbers)
         _, elements = held_rows(numbers, 1, self.measures)
         if elements.size and numbers[LAW] != 0.0:
-            raise InputError("simulation.paper_with_devices", LAW)
+            raise InputError("mechanics.elements_need_coulomb", LAW)
 
 
 def _extreme_rows(block: CaseBlock) -> set[int]:
