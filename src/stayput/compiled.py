@@ -1,91 +1,241 @@
-"""Numba decorators: strict IEEE arithmetic, and an on-disk cache for the entry points only.
+"""Compiled functions: Numba compiles them once; their machine code is kept on disk and runs without Numba.
 
-No fast-math flags: results are bit-identical on every x86-64 processor, whatever its vector width. Inner
-functions get no Python wrappers and no cache files of their own, which would take most of a cold compile.
-Nothing is allocated inside, so reference counting (NRT) is off: it would cost as much as the mechanics, and
-more with every thread that shares a motion.
+Strict IEEE arithmetic: no fast-math flags, so results are bit-identical on every x86-64 processor, whatever
+its vector width. Nothing is allocated inside, so reference counting (NRT) is off: it would cost as much as
+the mechanics, and more with every thread that shares a motion.
+
+A function that Python calls is an *entry*. Its arguments are floats, whole numbers, arrays (also of records)
+and tuples of arrays; what it computes it writes into arrays. At the first call with arguments of some types
+its machine code is loaded from disk (`stayput.machine_code`). Only where there is none are Numba imported and
+the entry compiled with all that it calls, from its source to one module of LLVM's intermediate code, of which
+only public interfaces of Numba and llvmlite are used.
 """
 
 from __future__ import annotations
 
+import ctypes
+import os
+import threading
 from contextlib import contextmanager
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
-from numba import njit
-from numba.core.event import Event, Listener
-from numba.core.event import install_listener as _install_listener  # pyright: ignore[reportUnknownVariableType]
-from numba.core.types import unliteral  # pyright: ignore[reportUnknownVariableType]
-
-from stayput.compiled_files import cache_on_disk
+import numpy as np
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
-_type_of_literal: Any = unliteral  # pyright: ignore[reportUnknownVariableType]
-compile_with: Any = njit  # Numba's type stubs leave out some of the options
 P = ParamSpec("P")
 T = TypeVar("T")
 
-SETTINGS = {"error_model": "numpy", "_nrt": False}
-"""Division by zero gives infinity or NaN, as in IEEE arithmetic, not an exception; no reference counting."""
+SETTINGS = {"error_model": "numpy", "_nrt": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+"""Division by zero gives infinity or NaN, as in IEEE arithmetic, not an exception; no reference counting. No
+Python wrappers, which would take most of a cold compile.
+"""
 
-WITHIN = SETTINGS | {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+INTERPRETED = os.environ.get("NUMBA_DISABLE_JIT", "0") != "0"
+"""Whether everything runs as Python, as Numba's own variable asks for: slow, but a debugger sees it."""
+
+_compiling = threading.RLock()
+_announcements: list[Callable[[], None]] = []
+
+
+class _Inner:
+    """A function that only compiled functions call."""
+
+    def __init__(self, function: Callable[..., Any], *, forceinline: bool) -> None:
+        self.py_func, self._forceinline = function, forceinline
+        self.__doc__, self.__name__ = function.__doc__, function.__name__
+        self.__module__, self.__code__ = function.__module__, function.__code__
+
+    @cached_property
+    def dispatcher(self) -> Any:
+        """The function as Numba compiles it: once for each argument type.
+
+        By default Numba specializes a function for each literal (as ``True`` or ``0.0``) that it is called
+        with, which multiplies the time of a cold start.
+        """
+        unliteral: Callable[[Any], Any] = _numba().types.unliteral
+        compiled = _njit(self.py_func, forceinline=self._forceinline)
+        template = compiled.get_call_template
+
+        def template_of(args: Any, kws: Any) -> Any:
+            return template(tuple(unliteral(kind) for kind in args), kws)
+
+        compiled.get_call_template = template_of
+        return compiled
+
+    @property
+    def _numba_type_(self) -> Any:
+        """How Numba sees it where a compiled function calls it."""
+        return self.dispatcher._numba_type_
 
 
 def inner(function: Callable[P, T]) -> Callable[P, T]:
     """Compile a function that only compiled functions call."""
-    return _without_literals(compile_with(**WITHIN)(function))
+    return function if INTERPRETED else _Inner(function, forceinline=False)  # type: ignore[return-value]
 
 
 def inline(function: Callable[P, T]) -> Callable[P, T]:
-    """Compile a small function into its callers (force-inlined): one that every step of every case calls."""
-    return _without_literals(compile_with(**WITHIN, forceinline=True)(function))
+    """Compile a small function into its callers: one that every step of every case calls."""
+    return function if INTERPRETED else _Inner(function, forceinline=True)  # type: ignore[return-value]
 
 
-def _without_literals(compiled: Any) -> Any:
-    """Compile a function once for each argument type.
+class Entry:
+    """A compiled function that Python calls.
 
-    By default Numba specializes a function for each literal (as ``True`` or ``0.0``) that it is called with,
-    which multiplies the time of a cold start.
+    Parameters
+    ----------
+    function : callable
+        Its source; it returns nothing.
     """
-    template = getattr(compiled, "get_call_template", None)  # not where NUMBA_DISABLE_JIT is set
-    if template is not None:
 
-        def template_of(args: Any, kws: Any) -> Any:
-            return template(tuple(_type_of_literal(kind) for kind in args), kws)
+    def __init__(self, function: Callable[..., None]) -> None:
+        self.py_func = function
+        self.__doc__, self.__name__, self.__module__ = (
+            function.__doc__,
+            function.__name__,
+            function.__module__,
+        )
+        self._loaded: dict[tuple[Any, ...], Callable[..., int]] = {}
 
-        compiled.get_call_template = template_of
-    return compiled
+    def __call__(self, *arguments: Any) -> None:
+        """Call it; other threads run meanwhile.
+
+        Raises
+        ------
+        TypeError
+            An argument of another kind, or an array that is not contiguous.
+        """
+        kinds = tuple(map(_kind_of, arguments))
+        call = self._loaded.get(kinds)
+        if call is None:
+            with _compiling:
+                call = self._loaded.get(kinds) or self._load(kinds)
+        values: list[Any] = []
+        for argument in arguments:
+            _append_values(argument, values)
+        if status := call(ctypes.byref(ctypes.c_void_p()), ctypes.byref(ctypes.c_void_p()), *values):
+            raise RuntimeError(f"{self.__name__} ended with the status {status}.")
+
+    def _load(self, kinds: tuple[Any, ...]) -> Callable[..., int]:
+        from stayput.machine_code import MachineCode
+
+        code = MachineCode(f"{self.__module__}.{self.__name__}", kinds, self._folders())
+        address = code.load() or code.add(self.intermediate_code(kinds))
+        values: list[Any] = []
+        for kind in kinds:
+            _append_types(kind, values)
+        call = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, *values)(address)
+        self._loaded[kinds] = call
+        return call
+
+    def _folders(self) -> tuple[Path, ...]:
+        """Return the folders whose sources are compiled into it: those of all functions that it names."""
+        named = [value for value in self.py_func.__globals__.values() if isinstance(value, _Inner)]
+        return tuple(sorted({Path(f.__code__.co_filename).parent for f in (self.py_func, *named)}))
+
+    def intermediate_code(self, kinds: tuple[Any, ...]) -> str:
+        """Compile it by Numba.
+
+        Returns
+        -------
+        str
+            A module of LLVM's intermediate code for this machine. Its one external function takes a place for
+            a returned value and one for an exception, neither of them used, then the arguments; of each array
+            two null pointers, the number of items, the size of one, the address, the shape and the strides.
+        """
+        for announce in _announcements:
+            announce()
+        _announcements.clear()
+        compiled = _njit(self.py_func)
+        signature = tuple(map(_numba_type, kinds))
+        compiled.compile(signature)
+        return compiled.inspect_llvm(compiled.signatures[0])
 
 
-def entry(function: Callable[P, T]) -> Callable[P, T]:
-    """Compile a function that Python calls: releases the GIL, and caches the code on disk."""
-    compiled = compile_with(**SETTINGS, nogil=True)(function)
-    if hasattr(compiled, "stats"):  # not where NUMBA_DISABLE_JIT leaves the function as it is
-        # the cache is valid for the sources of all folders whose compiled functions this module imports
-        called = [value.py_func for value in function.__globals__.values() if hasattr(value, "py_func")]
-        cache_on_disk(compiled, {Path(part.__code__.co_filename).parent for part in (function, *called)})
-    return compiled
+def entry(function: Callable[P, None]) -> Callable[P, None]:
+    """Compile a function that Python calls."""
+    return function if INTERPRETED else Entry(function)  # type: ignore[return-value]
 
 
-class _FirstCompilation(Listener):
-    """Calls back at the first compilation."""
+def _numba() -> Any:
+    """Import Numba, whose type stubs leave out much of it."""
+    import numba
 
-    def __init__(self, callback: Callable[[], None]) -> None:
-        self.callback: Callable[[], None] | None = callback
+    return numba
 
-    def on_start(self, event: Event) -> None:
-        if self.callback is not None:
-            callback, self.callback = self.callback, None
-            callback()
 
-    def on_end(self, event: Event) -> None:
-        pass
+def _njit(function: Callable[..., Any], *, forceinline: bool = False) -> Any:
+    return _numba().njit(**SETTINGS, forceinline=forceinline)(function)
+
+
+def _kind_of(argument: Any) -> Any:
+    """Return what a compiled function depends on in an argument.
+
+    That is "f" or "i" for a number, an array's dtype and number of dimensions, or a tuple of these.
+    """
+    if isinstance(argument, np.ndarray):
+        if not argument.flags.c_contiguous or not argument.flags.aligned:
+            raise TypeError("An array is not contiguous; compiled functions take contiguous arrays.")
+        return argument.dtype, argument.ndim
+    if isinstance(argument, tuple):
+        return tuple(map(_kind_of, argument))  # pyright: ignore[reportUnknownVariableType,reportUnknownArgumentType]
+    if isinstance(argument, float):
+        return "f"
+    if isinstance(argument, int | np.integer):
+        return "i"
+    raise TypeError(f"A compiled function cannot take a {type(argument).__name__}.")
+
+
+def _is_array(kind: Any) -> bool:
+    return isinstance(kind, tuple) and len(kind) == 2 and isinstance(kind[0], np.dtype)  # pyright: ignore
+
+
+def _numba_type(kind: Any) -> Any:
+    types = _numba().types
+    if kind == "f":
+        return types.float64
+    if kind == "i":
+        return types.int64
+    if _is_array(kind):
+        return types.Array(_numba().from_dtype(kind[0]), kind[1], "C", aligned=True)
+    return types.Tuple(tuple(map(_numba_type, kind)))
+
+
+def _append_types(kind: Any, types: list[Any]) -> None:
+    """Append the C types of an argument."""
+    if kind == "f":
+        types.append(ctypes.c_double)
+    elif kind == "i":
+        types.append(ctypes.c_int64)
+    elif _is_array(kind):
+        types += [ctypes.c_void_p] * 2 + [ctypes.c_int64] * 2 + [ctypes.c_void_p]
+        types += [ctypes.c_int64] * (2 * kind[1])
+    else:
+        for part in kind:
+            _append_types(part, types)
+
+
+def _append_values(argument: Any, values: list[Any]) -> None:
+    """Append the C values of an argument."""
+    if isinstance(argument, np.ndarray):
+        values += (None, None, argument.size, argument.itemsize, argument.ctypes.data)
+        values += (*argument.shape, *argument.strides)
+    elif isinstance(argument, tuple):
+        for part in argument:  # pyright: ignore[reportUnknownVariableType]
+            _append_values(part, values)
+    else:
+        values.append(argument)
 
 
 @contextmanager
 def on_compilation(callback: Callable[[], None]) -> Generator[None]:
-    """Call ``callback`` once, before the first compilation; never if all code is in the cache."""
-    with _install_listener("numba:compile", _FirstCompilation(callback)):
+    """Call ``callback`` once, before the first compilation; never if all code is on disk."""
+    _announcements.append(callback)
+    try:
         yield
+    finally:
+        if callback in _announcements:
+            _announcements.remove(callback)

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 import xarray as xr
 from interrupts import hears_interrupts
-from numba import njit
 from typer.testing import CliRunner
 
 import stayput
 from stayput.cli import app
+from stayput.compiled import entry
 from stayput.simulation.run import Case
 
 PROGRAM = [sys.executable, "-c", "from stayput.cli import main; main()"]
@@ -265,12 +265,18 @@ def test_a_study_s_folder_must_not_be_a_file(tmp_path):
     assert "must be a folder" in result.stderr
 
 
-def test_compiling_is_announced_on_standard_error(monkeypatch):
+def test_compiling_is_announced_on_standard_error(monkeypatch, tmp_path):
     run = Case.run
 
+    @entry
+    def never_compiled_before(result):
+        result[0] = 1.0
+
     def compiling(case):
-        njit(lambda x: x + 1)(1)
+        never_compiled_before(np.zeros(1))
         return run(case)
+
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
 
     monkeypatch.setattr(Case, "run", compiling)
     result = cli("simulate", "--motion", "sine:1,1,1", "--json")

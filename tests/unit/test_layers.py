@@ -13,7 +13,7 @@ SOURCES = Path(stayput.__file__).parent
 
 LAYERS = (
     {"catalogue", "errors"},
-    {"extras", "files", "wording", "randomness", "spreadsheets", "compiled_files"},
+    {"extras", "files", "wording", "randomness", "spreadsheets", "machine_code"},
     {"progress", "execution", "uncertainty", "compiled"},
     {"mechanics", "model"},
     {"motion"},

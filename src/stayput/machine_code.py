@@ -1,0 +1,191 @@
+"""Machine code on disk: made of LLVM's intermediate code, kept with checksums, and loaded without Numba.
+
+LLVM aborts the process on a damaged object, and machine code of changed sources would give other results.
+Each file therefore begins with the SHA-256 digest of the rest, which says of what sources, versions and
+processor it is made; a file that is damaged or stale counts as absent and is replaced.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import logging
+import os
+import platform
+import secrets
+import stat
+import sys
+import tempfile
+from functools import cache
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import llvmlite.binding
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
+
+llvm: Any = llvmlite.binding  # it has no types
+_LOG = logging.getLogger("stayput")
+_DIGEST = 32  # bytes of SHA-256
+
+
+class MachineCode:
+    """The machine code of one compiled function, for arguments of some types.
+
+    Parameters
+    ----------
+    name : str
+        The function's name, with its module.
+    kinds : tuple
+        The types of its arguments.
+    folders : tuple of Path
+        Folders whose source files are compiled into it; the first is the function's own.
+    """
+
+    def __init__(self, name: str, kinds: tuple[Any, ...], folders: tuple[Path, ...]) -> None:
+        self._folder = folders[0]
+        processor = f"{llvm.get_host_cpu_name()} {llvm.get_host_cpu_features().flatten()}"
+        key = hashlib.sha256(repr((name, kinds, processor)).encode()).hexdigest()[:16]
+        # the processor is part of the file's name: machines of a cluster may share the folder
+        self._file = f"{name.rsplit('.', 1)[-1]}-{key}.code"
+        versions = (version("numba"), version("llvmlite"), sys.version)
+        self._stamp = repr((name, kinds, processor, versions, tuple(map(_stamp, folders)))).encode()
+
+    def load(self) -> int | None:
+        """Load it from disk; return its address, or None where there is none that is whole and up to date."""
+        for folder in _folders(self._folder):
+            try:
+                content = (folder / self._file).read_bytes()
+            except OSError:
+                continue
+            if hashlib.sha256(content[_DIGEST:]).digest() != content[:_DIGEST]:
+                continue
+            stamp, symbol, code = content[_DIGEST:].split(b"\0", 2)
+            if stamp == hashlib.sha256(self._stamp).hexdigest().encode():
+                return _address(code, symbol.decode())
+        return None
+
+    def add(self, text: str) -> int:
+        """Make machine code of intermediate code, keep it on disk if that is possible, and load it.
+
+        Parameters
+        ----------
+        text : str
+            A module with one external function.
+
+        Returns
+        -------
+        int
+            The function's address.
+        """
+        module = llvm.parse_assembly(text)
+        defined = (function for function in module.functions if not function.is_declaration)
+        (symbol,) = (function.name for function in defined if function.linkage == llvm.Linkage.external)
+        code = _machine().emit_object(module)
+        stamp = hashlib.sha256(self._stamp).hexdigest()
+        packed = b"\0".join((stamp.encode(), symbol.encode(), code))
+        self._save(hashlib.sha256(packed).digest() + packed)
+        return _address(code, symbol)
+
+    def _save(self, content: bytes) -> None:
+        """Save a file whole or not at all; where it cannot be, warn: it will be compiled again next time."""
+        for folder in _folders(self._folder):
+            draft = folder / f".{self._file}-{secrets.token_hex(4)}"
+            try:
+                folder.mkdir(parents=True, exist_ok=True)
+                draft.touch(exist_ok=False)
+            except OSError:
+                continue
+            try:
+                draft.write_bytes(content)
+                draft.replace(folder / self._file)
+            except OSError as error:
+                draft.unlink(missing_ok=True)
+                _warn_once(f"Compiled code could not be kept: {(error.strerror or str(error)).lower()}.")
+            else:
+                if folder == _temporary_folder():
+                    _warn_once(
+                        "Neither the folder of stayput nor your home can be written to; "
+                        f"compiled code is kept in {folder}."
+                    )
+            return
+        _warn_once("Compiled code cannot be kept on this machine; every start compiles anew.")
+
+
+@cache
+def _warn_once(line: str) -> None:
+    _LOG.warning(line)
+
+
+@cache
+def _stamp(folder: Path) -> str:
+    """Return a digest of all source files of a folder."""
+    digest = hashlib.sha256()
+    for file in sorted(folder.glob("*.py")):
+        digest.update(hashlib.sha256(file.read_bytes()).digest())
+    return digest.hexdigest()
+
+
+def _folders(beside: Path) -> Generator[Path]:
+    """Yield the folders in which code may be kept, the first that can be written to before the others."""
+    if chosen := os.environ.get("NUMBA_CACHE_DIR"):
+        # as Numba does it: one folder for all that is compiled on a machine
+        yield Path(chosen) / f"{beside.name}-{hashlib.sha256(str(beside).encode()).hexdigest()[:16]}"
+        return
+    yield beside / "__pycache__"
+    home = {"win32": os.environ.get("LOCALAPPDATA"), "darwin": "~/Library/Caches"}.get(
+        sys.platform, os.environ.get("XDG_CACHE_HOME", "~/.cache")
+    )
+    if home:
+        yield Path(home).expanduser() / "stayput"
+    if folder := _temporary_folder():
+        yield folder
+
+
+def _temporary_folder() -> Path | None:
+    """Return a private temporary folder of this user, or None where it may belong to somebody else.
+
+    Code that is kept there is run, so the folder must be the user's own, closed to others, and no link.
+    """
+    user = os.getuid() if hasattr(os, "getuid") else None
+    folder = Path(tempfile.gettempdir()) / ("stayput" if user is None else f"stayput-{user}")
+    try:
+        folder.mkdir(mode=0o700, exist_ok=True)
+        status = folder.lstat()
+    except OSError:
+        return None
+    if not stat.S_ISDIR(status.st_mode):
+        return None
+    if user is not None and (status.st_uid != user or stat.S_IMODE(status.st_mode) & 0o077):
+        return None
+    return folder
+
+
+@cache
+def _machine() -> Any:
+    """Return LLVM's description of this machine, with the options that loading into memory needs."""
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    x86 = platform.machine().lower() in ("x86_64", "amd64", "i686", "x86")
+    return llvm.Target.from_default_triple().create_target_machine(
+        cpu=llvm.get_host_cpu_name(),
+        features=llvm.get_host_cpu_features().flatten(),
+        opt=3,
+        reloc="static" if x86 else "default",
+        codemodel="jitdefault",
+        jit=True,
+    )
+
+
+@cache
+def _engine() -> Any:
+    """Return the engine into which machine code is loaded; it lives as long as the process."""
+    return llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
+
+
+def _address(code: bytes, symbol: str) -> int:
+    """Load machine code into memory; return where its function is."""
+    _engine().add_object_file(llvm.ObjectFileRef.from_data(code))
+    _engine().finalize_object()
+    return _engine().get_function_address(symbol)
