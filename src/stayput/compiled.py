@@ -19,7 +19,7 @@ import threading
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
 import numpy as np
 
@@ -174,48 +174,57 @@ def _njit(function: Callable[..., Any], *, forceinline: bool = False) -> Any:
 def _kind_of(argument: Any) -> Any:
     """Return what a compiled function depends on in an argument.
 
-    That is "f" or "i" for a number, an array's dtype and number of dimensions, or a tuple of these.
+    That is "f" or "i" for a number, "none", an array's dtype and number of dimensions, or the class of a
+    tuple and what it holds.
     """
     if isinstance(argument, np.ndarray):
         if not argument.flags.c_contiguous or not argument.flags.aligned:
             raise TypeError("An array is not contiguous; compiled functions take contiguous arrays.")
         return argument.dtype, argument.ndim
     if isinstance(argument, tuple):
-        return tuple(map(_kind_of, argument))  # pyright: ignore[reportUnknownVariableType,reportUnknownArgumentType]
+        parts = cast("tuple[Any, ...]", argument)
+        return type(parts), *map(_kind_of, parts)
     if isinstance(argument, float):
         return "f"
     if isinstance(argument, int | np.integer):
         return "i"
+    if argument is None:
+        return "none"
     raise TypeError(f"A compiled function cannot take a {type(argument).__name__}.")
-
-
-def _is_array(kind: Any) -> bool:
-    return isinstance(kind, tuple) and len(kind) == 2 and isinstance(kind[0], np.dtype)  # pyright: ignore
 
 
 def _numba_type(kind: Any) -> Any:
     types = _numba().types
-    if kind == "f":
-        return types.float64
-    if kind == "i":
-        return types.int64
-    if _is_array(kind):
-        return types.Array(_numba().from_dtype(kind[0]), kind[1], "C", aligned=True)
-    return types.Tuple(tuple(map(_numba_type, kind)))
+    match kind:
+        case "f":
+            return types.float64
+        case "i":
+            return types.int64
+        case "none":
+            return types.none
+        case (np.dtype() as dtype, int(dimensions)):
+            return types.Array(_numba().from_dtype(dtype), dimensions, "C", aligned=True)
+        case _:
+            cls, *parts = kind
+            named = None if cls is tuple else cls
+            return types.BaseTuple.from_types(tuple(map(_numba_type, parts)), named)
 
 
 def _append_types(kind: Any, types: list[Any]) -> None:
     """Append the C types of an argument."""
-    if kind == "f":
-        types.append(ctypes.c_double)
-    elif kind == "i":
-        types.append(ctypes.c_int64)
-    elif _is_array(kind):
-        types += [ctypes.c_void_p] * 2 + [ctypes.c_int64] * 2 + [ctypes.c_void_p]
-        types += [ctypes.c_int64] * (2 * kind[1])
-    else:
-        for part in kind:
-            _append_types(part, types)
+    match kind:
+        case "f":
+            types.append(ctypes.c_double)
+        case "i":
+            types.append(ctypes.c_int64)
+        case "none":
+            types.append(ctypes.c_void_p)
+        case (np.dtype(), int(dimensions)):
+            types += [ctypes.c_void_p] * 2 + [ctypes.c_int64] * 2 + [ctypes.c_void_p]
+            types += [ctypes.c_int64] * (2 * dimensions)
+        case _:
+            for part in kind[1:]:
+                _append_types(part, types)
 
 
 def _append_values(argument: Any, values: list[Any]) -> None:

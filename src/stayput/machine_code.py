@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any
 import llvmlite.binding
 
 if TYPE_CHECKING:
-    from collections.abc import Generator
+    from collections.abc import Generator, Iterable
 
 llvm: Any = llvmlite.binding  # it has no types
 _LOG = logging.getLogger("stayput")
@@ -50,7 +50,9 @@ class MachineCode:
         # the processor is part of the file's name: machines of a cluster may share the folder
         self._file = f"{name.rsplit('.', 1)[-1]}-{key}.code"
         versions = (version("numba"), version("llvmlite"), sys.version)
-        self._stamp = repr((name, kinds, processor, versions, tuple(map(_stamp, folders)))).encode()
+        how = Path(__file__), Path(__file__).with_name("compiled.py")
+        sources = [_digest_of(how), *(_digest_of(folder.glob("*.py")) for folder in folders)]
+        self._stamp = repr((name, kinds, processor, versions, sources)).encode()
 
     def load(self) -> int | None:
         """Load it from disk; return its address, or None where there is none that is whole and up to date."""
@@ -80,8 +82,7 @@ class MachineCode:
             The function's address.
         """
         module = llvm.parse_assembly(text)
-        defined = (function for function in module.functions if not function.is_declaration)
-        (symbol,) = (function.name for function in defined if function.linkage == llvm.Linkage.external)
+        symbol = _optimize(module)
         code = _machine().emit_object(module)
         stamp = hashlib.sha256(self._stamp).hexdigest()
         packed = b"\0".join((stamp.encode(), symbol.encode(), code))
@@ -118,11 +119,10 @@ def _warn_once(line: str) -> None:
     _LOG.warning(line)
 
 
-@cache
-def _stamp(folder: Path) -> str:
-    """Return a digest of all source files of a folder."""
+def _digest_of(files: Iterable[Path]) -> str:
+    """Return a digest of source files."""
     digest = hashlib.sha256()
-    for file in sorted(folder.glob("*.py")):
+    for file in sorted(files):
         digest.update(hashlib.sha256(file.read_bytes()).digest())
     return digest.hexdigest()
 
@@ -182,6 +182,35 @@ def _machine() -> Any:
 def _engine() -> Any:
     """Return the engine into which machine code is loaded; it lives as long as the process."""
     return llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
+
+
+def _optimize(module: Any) -> str:
+    """Optimize a module as a whole for its one external function; return the name of that.
+
+    Numba lets every function be called from elsewhere; of internal ones those with one caller are inlined.
+
+    Raises
+    ------
+    RuntimeError
+        The module calls a function that is not to be found.
+    """
+    symbol = ""
+    for function in module.functions:
+        if function.is_declaration:
+            if not _is_known(function.name):
+                raise RuntimeError(f"The compiled code calls {function.name}, which is not to be found.")
+        elif function.linkage == llvm.Linkage.external:
+            symbol = function.name
+        else:
+            function.linkage = llvm.Linkage.internal
+    builder = llvm.create_pass_builder(_machine(), llvm.create_pipeline_tuning_options(speed_level=3))
+    builder.getModulePassManager().run(module, builder)
+    return symbol
+
+
+def _is_known(name: str) -> bool:
+    """Whether the linker finds a function: one of LLVM's own or of the C library; else a call would crash."""
+    return name.startswith("llvm.") or llvm.address_of_symbol(name) is not None
 
 
 def _address(code: bytes, symbol: str) -> int:

@@ -70,7 +70,7 @@ def test_combinations_that_the_laws_do_not_cover_are_refused():
 
 
 def test_the_papers_law_has_no_elements():
-    paper = shaking(MOTION.along, None, 0.01, 1)
+    paper = shaking(MOTION.floor.ax, None, 0.01, 1)
     with pytest.raises(sp.InputError, match="'paper'; measures with force elements need 'coulomb'"):
         trace_with_devices(CASE[0], bracket(), paper)
 

@@ -159,6 +159,12 @@ EVENT = 7
     DEVICE_FAILURE_EVENT,
 ) = range(12)
 
+# of a device's branch alone, while the mode stays; excluded from Run.events
+INTERNAL_EVENT = -1
+
+# contact laws, in the order of `stayput.simulation.run.LAWS`
+COULOMB, PAPER = range(2)
+
 # outcomes, in the order of `stayput.simulation.run.Outcome`
 RESTED, SLID, ROCKED, LEANING, OVERTURNED_OUTCOME, FAILED_OUTCOME = range(6)
 

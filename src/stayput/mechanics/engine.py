@@ -1,4 +1,8 @@
-"""Event loop of the solver: integrate in one mode to the next event, handle it, choose the next mode."""
+"""Event loop of the solver: integrate in one mode to the next event, handle it, choose the next mode.
+
+There is one loop for bodies with and without devices. Where a case has none, ``held`` is None, and Numba
+leaves out what devices need: a bare body compiles in less time, and runs as fast as if they were unknown.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +13,8 @@ from stayput.mechanics.columns import (
     C_CEILING,
     CEILING_IMPACT_EVENT,
     CLOSED,
+    COULOMB,
+    DEVICE_FAILURE_EVENT,
     E_KIND,
     E_MODE,
     E_SLIDE,
@@ -23,9 +29,11 @@ from stayput.mechanics.columns import (
     FLIGHT,
     FLOOR_BITS,
     FLOOR_IMPACT_EVENT,
+    INTERNAL_EVENT,
     LEAN_MODE,
     LEANING,
     LIFT_OFF_EVENT,
+    LIMIT,
     MOVED_FLYING,
     MOVED_ROCKING,
     MOVED_SLIDING,
@@ -49,6 +57,9 @@ from stayput.mechanics.columns import (
     WALL_RELEASE_EVENT,
 )
 from stayput.mechanics.contact import STICK_RATE
+from stayput.mechanics.devices.elements import no_element_left, note_forces_of_links, set_up_elements
+from stayput.mechanics.devices.equilibrium import advance_held_rest
+from stayput.mechanics.devices.stepper import REST_RATE, advance_step_by_step
 from stayput.mechanics.flat import advance_rest, advance_slide, slide_friction
 from stayput.mechanics.flight_and_lean import advance_flight, advance_lean
 from stayput.mechanics.fulcrum import advance_fulcrum
@@ -61,13 +72,12 @@ from stayput.mechanics.geometry import (
     turn_to,
     update_peaks,
 )
-from stayput.mechanics.impact import closing_contacts, impact_without_collision, land
-from stayput.mechanics.modes import choose_mode, set_pivot_velocity
-from stayput.mechanics.paper import choose_paper_mode, collide_by_paper
+from stayput.mechanics.impact import closing_contacts
 from stayput.mechanics.pivot_impact import pivot_on_landing
+from stayput.mechanics.projection import set_pivot_velocity
+from stayput.mechanics.records import Held
 from stayput.mechanics.sampling import loads, public_mode, record_sample
-
-COULOMB, PAPER = 0, 1
+from stayput.mechanics.transitions import handle_impacts, relax_event_thresholds, update_mode
 
 
 @inner
@@ -97,23 +107,48 @@ def initialize_state(case, contacts, s):
     update_peaks(case, s)
 
 
+@inner
+def _initialize_devices(case, s, held, dt):
+    work = held.work
+    work.foot = 0.0
+    work.still_rate = REST_RATE
+    work.step_limit = dt
+    work.slack_factor = 1.0
+    work.crowded_events = work.failed = work.facets = 0
+    set_up_elements(held.elements, held.links, held.devices, case, s)
+
+
 @inline
-def advance(rows, contacts, case, s, ax, az, dt, extremes, tolerance, max_step, lifts, history):
-    """Advance the body in its mode to the next event."""
+def _note_motion(s):
     kind = s.kind
-    if kind == REST:
-        return advance_rest(case, s, ax, az, dt, extremes, history)
     if kind == SLIDE:
         s.moved |= MOVED_SLIDING
-        friction = slide_friction(contacts, case, s)
-        return advance_slide(contacts, case, s, ax, az, dt, friction, lifts, history)
-    if kind in (ROCK, SLIDE_ROCK):
+    elif kind in (ROCK, SLIDE_ROCK):
         s.moved |= MOVED_ROCKING if kind == ROCK else MOVED_ROCKING | MOVED_SLIDING
-        return advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history)
-    s.moved |= MOVED_FLYING
+    elif kind != REST:
+        s.moved |= MOVED_FLYING
+
+
+@inline
+def _advance(scratch, case, s, held, motion, settings, output):
+    """Advance the body in its mode to the next event."""
+    _note_motion(s)
+    kind = s.kind
+    contacts, history = scratch.contacts, output.history
+    if held is not None:
+        if kind == REST:
+            return advance_held_rest(case, held, s, motion, output)
+        return advance_step_by_step(held, contacts, scratch.rows, case, s, motion, settings, output)
+    if kind == REST:
+        return advance_rest(case, s, motion, history)
+    if kind == SLIDE:
+        friction = slide_friction(contacts, case, s)
+        return advance_slide(contacts, case, s, motion, friction, settings.law == COULOMB, history)
+    if kind in (ROCK, SLIDE_ROCK):
+        return advance_fulcrum(contacts, case, s, motion, settings, history)
     if kind == FLIGHT:
-        return advance_flight(contacts, case, s, ax, az, dt, history)
-    return advance_lean(rows, contacts, case, s, ax, az, dt, tolerance, max_step, history)
+        return advance_flight(contacts, case, s, motion, history)
+    return advance_lean(scratch.rows, contacts, case, s, motion, settings, history)
 
 
 @inner
@@ -139,19 +174,29 @@ def _kind_of_event(s, why, kind, closed):
 
 
 @inner
-def record_event(events, case, s, dt, why, kind, closed):
-    """Write an event into its row of the list, if it has one; ``kind`` and ``closed`` are those before it."""
+def _record_event(events, case, s, held, dt, why, before):
+    """Write an event into its row of the list, if it has one.
+
+    ``before`` is the mode before it: its kind, closed contacts and direction of slip. An event is listed as a
+    device's failure where one failed, and is internal where only the branch of a device has changed.
+    """
     if s.events > events.shape[0]:
         return
+    kind, closed, d = before
     row = events[s.events - 1]
     row[E_TIME], row[E_KIND] = s.k * dt + s.tau, _kind_of_event(s, why, kind, closed)
     row[E_MODE] = OVERTURNED_MODE if s.kind == OVERTURNED else public_mode(s)
     row[E_TILT], row[E_TILT_RATE] = s.theta - s.rest, s.omega
     row[E_SLIDE], row[E_SLIDE_RATE] = slide_of(case, s)
+    if held is not None and s.kind != FAILED and s.kind != OVERTURNED:
+        if held.work.failed:
+            row[E_KIND] = DEVICE_FAILURE_EVENT
+        elif why == LIMIT and s.kind == kind and s.closed == closed and s.d == d:
+            row[E_KIND] = INTERNAL_EVENT
 
 
 @inner
-def is_finite(s):
+def _is_finite(s):
     """Whether the state is finite; a run whose state is not ends as failed, never as a body that stands."""
     return math.isfinite(s.x + s.z + s.theta + s.vx + s.vz + s.omega + s.peak_tilt + s.peak_slide + s.tau)
 
@@ -159,7 +204,7 @@ def is_finite(s):
 @inner
 def _outcome_of(s):
     """Public outcome of a run, from its final state."""
-    if s.kind == FAILED or not is_finite(s) or s.tau < 0.0:
+    if s.kind == FAILED or not _is_finite(s) or s.tau < 0.0:
         return FAILED_OUTCOME
     if s.kind == OVERTURNED:
         return OVERTURNED_OUTCOME
@@ -171,7 +216,7 @@ def _outcome_of(s):
 
 
 @inner
-def record_result(result, case, s, dt):
+def _record_result(result, case, s, dt):
     """Write the result of a completed case."""
     result.outcome, result.end = _outcome_of(s), s.k * dt + s.tau
     result.residual_slide, result.residual_tilt = slide_of(case, s)[0], s.theta - s.rest
@@ -181,167 +226,122 @@ def record_result(result, case, s, dt):
 
 
 @inner
-def _update_mode(rows, contacts, touch, settle_rate, case, s, ax, az, dt, law):
-    """Choose the mode at the present time, under either contact law.
-
-    Where no active set is consistent (Painlevé), an impact without collision stops the slip first.
-    """
-    a, a_rate, G, G_rate = loads(case, ax, az, case.scale / dt, s.k, s.tau)
-    if law == PAPER:
-        choose_paper_mode(contacts, case, s, touch, a, a_rate)
-        return
-    choose_mode(rows, contacts, touch, settle_rate, case, s, a, a_rate, G, G_rate)
-    if s.kind == FAILED:
-        impact_without_collision(contacts, touch, case, s)
-        choose_mode(rows, contacts, touch, settle_rate, case, s, a, a_rate, G, G_rate)
-
-
-@inner
-def _pivots_on_landing(contacts, touch, case, s, ax, az, dt):
+def _pivots_on_landing(contacts, touch, case, s, motion):
     """Handle a landing by the fast path of `pivot_impact`, if it applies; whether it did."""
-    a, _, G, _ = loads(case, ax, az, case.scale / dt, s.k, s.tau)
+    a, _, G, _ = loads(case, motion.ax, motion.az, case.scale / motion.dt, s.k, s.tau)
     return pivot_on_landing(contacts, touch, case, s, a, G)
 
 
 @inner
-def _handle_impacts(rows, contacts, touch, case, s, law):
-    """Apply the impact of the contacts that close, if any do, and count it."""
-    if law == COULOMB:
-        # also contacts that close in the same instant as another one, or as a force reaches its limit
-        s.hit |= closing_contacts(contacts, touch & ~s.closed, s)
-    if not s.hit:
-        return
-    if s.hit & FLOOR_BITS:
-        s.floor_impacts += 1
-    else:
-        s.wall_impacts += 1
-    if law == PAPER:
-        collide_by_paper(contacts, case, s)
-    else:
-        land(rows, contacts, s.closed, touch & ~s.closed, case, s)
+def _handle_event(scratch, touch, case, s, held, motion, law, why):
+    """Apply impacts, and choose the next mode; return why the last one ended."""
+    handle_impacts(scratch, touch, case, s, law)
+    settle_rate = s.settle_rate if s.hit else STICK_RATE
+    update_mode(scratch, touch, settle_rate, case, s, held, motion, law)
+    return CLOSED if s.hit else why
 
 
 @inner
-def continue_case(
-    case, ax, az, dt, extremes, law, tolerance, max_step, max_events, contacts, rows, s, history, events
-):
-    """Run a case from its present state and mode to its end; arguments as for `run_batch`.
+def _continue_case(case, scratch, s, held, motion, settings, output):
+    """Run a case from its present state and mode to its end, or to where its last device has failed.
 
     Each pass of the loop: integrate to the next event; stop at the end of the record, on overturning or on
     failure; apply impacts; choose the next mode; list the event.
+
+    Returns
+    -------
+    bool
+        Whether the body goes on as one without devices.
     """
-    lifts = law == COULOMB
-    last = ax.shape[0] - 1
+    dt, last = motion.dt, motion.ax.shape[0] - 1
     while s.kind != FAILED:
-        kind, closed = s.kind, s.closed
-        why = advance(rows, contacts, case, s, ax, az, dt, extremes, tolerance, max_step, lifts, history)
+        if held is not None and s.kind != REST and no_element_left(held.links):
+            return True
+        before, time = (s.kind, s.closed, s.d), s.k * dt + s.tau
+        why = _advance(scratch, case, s, held, motion, settings, output)
         update_peaks(case, s)
         if why == ENDED:
             break
         s.events += 1
-        if s.events >= max_events or not is_finite(s):
+        if s.events >= settings.max_events or not _is_finite(s):
             s.kind = FAILED
         elif why == TURNED_OVER:
             s.kind = OVERTURNED
         if s.kind == FAILED or s.kind == OVERTURNED or s.k >= last:
-            record_event(events, case, s, dt, why, kind, closed)
+            _record_event(output.events, case, s, held, dt, why, before)
             break
         if why != CLOSED:
             s.hit = 0
-        touch = touching(contacts, s) | s.closed | s.hit
-        if why == CLOSED and lifts and _pivots_on_landing(contacts, touch, case, s, ax, az, dt):
+        if held is not None:
+            relax_event_thresholds(s, held.work, dt, time)
+            held.work.failed = 0
+        touch = touching(scratch.contacts, s) | s.closed | s.hit
+        bare = held is None and settings.law == COULOMB
+        if bare and why == CLOSED and _pivots_on_landing(scratch.contacts, touch, case, s, motion):
             s.floor_impacts += 1
         else:
-            _handle_impacts(rows, contacts, touch, case, s, law)
-            if s.hit:
-                why = CLOSED
-            _update_mode(
-                rows, contacts, touch, s.settle_rate if s.hit else STICK_RATE, case, s, ax, az, dt, law
-            )
-        record_event(events, case, s, dt, why, kind, closed)
+            why = _handle_event(scratch, touch, case, s, held, motion, settings.law, why)
+        _record_event(output.events, case, s, held, dt, why, before)
+    return False
 
 
 @inner
-def run_case(
-    case, ax, az, dt, extremes, law, tolerance, max_step, max_events, contacts, rows, s, history, events
-):
-    """Run one case from its initial state to its end; arguments as for `run_batch`."""
-    initialize_state(case, contacts, s)
-    touch = touching(contacts, s) | s.closed
-    s.hit = closing_contacts(contacts, touch & ~s.closed, s)
-    _handle_impacts(rows, contacts, touch, case, s, law)
-    kind, closed = s.kind, s.closed
-    _update_mode(rows, contacts, touch, s.settle_rate if s.hit else STICK_RATE, case, s, ax, az, dt, law)
-    if s.hit:
+def _run_case(case, scratch, s, held, motion, settings, output):
+    """Run one case from its initial state, which is set; otherwise as `_continue_case`."""
+    touch = touching(scratch.contacts, s) | s.closed
+    s.hit = closing_contacts(scratch.contacts, touch & ~s.closed, s)
+    before = s.kind, s.closed, s.d
+    _handle_event(scratch, touch, case, s, held, motion, settings.law, CLOSED)
+    failed = 0 if held is None else held.work.failed
+    if s.hit or failed:
         s.events += 1
-        record_event(events, case, s, dt, CLOSED, kind, closed)
-    record_sample(history, case, s)
-    continue_case(
-        case, ax, az, dt, extremes, law, tolerance, max_step, max_events, contacts, rows, s, history, events
-    )
+        _record_event(output.events, case, s, held, motion.dt, CLOSED, before)
+    record_sample(output.history, case, s)
+    if held is not None:
+        note_forces_of_links(output.forces, held.links, s)
+    return _continue_case(case, scratch, s, held, motion, settings, output)
+
+
+@inner
+def _run_held_case(case, scratch, s, held, motion, settings, output):
+    """Run one case with devices; where none of them does anything, as one without."""
+    initialize_state(case, scratch.contacts, s)
+    _initialize_devices(case, s, held, motion.dt)
+    if no_element_left(held.links):
+        _run_case(case, scratch, s, None, motion, settings, output)
+        return
+    if _run_case(case, scratch, s, held, motion, settings, output):
+        _continue_case(case, scratch, s, None, motion, settings, output)
+    for n in range(held.devices.shape[0]):
+        for i in range(2):
+            held.devices[n].plastic[i] = held.links[n].plastic[i]
 
 
 @entry
-def run_batch(
-    cases,
-    ax,
-    az,
-    dt,
-    extremes,
-    law,
-    tolerance,
-    max_step,
-    max_events,
-    contacts,
-    rows,
-    states,
-    history,
-    events,
-    results,
-):
-    """Run an array of cases one after another: the only entry point, so that the solver is compiled once.
+def run_batch(cases, held, motion, settings, scratch, states, output, results):
+    """Run an array of cases one after another: the only entry point of the solver.
 
     Parameters
     ----------
     cases : CASE[m]
-        The cases; a single one where history or events are kept.
-    ax, az : float64[n]
-        Floor acceleration at the samples, + right and + up [m/s²].
-    dt : float
-        Time between samples [s].
-    extremes : tuple of four float64 arrays
-        Smallest and largest ax and az over blocks of samples.
-    law : int
-        COULOMB or PAPER.
-    tolerance, max_step : float
-        Largest last term of the tilt's series in a step [rad]; longest step [s].
-    max_events : int
-        Events after which a run is stopped (FAILED).
-    contacts, rows, states : CONTACT[8], ROW[8], STATE[1]
-        Work arrays for the contact tables and the state.
-    history : float64[n or 0, HISTORY]
-        Filled at the samples reached; may be empty.
-    events : float64[k, EVENT]
-        Filled with the first k events; may be empty.
+        The cases; a single one where there is output.
+    held : HeldCases or None
+        Their devices; none of them has any where it is None.
+    motion, settings, scratch, output : Excitation, Settings, Scratch, Output
+        See `stayput.mechanics.records`.
+    states : STATE[1]
+        Working memory for the state.
     results : RESULT[m]
         Set to the results of the cases.
     """
     s = states[0]
     for n in range(cases.shape[0]):
-        run_case(
-            cases[n],
-            ax,
-            az,
-            dt,
-            extremes,
-            law,
-            tolerance,
-            max_step,
-            max_events,
-            contacts,
-            rows,
-            s,
-            history,
-            events,
-        )
-        record_result(results[n], cases[n], s, dt)
+        case = cases[n]
+        if held is None:
+            initialize_state(case, scratch.contacts, s)
+            _run_case(case, scratch, s, None, motion, settings, output)
+        else:
+            works = held.works
+            mine = Held(held.elements[n], held.links, held.devices[n], works[0], works[1])
+            _run_held_case(case, scratch, s, mine, motion, settings, output)
+        _record_result(results[n], case, s, motion.dt)

@@ -68,9 +68,10 @@ def _time_until_positive(f0, f1, h):
 
 
 @inner
-def advance_rest(case, s, ax, az, dt, extremes, history):
+def advance_rest(case, s, motion, history):
     """Advance a body at rest, exactly unmoved, until the contacts can no longer balance the load."""
-    a_low, a_high, z_low, z_high = extremes
+    ax, az, dt = motion.ax, motion.az, motion.dt
+    a_low, a_high, z_low, z_high = motion.extremes
     last = ax.shape[0] - 1
     per_second = case.scale / dt
     keeps = history.shape[0] > 0
@@ -129,8 +130,9 @@ def _first_stop(v, p, p_rate, h):
 
 
 @inner
-def advance_slide(contacts, case, s, ax, az, dt, friction, lifts, history):
+def advance_slide(contacts, case, s, motion, friction, lifts, history):
     """Advance a body that slides flat with the coefficient ``friction`` to its next event."""
+    ax, az, dt = motion.ax, motion.az, motion.dt
     con = contacts[s.i]
     cf, sf = con.cos, con.sin
     d = float(s.d)

@@ -16,7 +16,7 @@ from stayput.mechanics.geometry import (
     turn_to,
     update_peaks,
 )
-from stayput.mechanics.modes import project_on_both
+from stayput.mechanics.projection import project_on_both
 from stayput.mechanics.roots import MIN_START_VALUE, closed_level, first_zero, illinois_update, secant
 from stayput.mechanics.sampling import advance_clock, loads, record_sample
 
@@ -83,8 +83,9 @@ def _flying_gap(con, s, a, a_rate, G, G_rate, t):
 
 
 @inner
-def advance_flight(contacts, case, s, ax, az, dt, history):
+def advance_flight(contacts, case, s, motion, history):
     """Advance a body in flight to where a contact closes or it overturns."""
+    ax, az, dt = motion.ax, motion.az, motion.dt
     last = ax.shape[0] - 1
     per_second = case.scale / dt
     while s.k < last:
@@ -228,13 +229,15 @@ def _reason(s):
 
 
 @inner
-def advance_lean(rows, contacts, case, s, ax, az, dt, tolerance, max_step, history):
+def advance_lean(rows, contacts, case, s, motion, settings, history):
     """Advance a body that slides on two planes at once, to its next event.
 
     Each pass of the loop takes one step: choose its length by step doubling, evaluate the margins at its end,
     and where one is negative find the first crossing with the Illinois method, re-integrating to each guess.
     The lean ends where a contact sticks, opens or jams, another closes, or the body overturns.
     """
+    ax, az, dt = motion.ax, motion.az, motion.dt
+    tolerance, max_step = settings.tolerance, settings.max_step
     last = ax.shape[0] - 1
     per_second = case.scale / dt
     longest = min(dt, max_step)

@@ -301,25 +301,20 @@ def _note_slides(con, case, s, law, foot, series, flow, load, start, end, h):
 
 
 @inner
-def advance_fulcrum(contacts, case, s, ax, az, dt, tolerance, max_step, history):
+def advance_fulcrum(contacts, case, s, motion, settings, history):
     """Advance a body that rocks on the fulcrum s.i, sticking or slipping, to its next event.
 
     Each pass of the loop takes one step: expand the tilt in a Taylor series, choose the step by its last
     term, evaluate the state at the end, find the first event inside, and shorten the step to it. The state is
     kept in the axes of the fulcrum's plane and written back when the history or the end needs it.
 
-    Parameters
-    ----------
-    tolerance : float
-        Largest last term of the series in a step [rad].
-    max_step : float
-        Longest step [s].
-
     Returns
     -------
     int
         ENDED, CLOSED (s.hit says which contacts), LIMIT (a force or the slip rate) or TURNED_OVER.
     """
+    ax, az, dt = motion.ax, motion.az, motion.dt
+    tolerance, max_step = settings.tolerance, settings.max_step
     con = contacts[s.i]
     stick = s.kind != SLIDE_ROCK
     I, cf, sf = case.inertia, con.cos, con.sin

@@ -3,7 +3,7 @@
 Active sets are tried from the fewest contacts to the most, except that a body which can rest on one plane
 does: a wall or ceiling presses only where the body would move into it, never by self-stress that nothing has
 set up. At the instant of an event a force is exactly at its limit, so the choice is made for the loads and
-the state a moment later (`LOOKAHEAD`).
+the state a moment later (`LOOKAHEAD`). The forces of devices act beside the loads.
 """
 
 from __future__ import annotations
@@ -35,20 +35,28 @@ from stayput.mechanics.contact import (
     one_slips,
     one_sticks,
 )
-from stayput.mechanics.geometry import arm, gap, gap_rate, slip_rate, stand_flat, to_plane_axes, turn_to
+from stayput.mechanics.devices.accelerations import shared_friction
+from stayput.mechanics.devices.elements import evaluate_elements, update_elements
+from stayput.mechanics.devices.equilibrium import (
+    add_floor_limits,
+    add_wrench,
+    cone_facets,
+    load_within_facets,
+)
+from stayput.mechanics.geometry import gap_rate, own_friction, slip_rate, stand_flat, to_plane_axes, value_or
+from stayput.mechanics.projection import (
+    FLAT_TOLERANCE,
+    project_on_plane,
+    project_pair,
+    remove_gap_rates,
+    set_pivot_velocity,
+)
 
 LOOKAHEAD = 1e-9
 """Time ahead of the event at which the contact forces are evaluated to choose the mode [s]."""
 
 TOLERANCE = 1e-11
 """Tolerance of the inequalities between accelerations [m/s²]."""
-
-FLAT_TOLERANCE = 1e-8
-"""Rotation off flat below which a body on both base corners is set exactly flat [rad]."""
-
-
-MAX_SETTLING = 10.0
-"""Largest velocity removed when a bounce ends, in multiples of the rate at which its gap may still open."""
 
 
 @inner
@@ -80,42 +88,114 @@ def close_slow_contacts(contacts, touching, settle_rate, case, s):
 
 
 @inner
-def choose_mode(rows, contacts, touching, settle_rate, case, s, a, a_rate, G, G_rate):
-    """Set the mode of a body whose gaps ``touching`` are zero, and velocities that agree with it.
+def _share_base_friction(rows, case, a, G, wrench):
+    """Set the kinetic friction of a flat base whose load the elements shift; see `shared_friction`."""
+    _, fz, fl = wrench
+    if G - fz <= 0.0:
+        return
+    shift = fl / (G - fz)
+    left, right = rows[0], rows[1]
+    a, b = (left.mu_slip, -left.nl, -left.tl), (right.mu_slip, -right.nl, -right.tl)
+    to_right, to_left = shared_friction(case, a, b, 1.0, shift), shared_friction(case, a, b, -1.0, shift)
+    for k in range(2):
+        row, own = rows[k], own_friction(case, k)[1]
+        row.flat_slip_right, row.flat_slip_left = value_or(own, to_right), value_or(own, to_left)
 
-    A contact that opens no faster than ``settle_rate`` [m/s] is closed; after an impact that is the rate at
-    which a bounce has ended. ``a`` and ``G`` are the floor's acceleration and g + z̈_G now, with their rates.
-    """
-    closed = close_slow_contacts(contacts, touching, settle_rate, case, s)
+
+@inner
+def _fill_rows_ahead(scratch, closed, case, s, still_rate, a, G, wrench):
+    """Fill the rows of the closed contacts at `LOOKAHEAD`: accelerations by loads and devices, and slip."""
+    fx, fz, fl = wrench
     turn = LOOKAHEAD * s.omega
     omega = s.omega + LOOKAHEAD * s.alpha
-    a, G = a + LOOKAHEAD * a_rate, G + LOOKAHEAD * G_rate
+    contacts, rows = scratch.contacts, scratch.rows
     count = fill_rows(rows, contacts, closed, s.sin + turn * s.cos, s.cos - turn * s.sin, case)
-    at_rest = True
+    spin = fl / case.inertia
     for k in range(count):
         row = rows[k]
         con = contacts[row.index]
-        tangential, normal = to_plane_axes(con, -a, -G)
-        row.bias_n = normal - omega * omega * row.tl
-        row.bias_t = tangential + omega * omega * row.nl
+        tangential, normal = to_plane_axes(con, fx - a, fz - G)
+        row.bias_n = normal - omega * omega * row.tl + row.nl * spin
+        row.bias_t = tangential + omega * omega * row.nl + row.tl * spin
         row.target = 0.0
         slip = slip_rate(con, s)
-        row.slipping = 0.0 if abs(slip) <= STICK_RATE else (1.0 if slip > 0.0 else -1.0)
-        at_rest = at_rest and abs(slip) <= STICK_RATE
+        row.slipping = 0.0 if abs(slip) <= still_rate else (1.0 if slip > 0.0 else -1.0)
+    return count
+
+
+@inner
+def _nothing_slips(rows, count):
+    for k in range(count):
+        if rows[k].slipping != 0.0:
+            return False
+    return True
+
+
+@inner
+def _is_still(closed, case, s, work):
+    """Whether the body may be at rest: two or more contacts are closed, and it does not move."""
+    two = closed & (closed - 1) != 0
+    return two and max(abs(s.vx), abs(s.vz), math.sqrt(case.inertia) * abs(s.omega)) <= work.still_rate
+
+
+@inner
+def _wrench_at_rest(held, s, time):
+    """Force of the devices on a body at rest: they stop slipping, and dampers carry nothing."""
+    evaluate_elements(held.elements, held.links, s.sin, s.cos, s.x, s.z, 0.0, 0.0, 0.0)
+    held.work.failed += update_elements(held.elements, held.links, held.devices, time)
+    return evaluate_elements(held.elements, held.links, s.sin, s.cos, s.x, s.z, 0.0, 0.0, 0.0)
+
+
+@inner
+def _wrench_ahead(held, s):
+    """Force of the devices at the position `LOOKAHEAD` later, with the present rates for the dampers.
+
+    Later rates would come from the old mode's accelerations, which may be far from those of the new mode.
+    """
+    t, turn = LOOKAHEAD, LOOKAHEAD * s.omega
+    sin, cos = s.sin + turn * s.cos, s.cos - turn * s.sin
+    x, z = s.x + t * s.vx, s.z + t * s.vz
+    return evaluate_elements(held.elements, held.links, sin, cos, x, z, s.vx, s.vz, s.omega)
+
+
+@inner
+def choose_mode(scratch, touching, settle_rate, case, s, held, load, time):
+    """Set the mode of a body whose gaps ``touching`` are zero, and velocities that agree with it.
+
+    A contact that opens no faster than ``settle_rate`` [m/s] is closed; after an impact that is the rate at
+    which a bounce has ended. ``load`` is the floor's acceleration and g + z̈_G now, each before its rate.
+    """
+    contacts, rows = scratch.contacts, scratch.rows
+    closed = close_slow_contacts(contacts, touching, settle_rate, case, s)
+    a, G = load[0] + LOOKAHEAD * load[1], load[2] + LOOKAHEAD * load[3]
+    wrench = wrench_at_rest = (0.0, 0.0, 0.0)
+    if held is None:
+        count = _fill_rows_ahead(scratch, closed, case, s, STICK_RATE, a, G, wrench)
+        at_rest = _nothing_slips(rows, count)
+    else:
+        at_rest = _is_still(closed, case, s, held.work)
+        if at_rest:
+            wrench_at_rest = _wrench_at_rest(held, s, time)
+        wrench = _wrench_ahead(held, s)
+        count = _fill_rows_ahead(scratch, closed, case, s, held.work.still_rate, a, G, wrench)
+        if count >= 2 and rows[0].index == A_FLOOR and rows[1].index == B_FLOOR:
+            _share_base_friction(rows, case, a, G, wrench)
 
     # The order of cases is the order of preference where several active sets are consistent; see the module.
     if no_contact_closes(rows, count, TOLERANCE):
         set_mode(s, FLIGHT, -1, 0, -1, 0)
         s.alpha = 0.0
     elif not (
-        (at_rest and _rest_on_plane(rows, count, closed, case, s, a, G))
+        (at_rest and _rest_on_plane(rows, count, closed, case, s, held, a, G, wrench_at_rest))
         or try_to_stick(rows, count, contacts, case, s)
         or try_to_slide(rows, count, contacts, case, s, True)
         or try_to_slip(rows, count, contacts, case, s)
-        or (at_rest and _rest_on_all(rows, count, closed, case, s, a, G))
+        or (at_rest and _rest_on_all(rows, count, closed, case, s, held, a, G, wrench_at_rest))
         or try_to_slide(rows, count, contacts, case, s, False)
     ):
         set_mode(s, FAILED, -1, 0, -1, 0)
+    if s.kind != REST and s.kind != SLIDE:
+        s.alpha += wrench[2] / case.inertia
 
 
 @inner
@@ -127,33 +207,62 @@ def _load_in_cone(cone, a, G):
 
 
 @inner
-def _set_rest(cone, closed, case, s):
+def _set_rest(closed, case, s):
     set_mode(s, REST, -1, 0, -1, 0)
     s.closed = closed
-    _, s.low, s.low_up, s.high, s.high_up = cone
     s.vx = s.vz = s.omega = s.alpha = 0.0
     if closed & FLOOR_BITS == FLOOR_BITS and abs(s.theta - s.rest) < FLAT_TOLERANCE:
         stand_flat(case, s)
 
 
 @inner
-def _rest_on_plane(rows, count, closed, case, s, a, G):
+def _rest_in_cone(cone, closed, case, s):
+    """Set the body to rest while the load lies in a cone from `contact.holding_cone`."""
+    _, s.low, s.low_up, s.high, s.high_up = cone
+    _set_rest(closed, case, s)
+
+
+@inner
+def _rest_within_facets(closed, case, s, held):
+    """Set the body to rest while load and devices are within the facets of `devices.equilibrium`."""
+    _set_rest(closed, case, s)
+    elements, links = held.elements, held.links
+    add_wrench(held.work, evaluate_elements(elements, links, s.sin, s.cos, s.x, s.z, 0.0, 0.0, 0.0))
+
+
+@inner
+def _rest_on_plane(rows, count, closed, case, s, held, a, G, wrench):
     """Try rest on two corners of one plane; whether it is consistent."""
     for k in range(count - 1):
-        if PLANE[rows[k].index] == PLANE[rows[k + 1].index]:
+        if PLANE[rows[k].index] != PLANE[rows[k + 1].index]:
+            continue
+        if held is None:
             cone = holding_cone(rows, k, 2, -1)
             if _load_in_cone(cone, a, G):
-                _set_rest(cone, closed, case, s)
+                _rest_in_cone(cone, closed, case, s)
                 return True
+        elif cone_facets(rows, k, 2, -1, case.inertia, held.work) and load_within_facets(
+            held.work, a, G, wrench
+        ):
+            _rest_within_facets(closed, case, s, held)
+            return True
     return False
 
 
 @inner
-def _rest_on_all(rows, count, closed, case, s, a, G):
-    """Try rest on all closed contacts, those of walls and ceiling pressed; whether it is consistent.
+def _rest_on_all(rows, count, closed, case, s, held, a, G, wrench):
+    """Try rest on all closed contacts, those of walls and ceiling pressed; whether it is consistent."""
+    if held is None:
+        return _bare_rest_on_all(rows, count, closed, case, s, a, G)
+    return _held_rest_on_all(rows, count, closed, case, s, held, a, G, wrench)
 
-    They stay pressed while the load pushes the body towards them: at the other end the range of loads is that
-    of the floor alone.
+
+@inner
+def _bare_rest_on_all(rows, count, closed, case, s, a, G):
+    """As `_rest_on_all`, for a body without devices.
+
+    Walls and ceiling stay pressed while the load pushes the body towards them: at the other end the range of
+    loads is that of the floor alone.
     """
     both = closed & FLOOR_BITS == FLOOR_BITS
     tips = B_FLOOR if a > 0.0 else A_FLOOR  # the corner that the load lifts
@@ -175,8 +284,21 @@ def _rest_on_all(rows, count, closed, case, s, a, G):
             shorter = (True, lx, lz, high_x, high_z)
         if exists and _load_in_cone(shorter, a, G):
             cone = shorter
-        _set_rest(cone, closed, case, s)
+        _rest_in_cone(cone, closed, case, s)
         return True
+    return False
+
+
+@inner
+def _held_rest_on_all(rows, count, closed, case, s, held, a, G, wrench):
+    """As `_rest_on_all`, for a body with devices: on all, or all but an unloaded base corner."""
+    work, I = held.work, case.inertia
+    both = closed & FLOOR_BITS == FLOOR_BITS
+    for lifted in range(-1, 2 if both and count > 2 else 0):
+        if cone_facets(rows, 0, count, lifted, I, work) and load_within_facets(work, a, G, wrench):
+            add_floor_limits(rows, count, lifted, a, G, wrench, I, work, held.spare)
+            _rest_within_facets(closed, case, s, held)
+            return True
     return False
 
 
@@ -237,113 +359,5 @@ def try_to_slide(rows, count, contacts, case, s, flat):
                         set_mode(s, SLIDE if flat else LEAN, first, int(side_i), second, int(side_j))
                         s.alpha = fl / I
     if consistent:
-        _project_pair(contacts, case, s)
+        project_pair(contacts, case, s)
     return consistent
-
-
-@inner
-def set_pivot_velocity(con, s):
-    """Set the velocity of G to that of a pure rotation about the contact's corner."""
-    sigma, kappa = arm(con, s)
-    tangential, normal = s.omega * kappa, s.omega * sigma
-    s.vx = con.cos * tangential - con.sin * normal
-    s.vz = con.sin * tangential + con.cos * normal
-
-
-@inner
-def project_on_plane(con, s):
-    """Project the state so that the contact's corner is on its plane and moves along it."""
-    sigma, kappa = arm(con, s)
-    tangential, _ = to_plane_axes(con, s.vx, s.vz)
-    normal = s.omega * sigma
-    s.vx = con.cos * tangential - con.sin * normal
-    s.vz = con.sin * tangential + con.cos * normal
-    along_plane, _ = to_plane_axes(con, s.x, s.z)
-    height = kappa - con.offset
-    s.x = con.cos * along_plane - con.sin * height
-    s.z = con.sin * along_plane + con.cos * height
-
-
-@inner
-def _project_pair(contacts, case, s):
-    """Project the state so that both contacts are closed: flat on their plane, or leaning on two."""
-    first, second = contacts[s.i], contacts[s.j]
-    if s.kind == SLIDE:
-        s.omega = s.alpha = 0.0
-        if s.closed == FLOOR_BITS and abs(s.theta - s.rest) < FLAT_TOLERANCE:
-            stand_flat(case, s)
-        project_on_plane(first, s)
-        return
-    project_on_both(first, second, case.inertia, s)
-
-
-@inner
-def _remove_component(j, e):
-    """Remove the component of a vector along a unit vector."""
-    p = j[0] * e[0] + j[1] * e[1] + j[2] * e[2]
-    return j[0] - p * e[0], j[1] - p * e[1], j[2] - p * e[2]
-
-
-@inner
-def remove_gap_rates(contacts, closed, settle_rate, I, s):
-    """Project away the gap rates of closed contacts, which are at most ``settle_rate``.
-
-    Contacts that stick keep sticking; slip is left to friction, whatever its rate. The change is the least in
-    the mass metric, so energy never grows: (v_x, v_z, √I ω) loses its component in the space of these normals
-    and tangents, found by Gram–Schmidt. A direction in which more than `MAX_SETTLING` times ``settle_rate``
-    would be lost is skipped: a corner right above another hardly moves in a rotation about it, however fast.
-    """
-    root = math.sqrt(I)
-    v = (s.vx, s.vz, root * s.omega)
-    zero = (0.0, 0.0, 0.0)
-    e1, e2, e3 = zero, zero, zero
-    for tangential in (False, True):
-        c = 0
-        while closed >> c:
-            con = contacts[c]
-            if closed >> c & 1 and not (tangential and abs(slip_rate(con, s)) > STICK_RATE):
-                sigma, kappa = arm(con, s)
-                j = (con.cos, con.sin, -kappa / root) if tangential else (-con.sin, con.cos, -sigma / root)
-                new = _remove_component(_remove_component(_remove_component(j, e1), e2), e3)
-                size = math.sqrt(new[0] * new[0] + new[1] * new[1] + new[2] * new[2])
-                if size > 1e-6:  # else the direction depends on those before
-                    e = new[0] / size, new[1] / size, new[2] / size
-                    if abs(v[0] * e[0] + v[1] * e[1] + v[2] * e[2]) <= MAX_SETTLING * settle_rate:
-                        e1, e2, e3 = e, e1, e2
-                        v = _remove_component(v, e1)
-            c += 1
-    s.vx, s.vz, s.omega = v[0], v[1], v[2] / root
-
-
-@inner
-def _least_change(first, second, gap1, gap2, I, s):
-    """Least change of x, z and θ, or of their rates, that brings two gaps, or gap rates, to zero."""
-    sigma1, _ = arm(first, s)
-    sigma2, _ = arm(second, s)
-    aa, bb = 1.0 + sigma1 * sigma1 / I, 1.0 + sigma2 * sigma2 / I
-    ab = first.sin * second.sin + first.cos * second.cos + sigma1 * sigma2 / I
-    det = aa * bb - ab * ab
-    if abs(det) < 1e-14:
-        return 0.0, 0.0, 0.0
-    p, q = -(gap1 * bb - gap2 * ab) / det, -(gap2 * aa - gap1 * ab) / det
-    return (
-        -(p * first.sin + q * second.sin),
-        p * first.cos + q * second.cos,
-        -(p * sigma1 + q * sigma2) / I,
-    )
-
-
-@inner
-def _remove_both_gap_rates(first, second, I, s):
-    rate1, rate2 = gap_rate(first, s), gap_rate(second, s)
-    dx, dz, turn = _least_change(first, second, rate1, rate2, I, s)
-    s.vx, s.vz, s.omega = s.vx + dx, s.vz + dz, s.omega + turn
-
-
-@inner
-def project_on_both(first, second, I, s):
-    """Project the state, by the least change in the mass metric, so that both contacts are closed."""
-    dx, dz, turn = _least_change(first, second, gap(first, s), gap(second, s), I, s)
-    s.x, s.z = s.x + dx, s.z + dz
-    turn_to(s, s.theta + turn)
-    _remove_both_gap_rates(first, second, I, s)

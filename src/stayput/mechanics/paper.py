@@ -40,7 +40,8 @@ from stayput.mechanics.geometry import (
     turn_to,
     value_or,
 )
-from stayput.mechanics.modes import FLAT_TOLERANCE, LOOKAHEAD, set_pivot_velocity
+from stayput.mechanics.modes import LOOKAHEAD
+from stayput.mechanics.projection import FLAT_TOLERANCE, set_pivot_velocity
 
 WALL_BITS = 0b11111100  # and the ceiling
 RIGHT_BITS, LEFT_BITS, CEILING_BITS = 0b00001100, 0b00110000, 0b11000000

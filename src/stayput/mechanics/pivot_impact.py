@@ -13,7 +13,7 @@ from stayput.mechanics.contact import STICK_RATE
 from stayput.mechanics.fulcrum import NEAR_LIMIT, margins
 from stayput.mechanics.geometry import arm, gap_rate, slip_rate
 from stayput.mechanics.impact import damp_change_of_fulcrum, stop_corner
-from stayput.mechanics.modes import set_pivot_velocity
+from stayput.mechanics.projection import set_pivot_velocity
 
 
 @inner

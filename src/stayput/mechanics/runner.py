@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.mechanics import columns as col
+from stayput.mechanics.devices.columns import FORCES
 from stayput.mechanics.engine import run_batch
 from stayput.mechanics.flat import BLOCK, block_extremes
+from stayput.mechanics.records import Excitation, HeldCases, Output, Scratch, Settings
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -19,6 +21,9 @@ MAX_EVENTS = 1_000_000
 
 TOLERANCE = 1e-10
 """Largest last term of the tilt's Taylor series in a step [rad]."""
+
+DEVICE_TOLERANCE = 1e-7
+"""Largest error of a step with devices [m, rad]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,11 +79,8 @@ def extremes(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[
 class Shaking:
     """A motion prepared for the solver, for one contact law."""
 
-    along: NDArray[np.float64]
-    up: NDArray[np.float64]
-    dt: float
+    floor: Excitation
     law: int
-    bounds: tuple[NDArray[np.float64], ...]
 
 
 def shaking(along: NDArray[np.float64], up: NDArray[np.float64] | None, dt: float, law: int) -> Shaking:
@@ -95,16 +97,58 @@ def shaking(along: NDArray[np.float64], up: NDArray[np.float64] | None, dt: floa
     """
     along = np.array(along, np.float64)  # copied: compiled code is for writable arrays
     up = np.zeros(len(along)) if up is None or law == 1 else np.array(up, np.float64)
-    return Shaking(along, up, dt, law, (*extremes(along), *extremes(up)))
+    return Shaking(Excitation(along, up, dt, (*extremes(along), *extremes(up))), law)
 
 
-def event_buffer() -> NDArray[np.float64]:
-    """Return a buffer for the most events a run can have; pages that are not written take no memory."""
-    return np.zeros((MAX_EVENTS, col.EVENT))
+def solve(
+    cases: NDArray[np.void],
+    held: HeldCases | None,
+    motion: Shaking,
+    *,
+    tolerance: float = TOLERANCE,
+    error: float = DEVICE_TOLERANCE,
+    max_step: float = np.inf,
+    max_events: int = MAX_EVENTS,
+    records: bool = False,
+) -> tuple[NDArray[np.void], Output]:
+    """Run cases under one motion on this thread.
 
+    Parameters
+    ----------
+    cases : ndarray of CASE, shape [m]
+        The cases; a single one where ``records`` are kept.
+    held : HeldCases or None
+        Their devices, whose results are written into it.
+    motion : Shaking
+        How the floor moves, and the contact law.
+    tolerance : float
+        Largest last term of the tilt's Taylor series in a step [rad].
+    error : float
+        Largest error of a step with devices [m, rad].
+    max_step : float
+        Longest step [s].
+    max_events : int
+        Events after which a case is stopped and reported as failed.
+    records : bool
+        Whether history, forces and events are kept.
 
-def _contact_buffers() -> tuple[NDArray[np.void], NDArray[np.void]]:
-    return np.zeros(col.CONTACTS, col.CONTACT), np.zeros(col.CONTACTS, col.ROW)
+    Returns
+    -------
+    tuple
+        A column of `columns.RESULT`, and what was recorded.
+    """
+    samples, listed = (len(motion.floor.ax), MAX_EVENTS) if records else (0, 0)
+    devices = 0 if held is None else len(held.links)
+    output = Output(
+        history=np.zeros((samples, col.HISTORY)),
+        forces=np.zeros((samples, devices, FORCES)),
+        events=np.zeros((listed, col.EVENT)),  # pages that are not written take no memory
+    )
+    settings = Settings(motion.law, tolerance, error, max_step, max_events)
+    scratch = Scratch(np.zeros(col.CONTACTS, col.CONTACT), np.zeros(col.CONTACTS, col.ROW))
+    results = np.zeros(len(cases), col.RESULT)
+    run_batch(cases, held, motion.floor, settings, scratch, np.zeros(1, col.STATE), output, results)
+    return results, output
 
 
 def trace(
@@ -125,19 +169,16 @@ def trace(
     tolerance, max_step : float
         Largest last term of the series in a step [rad], longest step [s].
     """
-    cases = np.array([case])
-    loads = motion.along, motion.up, motion.dt, motion.bounds, motion.law
-    room = *_contact_buffers(), np.zeros(1, col.STATE)
-    history = np.zeros((len(motion.along), col.HISTORY))
-    listed = event_buffer()
-    results = np.zeros(1, col.RESULT)
-    run_batch(cases, *loads, tolerance, max_step, MAX_EVENTS, *room, history, listed, results)
-    return traced(results[0], history, listed[: results["events"][0]])
+    results, output = solve(
+        np.array([case]), None, motion, tolerance=tolerance, max_step=max_step, records=True
+    )
+    return traced(results[0], output)
 
 
-def traced(result: np.void, history: NDArray[np.float64], listed: NDArray[np.float64]) -> Traced:
-    """Assemble a run from its row of results, its history and its events."""
-    reached = int(history[:, col.H_REACHED].sum())
+def traced(result: np.void, output: Output) -> Traced:
+    """Assemble a run from its row of results and what was recorded, without internal events."""
+    reached = int(output.history[:, col.H_REACHED].sum())
+    listed = output.events[: result["events"]]
     return Traced(
         outcome=int(result["outcome"]),
         end=float(result["end"]),
@@ -148,8 +189,8 @@ def traced(result: np.void, history: NDArray[np.float64], listed: NDArray[np.flo
         floor_impacts=int(result["floor_impacts"]),
         wall_impacts=int(result["wall_impacts"]),
         steps=int(result["steps"]),
-        history=history[:reached],
-        listed=listed.copy(),  # a view would keep the whole buffer alive
+        history=output.history[:reached],
+        listed=listed[listed[:, col.E_KIND] != col.INTERNAL_EVENT],  # a view would keep the whole buffer
     )
 
 
@@ -171,10 +212,4 @@ def run_cases(
     max_events : int
         Events after which a case is stopped and reported as failed.
     """
-    loads = motion.along, motion.up, motion.dt, motion.bounds, motion.law
-    results = np.zeros(len(cases), col.RESULT)
-    nothing = np.zeros((0, col.HISTORY)), np.zeros((0, col.EVENT))
-    room = _contact_buffers()
-    states = np.zeros(1, col.STATE)
-    run_batch(cases, *loads, tolerance, max_step, max_events, *room, states, *nothing, results)
-    return results
+    return solve(cases, None, motion, tolerance=tolerance, max_step=max_step, max_events=max_events)[0]

@@ -123,10 +123,10 @@ def _histories(
         if name not in HISTORIES:
             raise InputError("simulation.unknown_history", "histories", name=name, known=", ".join(HISTORIES))
     motions = prepared_motions(grid.motions, groups_of(grid))
-    steps = sorted({motion.dt for motion in motions.values()})
+    steps = sorted({motion.floor.dt for motion in motions.values()})
     if len(steps) > 1:
         raise InputError("simulation.time_steps_differ", "motion", steps=steps)
-    samples = max(len(motion.along) for motion in motions.values())
+    samples = max(len(motion.floor.ax) for motion in motions.values())
     numbers = len(grid) * samples * len(names)
     if numbers > MOST_NUMBERS:
         raise InputError("simulation.histories_too_long", "histories", numbers=numbers, most=MOST_NUMBERS)

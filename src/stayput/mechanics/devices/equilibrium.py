@@ -194,8 +194,10 @@ def _time_until_released(work, a0, G0, a1, G1, h):
 
 
 @inner
-def advance_rest(case, links, s, work, ax, az, dt, extremes, history, forces):
+def advance_held_rest(case, held, s, motion, output):
     """Advance a body at rest, exactly unmoved, until the contacts can no longer balance the load."""
+    ax, az, dt, extremes = motion.ax, motion.az, motion.dt, motion.extremes
+    work, history = held.work, output.history
     last = ax.shape[0] - 1
     per_second = case.scale / dt
     has_history = history.shape[0] > 0
@@ -214,5 +216,5 @@ def advance_rest(case, links, s, work, ax, az, dt, extremes, history, forces):
         s.k += 1
         s.tau = 0.0
         record_sample(history, case, s)
-        note_forces_of_links(forces, links, s)
+        note_forces_of_links(output.forces, held.links, s)
     return ENDED

@@ -22,7 +22,7 @@ from stayput.mechanics.devices.dormand_prince import (
     TIMES,
 )
 from stayput.mechanics.geometry import arm, sin_cos, to_plane_axes
-from stayput.mechanics.modes import set_pivot_velocity
+from stayput.mechanics.projection import set_pivot_velocity
 
 P3, P4, P5, P6, P7 = (tuple(POSITIONS[i, :i].tolist()) for i in range(2, STAGES))
 R2, R3, R4, R5, R6, R7 = (tuple(RATES[i, :i].tolist()) for i in range(1, STAGES))

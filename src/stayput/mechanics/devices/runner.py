@@ -11,15 +11,11 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.mechanics import columns as col
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.devices.engine import INTERNAL_EVENT, run_device_batch
-from stayput.mechanics.engine import COULOMB
-from stayput.mechanics.runner import MAX_EVENTS, Shaking, Traced, event_buffer, traced
+from stayput.mechanics.records import HeldCases
+from stayput.mechanics.runner import DEVICE_TOLERANCE, MAX_EVENTS, Shaking, Traced, solve, traced
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-TOLERANCE = 1e-7
-"""Largest error of a step with elements [m, rad]."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -103,22 +99,19 @@ def _check(valid: NDArray[np.bool_], values: NDArray[np.float64], name: str, all
         raise InputError("mechanics.element_value", name=name, value=value, allowed=phrase(allowed))
 
 
-def _buffers(count: int) -> tuple[NDArray[np.void], ...]:
-    """Return work arrays for contacts, rows, work records and links."""
-    return (
-        np.zeros(col.CONTACTS, col.CONTACT),
-        np.zeros(col.CONTACTS, col.ROW),
-        np.zeros(2, el.WORK),
-        np.zeros(count, el.LINK),
-    )
+def _held(elements: NDArray[np.void], motion: Shaking) -> HeldCases:
+    """Return devices as the solver takes them, shape [m, n].
 
-
-def _loads(
-    motion: Shaking,
-) -> tuple[NDArray[np.float64], NDArray[np.float64], float, tuple[object, ...], int]:
-    if motion.law != COULOMB:
+    Raises
+    ------
+    InputError
+        Elements out of range, or another contact law.
+    """
+    check_elements(elements)
+    if motion.law != col.COULOMB:
         raise InputError("mechanics.elements_need_coulomb", "contact")
-    return motion.along, motion.up, motion.dt, motion.bounds, motion.law
+    links = np.zeros(elements.shape[1], el.LINK)
+    return HeldCases(elements, links, np.zeros(elements.shape, el.DEVICE), np.zeros(2, el.WORK))
 
 
 def trace_with_devices(
@@ -126,7 +119,7 @@ def trace_with_devices(
     elements: NDArray[np.void],
     motion: Shaking,
     *,
-    tolerance: float = TOLERANCE,
+    tolerance: float = DEVICE_TOLERANCE,
     max_step: float = np.inf,
 ) -> TracedDevices:
     """Run one case with elements and keep its histories and events.
@@ -147,37 +140,10 @@ def trace_with_devices(
     InputError
         Elements out of range, or another contact law.
     """
-    check_elements(elements)
-    cases, rows_of_elements = np.array([case]), elements[np.newaxis]
-    loads = _loads(motion)
-    contacts, rows, works, links = _buffers(len(elements))
-    states, results = np.zeros(1, col.STATE), np.zeros(1, col.RESULT)
-    devices = np.zeros(rows_of_elements.shape, el.DEVICE)
-    samples = len(motion.along)
-    listed = event_buffer()
-    history = np.zeros((samples, col.HISTORY))
-    forces = np.zeros((samples, len(elements), el.FORCES))
-    run_device_batch(
-        cases,
-        rows_of_elements,
-        *loads,
-        tolerance,
-        max_step,
-        MAX_EVENTS,
-        contacts,
-        rows,
-        states,
-        works,
-        links,
-        history,
-        forces,
-        listed,
-        results,
-        devices,
-    )
-    named = listed[: results["events"][0]]
-    run = traced(results[0], history, named[named[:, col.E_KIND] != INTERNAL_EVENT])
-    return TracedDevices(run, devices[0], forces[: len(run.history)])
+    held = _held(np.ascontiguousarray(elements)[np.newaxis], motion)
+    results, output = solve(np.array([case]), held, motion, error=tolerance, max_step=max_step, records=True)
+    run = traced(results[0], output)
+    return TracedDevices(run, held.devices[0], output.forces[: len(run.history)])
 
 
 def run_cases_with_devices(
@@ -185,7 +151,7 @@ def run_cases_with_devices(
     elements: NDArray[np.void],
     motion: Shaking,
     *,
-    tolerance: float = TOLERANCE,
+    tolerance: float = DEVICE_TOLERANCE,
     max_step: float = np.inf,
     max_events: int = MAX_EVENTS,
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
@@ -206,33 +172,8 @@ def run_cases_with_devices(
     tuple
         A column of `stayput.mechanics.columns.RESULT`, and DEVICE, shape [m, n].
     """
-    check_elements(elements)
     if elements.shape[:1] != cases.shape:
         raise InputError("mechanics.element_rows", given=len(elements), cases=len(cases))
-    loads = _loads(motion)
-    contacts, rows, works, links = _buffers(elements.shape[1])
-    results = np.zeros(len(cases), col.RESULT)
-    devices = np.zeros(elements.shape, el.DEVICE)
-    nothing = (
-        np.zeros((0, col.HISTORY)),
-        np.zeros((0, elements.shape[1], el.FORCES)),
-        np.zeros((0, col.EVENT)),
-    )
-    states = np.zeros(1, col.STATE)
-    run_device_batch(
-        cases,
-        elements,
-        *loads,
-        tolerance,
-        max_step,
-        max_events,
-        contacts,
-        rows,
-        states,
-        works,
-        links,
-        *nothing,
-        results,
-        devices,
-    )
-    return results, devices
+    held = _held(elements, motion)
+    results, _ = solve(cases, held, motion, error=tolerance, max_step=max_step, max_events=max_events)
+    return results, held.devices

@@ -24,7 +24,7 @@ from stayput.mechanics.devices.rocking_step import (
     take_fulcrum_step,
 )
 from stayput.mechanics.geometry import sin_cos
-from stayput.mechanics.modes import project_on_both, project_on_plane
+from stayput.mechanics.projection import project_on_both, project_on_plane
 from stayput.mechanics.roots import hermite, horner
 
 

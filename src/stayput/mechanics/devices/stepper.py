@@ -85,41 +85,22 @@ def _set_laws(elements, links, contacts, case, s, work):
 
 
 @inner
-def advance_step_by_step(
-    elements,
-    links,
-    devices,
-    contacts,
-    rows,
-    case,
-    s,
-    work,
-    ax,
-    az,
-    dt,
-    tolerance,
-    max_step,
-    history,
-    forces,
-):
+def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output):
     """Advance a body with elements in its mode to its next event.
 
     Each pass of the loop takes one step: choose its length, repeat it until the error is within the
     tolerance, screen the margins, search the step for its first event and move the state there, then update
     peaks and history. Laws of the lines are set once, since their branches change only at events.
 
-    Parameters
-    ----------
-    tolerance : float
-        Largest error of a step: of position, tilt, and step length times their rates [m, rad].
-    max_step : float
-        Longest step [s].
-
     Returns
     -------
     int
         ENDED, CLOSED (s.hit says which contacts), LIMIT (a force, a slip rate or an element) or TURNED_OVER.
     """
+    elements, links, devices, work = held.elements, held.links, held.devices, held.work
+    ax, az, dt = motion.ax, motion.az, motion.dt
+    tolerance, max_step = settings.error, settings.max_step
+    history, forces = output.history, output.forces
     last = ax.shape[0] - 1
     per_second = case.scale / dt
     slips = s.kind != ROCK and s.kind != FLIGHT

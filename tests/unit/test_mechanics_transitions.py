@@ -4,8 +4,8 @@ import numpy as np
 from numba import njit
 
 from stayput.mechanics import columns as col
+from stayput.mechanics import transitions
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.devices import transitions
 
 
 @njit
