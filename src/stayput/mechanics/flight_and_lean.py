@@ -7,6 +7,7 @@ import math
 from stayput.compiled import inner
 from stayput.mechanics.columns import CLOSED, ENDED, LIMIT, TURNED_OVER
 from stayput.mechanics.contact import fill_rows, forces_of_slipping_pair
+from stayput.mechanics.elementary import sine_and_cosine
 from stayput.mechanics.geometry import (
     RIGHT_ANGLE,
     arm_at,
@@ -37,7 +38,8 @@ MIN_STEP = 1e-6
 def _slide_rate_after(case, s, a, a_rate, corner, t):
     """Horizontal velocity of a corner after a time t of flight [m/s]."""
     theta = s.theta + t * s.omega
-    up = case.v[corner] * math.cos(theta) - case.u[corner] * math.sin(theta)
+    sin, cos = sine_and_cosine(theta)
+    up = case.v[corner] * cos - case.u[corner] * sin
     return s.vx - t * (a + 0.5 * t * a_rate) + s.omega * up
 
 
@@ -73,7 +75,8 @@ def _fly(s, a, a_rate, G, G_rate, t):
 def _flying_gap(con, s, a, a_rate, G, G_rate, t):
     """Gap of a contact after a time t of flight, with its first and second derivatives."""
     theta = s.theta + t * s.omega
-    sigma, kappa = arm_at(con, math.sin(theta), math.cos(theta))
+    sin, cos = sine_and_cosine(theta)
+    sigma, kappa = arm_at(con, sin, cos)
     x = s.x + t * (s.vx - t * (a / 2.0 + t * a_rate / 6.0))
     z = s.z + t * (s.vz - t * (G / 2.0 + t * G_rate / 6.0))
     height = to_plane_axes(con, x, z)[1]
@@ -129,7 +132,8 @@ def advance_flight(contacts, case, s, motion, history):
 @inner
 def _lean_rates(rows, contacts, case, s, theta, omega, a, G):
     """Accelerations of a body that slides on both its contacts, and their normal forces."""
-    fill_rows(rows, contacts, s.closed, math.sin(theta), math.cos(theta), case)
+    sin, cos = sine_and_cosine(theta)
+    fill_rows(rows, contacts, s.closed, sin, cos, case)
     for k in range(2):
         row = rows[k]
         row.bias_n = to_plane_axes(contacts[row.index], -a, -G)[1] - omega * omega * row.tl

@@ -13,6 +13,7 @@ import math
 
 from stayput.compiled import inline, inner
 from stayput.mechanics.columns import A_FLOOR, CONTACTS, CORNER, FLOOR_BITS, PLANE
+from stayput.mechanics.elementary import sine_and_cosine, slope_angle
 
 GAP_TOLERANCE = 1e-10
 """Gap up to which a contact is closed [m]."""
@@ -26,7 +27,8 @@ MIN_REBOUND = 1e-7
 @inner
 def turn_to(s, theta):
     """Set the tilt of the state."""
-    s.theta, s.sin, s.cos = theta, math.sin(theta), math.cos(theta)
+    s.theta = theta
+    s.sin, s.cos = sine_and_cosine(theta)
 
 
 @inline
@@ -34,7 +36,7 @@ def sin_cos(theta, theta0, sin0, cos0):
     """Sine and cosine of a tilt near theta0, whose own are known: a Taylor series, to rounding."""
     turn = theta - theta0
     if abs(turn) > 0.1:
-        return math.sin(theta), math.cos(theta)
+        return sine_and_cosine(theta)
     t2 = turn * turn
     t4 = t2 * t2
     s = turn * (1.0 - t2 * (1.0 / 6.0) + t4 * (1.0 / 120.0 - t2 * (1.0 / 5040.0) + t4 * (1.0 / 362880.0)))
@@ -78,11 +80,12 @@ def value_or(value, other):
 @inner
 def set_up(case, contacts, s):
     """Fill the contact table of a case and the constants of its state, with the body at rest at slide 0."""
-    s.rest = math.atan2(case.v[1] - case.v[0], case.u[1] - case.u[0])
+    run, rise = case.u[1] - case.u[0], case.v[1] - case.v[0]
+    s.rest = slope_angle(run, rise)
     stand_flat(case, s)
     s.x = -0.5 * (corner_right(case, 0, s) + corner_right(case, 1, s))
     s.foot_a, s.foot_b = s.x + corner_right(case, 0, s), s.x + corner_right(case, 1, s)
-    base = math.hypot(case.u[1] - case.u[0], case.v[1] - case.v[0])
+    base = math.sqrt(run * run + rise * rise)
     s.settle_rate = math.sqrt(2.0 * MIN_REBOUND * base * case.gravity)
     s.present = FLOOR_BITS
     if math.isfinite(case.right_distance):

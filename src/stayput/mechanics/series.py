@@ -15,9 +15,8 @@ The right-hand sides are products of series whose coefficients follow by recurre
 
 from __future__ import annotations
 
-import math
-
 from stayput.compiled import inline, inner
+from stayput.mechanics.elementary import sixth_root
 
 
 @inline
@@ -145,5 +144,5 @@ def step_within(h, series, tolerance):
     h3 = h * h * h
     last = h3 * h3 * max(abs(series[7]) * h, abs(series[6]) * 0.0625)
     if last > tolerance:
-        h *= 0.9 * math.exp(math.log(tolerance / last) / 6.0)
+        h *= 0.9 * sixth_root(tolerance / last)
     return h

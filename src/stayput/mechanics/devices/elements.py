@@ -14,12 +14,13 @@ from stayput.mechanics.devices.device_law import (
     reset_branch,
     update_element,
 )
+from stayput.mechanics.elementary import sine_and_cosine
 
 
 @inner
 def set_up_elements(elements, links, devices, case, s):
     """Initialize the elements of a case: anchors for the body at rest at slide 0, branches, results."""
-    sin, cos = math.sin(s.rest), math.cos(s.rest)
+    sin, cos = sine_and_cosine(s.rest)
     x = s.foot_a - (case.u[0] * cos + case.v[0] * sin)
     z = case.u[0] * sin - case.v[0] * cos
     for n in range(elements.shape[0]):

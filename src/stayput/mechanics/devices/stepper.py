@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from stayput.compiled import inline, inner
 from stayput.mechanics.columns import CLOSED, ENDED, FLIGHT, LIMIT, ROCK, TURNED_OVER
 from stayput.mechanics.devices.active_elements import (
@@ -31,6 +29,7 @@ from stayput.mechanics.devices.step import (
     state_of,
     take_step,
 )
+from stayput.mechanics.elementary import fifth_root
 from stayput.mechanics.geometry import RIGHT_ANGLE, update_peaks
 from stayput.mechanics.roots import hermite, horner
 from stayput.mechanics.sampling import advance_clock, loads, record_sample
@@ -66,7 +65,7 @@ def _next_length(h, error, tolerance):
     """Step length for the tolerance, from a step h with this error (fifth order; factor 0.2 to 4)."""
     if 2048.0 * error <= tolerance:  # the factor would be over 4; also where the error is zero
         return 4.0 * h
-    return h * min(4.0, max(0.2, 0.9 * math.exp(0.2 * math.log(tolerance / error))))
+    return h * min(4.0, max(0.2, 0.9 * fifth_root(tolerance / error)))
 
 
 @inline
