@@ -8,16 +8,13 @@ from typing import TYPE_CHECKING, Any
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
-from stayput.app.fields import Problem
-from stayput.errors import InputError
+from stayput.app.replies import Problem
+from stayput.errors import LONGEST_SENTENCE, InputError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from stayput.errors import InputWarning
-
-LONGEST = 600
-"""Longest sentence that is sent [characters]."""
 
 
 class RefusedError(HTTPException):
@@ -52,15 +49,11 @@ def refused(
 
 def problem(error: InputError | InputWarning) -> Problem:
     """Return an error or a warning as it is sent."""
-    short = (_short(error.told("en")), _short(error.told("ja")))
-    return Problem(message=short[0], message_ja=short[1], field=error.field and error.field[:LONGEST])
+    field = error.field and error.field[:LONGEST_SENTENCE]
+    return Problem(message=error.told("en"), message_ja=error.told("ja"), field=field)
 
 
 def error_response(status: int, error: InputError, headers: Mapping[str, str] | None = None) -> Response:
     """Return an error as JSON; in ASCII, since the message may quote half a character of the input."""
     body = json.dumps(problem(error).model_dump()).encode("ascii")
     return Response(body, status, dict(headers or {}), "application/json")
-
-
-def _short(text: str) -> str:
-    return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"

@@ -1,22 +1,71 @@
-"""What the routes work with, and how they answer."""
+"""What the routes share: threads for work, the service's parts, and JSON responses."""
 
 from __future__ import annotations
 
+import asyncio
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 from starlette.responses import Response
 
-from stayput.app.fields import Problem, Reply
+from stayput.app.refusals import RefusedError, refused
+from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import read_scene
+from stayput.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from stayput.app.jobs import Jobs
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
-    from stayput.app.readers import Readers
-    from stayput.app.workers import Workers
+    from stayput.app.readers import ReaderPool
     from stayput.scenario import Scenario
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+class Workers:
+    """A bounded pool of threads that compute, off the event loop.
+
+    Parameters
+    ----------
+    threads : int
+        How many threads.
+    waiting : int
+        How many requests may wait for one.
+    """
+
+    def __init__(self, threads: int, waiting: int) -> None:
+        self._pool = ThreadPoolExecutor(threads, "stayput-worker")
+        self._most = threads + waiting
+        self._busy = 0
+
+    async def run(self, work: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+        """Do some work on a thread.
+
+        Raises
+        ------
+        RefusedError
+            Too much is waiting, or the input is refused.
+        """
+        if self._busy >= self._most:
+            raise refused(503, "app.busy", retry_after=2)
+        self._busy += 1
+        try:
+            return await asyncio.get_running_loop().run_in_executor(self._pool, lambda: work(*args, **kwargs))
+        except InputError as error:
+            raise RefusedError(422, error.about(None)) from None
+        except MemoryError:
+            raise refused(503, "app.little_memory") from None
+        finally:
+            self._busy -= 1
+
+    def close(self) -> None:
+        """Let the threads go; what waits is dropped."""
+        self._pool.shutdown(wait=False, cancel_futures=True)
 
 
 def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
@@ -43,7 +92,7 @@ class Service:
         What is accepted.
     workers, slow : Workers
         Threads that compute: what is short, and what is not.
-    readers : Readers
+    readers : ReaderPool
         Processes that read uploads.
     motions : Motions
         What was uploaded.
@@ -58,7 +107,7 @@ class Service:
     limits: Limits
     workers: Workers
     slow: Workers
-    readers: Readers
+    readers: ReaderPool
     motions: Motions
     jobs: Jobs
     ready: bool = False

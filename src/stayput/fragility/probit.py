@@ -46,8 +46,8 @@ def derivatives(
 
 def information(v: NDArray[np.float64], curvature: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the observed information of (a, b) from each cell's curvature, shape (sets, 2, 2)."""
-    one, mixed, two = curvature.sum(axis=1), (curvature * v).sum(axis=1), (curvature * v * v).sum(axis=1)
-    return np.stack((one, mixed, mixed, two), axis=1).reshape(-1, 2, 2)
+    aa, ab, bb = curvature.sum(axis=1), (curvature * v).sum(axis=1), (curvature * v * v).sum(axis=1)
+    return np.stack((aa, ab, ab, bb), axis=1).reshape(-1, 2, 2)
 
 
 def fit(

@@ -68,7 +68,7 @@ def sentences(run: Run, name: Phrase, sides: tuple[str, str] = LEFT_AND_RIGHT) -
     )
 
 
-def piece_sentences(run: Run, preset: str | None, own: str | None = None) -> Phrase:
+def piece_sentences(run: Run, preset: str | None, own_name: str | None = None) -> Phrase:
     """Say what became of a piece of furniture, and which device failed first.
 
     Parameters
@@ -77,22 +77,22 @@ def piece_sentences(run: Run, preset: str | None, own: str | None = None) -> Phr
         The run.
     preset : str, optional
         Preset of the piece.
-    own : str, optional
+    own_name : str, optional
         What the user calls it.
     """
-    name = (own, own) if own else PIECES.get(preset or "", ANY_PIECE)
-    said = sentences(run, name, BACK_AND_FRONT)
+    name = (own_name, own_name) if own_name else PIECES.get(preset or "", ANY_PIECE)
+    outcome = sentences(run, name, BACK_AND_FRONT)
     failed = min((d for d in run.devices if d.failed), key=lambda d: d.failure_time, default=None)
     if failed is None:
-        return said
+        return outcome
     device = (inside(failed.label[0]), failed.label[1])
-    return phrase("runs.first_to_fail", said=said, device=device, time=failed.failure_time)
+    return phrase("runs.first_to_fail", outcome=outcome, device=device, time=failed.failure_time)
 
 
-def motion_label(motion: Motion) -> str:
+def motion_label(motion: Motion, language: str = "en") -> str:
     """Return what a motion is called in a picture; a computed one is always called synthetic."""
     plain = motion.synthetic and "synthetic" not in motion.name.lower()
-    return say("runs.synthetic", name=motion.name) if plain else motion.name
+    return say("runs.synthetic", language, name=motion.name) if plain else motion.name
 
 
 def results(run: Run) -> dict[str, Any]:
@@ -157,7 +157,7 @@ def summary(run: Run) -> dict[str, Any]:
             "pga_m_s2": number(run.motion.pga),
         },
         "measures": [measure.kind for measure in run.measures],
-        "devices": [{key: one[same] for key, same in _DEVICE_KEYS.items()} for one in devices],
+        "devices": [{key: device[name] for key, name in _DEVICE_KEYS.items()} for device in devices],
         "events": [_event(event) for event in run.events],
     }
 

@@ -119,8 +119,8 @@ def run_block(block: CaseBlock, motions: PreparedMotions) -> NDArray[np.void]:
     results = np.zeros(block.count, CASE_RESULT)
     for group in np.unique(groups):
         chosen = np.flatnonzero(groups == group)
-        found = run_rows(rows[chosen], elements[chosen], motions[int(group)])
-        results[chosen] = case_results(elements[chosen], *found)
+        outcome = run_rows(rows[chosen], elements[chosen], motions[int(group)])
+        results[chosen] = case_results(elements[chosen], *outcome)
     return results
 
 

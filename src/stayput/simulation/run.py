@@ -228,11 +228,11 @@ class Run:
 
         return plot_run(self, path)
 
-    def animate(self, path: str | Path) -> Path:
+    def animate(self, path: str | Path, language: str = "en") -> Path:
         """Write an animation (GIF, MP4 or HTML); see `stayput.report.animation.animate_run`."""
         from stayput.report.animation import animate_run
 
-        return animate_run(self, path)
+        return animate_run(self, path, language=language)
 
 
 @dataclass(frozen=True, slots=True)
@@ -340,8 +340,8 @@ def trace_held(
         return traced, np.zeros(0, DEVICE), np.zeros((len(traced.history), 0, FORCES))
     from stayput.mechanics.devices.runner import trace_with_devices
 
-    found = trace_with_devices(case, elements, motion)
-    return found.run, found.devices, found.forces
+    traced = trace_with_devices(case, elements, motion)
+    return traced.run, traced.devices, traced.forces
 
 
 def law_number(contact: str) -> int:
@@ -358,7 +358,7 @@ def run_of(
     devices: tuple[DeviceResult, ...],
     most_events: int | None = None,
 ) -> Run:
-    """Name what the mechanics returned in numbers."""
+    """Return the `Run` of the mechanics' numbers, with names of modes, events and outcome."""
     modes = np.array([mode.value for mode in Mode])
     history = traced.history.T.copy()
     first, cut, last = _split(traced.listed, most_events)

@@ -1,7 +1,7 @@
-"""How well founded the numbers of an option are: the inputs that decide it, and the grade of the weakest.
+"""Grades of options: how well founded are the inputs that decide the outcome, and which is the weakest.
 
 What each grade means, and which parameters of a measure decide, stands with the parameters:
-`stayput.measures.parameters`. The earthquakes are what is asked, so they have no grade.
+`stayput.measures.parameters`. The earthquakes are the question itself, so they have no grade.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """Something that decides the outcome.
+    """An input that decides the outcome, and how well founded its value is.
 
     Parameters
     ----------
@@ -63,8 +63,8 @@ def inputs(option: Option, scenario: Scenario) -> tuple[Input, ...]:
 def weakest(option: Option, scenario: Scenario) -> tuple[Input, ...]:
     """Return the inputs of the worst grade among those of an option; see `inputs`."""
     deciding = inputs(option, scenario)
-    worst = max(each.grade for each in deciding)
-    return tuple(each for each in deciding if each.grade == worst)
+    worst = max(number.grade for number in deciding)
+    return tuple(number for number in deciding if number.grade == worst)
 
 
 def grade(option: Option, scenario: Scenario) -> Grade:
@@ -83,14 +83,14 @@ def _inputs(option: Option, scenario: Scenario) -> Iterator[Input]:
     if building is not None:
         yield Input(phrase("verification.the_building"), building_tag(building))
     for measure in option.measures:
-        for about in parameters(measure):
-            if about.decides:
+        for parameter in parameters(measure):
+            if parameter.decides:
                 label = phrase(
                     "verification.of_a_measure",
                     measure=(inside(measure.label[0]), measure.label[1]),
-                    parameter=about.label,
+                    parameter=parameter.label,
                 )
-                yield Input(label, about.tag(getattr(measure, about.name)))
+                yield Input(label, parameter.tag(getattr(measure, parameter.name)))
 
 
 def furniture_tag(table: FurnitureTable) -> str:
