@@ -153,7 +153,7 @@ def numbers_of(name: str, cell: Cell, unit: str = "", most: int = 100) -> tuple[
     parts = value.split(";") if isinstance(value, str) else [value]
     if len(parts) > most:
         raise InputError("inventory.too_many_numbers", name, name=name, count=len(parts), most=most)
-    found = [number_of(name, part, unit) for part in parts]
-    if any(number is None for number in found):
+    numbers = [number_of(name, part, unit) for part in parts]
+    if any(value is None for value in numbers):
         raise InputError("inventory.missing_number", name, name=name, value=shown(value))
-    return tuple(number for number in found if number is not None)
+    return tuple(value for value in numbers if value is not None)

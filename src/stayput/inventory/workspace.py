@@ -1,8 +1,8 @@
 """The work folder of an assessment: atomic file writes, and no foreign file touched.
 
-Every file or folder is made as a draft and takes its name when it is whole. The name of a draft begins with a
-token, which stands in the journal before the first draft is made: so what a killed process left is told from
-what others put there.
+Every file or folder is made as a draft and takes its name when it is complete. A draft's name begins with a
+token, which stands in the journal before the first draft is made: it tells drafts of a killed process from
+foreign files.
 """
 
 from __future__ import annotations
@@ -58,9 +58,9 @@ class Workspace:
         drafts, journal = folder / DRAFTS, folder / JOURNAL
         drafts.mkdir(exist_ok=True)
         tokens = recorded(journal)
-        for left in sorted(drafts.iterdir()):
-            if left.name.partition("-")[0] in tokens:
-                remove(left)
+        for leftover in sorted(drafts.iterdir()):
+            if leftover.name.partition("-")[0] in tokens:
+                remove(leftover)
         self._token = secrets.token_hex(8)
         with journal.open("wb") as file:
             file.write(f"{self._token}\n".encode())
@@ -116,10 +116,10 @@ def sync_folder(folder: Path) -> None:
 def read_json(path: Path) -> dict[str, Any] | None:
     """Return what a JSON file says, or None where it is not there or not whole."""
     try:
-        found: Any = json.loads(path.read_bytes())
+        content: Any = json.loads(path.read_bytes())
     except (FileNotFoundError, ValueError, RecursionError):
         return None
-    return cast("dict[str, Any]", found) if isinstance(found, dict) else None
+    return cast("dict[str, Any]", content) if isinstance(content, dict) else None
 
 
 def entries(folder: Path, own: re.Pattern[str], below: str = "") -> Iterator[str]:
@@ -127,11 +127,11 @@ def entries(folder: Path, own: re.Pattern[str], below: str = "") -> Iterator[str
 
     Only folders that match ``own`` are looked into; a folder comes before what lies in it.
     """
-    for one in sorted(os.scandir(folder / below), key=lambda one: one.name):
-        path = below + one.name
-        if one.is_symlink():
+    for entry in sorted(os.scandir(folder / below), key=lambda entry: entry.name):
+        path = below + entry.name
+        if entry.is_symlink():
             yield f"{path}@"
-        elif one.is_dir():
+        elif entry.is_dir():
             yield f"{path}/"
             if own.fullmatch(f"{path}/"):
                 yield from entries(folder, own, f"{path}/")
@@ -152,15 +152,15 @@ def remove(path: Path) -> None:
     if not path.is_dir():
         path.unlink(missing_ok=True)
         return
-    found = list(entries(path, PLAN))
-    for one in found:
-        if not PLAN.fullmatch(one):
-            raise in_the_way(path, one)
-    for one in reversed(found):
-        if one.endswith("/"):
-            (path / one).rmdir()
+    contents = list(entries(path, PLAN))
+    for entry in contents:
+        if not PLAN.fullmatch(entry):
+            raise in_the_way(path, entry)
+    for entry in reversed(contents):
+        if entry.endswith("/"):
+            (path / entry).rmdir()
         else:
-            (path / one).unlink()
+            (path / entry).unlink()
     path.rmdir()
 
 
