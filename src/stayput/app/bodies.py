@@ -72,26 +72,26 @@ class RequestBody:
         return message
 
     def _deadline(self) -> float:
-        """Return until when the next part must come: what has come gives time for what follows."""
+        """Return the deadline of the next part [s of the loop's clock]: each byte received extends it."""
         limits = self._limits
         allowed = min(limits.seconds, limits.header_seconds + self._seen / limits.slowest)
         return self._clock() if self._given_up else self._began + allowed
 
     @property
     def speed(self) -> float:
-        """How fast it comes [bytes/s]; infinite as long as that cannot be told."""
+        """Mean rate of arrival [bytes/s]; infinite while it is too young to be measured."""
         age = self._clock() - self._began
         return self._seen / age if age > _YOUNG else float("inf")
 
     def give_up(self) -> None:
-        """Let it end now as one that came too slowly."""
+        """End it now, as one that comes too slowly."""
         self._given_up = True
         if self._waiting is not None:
             self._waiting.reschedule(self._clock())
 
 
 class Uploads:
-    """The uploads that are on their way.
+    """The uploads in progress.
 
     Where there are too many, a slow one makes room; where none is slow, the new one has to wait.
 

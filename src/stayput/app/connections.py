@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def client_of(address: str | None) -> str:
-    """Return what counts as one client: an IPv4 address, or the network of 64 bits of an IPv6 one."""
+    """Return the key of a client: its IPv4 address, or the 64-bit network of its IPv6 address."""
     try:
         ip = ipaddress.ip_address(address or "")
     except ValueError:
@@ -36,7 +36,7 @@ def client_of(address: str | None) -> str:
 
 
 async def _busy(scope: Scope, receive: Receive, send: Send) -> None:
-    """Answer in the app's place where there are too many connections."""
+    """Respond in place of the app where there are too many connections."""
     headers = {"Retry-After": "2", "Connection": "close"}
     await error_response(503, InputError("app.many_connections"), headers)(scope, receive, send)
 
@@ -113,7 +113,7 @@ class Connection(H11Protocol):
         self._time_headers()
 
     def data_received(self, data: bytes) -> None:
-        """Take what came; the time for headers ends with them, not with their first byte."""
+        """Receive data; the time limit for headers ends when they are complete, not with their first byte."""
         before = self._answering()
         super().data_received(data)
         answering = self._answering()
@@ -132,13 +132,13 @@ class Connection(H11Protocol):
             self._time_headers()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Let it go."""
+        """Stop its timer and forget it."""
         self._end_timer()
         self._connections.remove(self)
         super().connection_lost(exc)
 
     def _answering(self) -> RequestResponseCycle | None:
-        """Return the request whose headers have come and whose answer is not complete."""
+        """Return the request that is being answered: its headers are complete, its response is not."""
         cycle = cast("RequestResponseCycle | None", self.cycle)
         return None if cycle is None or cycle.response_complete else cycle
 
@@ -158,7 +158,7 @@ class Connection(H11Protocol):
 
 
 def connection_maker(limits: Limits) -> Callable[..., Connection]:
-    """Return what makes the connections of one server."""
+    """Return a factory of the connections of one server."""
     connections = Connections(limits)
 
     def make(**options: Any) -> Connection:

@@ -24,7 +24,7 @@ _log = logging.getLogger("stayput.app")
 
 
 class StoppedError(Exception):
-    """Raised within a job that is no longer wanted."""
+    """Raised within a job that is to stop."""
 
 
 @dataclass(slots=True)
@@ -70,7 +70,7 @@ class Job:
 
     @property
     def wanted(self) -> bool:
-        """Whether it is to go on: nobody has cancelled it, and whoever began it still asks for it."""
+        """Whether it is to go on: it is not cancelled, and its lease has not run out."""
         abandoned = self.lease is not None and time.monotonic() - self.last_used > self.lease
         return not (abandoned or self.stop.is_set())
 
@@ -217,7 +217,7 @@ class Jobs:
 
     @staticmethod
     def _cancel(job: Job) -> None:
-        """Note that a job which has not ended is no longer wanted."""
+        """Mark a job that has not ended as cancelled."""
         job.stop.set()
         if job.ended is None:
             job.state, job.ended = "cancelled", time.monotonic()

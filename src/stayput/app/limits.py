@@ -1,4 +1,4 @@
-"""What the server accepts: sizes, lengths, counts."""
+"""Limits of the server: sizes, lengths, counts and times."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ _log = logging.getLogger("stayput.app")
 
 
 class Guard:
-    """Middleware that refuses what should not come in.
+    """Middleware that refuses requests of other hosts and sites, and those beyond the limits.
 
     Parameters
     ----------
@@ -169,7 +169,7 @@ COMPRESSED_KINDS = ("text/", "application/json", "application/toml", "image/svg+
 
 
 class Compression:
-    """Middleware that compresses answers that come in one piece; what comes in several passes as it is."""
+    """Middleware that compresses responses in one part; those in several parts pass unchanged."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app
@@ -197,7 +197,7 @@ class Compression:
 
 
 def _takes_gzip(headers: Headers) -> bool:
-    """Return whether a client says that it takes gzip, and not with a weight of zero."""
+    """Return whether a client accepts gzip with a weight above zero."""
     for coding in headers.get("accept-encoding", "").lower().split(","):
         name, _, weight = coding.partition(";")
         if name.strip() == "gzip":

@@ -51,7 +51,7 @@ class StoredMotion:
 
 
 def safe_label(name: str | None) -> str:
-    """Return what a user's file may be called in texts: its last part, plain characters only."""
+    """Return a label for a user's file: the last part of its name, plain characters only."""
     last = re.split(r"[\\/]", name or "")[-1]
     plain = _UNSAFE.sub("_", last).strip(" .")[:60]
     return plain or "record"
@@ -212,7 +212,7 @@ class Motions:
         )
 
     def label(self, name: str) -> str:
-        """Return what a motion's file is called."""
+        """Return the label of a motion's file."""
         return self._get(name).motion.name
 
     def named(self, text: str) -> str:
@@ -255,7 +255,7 @@ class Motions:
             self._drop(name)
 
     def expire(self) -> None:
-        """Forget motions that were not used for long, and the oldest where there are too many.
+        """Forget motions unused for too long, and the oldest of too many.
 
         Those in use neither go nor count.
         """

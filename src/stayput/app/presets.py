@@ -143,7 +143,7 @@ def _measure(name: str, kind: type[Measure]) -> MeasureReply:
 
 
 def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
-    """Return what must be there, found by trying without it."""
+    """Return the surfaces that a kind of measure needs, found by applying it without each."""
     body = Body(0.4, 1.8, 100.0)
 
     def applies(room: Room) -> bool:
@@ -153,13 +153,11 @@ def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
             return False
         return True
 
-    wall, ceiling = Wall(0.05), Ceiling(2.4)
-    needs: list[Literal["wall", "ceiling"]] = []
-    if not applies(Room(ceiling=ceiling)):
-        needs.append("wall")
-    if not applies(Room(left_wall=wall)):
-        needs.append("ceiling")
-    return needs
+    without: dict[Literal["wall", "ceiling"], Room] = {
+        "wall": Room(ceiling=Ceiling(2.4)),
+        "ceiling": Room(left_wall=Wall(0.05)),
+    }
+    return [surface for surface, room in without.items() if not applies(room)]
 
 
 def _parameter(parameter: Parameter) -> ParameterReply:

@@ -94,7 +94,7 @@ def _check_numbers(data: bytes, most: int) -> None:
 
 
 def limit_memory(more: int) -> None:
-    """Let this process take so much more memory than it has, where the system can be told so [bytes]."""
+    """Limit this process to its present memory and so much more [bytes], where the system can."""
     try:
         import resource
     except ModuleNotFoundError:  # Windows

@@ -100,7 +100,7 @@ class ReaderProcess:
 
     @property
     def alive(self) -> bool:
-        """Whether it goes on."""
+        """Whether the process is running."""
         return self._process.poll() is None
 
     def end(self) -> None:

@@ -1,4 +1,4 @@
-"""What the server answers about runs: histories as arrays, sent once."""
+"""Replies about runs: their results, with histories as arrays."""
 
 from __future__ import annotations
 

@@ -91,7 +91,7 @@ def _refuse_half_characters(scene: dict[str, Any]) -> None:
 
 
 def _check_shaking(shaking: dict[str, Any], limits: Limits, motions: Motions) -> None:
-    """Refuse what would read a file, or be too long, before any of it is made."""
+    """Refuse a shaking that names a file of the server or is too long, before any motion is made."""
     for key in ("record", "vertical"):
         name = shaking.get(key)
         if isinstance(name, str):
@@ -151,7 +151,7 @@ def _too_many(name: str, value: float, most: int) -> RefusedError:
 
 
 def _number(value: object) -> float:
-    """Return a number, or 0 for what the scenario's own check refuses."""
+    """Return a number; 0 for a value that the scenario's own check refuses."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return 0.0
     try:

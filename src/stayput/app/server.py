@@ -166,7 +166,7 @@ def _add_refusals(app: FastAPI, with_file_names: Callable[[str], str]) -> None:
 
 
 def server_of(app: FastAPI) -> uvicorn.Server:
-    """Return what serves an app; it is run with sockets that are bound already."""
+    """Return the Uvicorn server of an app; it is run with sockets that are bound already."""
     config = uvicorn.Config(
         app,
         log_level="warning",

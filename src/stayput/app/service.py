@@ -1,4 +1,4 @@
-"""What the routes share: threads for work, the service's parts, and JSON responses."""
+"""Shared by the routes: the server's state, threads for work, and JSON responses."""
 
 from __future__ import annotations
 
@@ -64,12 +64,12 @@ class Workers:
             self._busy -= 1
 
     def close(self) -> None:
-        """Let the threads go; what waits is dropped."""
+        """Shut the threads down; work that has not begun is dropped."""
         self._pool.shutdown(wait=False, cancel_futures=True)
 
 
 def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
-    """Return what the description of the API says of refusals."""
+    """Return the entries of refusals in the description of the API."""
     words = {
         400: "The body is not JSON.",
         404: "There is none of this id.",
@@ -84,7 +84,7 @@ def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
 
 @dataclass(slots=True)
 class Service:
-    """What the routes work with.
+    """State of the server that the routes share.
 
     Attributes
     ----------
@@ -128,6 +128,6 @@ class Service:
 
 
 def json_response(reply: Reply, status: int = 200, headers: dict[str, str] | None = None) -> Response:
-    """Return an answer; to be called on a worker where the reply is large."""
+    """Return a reply as a JSON response; call it on a worker where the reply is large."""
     text = reply.model_dump_json(by_alias=True)
     return Response(text, status, headers, "application/json")

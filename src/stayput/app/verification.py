@@ -82,7 +82,7 @@ def _option(measures: tuple[Measure, ...], taken: set[Any]) -> dict[str, Any]:
 
 
 def table_of(measure: Measure) -> dict[str, Any]:
-    """Return a measure as a scenario has it: its type, and what is not its default."""
+    """Return a measure as a table of a scenario: its type, and parameters that differ from their defaults."""
     usual = MEASURES[measure.kind]()
     names = measure.__dataclass_fields__
     changed = {n: getattr(measure, n) for n in names if getattr(measure, n) != getattr(usual, n)}
@@ -111,7 +111,7 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
 
 
 def job_reply(job: Job, rewrite: Callable[[str], str]) -> JobReply:
-    """Return how a job stands, with its verdict once there is one.
+    """Return the state of a job, with its verdict once it is done.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The command line: one file a command, and nothing heavy loaded before a command runs."""
+"""The command line: heavy modules are loaded only when a command runs."""
 
 from __future__ import annotations
 

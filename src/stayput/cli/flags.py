@@ -82,7 +82,7 @@ def overlaid(
     walls: dict[str, float | None],
     contact: str | None,
 ) -> dict[str, Any]:
-    """Return a scenario's tables with what the flags say in place of what they said.
+    """Return a scenario's tables, overridden by the flags.
 
     Parameters
     ----------

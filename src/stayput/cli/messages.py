@@ -27,10 +27,10 @@ INTERRUPTED = 130
 
 
 class CommandGroup(TyperGroup):
-    """A group of commands that says in one sentence what is wrong with the input, or with the output."""
+    """A group of commands that reports an error of the input or the output in one sentence."""
 
     def main(self, *args: Any, **kwargs: Any) -> Any:
-        """Run the command line, and bring to standard output what waits for it."""
+        """Run the command line, and flush standard output."""
         try:
             try:
                 return super().main(*args, **kwargs)
@@ -73,7 +73,7 @@ class CommandGroup(TyperGroup):
 
 
 def _unwritten(error: OSError) -> int:
-    """Say why standard output cannot be written, unless its reader has seen enough; return the exit code.
+    """Report a failure of standard output, unless its reader has closed it; return the exit code.
 
     An error that names a file is none of the output's.
     """
@@ -95,7 +95,7 @@ def print_json(values: object) -> None:
 
 @contextmanager
 def compiling() -> Generator[None]:
-    """Say on standard error that the mechanics are compiled, where they are."""
+    """Announce on standard error that the mechanics are being compiled, where they are."""
     from stayput.compiled import on_compilation
 
     def announce() -> None:

@@ -23,9 +23,7 @@ from stayput.cli.messages import compiling, print_json
 if TYPE_CHECKING:
     from collections.abc import Generator
 
-    from stayput.measures import Measure
     from stayput.report.animation import Progress
-    from stayput.scenario import Scenario
     from stayput.simulation.run import Run
 
 
@@ -121,7 +119,9 @@ def simulate(
     )
     here = Path() if scenario is None or motion is not None else scenario.parent
     checked = Scenario.parse(data, here)
-    run = _run(checked, chosen_measures(checked, measure or []))
+    case = checked.case(chosen_measures(checked, measure or []))
+    with compiling():
+        run = case.run()
     name = checked.furniture.title
     if plot is not None:
         from stayput.report.plot import plot_run
@@ -149,11 +149,6 @@ def _check_targets(plot: Path | None, animate: Path | None) -> None:
         from stayput.files import check_animation
 
         check_animation(animate)
-
-
-def _run(scenario: Scenario, measures: tuple[Measure, ...]) -> Run:
-    with compiling():
-        return scenario.case(measures).run()
 
 
 @contextmanager

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Capacity:
-    """An intensity at which a given share falls. Nothing outside what was run is ever given as a number.
+    """The intensity at which a given share falls; outside the intensities that were run it is no number.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ class Capacity:
 
     @property
     def sure(self) -> bool:
-        """Whether what the text says of a capacity without an estimate holds with 95 % confidence."""
+        """Whether the bounds of a capacity without an estimate hold with 95 % confidence."""
         return self.low >= self.above and self.high <= self.below
 
     @property

@@ -68,7 +68,7 @@ class FragilityCurve:
 
     @property
     def measure(self) -> IntensityMeasure:
-        """What the curve is drawn against."""
+        """The intensity measure of the curve."""
         return self.trials.measure
 
     @property

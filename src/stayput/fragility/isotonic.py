@@ -31,7 +31,7 @@ _JUMP = 0.5
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Isotonic:
-    """The rising share at the levels, and its 95 % band.
+    """The isotonic (non-decreasing) share at the levels, and its 95 % band.
 
     Parameters
     ----------

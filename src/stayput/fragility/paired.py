@@ -66,7 +66,7 @@ class Difference:
 
     @property
     def clear(self) -> bool:
-        """Whether the interval leaves out 0, so that the sign is sure."""
+        """Whether the interval excludes 0, so that the sign is significant."""
         return self.low > 0.0 or self.high < 0.0
 
     @property
@@ -185,7 +185,7 @@ def score_interval(more: float, fewer: float, pairs: float) -> tuple[float, floa
 
 
 def _edge(inside: Callable[[float], bool], start: float, end: float) -> float:
-    """Return where a range that holds ``start`` ends on the way to ``end``."""
+    """Return the boundary of a range between ``start``, which is inside, and ``end``."""
     for _ in range(_HALVINGS):
         middle = 0.5 * (start + end)
         start, end = (middle, end) if inside(middle) else (start, middle)

@@ -1,4 +1,4 @@
-r"""A probability from counts, with an interval that knows that runs of one motion are alike.
+r"""A probability from counts, with an interval that accounts for correlation of the runs of one motion.
 
 Wilson's score interval (Wilson 1927; recommended by Brown, Cai and DasGupta 2001) with the number of
 independent runs in place of the number of runs, n* = n / deff, and Student's t in place of the normal

@@ -1,4 +1,4 @@
-"""Counted falls over an intensity measure, of any layout, as a list of cells, and shares by level."""
+"""Counts of falls over an intensity measure as a list of cells, and observed shares by level."""
 
 from __future__ import annotations
 

@@ -224,7 +224,7 @@ def _digest(name: str, path: Path) -> str:
 
 
 def _called(name: str) -> Phrase:
-    """Return what a sentence calls an input: the inventory or the shake map."""
+    """Return the name of an input in sentences: the inventory or the shake map."""
     return phrase(f"inventory.the_{name.replace(' ', '_')}")
 
 

@@ -93,7 +93,7 @@ def check_parts(folder: Path, names: set[str]) -> None:
 
 
 def _refuse_strangers(folder: Path) -> None:
-    """Refuse a folder without an assessment that holds more than the remains of a killed one."""
+    """Refuse a folder that holds foreign files and no assessment; remains of a killed one are accepted."""
     if (folder / MANIFEST).exists() or (folder / WORK / CLAIM).exists():
         return
     present = list(entries(folder, OWN))
@@ -134,7 +134,7 @@ def _inputs_before(folder: Path) -> dict[str, Any] | None:
 
 
 def _holds_results(folder: Path) -> bool:
-    """Return whether there are results of the inputs; there are none where the table was refused."""
+    """Return whether there are results of the inputs: there are none where the table was refused."""
     return not (folder / WORK / CLAIM).exists() or any(
         (folder / name).exists() for name in (f"{WORK}/plan", "pieces", "report.html")
     )

@@ -48,7 +48,7 @@ _UNIT = re.compile(r"_(?:in_)?(?:mm|cm|m|inch|inches|in|ft|g|kg|t|lb|lbs|deg|yen
 
 @dataclass(frozen=True, slots=True)
 class Header:
-    """Places of the columns.
+    """Positions of the columns in a row.
 
     Parameters
     ----------

@@ -135,7 +135,7 @@ class ResultCache:
 
 
 class RowReader:
-    """Makes items of rows.
+    """Checks rows and makes items of them.
 
     Parameters
     ----------
@@ -169,7 +169,7 @@ class RowReader:
         if lat is not None and lon is not None:
             within("lat", lat, -90.0, 90.0, "°")
             within("lon", lon, -180.0, 360.0, "°")
-        body = self.bodies.get(*self._with(cells, OF_THE_BODY, body_of))
+        body = self.bodies.get(_values(cells, OF_THE_BODY), partial(body_of, cells))
         costs = numbers_of("costs", cells.get("costs"))
         exposures: list[Exposure] = []
         for event, station, level in self.scenarios.events_at(lat, lon):
@@ -199,17 +199,10 @@ class RowReader:
             within("costs", cost, 0.0, 1e15)
         return Item(row, piece, count or 1, value, lat, lon, tuple(exposures))
 
-    def _with(
-        self, cells: Mapping[str, Cell], names: tuple[str, ...], make: Callable[[Mapping[str, Cell]], Any]
-    ) -> tuple[Hashable, Callable[[], Any]]:
-        key = tuple(plain(name, cells.get(name)) for name in names)
-        return key, lambda: make(cells)
-
     def _room(
         self, cells: Mapping[str, Cell], body: Body, station: int
     ) -> tuple[str, tuple[MeasureSet, ...], dict[str, str]]:
         """Return the spec of the piece in its room, the options, and reasons against those not possible."""
-        key = tuple(plain(name, cells.get(name)) for name in OF_THE_ROOM)
         scenario = self.scenarios.all[station].scenario
 
         def make() -> tuple[str, tuple[MeasureSet, ...], dict[str, str]]:
@@ -224,7 +217,7 @@ class RowReader:
                     not_possible[option.name] = str(error)
             return piece_spec(body, room), options, not_possible
 
-        return self.rooms.get((station, body, key), make)
+        return self.rooms.get((station, body, _values(cells, OF_THE_ROOM)), make)
 
     def _building(
         self, cells: Mapping[str, Cell], station: int
@@ -256,6 +249,10 @@ class RowReader:
                 known = phrase("inventory.one_of_the_scenario", names=", ".join(named))
             raise InputError("inventory.unknown_building", "building", value=shown(name), known=known)
         return building
+
+
+def _values(cells: Mapping[str, Cell], names: tuple[str, ...]) -> Hashable:
+    return tuple(plain(name, cells.get(name)) for name in names)
 
 
 def body_of(cells: Mapping[str, Cell]) -> Body:

@@ -62,7 +62,7 @@ def steps_of(measure: IntensityMeasure) -> int:
 
 
 def measure_about(measure: IntensityMeasure) -> str:
-    """Return what a map's measure is, in words."""
+    """Return a description of a map's measure."""
     if measure.period is None:
         return "JMA intensity, rounded to 0.1"
     return (

@@ -154,7 +154,7 @@ def make_plan(
         A table that cannot be read, a wrong header, or no row.
     """
     place = space.folder / "plan"
-    if place.exists() and not _is_complete(place):
+    if place.exists() and read_json(place / SUMS) != _sums(place):
         remove(place)
     if not place.exists():
         draft = space.draft()
@@ -181,10 +181,6 @@ def _sums(place: Path) -> dict[str, str]:
     """Return the digests of all files of a plan but that of the digests."""
     files = (path for path in sorted(place.rglob("*")) if path.is_file())
     return {path.relative_to(place).as_posix(): digest_of(path) for path in files if path.name != SUMS}
-
-
-def _is_complete(place: Path) -> bool:
-    return read_json(place / SUMS) == _sums(place)
 
 
 def _fill(

@@ -36,7 +36,7 @@ _STATED = re.compile(r"(\d{1,3})(?:\s*,\s*|\s+|\s*$)([A-Za-z-]*)", re.ASCII)
 
 
 class StationTable(Table):
-    """Where a scenario's shaking was recorded, and in which event."""
+    """Station and event of a scenario's shaking."""
 
     lat: Annotated[float, between(-90.0, 90.0, "°")]
     lon: Annotated[float, between(-180.0, 360.0, "°")]
@@ -129,7 +129,7 @@ class Scenarios:
 
     @property
     def measure(self) -> IntensityMeasure:
-        """What levels of the ground are of: the map's measure, else JMA's intensity."""
+        """Intensity measure of the ground's levels: the map's, else JMA's intensity."""
         return JMA_INTENSITY if self.shakemap is None else self.shakemap.measure
 
     @property

@@ -195,7 +195,7 @@ class Store:
 
 
 def ground_spec(station: int, level: float | None, building: BuildingTable | None) -> str:
-    """Return what tells the shaking of a building from others: scenario, level from a map, building."""
+    """Return the spec of a building's shaking as text: scenario, level from a map, building."""
     table = None if building is None else building.model_dump(exclude_defaults=True)
     return json.dumps([station, level, table], sort_keys=True)
 

@@ -116,7 +116,7 @@ def _readable(path: Path) -> Generator[None]:
 
 
 def _one_line(text: str) -> str:
-    """Return the beginning of what a library says, without the stop at its end."""
+    """Return a library's message on one line, shortened, without the stop at its end."""
     return " ".join(text.split())[:200].rstrip(" .")
 
 

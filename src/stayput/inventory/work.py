@@ -62,7 +62,7 @@ class FloorRequest:
     factors: NDArray[np.float64]
 
     def floors(self, ground: Ground) -> dict[int, PreparedFloor]:
-        """Return what shakes the furniture of each storey."""
+        """Return the floor motions of each storey."""
         floors, scales = ground.floors(self.building, self.storeys, self.factors, threads=1)
         if self.building is None:  # the same motions for all
             return dict.fromkeys(self.storeys, PreparedFloor.of(ground.acting, scales))
@@ -245,7 +245,7 @@ class Work:
             yield Call(task.run, floors)
 
     def run(self, executor: Executor, advance: Callable[[int], None], clock: Callable[[], float]) -> None:
-        """Run all tasks on an executor, and write their outcomes as they come.
+        """Run all tasks on an executor, and save their outcomes as they are completed.
 
         Parameters
         ----------

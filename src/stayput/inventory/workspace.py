@@ -40,7 +40,7 @@ OWN = re.compile(
 
 
 class Workspace:
-    """Makes files by way of drafts; what killed processes left of theirs is removed.
+    """Makes files by way of drafts; drafts of killed processes are removed.
 
     Parameters
     ----------
@@ -70,12 +70,12 @@ class Workspace:
         self._numbers = itertools.count()
 
     def draft(self) -> Path:
-        """Return a path for something that is to be made; nothing is there yet."""
+        """Return the path of a new draft, which does not exist yet."""
         return self.folder / DRAFTS / f"{self._token}-{next(self._numbers)}"
 
     @contextmanager
     def durable(self, path: Path) -> Generator[IO[bytes]]:
-        """Give a file to write; whole and on the disk it takes its name, else it is removed."""
+        """Yield a file to write; once complete and on disk it takes its name, else it is removed."""
         draft = self.draft()
         try:
             with draft.open("xb") as file:
@@ -88,13 +88,13 @@ class Workspace:
             draft.unlink(missing_ok=True)
 
     def write_json(self, path: Path, content: Mapping[str, Any]) -> None:
-        """Write a mapping as JSON, whole or not at all."""
+        """Write a mapping as JSON, atomically."""
         with self.durable(path) as file:
             file.write((json.dumps(content, indent=2, sort_keys=True) + "\n").encode())
 
 
 def recorded(journal: Path) -> frozenset[str]:
-    """Return the tokens of a journal; lines that are not whole belong to no draft."""
+    """Return the tokens of a journal; incomplete lines belong to no draft."""
     try:
         lines = journal.read_bytes().decode("ascii", "replace").splitlines()
     except FileNotFoundError:
@@ -114,7 +114,7 @@ def sync_folder(folder: Path) -> None:
 
 
 def read_json(path: Path) -> dict[str, Any] | None:
-    """Return what a JSON file says, or None where it is not there or not whole."""
+    """Return the object of a JSON file, or None where it is missing or incomplete."""
     try:
         content: Any = json.loads(path.read_bytes())
     except (FileNotFoundError, ValueError, RecursionError):

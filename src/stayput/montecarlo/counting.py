@@ -103,5 +103,5 @@ class Outcomes:
 
 @lru_cache(maxsize=16_384)
 def _probability(fell: tuple[int, ...], runs: tuple[int, ...], missing: tuple[int, ...]) -> Probability:
-    """Return a probability from counts by motion; in an inventory the same counts come again and again."""
+    """Return a probability from counts by motion; cached, since counts repeat often in an inventory."""
     return probability_of_counts(fell, runs, missing)

@@ -88,7 +88,7 @@ def horizontal_sa(motion: Motion, period: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Ground:
-    """The motions of the ground, and what scales them to a level.
+    """The motions of the ground, with their factors to a level.
 
     Parameters
     ----------

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Runs(Outcomes):
-    """Outcomes with those of the devices.
+    """Outcomes of the body and of its devices.
 
     Parameters
     ----------

@@ -293,7 +293,9 @@ def sample_until_precise(
         chances |= {place: joined[place].probability_of_overturning() for place in active}
         more = [place for place in active if _needs_more(chances[place], precision, done)]
         if done >= most or not more:
-            precise = not more and all(_is_reachable(chance, precision) for chance in chances.values())
+            precise = not more and all(
+                chance.runs > 0 and samples_needed(chance, precision).reachable for chance in chances.values()
+            )
             break
         active = active if together else more
     return [joined[place] for place in range(count)], done, precise
@@ -305,7 +307,3 @@ def _needs_more(chance: Probability, precision: float, done: int) -> bool:
         return False
     plan = samples_needed(chance, precision)
     return plan.reachable and plan.samples > done
-
-
-def _is_reachable(chance: Probability, precision: float) -> bool:
-    return chance.runs > 0 and samples_needed(chance, precision).reachable

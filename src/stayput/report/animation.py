@@ -1,4 +1,4 @@
-"""Animations of a run: GIF, MP4, or one HTML page that needs nothing else."""
+"""Animations of a run: GIF, MP4, or a self-contained HTML page."""
 
 from __future__ import annotations
 

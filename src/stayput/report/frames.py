@@ -87,7 +87,7 @@ class Painter:
         return image
 
     def _still_part(self) -> Image.Image:
-        """Draw what no frame changes: the acceleration strip and the caption."""
+        """Draw the static part of all frames: the acceleration strip and the caption."""
         image = Image.new("RGB", self._size, PAPER)
         draw = ImageDraw.Draw(image)
         left, top, right, bottom = self._strip
@@ -159,7 +159,7 @@ class Painter:
         return image
 
     def _draw_devices(self, draw: ImageDraw.ImageDraw, pose: Pose) -> None:
-        """Draw the devices over the body; what goes with the room moves with it."""
+        """Draw the devices over the body, moved with the room."""
         for shape in self._film.scene.devices(pose):
             points = [self._point(x + pose.shift, z) for x, z in shape["points"]]
             colour = ROLE_COLOURS["broken" if shape["broken"] else shape["role"]]

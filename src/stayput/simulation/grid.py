@@ -35,7 +35,7 @@ CHECKED_AT_ONCE = 2**15
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Axis:
-    """Cases along one dimension: columns of numbers by path, and how the user labels them."""
+    """Cases along one dimension: columns of numbers by path, with the user's labels."""
 
     name: str
     columns: Columns

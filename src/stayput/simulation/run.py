@@ -43,7 +43,7 @@ LAWS: tuple[Contact, ...] = ("coulomb", "paper")
 
 
 class Outcome(StrEnum):
-    """What became of the body."""
+    """Outcome of a run."""
 
     RESTED = "rested"
     SLID = "slid"
@@ -66,7 +66,7 @@ class Mode(StrEnum):
 
 
 class EventKind(StrEnum):
-    """What happens at an event."""
+    """Kind of an event."""
 
     SLIP = "slip"
     STICK = "stick"
@@ -114,7 +114,7 @@ class Event:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Run:
-    """What became of one body under one motion; made by `simulate`.
+    """Result of one body under one motion; made by `simulate`.
 
     Histories hold one value per sample of the record, shape [n], up to the end of the run: the record's
     last sample, or the last one before the body turned over.

@@ -204,7 +204,7 @@ class BodyCapacity:
 
     @property
     def ratio(self) -> float:
-        """Where half fall by the simulation, over the formula's A₅₀; NaN where the curve does not say."""
+        """Simulated median capacity over the formula's A₅₀; NaN where the curve has none."""
         return self.curve.capacity(0.5).estimate
 
     @property
@@ -226,7 +226,7 @@ def amplitudes(step: float) -> NDArray[np.float64]:
 
 
 def overturning(body: Body, room: Room, shakings: Shakings, factors: NDArray[np.float64]) -> BodyCapacity:
-    """Scale every motion to every amplitude and see what overturns.
+    """Run a body under every motion at every amplitude, and return its capacity.
 
     Parameters
     ----------

@@ -161,7 +161,7 @@ def critical_amplitudes(conditions: list[Conditions], step: float) -> pd.DataFra
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Edges:
-    """Where cases turn over, over amplitude; each of shape [cases].
+    """Overturning amplitudes of cases; each of shape [cases].
 
     Attributes
     ----------

@@ -120,7 +120,7 @@ def runs_of(
     samples: int,
     seed: int,
 ) -> list[Runs]:
-    """Run all options at a level, under the same draws of what is not known."""
+    """Run all options at a level, under the same draws of the uncertain quantities."""
     drawn = draws(len(motions), samples, seed)
     rows = [rows_of(body, room, option.measures, drawn, STANDARD_GRAVITY) for option in options]
     return run_level(rows, FloorMotions(tuple(motions), np.full(len(motions), level), {}))

@@ -216,7 +216,7 @@ def words(spans: list[Range], free: bool) -> str:
 
 
 def polarity_name(polarity: float) -> str:
-    """Return what a factor of 1 or −1 on the motion is called."""
+    """Return the name of a factor of 1 or −1 on the motion."""
     return "as recorded" if polarity > 0.0 else "reversed"
 
 

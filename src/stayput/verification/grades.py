@@ -48,7 +48,7 @@ class Input:
 
 
 def inputs(option: Option, scenario: Scenario) -> tuple[Input, ...]:
-    """Return what decides the outcome of an option, the piece first.
+    """Return the inputs that decide the outcome of an option, the piece first.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def _inputs(option: Option, scenario: Scenario) -> Iterator[Input]:
 
 
 def furniture_tag(table: FurnitureTable) -> str:
-    """Return how well founded size and mass of a piece are; what is a preset's own value is its default."""
+    """Return the tag of a piece's size and mass; a preset's own value is a default."""
     preset = FURNITURE.get(table.preset or "")
     if preset is None:
         return GIVEN
@@ -107,12 +107,12 @@ def furniture_tag(table: FurnitureTable) -> str:
 
 
 def floor_tag(scenario: Scenario) -> str:
-    """Return how well founded the friction of the floor is."""
+    """Return the tag of the floor's friction."""
     table = scenario.room.floor
     surface = table if isinstance(table, str) else table.surface
     return GIVEN if surface is None else Confidence.MEDIUM.value
 
 
 def building_tag(table: BuildingTable) -> str:
-    """Return how well founded a building is: its masses are the user's, or made of a kind of structure."""
+    """Return the tag of a building: its masses are the user's, or follow from the structure."""
     return GIVEN if table.masses is not None else Confidence.LOW.value

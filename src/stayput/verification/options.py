@@ -60,7 +60,7 @@ class Option:
         return bool(kinds) and self.name not in (" + ".join(kinds), "+".join(kinds), YOURS)
 
     def label(self, language: str) -> str:
-        """Return what it is called in "en" or "ja"."""
+        """Return its label in "en" or "ja"."""
         if not self.measures:
             return say(NO_MEASURE, language)
         joint = " + " if language == "en" else "+"

@@ -53,12 +53,12 @@ def _falls(share: float) -> Phrase:
 
 
 def title(option: Option, verdict: Verdict, language: str) -> str:
-    """Return what an option is called; with its name where that is the user's own or tells two apart."""
+    """Return an option's label; with its name where that is the user's own or two have the same label."""
     return option.label(language) + _aside(option, verdict, language)
 
 
 def _title_inside(option: Option, verdict: Verdict) -> Phrase:
-    """Return what an option is called within a sentence."""
+    """Return an option's label within a sentence."""
     english = inside(option.label("en")) + _aside(option, verdict, "en")
     return english, title(option, verdict, "ja")
 

@@ -1,4 +1,4 @@
-"""``stayput motion``: what a motion of the floor says, and what can be made of it."""
+"""``stayput motion``: analyse, convert or generate motions of the floor."""
 
 from __future__ import annotations
 

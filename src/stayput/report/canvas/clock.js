@@ -17,8 +17,8 @@ export function beforeNextFrame(work) {
 }
 
 /**
- * A clock for a time span; "draw" is called with the time whenever the picture changes, "onPlaying" with whether
- * it plays. At the end it holds for so many seconds and starts again; with Infinity it stops there.
+ * A clock for a time span; "draw" is called with the time whenever the picture changes, "onPlaying" with
+ * whether it plays. At the end it holds for so many seconds and starts again; with Infinity it stops there.
  */
 export function player(draw, onPlaying, hold = 1.5) {
   let now = 0,

@@ -39,7 +39,7 @@ class Assumption:
     confidence: str
 
     def what(self, language: str) -> str:
-        """Return what it is."""
+        """Return its label."""
         return say(self.texts[0], language)
 
     def value(self, language: str) -> str:

@@ -136,7 +136,7 @@ def _band(x: svg.PixelAxis, y: svg.PixelAxis, curve: FragilityCurve, look: int) 
 
 
 def _counts(x: svg.PixelAxis, y: svg.PixelAxis, curve: FragilityCurve, look: int) -> list[str]:
-    """Return what was counted: circles without a measure, squares with one."""
+    """Return marks of the observed shares: circles without a measure, squares with one."""
     parts: list[str] = []
     for level in curve.levels:
         across, up = x.place(level.im), y.place(level.probability.estimate)

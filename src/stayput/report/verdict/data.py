@@ -1,4 +1,4 @@
-"""A verdict as plain values: what the JSON file holds, and what the app's replies are made of."""
+"""A verdict as plain values, for the JSON file and the app's replies."""
 
 from __future__ import annotations
 
@@ -161,7 +161,7 @@ def _capacity(capacity: Capacity) -> dict[str, Any]:
 
 
 def _curve(curve: FragilityCurve) -> dict[str, Any]:
-    """Return a curve at its levels and what was observed there, in SI units."""
+    """Return a curve and the observed shares at its levels, in SI units."""
     share = curve.probability([level.im for level in curve.levels])
     low, high = curve.band([level.im for level in curve.levels])
     lognormal = curve.lognormal

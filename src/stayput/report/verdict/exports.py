@@ -108,7 +108,7 @@ def _left_out(curve: FragilityCurve) -> str:
 
 @contextmanager
 def _new_folder(folder: Path) -> Generator[None]:
-    """Make a folder where it is not there; it goes again where nothing was written into it."""
+    """Make a folder where there is none; remove it if it is left empty."""
     fresh = not folder.exists()
     folder.mkdir(exist_ok=True)
     try:
@@ -133,7 +133,7 @@ def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> s
 
 
 def observed_csv(curves: Sequence[FragilityCurve]) -> str:
-    """Return what was counted at each level as the text of a CSV file."""
+    """Return the observed shares at each level as the text of a CSV file."""
     heading = ("option", key(curves[0].measure), "overturned", "runs", "probability", "low", "high")
     rows = [
         (

@@ -1,4 +1,4 @@
-"""A verdict as one HTML page that needs nothing else."""
+"""A verdict as a self-contained HTML page."""
 
 from __future__ import annotations
 

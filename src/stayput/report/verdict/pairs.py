@@ -1,4 +1,4 @@
-"""Pairs of runs shown side by side, run again: one motion and one draw, without and with a measure."""
+"""Pairs of runs shown side by side: one motion and one draw, without and with a measure, simulated again."""
 
 from __future__ import annotations
 
@@ -103,7 +103,7 @@ class RunPair:
 
     @property
     def scene(self) -> Scene:
-        """What is drawn of the runs."""
+        """The scene of the two runs."""
         return scene_of([side.run for side in self.sides], self.start, self.end)
 
     @property
@@ -119,7 +119,7 @@ class RunPair:
 
 
 def scene_data(pair: RunPair, scene: Scene, look: FurnitureTable) -> dict[str, Any]:
-    """Return what the report's script draws of a pair, as plain values.
+    """Return a pair's scene for the report's script, as plain values.
 
     Parameters
     ----------

@@ -96,12 +96,12 @@ def ticks(low: float, high: float, count: int) -> list[float]:
 
 
 def thinned(
-    x: NDArray[np.float64], y: NDArray[np.float64], pairs: int = PAIRS
+    x: NDArray[np.float64], y: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return a shorter line: the least and the greatest value of each of many intervals, in order."""
-    if len(x) <= 2 * pairs:
+    if len(x) <= 2 * PAIRS:
         return x, y
-    edges = np.linspace(0, len(x), pairs + 1).astype(np.intp)
+    edges = np.linspace(0, len(x), PAIRS + 1).astype(np.intp)
     places = {0, len(x) - 1}
     for first, last in itertools.pairwise(edges):
         part = y[first:last]

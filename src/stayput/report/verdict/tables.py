@@ -67,12 +67,12 @@ class RankingRow:
 
 
 def grade_meanings(language: str) -> list[tuple[str, str]]:
-    """Return each grade and what it means."""
+    """Return each grade with its meaning."""
     return [(grade.value, say(meaning, language)) for grade, meaning in MEANINGS.items()]
 
 
 def grades_text(language: str) -> str:
-    """Return what the grades mean, in a sentence."""
+    """Return the meanings of the grades in a sentence."""
     colon = word("colon", language)
     meanings = [f"{letter}{colon}{meaning}" for letter, meaning in grade_meanings(language)]
     return word("grade_text", language, meanings=word("listed", language).join(meanings))
@@ -120,7 +120,7 @@ def _row(result: OptionVerdict, verdict: Verdict, language: str) -> RankingRow:
 
 
 def impossible_rows(verdict: Verdict, language: str) -> list[tuple[str, str]]:
-    """Return the options that cannot be put in place: what each is called, and why not."""
+    """Return label and reason of each option that cannot be put in place."""
     return [
         (
             impossible.option.label(language)
@@ -136,7 +136,7 @@ DEVICE_COLUMNS = ("device", "failed", "failure_time", "peak_force", "used")
 
 
 def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
-    """Return what became of each device of an option, as texts.
+    """Return the results of each device of an option, as texts.
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
 
 
 def _device_name(device: DeviceSummary, names: dict[str, str], language: str) -> str:
-    """Return what a device is called, with its place where its measure has several."""
+    """Return the name of a device, with its place where its measure has several."""
     name = names.get(device.kind, device.kind)
     if device.name in ("", device.kind):
         return name
@@ -175,7 +175,7 @@ def _device_name(device: DeviceSummary, names: dict[str, str], language: str) ->
 
 
 def simulations(verdict: Verdict, language: str) -> str:
-    """Return how many simulations there were, in words."""
+    """Return the number of simulations in words."""
     runs = f"{verdict.runs:,}"
     return word("simulations_text", language, runs=runs, motions=verdict.motions, samples=verdict.samples)
 
@@ -229,7 +229,7 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
 
 
 def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]:
-    """Return each formula, what it says, and the simulation beside it, as texts.
+    """Return each formula, its result, and the simulation's beside it, as texts.
 
     Parameters
     ----------
