@@ -105,7 +105,7 @@ def run_reply(run: Run, data: dict[str, Any], scenario: Scenario) -> RunReply:
 
 
 def _motion_of(ground: Motion, motion: Motion) -> MotionOfRun:
-    below, felt = intensity_of(ground), intensity_of(motion)
+    ground_intensity, floor_intensity = intensity_of(ground), intensity_of(motion)
     return MotionOfRun(
         name=motion.name,
         synthetic=motion.synthetic,
@@ -113,10 +113,10 @@ def _motion_of(ground: Motion, motion: Motion) -> MotionOfRun:
         dt_s=motion.dt,
         pga_m_s2=motion.pga,
         pgv_m_s=motion.pgv,
-        ground_intensity=below,
-        ground_class=class_of(below),
-        floor_intensity=felt,
-        floor_class=class_of(felt),
+        ground_intensity=ground_intensity,
+        ground_class=class_of(ground_intensity),
+        floor_intensity=floor_intensity,
+        floor_class=class_of(floor_intensity),
     )
 
 

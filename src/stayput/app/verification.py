@@ -141,24 +141,24 @@ def verdict_reply(verdict: Verdict) -> VerdictReply:
         "headline": data["verdict"],
         "intensity": data["jma_intensity"],
         "seconds": round(verdict.seconds, 3),
-        "options": [_option_data(one, option, verdict) for one, option in pairs],
+        "options": [_option_data(result, option, verdict) for result, option in pairs],
     }
     return VerdictReply.model_validate(data)
 
 
-def _option_data(option_verdict: OptionVerdict, data: dict[str, Any], verdict: Verdict) -> dict[str, Any]:
+def _option_data(result: OptionVerdict, data: dict[str, Any], verdict: Verdict) -> dict[str, Any]:
     """Return an option as the page reads it, from its data in the JSON file."""
     capacities = {f"p{100.0 * capacity['share']:.0f}": capacity for capacity in data["capacities"]}
     for capacity in capacities.values():
         capacity["estimate"] = capacity["jma_intensity"]
-    curve = option_verdict.curves.get(JMA_INTENSITY)
+    curve = result.curves.get(JMA_INTENSITY)
     observed = [row["levels"] for row in data["curves"] if row["measure"] == JMA_INTENSITY.key]
     return {
         **data,
         **data["probabilities"],
-        "measures": [table_of(measure) for measure in option_verdict.option.measures],
-        "weakest": [Words.of(number.label) for number in weakest(option_verdict.option, verdict.scenario)],
-        "yours": option_verdict.option.name == YOURS,
+        "measures": [table_of(measure) for measure in result.option.measures],
+        "weakest": [Words.of(item.label) for item in weakest(result.option, verdict.scenario)],
+        "yours": result.option.name == YOURS,
         "change": data["overturned_change"],
         "slide_m": data["peak_slide_m"],
         "tilt_rad": data["peak_tilt_rad"],

@@ -51,12 +51,12 @@ class CommandGroup(TyperGroup):
 
         Each warning is printed once, when it arises.
         """
-        said: set[str] = set()
+        printed: set[str] = set()
 
         def warn(warning: InputWarning) -> None:
             sentence = str(warning)
-            if sentence not in said:
-                said.add(sentence)
+            if sentence not in printed:
+                printed.add(sentence)
                 typer.echo(f"Warning: {sentence}", err=True)
 
         try:

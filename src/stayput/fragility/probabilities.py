@@ -164,13 +164,13 @@ def probability_of_counts(fell: ArrayLike, runs: ArrayLike, missing: ArrayLike =
         Runs of each motion that were given up.
     """
     k, n = np.asarray(fell, np.float64), np.asarray(runs, np.float64)
-    gone = np.broadcast_to(np.asarray(missing, np.float64), n.shape)
+    given_up = np.broadcast_to(np.asarray(missing, np.float64), n.shape)
     if not n.sum() > 0.0:
-        return Probability(math.nan, 0.0, 1.0, 0, 0, 0, int(gone.sum()), math.nan)
-    low, _ = _interval(k, n + gone)
-    _, high = _interval(k + gone, n + gone)
+        return Probability(math.nan, 0.0, 1.0, 0, 0, 0, int(given_up.sum()), math.nan)
+    low, _ = _interval(k, n + given_up)
+    _, high = _interval(k + given_up, n + given_up)
     effect = design_effect(k, n)
-    counts = int(k.sum()), int(n.sum()), int((n > 0.0).sum()), int(gone.sum())
+    counts = int(k.sum()), int(n.sum()), int((n > 0.0).sum()), int(given_up.sum())
     return Probability(float(k.sum() / n.sum()), low, high, *counts, effect)
 
 

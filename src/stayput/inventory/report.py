@@ -86,11 +86,11 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str) -
     for i, building in enumerate(buildings):
         x = LEFT + CELL * (i + 0.5)
         text = building if len(building) <= LONGEST_NAME else f"{building[: LONGEST_NAME - 1]}…"
-        whole = element("title", Markup.escape(building)) if text != building else ""
+        tooltip = element("title", Markup.escape(building)) if text != building else ""
         parts.append(
             element(
                 "text",
-                whole + str(Markup.escape(text or "no building")),
+                tooltip + str(Markup.escape(text or "no building")),
                 x=x,
                 y=y,
                 class_="axis",

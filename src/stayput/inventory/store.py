@@ -189,7 +189,7 @@ class Store:
         )
         yield from cursor
 
-    def work_left(self) -> dict[int, int]:
+    def units_by_option(self) -> dict[int, int]:
         """Return how many units each option has."""
         return dict(self.base.execute("SELECT option, COUNT(*) FROM units GROUP BY option"))
 

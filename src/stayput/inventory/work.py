@@ -166,7 +166,7 @@ class Work:
         self.settings = [Settings.of(file.scenario, len(file.ground), slide_limit) for file in scenarios.all]
         self.options = store.option_specs()
         runs = max(settings.motions * settings.samples for settings in self.settings)
-        self.costs = Costs(self.options, store.work_left(), runs)
+        self.costs = Costs(self.options, store.units_by_option(), runs)
         self.runs, self.seconds = 0, 0.0
 
     @property

@@ -198,11 +198,6 @@ class FloorMotions:
     scales: NDArray[np.float64]
     measures: dict[IntensityMeasure, NDArray[np.float64]]
 
-    def scaled_motion(self, number: int) -> Motion:
-        """Return a motion times its factor."""
-        scale = float(self.scales[number])
-        return self.motions[number] if scale == 1.0 else self.motions[number].scaled(scale)
-
 
 @dataclass(frozen=True, eq=False)
 class Hazard:

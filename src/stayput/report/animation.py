@@ -34,18 +34,7 @@ if TYPE_CHECKING:
 Progress: TypeAlias = Callable[[int, int], None]
 """Called with the number of frames drawn and the number of all frames."""
 
-PLAYER_TEXTS = (
-    "tilt",
-    "slide",
-    "play",
-    "pause",
-    "time",
-    "speed",
-    "theme",
-    "strip",
-    "keys",
-    "tilt_shown",
-)
+PLAYER_TEXTS = ["tilt", "slide", "play", "pause", "time", "speed", "theme", "strip", "keys", "tilt_shown"]
 """Texts of the HTML player, by their keys in `stayput.catalogue.runs` after "player_"."""
 
 _SHORTEST = 2  # hundredths of a second between a GIF's frames: browsers slow down what is shorter

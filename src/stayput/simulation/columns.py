@@ -114,9 +114,9 @@ def run_columns(
         results[chunk], devices[chunk] = run_rows(cases[chunk], rows[chunk], motion)
         return len(chunk)
 
-    with bar(len(cases), "Simulating", progress) as tell, ThreadExecutor(threads) as executor:
+    with bar(len(cases), "Simulating", progress) as advance, ThreadExecutor(threads) as executor:
         for _, done in executor.as_completed(Call(run, chunk) for chunk in _chunks(indices)):
-            tell(done)
+            advance(done)
             if on_progress is not None:
                 on_progress(done)
     return results, devices

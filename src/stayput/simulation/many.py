@@ -104,12 +104,12 @@ def run_grid(
         return Call(run_block, grid.block(start, min(start + chunk, count)), motions)
 
     with (
-        bar(count, "Simulating", progress) as tell,
+        bar(count, "Simulating", progress) as advance,
         ThreadExecutor(threads) if client is None else DaskExecutor(client) as executor,
     ):
         for number, results in executor.as_completed(map(call, starts)):
             fill_columns(columns, starts[number], results)
-            tell(len(results))
+            advance(len(results))
     return columns
 
 

@@ -62,7 +62,7 @@ class _Work:
     scenario: Scenario
     settings: Settings
     threads: int | None
-    tell: Callable[[int], None]
+    advance: Callable[[int], None]
     done: int = 0
 
     def rows(self, samples: int, start: int = 0) -> list[Rows]:
@@ -75,7 +75,7 @@ class _Work:
     def run(self, rows: list[Rows], floors: FloorMotions) -> list[Runs]:
         """Run every option at a level."""
         self.done += sum(len(option_rows.cases) for option_rows in rows)
-        return run_level(rows, floors, threads=self.threads, progress=self.tell)
+        return run_level(rows, floors, threads=self.threads, progress=self.advance)
 
 
 def verify(
@@ -130,13 +130,13 @@ def verify(
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, vertical=bool(shaking.vertical))
     settings = Settings.of(scenario, len(ground), slide_limit)
     total = len(options) * len(ground) * settings.samples * (1 + len(rows))
-    with bar(total, "Verifying", progress) as tell:
+    with bar(total, "Verifying", progress) as advance:
         seen = 0
 
         def count(runs: int) -> None:
             nonlocal seen
             seen += runs
-            tell(runs)
+            advance(runs)
             if on_progress is not None:
                 on_progress(seen, total)
 

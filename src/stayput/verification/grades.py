@@ -63,8 +63,8 @@ def inputs(option: Option, scenario: Scenario) -> tuple[Input, ...]:
 def weakest(option: Option, scenario: Scenario) -> tuple[Input, ...]:
     """Return the inputs of the worst grade among those of an option; see `inputs`."""
     deciding = inputs(option, scenario)
-    worst = max(number.grade for number in deciding)
-    return tuple(number for number in deciding if number.grade == worst)
+    worst = max(item.grade for item in deciding)
+    return tuple(item for item in deciding if item.grade == worst)
 
 
 def grade(option: Option, scenario: Scenario) -> Grade:

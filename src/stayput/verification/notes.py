@@ -83,7 +83,7 @@ def _left_out(verdict: Verdict) -> Iterator[Phrase]:
 def _grade(verdict: Verdict) -> Iterator[Phrase]:
     option, scenario = verdict.best.option, verdict.scenario
     deciding = weakest(option, scenario)
-    inputs = _listed(number.label for number in deciding[:LISTED])
+    inputs = _listed(item.label for item in deciding[:LISTED])
     if len(deciding) > LISTED:
         more = phrase("verification.and_more", more=len(deciding) - LISTED)
         inputs = inputs[0] + more[0], inputs[1] + more[1]

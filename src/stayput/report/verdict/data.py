@@ -89,8 +89,8 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
         "reason": _texts((reason(result, verdict, "en"), reason(result, verdict, "ja"))),
         "grade": verdict.grade(result).value,
         "inputs": [
-            {**_texts(number.label), "grade": number.grade.value, "tag": number.tag}
-            for number in inputs(result.option, verdict.scenario)
+            {**_texts(item.label), "grade": item.grade.value, "tag": item.tag}
+            for item in inputs(result.option, verdict.scenario)
         ],
         "measures": [_measure(measure) for measure in result.option.measures],
         "probabilities": {event: _probability(value) for event, value in result.probabilities.items()},

@@ -66,22 +66,17 @@ class RankingRow:
     weakest: str
 
 
-def grade_meanings(language: str) -> list[tuple[str, str]]:
-    """Return each grade with its meaning."""
-    return [(grade.value, say(meaning, language)) for grade, meaning in MEANINGS.items()]
-
-
 def grades_text(language: str) -> str:
     """Return the meanings of the grades in a sentence."""
     colon = word("colon", language)
-    meanings = [f"{letter}{colon}{meaning}" for letter, meaning in grade_meanings(language)]
+    meanings = [f"{grade.value}{colon}{say(meaning, language)}" for grade, meaning in MEANINGS.items()]
     return word("grade_text", language, meanings=word("listed", language).join(meanings))
 
 
 def weakest_inputs(result: OptionVerdict, verdict: Verdict, language: str) -> str:
     """Return the inputs that give an option its grade, as a text."""
     inputs = weakest(result.option, verdict.scenario)
-    return word("listed", language).join(say(number.label, language) for number in inputs)
+    return word("listed", language).join(say(item.label, language) for item in inputs)
 
 
 def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
