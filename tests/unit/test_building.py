@@ -13,7 +13,7 @@ import stayput as sp
 from stayput.building import STRUCTURES, Building, Isolation, ShearModel
 from stayput.building.shears import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
 from stayput.cli.building import building
-from stayput.cli.plainly import Plainly
+from stayput.cli.messages import CommandGroup
 from stayput.motion.integrals import peak_velocity
 
 GROUND = sp.near_fault()
@@ -186,7 +186,7 @@ def test_refused(make, words):
         make()
 
 
-app = typer.Typer(cls=Plainly)
+app = typer.Typer(cls=CommandGroup)
 app.command()(building)
 app.callback()(lambda: None)
 

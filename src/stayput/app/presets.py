@@ -1,4 +1,4 @@
-"""Everything that can be chosen, with its names and numbers."""
+"""The presets reply: everything that a user can choose, with labels and numbers."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import math
 from typing import TYPE_CHECKING, Any, Literal
 
 import stayput
-from stayput.app.fields import Words
 from stayput.app.replies import (
     FamilyReply,
     FurnitureReply,
@@ -19,6 +18,7 @@ from stayput.app.replies import (
     PresetsReply,
     StructureReply,
     SurfaceReply,
+    Words,
 )
 from stayput.building.building import STOREY_HEIGHT
 from stayput.building.building import STRUCTURES as BUILDINGS
@@ -59,7 +59,7 @@ SCENE: dict[str, Any] = {
 }
 """A scene to begin with: a bookcase that falls, in the shortest of the mixed suite's kinds of motion."""
 
-SHOWN: list[dict[str, Any]] = [{"type": "l_bracket"}]
+SCENE_MEASURES: list[dict[str, Any]] = [{"type": "l_bracket"}]
 """Measures to begin with."""
 
 
@@ -100,7 +100,7 @@ def presets(limits: Limits) -> PresetsReply:
         outcomes=[NamedReply(id=name, label=Words.of(label)) for name, label in OUTCOMES.items()],
         events=[NamedReply(id=name, label=Words.of(label)) for name, label in EVENTS.items()],
         scene=SCENE,
-        measures_shown=SHOWN,
+        measures_shown=SCENE_MEASURES,
         limits=_limits(limits),
     )
 
@@ -138,12 +138,12 @@ def _measure(name: str, kind: type[Measure]) -> MeasureReply:
         place=None if (place := kind().where()) is None else place[0],
         needs=_needs(kind),
         usual=name in USUAL,
-        parameters=[_parameter(one) for one in parameters(kind)],
+        parameters=[_parameter(parameter) for parameter in parameters(kind)],
     )
 
 
 def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
-    """Return what must be there, found by trying without it."""
+    """Return the surfaces that a kind of measure needs, found by applying it without each."""
     body = Body(0.4, 1.8, 100.0)
 
     def applies(room: Room) -> bool:
@@ -153,26 +153,24 @@ def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
             return False
         return True
 
-    wall, ceiling = Wall(0.05), Ceiling(2.4)
-    needs: list[Literal["wall", "ceiling"]] = []
-    if not applies(Room(ceiling=ceiling)):
-        needs.append("wall")
-    if not applies(Room(left_wall=wall)):
-        needs.append("ceiling")
-    return needs
+    without: dict[Literal["wall", "ceiling"], Room] = {
+        "wall": Room(ceiling=Ceiling(2.4)),
+        "ceiling": Room(left_wall=Wall(0.05)),
+    }
+    return [surface for surface, room in without.items() if not applies(room)]
 
 
-def _parameter(one: Parameter) -> ParameterReply:
+def _parameter(parameter: Parameter) -> ParameterReply:
     return ParameterReply(
-        name=one.name,
-        default=one.default,
-        unit=one.unit,
-        low=one.low,
-        high=one.high,
-        confidence=str(one.confidence),
-        label=Words.of(one.label),
-        choices=list(one.choices),
-        whole=isinstance(one.default, int),
+        name=parameter.name,
+        default=parameter.default,
+        unit=parameter.unit,
+        low=parameter.low,
+        high=parameter.high,
+        confidence=str(parameter.confidence),
+        label=Words.of(parameter.label),
+        choices=list(parameter.choices),
+        whole=isinstance(parameter.default, int),
     )
 
 

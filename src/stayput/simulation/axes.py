@@ -74,7 +74,7 @@ def base_numbers(case: Case) -> dict[str, float]:
 def make_grid(case: Case, axes: Axes) -> Grid:
     """Return the grid of all combinations of the axes' values.
 
-    A tuple of paths is one axis, along which their values go together.
+    A tuple of paths is one axis, along which their values change together.
 
     Raises
     ------
@@ -83,26 +83,26 @@ def make_grid(case: Case, axes: Axes) -> Grid:
     """
     base = base_numbers(case)
     motions: list[Motion] = [case.motion]
-    made: list[Axis] = []
+    grid_axes: list[Axis] = []
     for paths, values in axes.items():
         names = (paths,) if isinstance(paths, str) else tuple(paths)
-        given = (values,) if isinstance(paths, str) else tuple(values)
-        if len(names) != len(given) or not names:
-            raise InputError("simulation.axis_lists", "axes", names=str(names), count=len(given))
-        made.append(_axis(names, given, base, motions))
-    _refuse_repeats(made)
-    _refuse_missing_surfaces(base, made)
-    grid = Grid(base, tuple(made), tuple(motions), tuple(case.measures))
+        value_lists = (values,) if isinstance(paths, str) else tuple(values)
+        if len(names) != len(value_lists) or not names:
+            raise InputError("simulation.axis_lists", "axes", names=str(names), count=len(value_lists))
+        grid_axes.append(_axis(names, value_lists, base, motions))
+    _refuse_repeats(grid_axes)
+    _refuse_missing_surfaces(base, grid_axes)
+    grid = Grid(base, tuple(grid_axes), tuple(motions), tuple(case.measures))
     grid.refuse_bad_cases()
     return grid
 
 
 def _axis(
-    names: tuple[str, ...], given: tuple[Any, ...], base: dict[str, float], motions: list[Motion]
+    names: tuple[str, ...], value_lists: tuple[Any, ...], base: dict[str, float], motions: list[Motion]
 ) -> Axis:
     columns: Columns = {}
     labels: dict[str, Any] = {}
-    for name, values in zip(names, given, strict=True):
+    for name, values in zip(names, value_lists, strict=True):
         added, label = _columns(name, values, base, motions)
         repeated = columns.keys() & added.keys()
         if repeated:

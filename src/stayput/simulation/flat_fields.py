@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-Numbers: TypeAlias = "float | NDArray[np.float64]"
+NumberOrColumn: TypeAlias = "float | NDArray[np.float64]"
 
 
 def body_fields(body: Body) -> dict[str, float]:
@@ -38,8 +38,6 @@ def body_fields(body: Body) -> dict[str, float]:
 OWN_FRICTION = tuple(
     f"{side}_edge_{kind}_friction" for side in ("left", "right") for kind in ("static", "kinetic")
 )
-
-
 """Names of the coefficients of one base corner alone."""
 
 
@@ -80,10 +78,10 @@ WALLS_AND_CEILING = ("left_wall", "right_wall", "ceiling")
 
 def room_fields(room: Room) -> dict[str, float]:
     """Return a room's numbers by their paths."""
-    found = floor_fields(room.floor)
+    numbers = floor_fields(room.floor)
     for name in WALLS_AND_CEILING:
-        found |= surface_fields(name, getattr(room, name))
-    return found
+        numbers |= surface_fields(name, getattr(room, name))
+    return numbers
 
 
 def from_flat_fields(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
@@ -95,7 +93,7 @@ def from_flat_fields(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
         Numbers that make no body, room or state, or a body that stands inside a wall or the ceiling.
     """
 
-    def given(path: str) -> float | None:
+    def number_or_none(path: str) -> float | None:
         return None if math.isnan(numbers[path]) else numbers[path]
 
     def part(prefix: str, *names: str) -> list[float]:
@@ -109,16 +107,16 @@ def from_flat_fields(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
     body = Body(
         *part("body", "width", "height", "mass"),
         cg_offset=(numbers["body.cg_offset.x"], numbers["body.cg_offset.z"]),
-        inertia=given("body.inertia"),
+        inertia=number_or_none("body.inertia"),
         base_heights=(numbers["body.base_heights.left"], numbers["body.base_heights.right"]),
     )
     floor = Floor(
         *part("room.floor", "static_friction", "kinetic_friction"),
-        edge_static_friction=given("room.floor.edge_static_friction"),
-        edge_kinetic_friction=given("room.floor.edge_kinetic_friction"),
+        edge_static_friction=number_or_none("room.floor.edge_static_friction"),
+        edge_kinetic_friction=number_or_none("room.floor.edge_kinetic_friction"),
         restitution=numbers["room.floor.restitution"],
         normal_restitution=numbers["room.floor.normal_restitution"],
-        **{name: given(f"room.floor.{name}") for name in OWN_FRICTION},
+        **{name: number_or_none(f"room.floor.{name}") for name in OWN_FRICTION},
     )
     left, right = surface("left_wall", Wall), surface("right_wall", Wall)
     room = Room(floor, left, right, surface("ceiling", Ceiling))  # type: ignore[arg-type]
@@ -143,12 +141,12 @@ def flat_fields(body: Body, room: Room, start: State, gravity: float) -> dict[st
     }
 
 
-def case_rows(numbers: Mapping[str, Numbers], count: int) -> NDArray[np.void]:
+def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.void]:
     """Return ``count`` rows of `CASE` from numbers by path, each one value or ``count`` of them."""
     rows = np.zeros(count, CASE)
     b, h, m = numbers["body.width"], numbers["body.height"], numbers["body.mass"]
-    given = numbers["body.inertia"]
-    rows["inertia"] = np.where(np.isnan(given), m * (b**2 + h**2) / 12.0, given) / m
+    inertia = numbers["body.inertia"]
+    rows["inertia"] = np.where(np.isnan(inertia), m * (b**2 + h**2) / 12.0, inertia) / m
     x_g, z_g = numbers["body.cg_offset.x"], h / 2 + numbers["body.cg_offset.z"]
     left, right, top = -b / 2 - x_g, b / 2 - x_g, h - z_g
     for corner, (u, v) in enumerate(

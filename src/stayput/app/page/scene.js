@@ -52,11 +52,11 @@ export const current = () => scene;
 export function change(part) {
   scene = { ...scene, ...part };
   if (scene.storeys > 0) scene.storey = Math.min(Math.max(1, scene.storey), scene.storeys);
-  for (const told of listeners) told(Object.keys(part));
+  for (const listener of listeners) listener(Object.keys(part));
 }
 
 /** Calls a function with the keys that changed, after every change. */
-export const watch = (told) => listeners.add(told);
+export const watch = (listener) => listeners.add(listener);
 
 /** What a preset stands with: its size, and shelves loaded evenly where it has any. */
 export function fromPreset(preset) {
@@ -84,7 +84,7 @@ export function fromServer(presets) {
     intensity: middle ?? (Number(shaking.intensity) || plain.intensity),
     family: shaking.suite?.family ?? plain.family,
     member: shaking.member ?? plain.member,
-    measures: Object.fromEntries(presets.measures_shown.map(({ type, ...given }) => [type, given])),
+    measures: Object.fromEntries(presets.measures_shown.map(({ type, ...values }) => [type, values])),
   };
 }
 
