@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import MISSING
 from typing import TYPE_CHECKING, Any, Literal
 
 import stayput
@@ -36,11 +37,13 @@ from stayput.catalogue.names import (
 )
 from stayput.errors import InputError
 from stayput.measures import MEASURES, hold, parameters
-from stayput.model.body import Body
+from stayput.model.body import Body, Part
 from stayput.model.furniture import FURNITURE as PIECES
+from stayput.model.parameters import parameter_of
 from stayput.model.room import SURFACES as FRICTIONS
 from stayput.model.room import Ceiling, Room, Wall
 from stayput.motion.intensity import CLASSES, intensity_of_class
+from stayput.motion.suites import synthetic_suite
 from stayput.report.palette import MODE_COLOURS
 from stayput.verification.options import USUAL
 
@@ -61,6 +64,17 @@ SCENE: dict[str, Any] = {
 
 SCENE_MEASURES: list[dict[str, Any]] = [{"type": "l_bracket"}]
 """Measures to begin with."""
+
+NUMBERS = {
+    "furniture.width": parameter_of(Body, "width"),
+    "furniture.height": parameter_of(Body, "height"),
+    "furniture.mass": parameter_of(Body, "mass"),
+    "furniture.shelves": parameter_of(Part, "mass"),
+    "room.left_wall.gap": parameter_of(Wall, "gap"),
+    "room.ceiling.height": parameter_of(Ceiling, "height"),
+    "shaking.suite.count": parameter_of(synthetic_suite, "count"),
+}
+"""Numbers of a scene that the page asks for."""
 
 
 def presets(limits: Limits) -> PresetsReply:
@@ -93,6 +107,7 @@ def presets(limits: Limits) -> PresetsReply:
         ],
         intensities=[_intensity(name, start) for name, start in CLASSES],
         measures=[_measure(name, kind) for name, kind in MEASURES.items()],
+        numbers={name: _parameter(one) for name, one in NUMBERS.items()},
         modes=[
             ModeReply(id=mode.value, label=Words.of(MODES[mode]), colour=colour)
             for mode, colour in MODE_COLOURS.items()
@@ -163,14 +178,14 @@ def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
 def _parameter(parameter: Parameter) -> ParameterReply:
     return ParameterReply(
         name=parameter.name,
-        default=parameter.default,
+        default=None if parameter.default is MISSING else parameter.default,
         unit=parameter.unit,
         low=parameter.low,
         high=parameter.high,
         confidence=str(parameter.confidence),
         label=Words.of(parameter.label),
         choices=list(parameter.choices),
-        whole=isinstance(parameter.default, int),
+        whole=parameter.whole,
     )
 
 

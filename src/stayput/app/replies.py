@@ -95,7 +95,7 @@ class IntensityReply(Reply):
 
 
 class ParameterReply(Reply):
-    """A parameter of a measure."""
+    """What is known of a field: a measure's parameter, or a number of a scene."""
 
     name: str
     default: float | int | str | None
@@ -159,6 +159,7 @@ class PresetsReply(Reply):
     families: list[FamilyReply]
     intensities: list[IntensityReply]
     measures: list[MeasureReply]
+    numbers: dict[str, ParameterReply] = Field(description="Numbers of a scene by their dotted names.")
     modes: list[ModeReply]
     outcomes: list[NamedReply]
     events: list[NamedReply]

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, cast
 
 from stayput.app.refusals import RefusedError, refused
 from stayput.errors import InputError
+from stayput.model.parameters import parameter_of
+from stayput.motion import sine
 from stayput.scenario import Scenario
 from stayput.verification.options import YOURS
 
@@ -114,15 +116,14 @@ def _check_shaking(shaking: dict[str, Any], limits: Limits, motions: Motions) ->
             raise refused(
                 422, "app.many_masses", f"scene.{place}", name=place, value=count, most=limits.storeys
             )
-    sine = shaking.get("sine")
-    if isinstance(sine, dict):
-        _check_sine(cast("dict[str, Any]", sine), limits)
+    harmonic = shaking.get("sine")
+    if isinstance(harmonic, dict):
+        _check_sine(cast("dict[str, Any]", harmonic), limits)
 
 
-def _check_sine(sine: dict[str, Any], limits: Limits) -> None:
+def _check_sine(table: dict[str, Any], limits: Limits) -> None:
     duration, quiet, dt = (
-        _number(sine.get(key, default))
-        for key, default in (("duration", 30.0), ("quiet", 0.0), ("dt", 0.005))
+        _number(table.get(key, parameter_of(sine, key).default)) for key in ("duration", "quiet", "dt")
     )
     length = duration + quiet
     if length > limits.duration:

@@ -13,7 +13,7 @@ from stayput.app.run_replies import OwnPieceReply, SizeMapReply
 from stayput.app.running import own_measures
 from stayput.errors import InputError
 from stayput.measures import hold
-from stayput.model.body import SIZE_RANGE, Body
+from stayput.model.body import MASS_RANGE, SIZE_RANGE, Body
 from stayput.model.state import State, refuse_bad_start
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
@@ -58,7 +58,7 @@ def scaled_body(body: Body, across: float, up: float) -> Body:
     grown = Body(
         float(np.clip(across * body.width, *SIZE_RANGE)),
         float(np.clip(up * body.height, *SIZE_RANGE)),
-        float(np.clip(area * body.mass, 1e-3, 1e6)),
+        float(np.clip(area * body.mass, *MASS_RANGE)),
         (across * body.cg_offset[0], up * body.cg_offset[1]),
         base_heights=body.base_heights,
     )

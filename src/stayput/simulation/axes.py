@@ -14,6 +14,7 @@ from stayput.motion import Motion
 from stayput.simulation.flat_fields import (
     WALLS_AND_CEILING,
     body_fields,
+    distance_to,
     flat_fields,
     floor_fields,
     room_fields,
@@ -31,24 +32,6 @@ if TYPE_CHECKING:
 
 Axes: TypeAlias = "Mapping[str | tuple[str, ...], Any]"
 
-UNITS = {
-    "width": "m",
-    "height": "m",
-    "mass": "kg",
-    "inertia": "kg m2",
-    "x": "m",
-    "z": "m",
-    "left": "m",
-    "right": "m",
-    "gap": "m",
-    "tilt": "rad",
-    "tilt_rate": "rad/s",
-    "slide": "m",
-    "slide_rate": "m/s",
-    "gravity": "m/s2",
-}
-"""Units by the last word of a path; other numbers have none."""
-
 OBJECT_PATHS: dict[str, tuple[type | tuple[type, ...], Callable[[Any], dict[str, float]]]] = {
     "body": (Body, body_fields),
     "room": (Room, room_fields),
@@ -58,11 +41,6 @@ OBJECT_PATHS: dict[str, tuple[type | tuple[type, ...], Callable[[Any], dict[str,
     "room.ceiling": ((Ceiling, type(None)), lambda ceiling: surface_fields("ceiling", ceiling)),
 }
 """Paths whose values are objects: the types of these, and the function that returns an object's numbers."""
-
-
-def unit_of(path: str) -> str:
-    """Return the unit of a path's numbers, empty where they have none."""
-    return UNITS.get(path.rsplit(".", 1)[-1], "")
 
 
 def base_numbers(case: Case) -> dict[str, float]:
@@ -177,7 +155,7 @@ def _refuse_repeats(axes: list[Axis]) -> None:
 def _refuse_missing_surfaces(base: dict[str, float], axes: list[Axis]) -> None:
     changed = {path for axis in axes for path in axis.columns}
     for name in WALLS_AND_CEILING:
-        distance = f"room.{name}.{'height' if name == 'ceiling' else 'gap'}"
+        distance = distance_to(name)
         touched = [path for path in changed if path.startswith(f"room.{name}.")]
         if touched and distance not in changed and np.isinf(base[distance]):
             raise InputError(

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from stayput.errors import InputError, within
+from stayput.errors import InputError
 from stayput.measures.measure import Held, element_rows, hold
 from stayput.measures.results import DeviceResult, device_results
 from stayput.mechanics import columns as col
 from stayput.model.state import State, refuse_bad_start
 from stayput.motion.units import STANDARD_GRAVITY
-from stayput.simulation.flat_fields import case_columns
+from stayput.simulation.flat_fields import GRAVITY, case_columns
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -307,7 +307,7 @@ def simulate(
     from stayput.mechanics.runner import shaking
 
     start = State() if initial is None else initial
-    within("model.gravity", gravity, 0.01, 1e3, "m/s²", "gravity")
+    GRAVITY.check(gravity)
     if most_events is not None and most_events < 2:
         raise InputError("model.most_events", "most_events", value=most_events)
     refuse_bad_start(body, room, start)

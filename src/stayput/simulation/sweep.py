@@ -10,7 +10,8 @@ import xarray as xr
 from stayput.errors import InputError
 from stayput.execution import Call, ThreadExecutor
 from stayput.mechanics import columns as col
-from stayput.simulation.axes import make_grid, unit_of
+from stayput.simulation.axes import make_grid
+from stayput.simulation.flat_fields import unit_of
 from stayput.simulation.many import groups_of, prepared_motions, run_grid
 from stayput.simulation.results import HISTORIES, OUTCOMES, QUANTITIES
 from stayput.simulation.run import trace_held

@@ -1,7 +1,7 @@
 """Grades of options: how well founded are the inputs that decide the outcome, and which is the weakest.
 
-What each grade means, and which parameters of a measure decide, stands with the parameters:
-`stayput.measures.parameters`. The earthquakes are the question itself, so they have no grade.
+What each grade means stands in `stayput.measures.parameters`, and with the parameters whether they decide.
+The earthquakes are what is asked, so they have no grade.
 """
 
 from __future__ import annotations
@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.measures import hold
-from stayput.measures.parameters import GIVEN, GRADE_OF, Grade, parameters
+from stayput.measures.parameters import GRADE_OF, Grade
 from stayput.model.furniture import FURNITURE
+from stayput.model.parameters import GIVEN, parameters
 from stayput.uncertainty import Confidence
 from stayput.wording import inside
 
@@ -35,7 +36,7 @@ class Input:
     label : Phrase
         What it is, in English and Japanese.
     tag : str
-        A `stayput.uncertainty.Confidence`, or `stayput.measures.parameters.GIVEN`.
+        A `stayput.uncertainty.Confidence`, or `stayput.model.parameters.GIVEN`.
     """
 
     label: Phrase

@@ -1,6 +1,6 @@
 // The scene in the page's address, so that a link shows it again.
 
-import { clamp, plain, RANGES } from "./scene.js";
+import { clamp, limitsOf, plain } from "./scene.js";
 
 const round = (value) => String(Number(value.toPrecision(6)));
 const NUMBERS = [
@@ -38,8 +38,6 @@ export function toHash(scene) {
   return pairs.toString();
 }
 
-const within = (value, name) => clamp(value, RANGES[name]);
-
 /** The value of a measure's parameter, or nothing where it makes no sense. */
 function allowed(about, text) {
   if (about.choices?.length) return about.choices.includes(text) ? text : undefined;
@@ -68,6 +66,7 @@ function measured(text, presets) {
 
 /** The scene of an address; what is missing or makes no sense there is as in the scene given. */
 export function fromHash(hash, presets, start) {
+  const within = (value, name) => clamp(value, limitsOf(presets, name));
   const pairs = new URLSearchParams(hash.replace(/^#/, ""));
   const scene = { ...structuredClone(plain), ...start };
   const lists = {

@@ -24,8 +24,8 @@ export const plain = {
   measures: {},
 };
 
-/** What the fields allow: lengths in m, masses in kg. */
-export const RANGES = {
+/** How far the sliders reach: lengths in m, masses in kg. */
+const REACH = {
   width: [0.15, 1.2],
   height: [0.3, 2.6],
   mass: [1, 800],
@@ -33,11 +33,34 @@ export const RANGES = {
   centre: [0.2, 0.8],
   gap: [0, 0.5],
   ceiling: [1.8, 3.5],
-  storeys: [0, 60],
-  storey: [1, 60],
   intensity: [3.5, 7],
-  member: [1, 40],
 };
+
+/** What the server calls the numbers of which it knows more. */
+const NAMES = {
+  width: "furniture.width",
+  height: "furniture.height",
+  mass: "furniture.mass",
+  load: "furniture.shelves",
+  gap: "room.left_wall.gap",
+  ceiling: "room.ceiling.height",
+};
+
+/** The smallest and the largest value of a number of the scene. */
+export function limitsOf(presets, name) {
+  if (name === "storeys") return [0, presets.limits.storeys];
+  if (name === "storey") return [1, presets.limits.storeys];
+  if (name === "member") return [1, presets.numbers["shaking.suite.count"].default];
+  const about = presets.numbers[NAMES[name]];
+  return about ? [about.low, about.high] : REACH[name];
+}
+
+/** What the slider of a number of the scene is made with; lengths are shown in cm. */
+export function numberOf(presets, name) {
+  const limits = limitsOf(presets, name),
+    unit = presets.numbers[NAMES[name]]?.unit ?? "";
+  return { range: REACH[name] ?? limits, limits, ...(unit === "m" ? { unit: "cm", factor: 100 } : { unit }) };
+}
 
 /** A value within a range. */
 export const clamp = (value, [low, high]) => Math.min(high, Math.max(low, value));

@@ -71,7 +71,7 @@ const refusal = (words) => el("p", { class: "refusal", role: "alert" }, ...words
 function asking(file, said, field) {
   const unit = () =>
     el("select", { id: "unit" }, ...UNITS.map((one) => el("option", { value: one, text: one })));
-  const dt = () => el("input", { id: "step", type: "number", min: "0.0001", max: "1", step: "any" });
+  const dt = () => el("input", { id: "step", type: "number", step: "any" });
   const component = () => el("input", { id: "component", type: "text" });
   const missing = { unit: { unit, dt }, dt: { dt }, component: { component } }[field];
   if (!missing) return null;

@@ -10,13 +10,13 @@ import { number, percent, t, within } from "./words.js";
 
 const jobs = line();
 let storey = Number(recalled("whatif")) || 20,
-  most = 60,
+  most = 1,
   answer = null,
   failed = null;
 
 /** Builds the question; "again" is called with each new floor. */
 export function build(presets, again) {
-  most = Math.min(60, presets.limits?.storeys ?? 60);
+  most = presets.limits.storeys;
   storey = Math.round(Math.min(most, Math.max(1, storey)));
   const field = el("input", {
     type: "number",

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase, say
-from stayput.measures.parameters import GIVEN
+from stayput.model.parameters import GIVEN
 from stayput.report.verdict.words import named
 from stayput.uncertainty import USUAL, Lognormal, Normal, Uniform
 from stayput.verification.grades import building_tag, floor_tag, furniture_tag
