@@ -97,16 +97,16 @@ def load() -> float:
 
 def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
     """Runs, seconds and CPU seconds of the kernel alone: rows and motions ready, blocks over threads."""
-    from stayput.inventory.city import read_cities
     from stayput.inventory.header import header_of
     from stayput.inventory.items import RowReader
-    from stayput.inventory.store import thing_of
+    from stayput.inventory.scenarios import read_scenarios
+    from stayput.inventory.store import piece_of
     from stayput.inventory.tables import open_table
     from stayput.montecarlo.hazard import Ground, PreparedFloor
     from stayput.montecarlo.sampling import Settings, draws, rows_of
     from stayput.simulation.columns import run_rows
 
-    cities = read_cities(scenario)
+    cities = read_scenarios(scenario)
     city = cities.all[0]
     reader, settings = RowReader(cities), Settings.of(city.scenario, len(city.ground), 0.1)
     ground = Ground(city.ground)
@@ -118,7 +118,7 @@ def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
         header = header_of(read.header)
         for number, cells in read.rows:
             (exposure,) = reader.item(number, header.cells(cells)).exposures
-            rows.append(rows_of(*thing_of(exposure.thing), (), drawn, settings.gravity))
+            rows.append(rows_of(*piece_of(exposure.piece), (), drawn, settings.gravity))
     cases = np.stack([row.cases.reshape(settings.motions, -1) for row in rows])
     elements = np.stack([row.elements.reshape(settings.motions, cases.shape[2], -1) for row in rows])
     pieces = []
@@ -210,19 +210,19 @@ def whole(folder: Path) -> list[dict[str, Any]]:
 def kinds(folder: Path) -> list[dict[str, Any]]:
     """Time of a run of a full bookcase by what holds it, on one thread, the best of three."""
     import stayput as sp
-    from stayput.inventory.city import read_cities
-    from stayput.inventory.store import measures_spec, thing_spec
+    from stayput.inventory.scenarios import read_scenarios
+    from stayput.inventory.store import measures_spec, piece_spec
     from stayput.inventory.units import evaluate
     from stayput.measures import MEASURES
     from stayput.montecarlo.hazard import Ground, PreparedFloor
     from stayput.montecarlo.sampling import Settings
 
-    stated = read_cities(city(folder, 160)).all[0]
+    stated = read_scenarios(city(folder, 160)).all[0]
     ground = Ground(stated.ground)
     floor = PreparedFloor.of(ground.acting, ground.factors(6.25, 1.0))
     settings = Settings.of(stated.scenario, len(stated.ground), 0.1)
     room = sp.Room(left_wall=sp.Wall(0.05), ceiling=sp.Ceiling(2.4))
-    unit = [(0, thing_spec(sp.Body(0.3, 1.8, 200.0), room))]
+    unit = [(0, piece_spec(sp.Body(0.3, 1.8, 200.0), room))]
     found = []
     for kind in (None, "wedge_stopper", "gel_mats", "belt", "l_bracket", "tension_pole"):
         spec = measures_spec((MEASURES[kind](),) if kind else ())

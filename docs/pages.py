@@ -20,7 +20,8 @@ import suite_pages
 import validation_run
 
 import stayput as sp
-from stayput.model.furniture import FURNITURE
+from stayput.model.furniture import FURNITURE, Preset
+from stayput.model.parameters import parameters
 from stayput.motion.readers import READERS
 from stayput.scenario.messages import kinds
 from stayput.simulation.results import QUANTITIES
@@ -49,17 +50,12 @@ def surfaces() -> str:
 
 def furniture() -> str:
     """Return the table of furniture presets."""
+    known = parameters(Preset)
     rows = [
-        [
-            name,
-            f"{p.width:g}",
-            f"{p.height:g}",
-            f"{p.mass:g}",
-            f"{p.carcass_mass:g}" if p.carcass_mass else "",
-        ]
-        for name, p in FURNITURE.items()
+        [name, *(f"{value:g}" if (value := getattr(preset, about.name)) else "" for about in known)]
+        for name, preset in FURNITURE.items()
     ]
-    heads = ["preset", "width (depth) [m]", "height [m]", "mass [kg]", "empty carcass [kg]"]
+    heads = ["preset", *(f"{about.label[0]} [{about.unit}]" for about in known)]
     return validation_run.markdown(heads, rows, "lrrrr")
 
 

@@ -1,8 +1,11 @@
-"""What sentences in several places need: names and counts within a sentence, and slides beyond a room."""
+"""Helpers for sentences: their language, names and counts within them, and slides beyond a room."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
+
+from stayput.catalogue import LANGUAGES
+from stayput.errors import InputError
 
 if TYPE_CHECKING:
     from stayput.model.room import Room
@@ -13,6 +16,19 @@ FAR = 3.0
 On casters or glides a piece may go on for ten metres and more where no wall stands in its way: a true result
 of the model, and none of a room.
 """
+
+
+def check_language(language: str) -> str:
+    """Return a language, or refuse it.
+
+    Raises
+    ------
+    InputError
+        It is neither "en" nor "ja".
+    """
+    if language not in LANGUAGES:
+        raise InputError("common.no_language", "language", value=language, languages=", ".join(LANGUAGES))
+    return language
 
 
 def inside(label: str) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import httpx
 
-from stayput.app import verification
+from stayput.app import api
 from stayput.app.addresses import address_of, bind
 from stayput.app.server import create_app, server_of
 
@@ -64,12 +64,12 @@ def client_of(server: Running) -> httpx.Client:
 
 def hold_verifications(patched: pytest.MonkeyPatch) -> threading.Event:
     """Keep verifications at their first simulation until the event is set, however fast the machine is."""
-    go_on, verify = threading.Event(), verification.verify
+    go_on, verify = threading.Event(), api.verify
 
-    def held(scenario: Any, *, told: Callable[[int, int], None], **more: Any) -> Any:
+    def held(scenario: Any, *, on_progress: Callable[[int, int], None], **more: Any) -> Any:
         while not go_on.wait(0.01):
-            told(1, 1000)
-        return verify(scenario, told=told, **more)
+            on_progress(1, 1000)
+        return verify(scenario, on_progress=on_progress, **more)
 
-    patched.setattr(verification, "verify", held)
+    patched.setattr(api, "verify", held)
     return go_on

@@ -29,7 +29,7 @@ GIVEN = {"unit": "gal", "dt": "0.01"}
 
 def test_silent_connections_make_room_and_are_closed() -> None:
     """As many as there may be, and more, of one client."""
-    few = replace(SHORT, header_seconds=2.0, connections=20, connections_of_one=12)
+    few = replace(SHORT, header_seconds=2.0, connections=20, connections_per_client=12)
     with running(few) as server, ExitStack() as stack, client_of(server) as client:
         silent = [stack.enter_context(connected(server)) for _ in range(30)]
         began = time.monotonic()
@@ -76,7 +76,7 @@ def test_a_body_that_drips_is_given_up_soon() -> None:
 
 def test_uploads_that_drip_do_not_block_another() -> None:
     """Not even where they are as many as there may be, and are allowed to be slow."""
-    limits = replace(Limits(), uploads_of_one=2)
+    limits = replace(Limits(), uploads_per_client=2)
     with running(limits) as server, ExitStack() as stack, client_of(server) as client:
         slow = [stack.enter_context(connected(server)) for _ in range(4)]
         for one in slow:
@@ -90,7 +90,7 @@ def test_uploads_that_drip_do_not_block_another() -> None:
 
 
 def test_uploads_that_come_fast_are_not_ended_by_another() -> None:
-    limits = replace(Limits(), uploads_of_one=1)
+    limits = replace(Limits(), uploads_per_client=1)
     with running(limits) as server, connected(server) as first, client_of(server) as client:
         first.sendall(request("/api/v1/motions", HEAD + b"1\n" * 100_000, FORM, length=300_000))
         time.sleep(0.3)
@@ -102,7 +102,7 @@ def test_uploads_that_come_fast_are_not_ended_by_another() -> None:
 
 
 def test_one_client_has_so_many_requests_at_a_time() -> None:
-    with running(replace(Limits(), requests_of_one=2)) as server, ExitStack() as stack:
+    with running(replace(Limits(), requests_per_client=2)) as server, ExitStack() as stack:
         held = [stack.enter_context(connected(server)) for _ in range(2)]
         for one in held:
             one.sendall(request("/api/v1/simulate", b"{", "Content-Type: application/json", length=10))
@@ -145,7 +145,7 @@ def test_who_waits_longest_makes_room_and_nobody_who_is_answered() -> None:
     def made(number: int, address: str, *, waits: bool) -> Connection:
         return cast("Connection", cast("Any", Held(number, address, waits=waits)))
 
-    known = Connections(replace(Limits(), connections=4, connections_of_one=2))
+    known = Connections(replace(Limits(), connections=4, connections_per_client=2))
     assert known.add(made(0, "192.0.2.1", waits=False))
     assert known.add(made(1, "192.0.2.1", waits=True))
     assert known.add(made(2, "192.0.2.1", waits=False))

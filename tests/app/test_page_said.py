@@ -11,6 +11,7 @@ import pytest
 from browsing import COMPILING, PHONE, browser, opened  # noqa: F401
 
 import stayput as sp
+from stayput.model.body import SIZE_RANGE
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -69,11 +70,14 @@ def test_a_number_is_shown_as_it_was_given_and_its_limits_are_said(browser: Brow
         height.press("Tab")
         assert height.input_value() == "181.5"
         assert asked["scene"]["furniture"]["height"] == pytest.approx(1.815)
-        asked, _ = it.simulated(lambda: height.fill("1000"))
-        assert asked["scene"]["furniture"]["height"] == pytest.approx(2.6)
-        assert "From 30 to 260 cm." in it.text("#sizes")
+        asked, _ = it.simulated(lambda: height.fill("310"))  # beyond the slider, and still taken
+        assert asked["scene"]["furniture"]["height"] == pytest.approx(3.1)
+        low, high = SIZE_RANGE
+        asked, _ = it.simulated(lambda: height.fill("100000"))
+        assert asked["scene"]["furniture"]["height"] == pytest.approx(high)
+        assert f"From {100 * low:g} to {100 * high:g} cm." in it.text("#sizes")
         it.simulated(lambda: height.fill("170"))
-        assert "From 30" not in it.text("#sizes")
+        assert "From " not in it.text("#sizes")
 
 
 def test_a_link_whose_record_has_expired_says_so_above_the_picture(browser: Browser, server: Running) -> None:

@@ -21,7 +21,7 @@ from test_api_uploads import RECORD, folder_of, upload
 import stayput as sp
 from stayput.app import reader
 from stayput.app.limits import MEBIBYTE, Limits
-from stayput.app.readers import Readers
+from stayput.app.readers import ReaderPool
 from stayput.errors import InputError, warn
 
 if TYPE_CHECKING:
@@ -38,8 +38,8 @@ ON_POSIX = pytest.mark.skipif(os.name != "posix", reason="signals and limits of 
 
 
 @pytest.fixture
-def readers() -> Iterator[Readers]:
-    found = Readers(Limits())
+def readers() -> Iterator[ReaderPool]:
+    found = ReaderPool(Limits())
     yield found
     found.close()
 
@@ -70,7 +70,7 @@ def gone(pids: set[int]) -> bool:
     return True
 
 
-def test_a_motion_is_the_one_that_is_read_here(tmp_path: Path, readers: Readers) -> None:
+def test_a_motion_is_the_one_that_is_read_here(tmp_path: Path, readers: ReaderPool) -> None:
     path = tmp_path / "record.csv"
     path.write_text(RECORD)
     found, _ = asyncio.run(readers.read(path, unit="gal"))
@@ -80,7 +80,7 @@ def test_a_motion_is_the_one_that_is_read_here(tmp_path: Path, readers: Readers)
 
 
 @pytest.mark.parametrize("text", ["", "hello\n", "0.0,nan\n", "0.0,1\n0.5,1\n0.51,1\n", RECORD])
-def test_refusals_are_the_same_as_here(tmp_path: Path, readers: Readers, text: str) -> None:
+def test_refusals_are_the_same_as_here(tmp_path: Path, readers: ReaderPool, text: str) -> None:
     path = tmp_path / "記録.csv"
     path.write_text(text)
     with pytest.raises(InputError) as here:
@@ -98,8 +98,8 @@ def test_warnings_come_across(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     path = tmp_path / "a"
     path.write_text("1")
     monkeypatch.setattr(reader, "read_motion", read_motion)
-    task = reader.Task(str(path), None, None, None, 9, 10_000, 600.0, 9.0)
-    assert reader.read(task).doubts == ("It is very strong.",)
+    task = reader.ReadingTask(str(path), None, None, None, 9, 10_000, 600.0, 9.0)
+    assert reader.read(task).warnings == ("It is very strong.",)
 
 
 def test_a_file_that_takes_too_long_is_refused_and_others_go_on() -> None:
@@ -166,7 +166,7 @@ def test_a_file_that_needs_too_much_memory_is_refused() -> None:
 
 @ON_POSIX
 def test_a_process_that_died_while_it_waited_is_not_the_file_s_fault(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, readers: Readers
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, readers: ReaderPool
 ) -> None:
     """Its death may come between the look at it and the task."""
     path = tmp_path / "record.csv"
@@ -176,7 +176,7 @@ def test_a_process_that_died_while_it_waited_is_not_the_file_s_fault(
     (first,) = children(os.getpid()) & _readers() - others
     os.kill(first, signal.SIGKILL)
     assert gone({first})
-    monkeypatch.setattr("stayput.app.readers.Reader.alive", property(lambda _: True))
+    monkeypatch.setattr("stayput.app.readers.ReaderProcess.alive", property(lambda _: True))
     found, _ = asyncio.run(readers.read(path, unit="gal"))
     assert found == sp.read_motion(path, unit="gal")
 

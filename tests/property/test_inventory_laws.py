@@ -16,9 +16,9 @@ import stayput as sp
 from stayput.fragility import JMA_INTENSITY, spectral_acceleration
 from stayput.inventory import assess
 from stayput.inventory.cells import number_of, plain
-from stayput.inventory.city import read_cities
 from stayput.inventory.places import ShakeMap, distances, steps_of
 from stayput.inventory.plan import make_plan
+from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.workspace import Workspace
 from stayput.montecarlo.hazard import level_of
 
@@ -38,7 +38,7 @@ CELLS = st.one_of(
 @pytest.fixture(scope="module")
 def cities():
     with tempfile.TemporaryDirectory() as folder:
-        yield read_cities(city(Path(folder)))
+        yield read_scenarios(city(Path(folder)))
 
 
 def planned(cities, content: bytes):

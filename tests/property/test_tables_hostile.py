@@ -19,8 +19,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import stayput as sp
-from stayput.inventory.city import read_cities
 from stayput.inventory.plan import make_plan
+from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.workspace import Workspace
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "unit"))
@@ -92,7 +92,7 @@ def damaged(draw, content: bytes):
 @pytest.fixture(scope="module")
 def cities():
     with tempfile.TemporaryDirectory() as folder:
-        yield read_cities(city(Path(folder)))
+        yield read_scenarios(city(Path(folder)))
 
 
 def check(cities, suffix: str, content: bytes) -> None:

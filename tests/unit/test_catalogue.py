@@ -2,6 +2,7 @@
 
 import ast
 import pickle
+import re
 import string
 from pathlib import Path
 
@@ -43,6 +44,18 @@ def test_each_refusal_names_a_sentence_and_gives_its_values(call):
     assert code.value in TEXTS
     if None not in given:
         assert placeholders(TEXTS[code.value][0]) <= given
+
+
+def test_each_text_that_the_code_names_is_there():
+    """An id that is put together in the code begins like one that there is."""
+    for file in SOURCES:
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if not (isinstance(node, ast.Call) and getattr(node.func, "id", None) in ("phrase", "say")):
+                continue
+            name = node.args[0]
+            start = name.values[0] if isinstance(name, ast.JoinedStr) else name
+            if isinstance(start, ast.Constant) and re.fullmatch(r"[a-z]+\.\w*", start.value):
+                assert any(key.startswith(start.value) for key in TEXTS), (file, start.value)
 
 
 def test_an_error_tells_its_sentence_in_both_languages_and_survives_another_process():

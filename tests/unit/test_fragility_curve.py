@@ -10,7 +10,7 @@ from scipy.optimize import minimize
 from scipy.special import ndtr, ndtri
 
 from stayput import InputError
-from stayput.fragility import JMA_INTENSITY, PFV, PGA, PGV, State, Trials, fragility_curve
+from stayput.fragility import JMA_INTENSITY, PFV, PGA, PGV, CurveState, Trials, fragility_curve
 from stayput.fragility.isotonic import pooled
 
 LEVELS = np.linspace(5.0, 7.0, 11)
@@ -225,7 +225,7 @@ def test_band_of_a_curve_that_barely_rises_stays_with_what_fell() -> None:
     fallen[-1, 0, 0] = True  # 1 of 40, at the top level only
     levels = np.linspace(4.1, 6.95, 20)
     curve = fragility_curve(Trials.from_runs(JMA_INTENSITY, levels, fallen))
-    assert curve.state is State.FITTED
+    assert curve.state is CurveState.FITTED
     _, high = curve.band(curve.grid(200))
     assert high.max() < 0.25
     assert curve.capacity(0.1).text == "> 6.95 (unsure)"
@@ -259,28 +259,28 @@ def _counts(fell: list[int], runs: int = 100, im: tuple[float, ...] = (5.0, 5.5,
 @pytest.mark.parametrize(
     ("fell", "state", "half"),
     [
-        ([0, 0, 0, 0], State.NONE_FELL, "> 6.50"),
-        ([100, 100, 100, 100], State.ALL_FELL, "< 5.00"),
-        ([0, 0, 100, 100], State.ABRUPT, "between 5.50 and 6.00"),
-        ([0, 30, 100, 100], State.FITTED, "between 5.50 and 6.00"),
-        ([0, 70, 100, 100], State.FITTED, "between 5.00 and 5.50"),
-        ([0, 0, 0, 30], State.FITTED, "> 6.50"),
-        ([20], State.ONE_LEVEL, "> 5.00"),
-        ([80], State.ONE_LEVEL, "< 5.00"),
-        ([50, 40, 30, 20], State.NO_TREND, "unknown"),
-        ([30, 30, 30, 30], State.NO_TREND, "unknown"),
-        ([100, 100, 0, 0], State.NO_TREND, "unknown"),
-        ([1, 2, 4, 9], State.FITTED, "> 6.50"),
-        ([90, 93, 97, 99], State.FITTED, "< 5.00"),
+        ([0, 0, 0, 0], CurveState.NONE_FELL, "> 6.50"),
+        ([100, 100, 100, 100], CurveState.ALL_FELL, "< 5.00"),
+        ([0, 0, 100, 100], CurveState.ABRUPT, "between 5.50 and 6.00"),
+        ([0, 30, 100, 100], CurveState.FITTED, "between 5.50 and 6.00"),
+        ([0, 70, 100, 100], CurveState.FITTED, "between 5.00 and 5.50"),
+        ([0, 0, 0, 30], CurveState.FITTED, "> 6.50"),
+        ([20], CurveState.ONE_LEVEL, "> 5.00"),
+        ([80], CurveState.ONE_LEVEL, "< 5.00"),
+        ([50, 40, 30, 20], CurveState.NO_TREND, "unknown"),
+        ([30, 30, 30, 30], CurveState.NO_TREND, "unknown"),
+        ([100, 100, 0, 0], CurveState.NO_TREND, "unknown"),
+        ([1, 2, 4, 9], CurveState.FITTED, "> 6.50"),
+        ([90, 93, 97, 99], CurveState.FITTED, "< 5.00"),
     ],
 )
-def test_in_words_where_there_is_no_number(fell: list[int], state: State, half: str) -> None:
+def test_in_words_where_there_is_no_number(fell: list[int], state: CurveState, half: str) -> None:
     curve = fragility_curve(_counts(fell))
     found = curve.capacity(0.5)
     assert (curve.state, found.text) == (state, half)
     assert np.isnan(found.estimate)
     assert curve.text
-    if state is not State.FITTED:
+    if state is not CurveState.FITTED:
         assert curve.lognormal is None
         assert np.isnan(curve.probability([6.0])[0])
 
@@ -340,7 +340,7 @@ def test_curve_that_hangs_on_one_motion_is_open() -> None:
     missing = np.zeros_like(fallen)
     missing[1:, 1:] = True
     curve = fragility_curve(Trials.from_runs(JMA_INTENSITY, LEVELS, fallen, missing))
-    assert curve.state is State.FITTED
+    assert curve.state is CurveState.FITTED
     found = curve.capacity()
     assert (found.low, found.high) == (-np.inf, np.inf)
     assert np.array(curve.band([6.0])).ravel() == pytest.approx([0.0, 1.0])
@@ -362,3 +362,17 @@ def test_curve_that_hangs_on_one_motion_is_open() -> None:
 def test_refused(call: object, part: str) -> None:
     with pytest.raises(InputError, match=part):
         call()  # type: ignore[operator]
+
+
+def test_results_are_said_in_both_languages() -> None:
+    curve = fragility_curve(Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40]))
+    assert (
+        curve.text
+        == "Half fall at PGA 4.17 m/s² (3.22 to 5.23), 10 % at 2 m/s² (below what was run to 2.59)."
+    )
+    assert curve.texts[1].startswith("半数が転倒するPGAは4.17 m/s²（3.22〜5.23）")
+    assert curve.lognormal is not None
+    assert curve.lognormal.texts[1].startswith("対数正規分布の曲線が合います：中央値 4.07 m/s²")
+    none = fragility_curve(Trials.from_counts(PGA, [2.0, 4.0], [0, 0], [40, 40]))
+    assert none.capacity(0.5).texts == ("> 4 m/s²", "4 m/s²超")
+    assert none.texts[1] == "PGA 4 m/s²まで、80件の計算はどれも転倒しませんでした。"

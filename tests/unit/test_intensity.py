@@ -17,7 +17,7 @@ from stayput.motion.intensity import (
     mercalli,
     published_intensity,
 )
-from stayput.motion.measures import Shaking, SpectralMeasures
+from stayput.motion.measures import Intensities, SpectralMeasures
 
 
 @pytest.mark.parametrize(
@@ -76,7 +76,7 @@ def test_still_floor_has_none_and_cannot_be_scaled():
     assert still.intensity == -math.inf
     with pytest.raises(InputError, match="still floor"):
         still.to_intensity(5.0)
-    told = Shaking.of(still)
+    told = Intensities.of(still)
     assert (told.published, told.intensity_class, told.long_period_class) == (0.0, "0", 0)
     assert math.isnan(SpectralMeasures.of(still).mean_period)
 

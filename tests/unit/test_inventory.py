@@ -21,9 +21,9 @@ import stayput as sp
 from stayput.cli.assess import assess as command
 from stayput.inventory import assess
 from stayput.inventory.assess import memory_of
-from stayput.inventory.city import read_cities
 from stayput.inventory.report import storey_map
 from stayput.inventory.results import choose
+from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.summary import Total
 from stayput.measures import MEASURES, element_rows, hold
 from stayput.model.state import State
@@ -175,7 +175,7 @@ def test_neither_threads_nor_memory_nor_parts_change_a_bit(tmp_path, monkeypatch
     inventory, scenario = table(tmp_path, pieces(60)), city(tmp_path)
     one = assess(inventory, scenario, tmp_path / "one", threads=1, progress=False)
     monkeypatch.setattr("stayput.inventory.work.SECONDS", 0.001)
-    monkeypatch.setattr("stayput.inventory.work.KEEP_AFTER", 0.0)
+    monkeypatch.setattr("stayput.inventory.work.SAVE_AFTER", 0.0)
     other = assess(inventory, scenario, tmp_path / "other", threads=4, memory="256MB", progress=False)
     assert digests(one.folder) == digests(other.folder)
 
@@ -242,7 +242,7 @@ def test_scenarios_without_a_station_are_events_for_all(tmp_path):
     assert set(done.summary.events) == {"a", "b"}
     city(folder, CITY + STATION.format(lat=35.0, lon=135.0), "c.toml")
     with pytest.raises(sp.InputError, match=r"a\.toml has no \[station\]"):
-        read_cities(folder)
+        read_scenarios(folder)
 
 
 @pytest.mark.parametrize("kind", [None, *MEASURES])

@@ -39,7 +39,7 @@ def client(expected):  # after it, so that the workers find compiled code
 @pytest.fixture
 def many_tasks(monkeypatch):
     monkeypatch.setattr("stayput.inventory.work.SECONDS", 0.02)
-    monkeypatch.setattr("stayput.inventory.work.KEEP_AFTER", 0.0)
+    monkeypatch.setattr("stayput.inventory.work.SAVE_AFTER", 0.0)
 
 
 def test_a_cluster_gives_the_same_bytes(inputs, expected, client, tmp_path):

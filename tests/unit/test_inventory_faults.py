@@ -33,7 +33,7 @@ def slowly(inventory: Path, scenario: Path, out: Path) -> None:
     """Assess in many small steps, each of which leaves files."""
     from stayput.inventory import plan, work
 
-    plan.IN_A_PART, work.SECONDS, work.KEEP_AFTER = 20, 0.01, 0.0
+    plan.ROWS_PER_PART, work.SECONDS, work.SAVE_AFTER = 20, 0.01, 0.0
     assess(inventory, scenario, out, threads=2, progress=False)
 
 
@@ -64,15 +64,15 @@ def children(inputs, tmp_path_factory):
 
 @pytest.fixture
 def small_parts(monkeypatch):
-    monkeypatch.setattr("stayput.inventory.plan.IN_A_PART", 20)
+    monkeypatch.setattr("stayput.inventory.plan.ROWS_PER_PART", 20)
     monkeypatch.setattr("stayput.inventory.work.SECONDS", 0.05)
-    monkeypatch.setattr("stayput.inventory.work.KEEP_AFTER", 0.0)
+    monkeypatch.setattr("stayput.inventory.work.SAVE_AFTER", 0.0)
 
 
 @pytest.fixture(scope="module")
 def expected(inputs, tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("stayput.inventory.plan.IN_A_PART", 20)
+        patch.setattr("stayput.inventory.plan.ROWS_PER_PART", 20)
         done = assess(*inputs, tmp_path_factory.mktemp("expected") / "out", progress=False)
     return digests(done.folder)
 

@@ -11,8 +11,8 @@ from inventories import city, rows_of_results, table
 import stayput as sp
 from stayput.fragility import spectral_acceleration
 from stayput.inventory import assess
-from stayput.inventory.city import read_cities
 from stayput.inventory.places import read_shakemap
+from stayput.inventory.scenarios import read_scenarios
 from stayput.montecarlo.hazard import factors_to_level_zero
 
 GRID = ["35,135,5", "35,136,6", "36,135,6", "36,136,7"]
@@ -69,7 +69,7 @@ def test_motions_have_the_sa_of_the_map(tmp_path, floors, period):
     inventory = table(tmp_path, ["p,chest,35,135", "q,chest,35.5,135.5"], "id,preset,lat,lon")
     scenario = city(tmp_path)
     done = assess(inventory, scenario, tmp_path / "out", shakemap=grid, threads=1, progress=False)
-    ground = read_cities(scenario).all[0].ground
+    ground = read_scenarios(scenario).all[0].ground
     for row, floor, wanted in zip(rows_of_results(done), floors.values(), (0.1, 0.4), strict=True):
         assert row["sa"] == pytest.approx(wanted, rel=0.03)
         felt = [motion.scaled(float(k)) for motion, k in zip(ground, floor.scales, strict=True)]

@@ -183,9 +183,9 @@ def test_a_file_of_others_in_a_plan_that_was_left_half_made_is_named(done):
 def test_a_plan_is_removed_with_all_that_it_consists_of(finished, tmp_path):
     (tmp_path / "work").mkdir()
     space = Workspace(tmp_path / "work")
-    from stayput.inventory.city import read_cities
+    from stayput.inventory.scenarios import read_scenarios
 
-    make_plan(space, finished[0][0], read_cities(finished[0][1]), 2**20, lambda count: None)
+    make_plan(space, finished[0][0], read_scenarios(finished[0][1]), 2**20, lambda count: None)
     remove(tmp_path / "work" / "plan")
     assert not (tmp_path / "work" / "plan").exists()
 

@@ -15,9 +15,9 @@ from inventories import HEADER, city, table
 
 import stayput as sp
 from stayput.inventory import assess
-from stayput.inventory.city import read_cities
 from stayput.inventory.header import header_of
 from stayput.inventory.plan import make_plan
+from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.tables import open_table
 from stayput.inventory.workspace import Workspace
 
@@ -28,7 +28,7 @@ def plan(folder, file):
     """Facts and rejects of a table."""
     work = folder / "plan"
     work.mkdir()
-    facts = make_plan(Workspace(work), file, read_cities(city(folder)), 2**24, lambda count: None)
+    facts = make_plan(Workspace(work), file, read_scenarios(city(folder)), 2**24, lambda count: None)
     return facts, pq.read_table(work / "plan" / "rejects.parquet").to_pylist()
 
 
@@ -132,7 +132,7 @@ def test_encodings_are_tried_in_turn(tmp_path, encoding, how):
     file = tmp_path / "inventory.csv"
     file.write_bytes("id,preset\n本棚,bookcase\n".encode(encoding))
     with open_table(file) as read:
-        assert read.how == how
+        assert read.read_as == how
         assert read.header == ["id", "preset"]
         assert next(read.rows) == (2, ["本棚", "bookcase"])
 

@@ -43,7 +43,7 @@ def keep_and_kill(*arguments, write=work.write_records):
     write(*arguments)
     os.kill(int(sys.argv[1]), signal.SIGKILL)
 
-work.SECONDS, work.KEEP_AFTER, work.write_records = 0.005, 0.0, keep_and_kill
+work.SECONDS, work.SAVE_AFTER, work.write_records = 0.005, 0.0, keep_and_kill
 assess(**json.loads(sys.argv[2]))
 """
 """Kills the scheduler as soon as the first outcomes are kept, when most of the work is still to do."""

@@ -1,8 +1,9 @@
-"""Each part of the package imports only from those below it."""
+"""Each part of the package imports only from those below it, and no two of its types share a name."""
 
 from __future__ import annotations
 
 import ast
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -70,3 +71,22 @@ def test_a_part_imports_from_those_below(part):
         if LEVELS[other] > LEVELS[part] and (loading or other != DRAWN)
     ]
     assert not wrong
+
+
+def types(file: Path) -> list[str]:
+    """Return the names of a module's classes and of its aliases of types, which are written like classes."""
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    names = [node.name for node in ast.walk(tree) if isinstance(node, ast.ClassDef)]
+    checked = [node for node in tree.body if isinstance(node, ast.If)]  # types that only a checker reads
+    for node in (*tree.body, *(inner for block in checked for inner in block.body)):
+        if isinstance(node, ast.Assign | ast.AnnAssign):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            assigned = [target.id for target in targets if isinstance(target, ast.Name)]
+            names += [name for name in assigned if name[0].isupper() and not name.isupper()]
+    return names
+
+
+def test_no_two_types_share_a_name():
+    """A reader who meets a name knows which it is, wherever that is."""
+    count = Counter(name for file in SOURCES.rglob("*.py") for name in types(file))
+    assert not [name for name, times in count.items() if times > 1]

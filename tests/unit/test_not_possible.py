@@ -19,7 +19,7 @@ from stayput.report.verdict.html import report_html
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.tables import verdict_csv
 from stayput.verification import verify
-from stayput.verification.options import Impossible, Option, compared
+from stayput.verification.options import Impossible, Option, compared_options
 
 TABLES = {
     "furniture": {"preset": "chest"},
@@ -88,7 +88,7 @@ def test_its_curve_is_missed_with_the_reason(tmp_path):
 
 
 def test_usual_measures_that_do_not_fit_are_not_possible_either():
-    options, impossible = compared(scenario(room={"floor": "carpet"}))
+    options, impossible = compared_options(scenario(room={"floor": "carpet"}))
     assert "felt_glides" in {option.name for option in options}
     reasons = {one.option.name: one for one in impossible}
     assert {"l_bracket", "belt", "tension_pole", "wedge_stopper + tension_pole"} <= set(reasons)

@@ -192,9 +192,18 @@ def test_the_html_page_stands_alone_and_holds_the_histories(tmp_path):
     assert [mode for _, mode in run["modes"]] == ["rest", "slide", "rest", "rock", "overturned"]
 
 
+def test_the_html_page_is_in_the_language_that_is_wanted(tmp_path):
+    page = animate_run(falling(), tmp_path / "a.html", name="本棚", language="ja").read_text(encoding="utf-8")
+    assert '<html lang="ja">' in page
+    for text in ("本棚は", "再生", "一時停止", "傾き", "床の加速度：", "転倒"):
+        assert text in page
+    assert "Space plays" not in page
+
+
 @pytest.mark.parametrize(
     ("name", "options", "message"),
     [
+        ("a.html", {"language": "fr"}, "language is 'fr'"),
         ("a.avi", {}, "must end in .gif, .mp4, .html"),
         ("nowhere/a.gif", {}, "its folder must exist"),
         ("a.gif", {"fps": 0.0}, "fps is 0"),

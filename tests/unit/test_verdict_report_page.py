@@ -169,7 +169,7 @@ def test_where_nothing_helps_there_is_one_side():
     bare = replace(verdict, options=(verdict.options[1], verdict.options[0], verdict.options[2]))
     ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
     assert [len(pair.sides) for pair in pairs_of(bare, ground)] == [1, 1]
-    assert word("typical_bare_told", "en") in Page(report_html(bare)).words
+    assert word("typical_bare_text", "en") in Page(report_html(bare)).words
 
 
 def test_a_scene_shows_the_time_in_which_something_happens():
@@ -204,7 +204,7 @@ def test_a_replay_is_the_run_that_was_counted(initial):
     verdict = verdict_cases.made({**verdict_cases.SCENARIO, "initial": initial})
     scenario = verdict.scenario
     ground = scenario.shaking.ground(scenario.folder)
-    floors = Hazard(ground, vertical=True).as_given(scenario.shaking.scale)
+    floors = Hazard(ground, vertical=True).stated(None, scenario.shaking.scale)
     body, room = scenario.furniture.body(), scenario.room.room()
     drawn = draws(1, 3, verdict.seed)
     start = scenario.initial.state()
@@ -236,7 +236,7 @@ def test_ticks_are_round_and_inside():
 
 @pytest.mark.parametrize("most", np.geomspace(0.11, 9.7, 20))
 def test_a_history_has_a_tick_on_each_side_of_nothing(most):
-    x = svg.Axis(0.0, 1.0, 0.0, 1.0)
+    x = svg.PixelAxis(0.0, 1.0, 0.0, 1.0)
     line = np.linspace(0.0, 1.0, 9), np.linspace(0.0, most, 9), 0
     told = re.findall(
         r"<text[^>]*>([^<]+)<", "".join(_panel(x, (0.0, 90.0), [line], "Tilt", "run", math.inf))

@@ -1,4 +1,4 @@
-"""The address that the server is bound to, and who else can reach it."""
+"""The address that the server is bound to, and the warning where other machines can reach it."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ from stayput.errors import InputError
 _ELSEWHERE = {socket.AF_INET: "192.0.2.1", socket.AF_INET6: "2001:db8::1"}
 """Addresses for documentation: nobody has them, and a socket of datagrams that is connected sends nothing."""
 
-MEANING = (
+NO_PROTECTION = (
     "There is no password and no encryption: whoever reaches it can use this machine's time and read what "
     "goes over the network. Do this only in a network that you trust; without --host only this machine can."
 )
 
 
 def warning_of(bound: socket.socket) -> str | None:
-    """Return what is to be said of a bound socket that other machines can reach, or None where none can."""
+    """Return the warning about a bound socket that other machines can reach, or None where none can."""
     host, port = str(bound.getsockname()[0]), int(bound.getsockname()[1])
     address = ipaddress.ip_address(host.partition("%")[0])
     if address.is_loopback:
         return None
-    reached = own_addresses(bound.family) if address.is_unspecified else [host]
-    shown = [f"http://[{one}]:{port}/" if ":" in one else f"http://{one}:{port}/" for one in reached]
-    where = ", ".join(shown) or f"port {port} of every address of this machine"
-    return f"Warning: other machines can reach stayput, at {where}. {MEANING}"
+    reachable = own_addresses(bound.family) if address.is_unspecified else [host]
+    urls = [_url(ip, port) for ip in reachable]
+    where = ", ".join(urls) or f"port {port} of every address of this machine"
+    return f"Warning: other machines can reach stayput, at {where}. {NO_PROTECTION}"
 
 
 def own_addresses(family: socket.AddressFamily | int) -> list[str]:
@@ -37,15 +37,19 @@ def own_addresses(family: socket.AddressFamily | int) -> list[str]:
     family : socket.AddressFamily
         AF_INET, or AF_INET6, which reaches both kinds.
     """
-    found: list[str] = []
+    addresses: list[str] = []
     for kind in (socket.AF_INET, *((socket.AF_INET6,) if family == socket.AF_INET6 else ())):
         with suppress(OSError), socket.socket(kind, socket.SOCK_DGRAM) as probe:
             probe.connect((_ELSEWHERE[kind], 9))
-            found.append(str(probe.getsockname()[0]))
+            addresses.append(str(probe.getsockname()[0]))
         with suppress(OSError):
-            found += [str(info[4][0]) for info in socket.getaddrinfo(socket.gethostname(), None, kind)]
-    known = {one: ipaddress.ip_address(one.partition("%")[0]) for one in found}  # each once, in this order
-    return [one for one, it in known.items() if not (it.is_loopback or it.is_link_local or it.is_unspecified)]
+            addresses += [str(info[4][0]) for info in socket.getaddrinfo(socket.gethostname(), None, kind)]
+
+    def known_elsewhere(address: str) -> bool:
+        ip = ipaddress.ip_address(address.partition("%")[0])
+        return not (ip.is_loopback or ip.is_link_local or ip.is_unspecified)
+
+    return [address for address in dict.fromkeys(addresses) if known_elsewhere(address)]
 
 
 def bind(host: str, port: int) -> socket.socket:
@@ -57,24 +61,27 @@ def bind(host: str, port: int) -> socket.socket:
         The address cannot be bound to.
     """
     try:
-        family, kind, protocol, _, place = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
-        found = socket.socket(family, kind, protocol)
+        family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+        listener = socket.socket(family, kind, protocol)
         try:
-            found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            found.bind(place)
-            found.listen(128)
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            listener.bind(address)
+            listener.listen(128)
         except OSError:
-            found.close()
+            listener.close()
             raise
     except (OSError, UnicodeError, OverflowError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
         raise InputError("app.not_served", host=host, port=port, reason=reason) from None
-    found.setblocking(False)
-    return found
+    listener.setblocking(False)
+    return listener
 
 
 def address_of(bound: socket.socket) -> str:
     """Return the address of a bound socket as a browser takes it."""
     host, port = str(bound.getsockname()[0]), int(bound.getsockname()[1])
-    shown = {"0.0.0.0": "127.0.0.1", "::": "::1"}.get(host, host)
-    return f"http://[{shown}]:{port}/" if ":" in shown else f"http://{shown}:{port}/"
+    return _url({"0.0.0.0": "127.0.0.1", "::": "::1"}.get(host, host), port)
+
+
+def _url(host: str, port: int) -> str:
+    return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"

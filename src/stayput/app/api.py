@@ -1,4 +1,4 @@
-"""The API's routes: each reads, lets a worker compute, and sends what came out."""
+"""The API's routes: each reads its request, computes on a worker's thread, and returns a response."""
 
 from __future__ import annotations
 
@@ -24,13 +24,15 @@ from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotation
 )
 from stayput.app.run_replies import SimulateReply, SizeMapReply
 from stayput.app.running import simulated
-from stayput.app.scenes import uploaded
+from stayput.app.scenes import uploaded_motions
 from stayput.app.service import Service, json_response, problems
 from stayput.app.size_map import size_map
 from stayput.app.uploads import read_upload
 from stayput.app.verdict_replies import JobReply
-from stayput.app.verification import job_reply, runs_of, verified, with_options
+from stayput.app.verification import job_reply, runs_of, with_options
+from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annotations
 from stayput.report.verdict.tables import verdict_csv
+from stayput.verification import verify
 from stayput.verification.compare import LEVELS
 
 if TYPE_CHECKING:
@@ -41,11 +43,11 @@ if TYPE_CHECKING:
     from stayput.verification import Verdict
 
 Name = Annotated[str, Path(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")]
-Language = Literal["en", "ja"]
-Component = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
 
-LOOK = 0.5
-"""How often a request that takes long looks whether its client has left [s]."""
+ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
+
+POLL_INTERVAL = 0.5
+"""How often a long request checks whether its client has left [s]."""
 
 UPLOAD_FORM: dict[str, Any] = {
     "requestBody": {
@@ -97,11 +99,11 @@ def _add_general(router: APIRouter, service: Service) -> None:
         tags=["general"],
         responses={200: {"content": {"application/toml": {}}}, **problems(400, 413, 422, 503)},
     )
-    async def toml(asked: TomlRequest) -> Response:
+    async def toml(body: TomlRequest) -> Response:
         """Return a scene as a scenario file."""
 
         def work() -> Response:
-            scenario = service.scene(asked.scene, asked.measures)
+            scenario = service.scene(body.scene, body.measures)
             return attachment(
                 scene_toml(scenario, service.motions), "scenario.toml", "application/toml; charset=utf-8"
             )
@@ -113,13 +115,13 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     refusals = problems(400, 413, 422, 503)
 
     @router.post("/simulate", response_model=SimulateReply, tags=["runs"], responses=refusals)
-    async def simulate(asked: SimulateRequest) -> Response:
+    async def simulate(body: SimulateRequest) -> Response:
         """Run a scene without and with measures."""
 
         def work() -> Response:
-            found = simulated(service.scene(asked.scene, asked.measures))
-            found.motion.name = service.motions.named(found.motion.name)
-            return json_response(found)
+            reply = simulated(service.scene(body.scene, body.measures))
+            reply.motion.name = service.motions.named(reply.motion.name)
+            return json_response(reply)
 
         return await service.workers.run(work)
 
@@ -130,44 +132,47 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         responses={200: {"content": {"text/csv": {}}}, **refusals},
     )
     async def simulate_csv(
-        asked: SimulateRequest, which: Annotated[Literal["without", "with"], Query()] = "without"
+        body: SimulateRequest, which: Annotated[Literal["without", "with"], Query()] = "without"
     ) -> Response:
         """Run a scene without or with measures; return its histories at the record's samples."""
 
         def work() -> Response:
-            scenario = service.scene(asked.scene, asked.measures)
+            scenario = service.scene(body.scene, body.measures)
             text = run_csv(scenario, held=which == "with")
             return attachment(text, f"run_{which}.csv", "text/csv; charset=utf-8")
 
         return await service.slow.run(work)
 
     @router.post("/size-map", response_model=SizeMapReply, tags=["runs"], responses=refusals)
-    async def map_of_sizes(asked: SizeMapRequest, request: Request) -> Response:
+    async def map_of_sizes(body: SizeMapRequest, request: Request) -> Response:
         """Return which pieces of this kind overturn in which shaking; it stops when the client has left."""
-        left = threading.Event()
+        client_left = threading.Event()
 
         def work() -> Response:
-            if left.is_set():
+            if client_left.is_set():
                 raise StoppedError
-            scenario = service.scene(asked.scene, asked.measures)
+            scenario = service.scene(body.scene, body.measures)
             threads = service.limits.threads
-            return json_response(size_map(scenario, asked.axis, threads, lambda: not left.is_set()))
+            return json_response(size_map(scenario, body.axis, threads, lambda: not client_left.is_set()))
 
         async def watch() -> None:
             while not await request.is_disconnected():
-                await asyncio.sleep(LOOK)
-            left.set()
+                await asyncio.sleep(POLL_INTERVAL)
+            client_left.set()
 
-        watching = asyncio.create_task(watch())
+        watcher = asyncio.create_task(watch())
         try:
             return await service.slow.run(work)
         except StoppedError:
             return Response(status_code=204)  # which nobody reads
         finally:
-            watching.cancel()
+            watcher.cancel()
 
 
 def _add_jobs(router: APIRouter, service: Service) -> None:
+    def reply_of(job: Job) -> JobReply:
+        return job_reply(job, service.motions.with_file_names)
+
     @router.post(
         "/verify",
         status_code=202,
@@ -175,24 +180,29 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         tags=["verification"],
         responses=problems(400, 413, 422, 429, 503),
     )
-    async def start(asked: VerifyRequest) -> Response:
+    async def start(body: VerifyRequest) -> Response:
         """Begin a verification: it goes on as a job."""
+        levels = LEVELS if body.curves else LEVELS[:0]
 
         def prepare() -> tuple[Scenario, int]:
-            scenario = service.scene(asked.scene, asked.measures)
-            whole = with_options(scenario, asked.scene, asked.compare_usual)
-            return whole, runs_of(whole, service.limits, len(LEVELS) if asked.curves else 0)
+            scenario = service.scene(body.scene, body.measures)
+            extended = with_options(scenario, body.scene, body.compare_usual)
+            return extended, runs_of(extended, service.limits, len(levels))
 
         scenario, runs = await service.workers.run(prepare)
 
-        def work(told: Callable[[int, int], None]) -> Verdict:
-            threads = service.limits.threads
-            return verified(scenario, asked.slide_limit_m, asked.curves, threads, told)
+        def work(on_progress: Callable[[int, int], None]) -> Verdict:
+            return verify(
+                scenario,
+                levels=levels,
+                slide_limit=body.slide_limit_m,
+                threads=service.limits.threads,
+                progress=False,
+                on_progress=on_progress,  # which stops it by an exception
+            )
 
-        job = service.jobs.start(work, runs, uploaded(scenario), asked.lease_s)
-        return json_response(
-            job_reply(job, service.motions.told), 202, {"Location": f"/api/v1/jobs/{job.id}"}
-        )
+        job = service.jobs.start(work, runs, uploaded_motions(scenario), body.lease_s)
+        return json_response(reply_of(job), 202, {"Location": f"/api/v1/jobs/{job.id}"})
 
     @router.get(
         "/jobs/{name}", response_model=JobReply, tags=["verification"], responses=problems(404, 422, 503)
@@ -200,7 +210,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     async def get_job(name: Name) -> Response:
         """Return how a job stands, and its verdict once it is done."""
         job = service.jobs.get(name)
-        return await service.workers.run(lambda: json_response(job_reply(job, service.motions.told)))
+        return await service.workers.run(lambda: json_response(reply_of(job)))
 
     @router.delete(
         "/jobs/{name}", response_model=JobReply, tags=["verification"], responses=problems(404, 422, 503)
@@ -208,7 +218,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     async def cancel_job(name: Name) -> Response:
         """Stop a job; forget one that has ended."""
         job = service.jobs.cancel(name)
-        return await service.workers.run(lambda: json_response(job_reply(job, service.motions.told)))
+        return await service.workers.run(lambda: json_response(reply_of(job)))
 
     def done(name: str) -> tuple[Job, Verdict]:
         job = service.jobs.get(name)
@@ -268,10 +278,10 @@ def _add_motions(router: APIRouter, service: Service) -> None:
     @router.get(
         "/motions/{name}", response_model=MotionReply, tags=["motions"], responses=problems(404, 422, 503)
     )
-    async def about(name: Name, component: Component = None) -> Response:
+    async def about(name: Name, component: ComponentQuery = None) -> Response:
         """Return what is known of an uploaded motion."""
-        kept = await service.motions.with_component(name, component)
-        return await service.workers.run(lambda: json_response(service.motions.about(name, kept)))
+        stored = await service.motions.with_component(name, component)
+        return await service.workers.run(lambda: json_response(service.motions.about(name, stored)))
 
     @router.get(
         "/motions/{name}/preview",
@@ -279,10 +289,10 @@ def _add_motions(router: APIRouter, service: Service) -> None:
         tags=["motions"],
         responses=problems(404, 422, 503),
     )
-    async def preview(name: Name, component: Component = None) -> Response:
+    async def preview(name: Name, component: ComponentQuery = None) -> Response:
         """Return the outline of an uploaded motion."""
-        kept = await service.motions.with_component(name, component)
-        return await service.workers.run(lambda: json_response(service.motions.preview(kept.motion)))
+        stored = await service.motions.with_component(name, component)
+        return await service.workers.run(lambda: json_response(service.motions.preview(stored.motion)))
 
     @router.delete(
         "/motions/{name}",

@@ -1,4 +1,4 @@
-"""Bodies of requests as they come: not too large, not too slow, and uploads only a few at a time."""
+"""Limits on the bodies of requests: size, speed, and uploads at a time."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _YOUNG = 1.0  # so long a body is given to show how fast it comes [s]
 _FAST = 64 * 1024  # a body that comes so fast is not in anybody's way [bytes/s]
 
 
-class Body:
+class RequestBody:
     """The body of one request.
 
     Parameters
@@ -30,7 +30,7 @@ class Body:
     most : int
         How large it may be [bytes].
     too_large : RefusedError
-        What is said of a larger one.
+        The refusal of a larger one.
     """
 
     def __init__(self, receive: Receive, limits: Limits, most: int, too_large: RefusedError) -> None:
@@ -72,26 +72,26 @@ class Body:
         return message
 
     def _deadline(self) -> float:
-        """Return until when the next part must come: what has come gives time for what follows."""
+        """Return the deadline of the next part [s of the loop's clock]: each byte received extends it."""
         limits = self._limits
         allowed = min(limits.seconds, limits.header_seconds + self._seen / limits.slowest)
         return self._clock() if self._given_up else self._began + allowed
 
     @property
     def speed(self) -> float:
-        """How fast it comes [bytes/s]; infinite as long as that cannot be told."""
+        """Mean rate of arrival [bytes/s]; infinite while it is too young to be measured."""
         age = self._clock() - self._began
         return self._seen / age if age > _YOUNG else float("inf")
 
     def give_up(self) -> None:
-        """Let it end now as one that came too slowly."""
+        """End it now, as one that comes too slowly."""
         self._given_up = True
         if self._waiting is not None:
             self._waiting.reschedule(self._clock())
 
 
 class Uploads:
-    """The uploads that are on their way.
+    """The uploads in progress.
 
     Where there are too many, a slow one makes room; where none is slow, the new one has to wait.
 
@@ -103,9 +103,9 @@ class Uploads:
 
     def __init__(self, limits: Limits) -> None:
         self._limits = limits
-        self._coming: dict[Body, str] = {}
+        self._incoming: dict[RequestBody, str] = {}
 
-    def add(self, body: Body, client: str) -> None:
+    def add(self, body: RequestBody, client: str) -> None:
         """Take an upload in.
 
         Raises
@@ -113,21 +113,22 @@ class Uploads:
         RefusedError
             There are too many already.
         """
-        coming = {one: name for one, name in self._coming.items() if not one.complete}
-        own = [one for one, name in coming.items() if name == client]
-        for others, most in ((own, self._limits.uploads_of_one), (list(coming), self._limits.uploads)):
-            if sum(one in coming for one in others) < most:
+        incoming = {upload: name for upload, name in self._incoming.items() if not upload.complete}
+        own = [upload for upload, name in incoming.items() if name == client]
+        for group, most in ((own, self._limits.uploads_per_client), (list(incoming), self._limits.uploads)):
+            others = [upload for upload in group if upload in incoming]
+            if len(others) < most:
                 continue
-            slowest = min((one for one in others if one in coming), key=lambda one: one.speed)
+            slowest = min(others, key=lambda upload: upload.speed)
             if slowest.speed > _FAST:
                 raise refused(429, "app.many_uploads", retry_after=1)
             slowest.give_up()
-            del coming[slowest]
-        self._coming = {**coming, body: client}
+            del incoming[slowest]
+        self._incoming = {**incoming, body: client}
 
-    def remove(self, body: Body) -> None:
+    def remove(self, body: RequestBody) -> None:
         """Forget an upload."""
-        self._coming.pop(body, None)
+        self._incoming.pop(body, None)
 
 
 async def drain(receive: Receive) -> None:

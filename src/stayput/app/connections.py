@@ -1,4 +1,4 @@
-"""Connections: how long one may be silent, and how many there may be, in all and of one client."""
+"""Limits on connections: time for the headers of a request, number in all and per client."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ if TYPE_CHECKING:
 
 
 def client_of(address: str | None) -> str:
-    """Return what counts as one client: an IPv4 address, or the network of 64 bits of an IPv6 one."""
+    """Return the key of a client: its IPv4 address, or the 64-bit network of its IPv6 address."""
     try:
-        found = ipaddress.ip_address(address or "")
+        ip = ipaddress.ip_address(address or "")
     except ValueError:
         return ""
-    if isinstance(found, ipaddress.IPv4Address):
-        return str(found)
-    if found.ipv4_mapped is not None:
-        return str(found.ipv4_mapped)
-    return str(ipaddress.ip_network((int(found) >> 64 << 64, 64)))
+    if isinstance(ip, ipaddress.IPv4Address):
+        return str(ip)
+    if ip.ipv4_mapped is not None:
+        return str(ip.ipv4_mapped)
+    return str(ipaddress.ip_network((int(ip) >> 64 << 64, 64)))
 
 
 async def _busy(scope: Scope, receive: Receive, send: Send) -> None:
-    """Answer in the app's place where there are too many connections."""
+    """Respond in place of the app where there are too many connections."""
     headers = {"Retry-After": "2", "Connection": "close"}
     await error_response(503, InputError("app.many_connections"), headers)(scope, receive, send)
 
@@ -60,23 +60,23 @@ class Connections:
     def add(self, new: Connection) -> bool:
         """Take a connection in; return whether there is room for it."""
         client = client_of(new.client and new.client[0])
-        own = [one for one, name in self._all.items() if name == client]
+        own = [connection for connection, name in self._all.items() if name == client]
         everybody = list(self._all)
         self._all[new] = client
         limits = self.limits
-        return self._room(own, limits.connections_of_one) and self._room(everybody, limits.connections)
+        return self._room(own, limits.connections_per_client) and self._room(everybody, limits.connections)
 
     def remove(self, connection: Connection) -> None:
         """Forget a connection."""
         self._all.pop(connection, None)
 
     def _room(self, others: list[Connection], most: int) -> bool:
-        if sum(one in self._all for one in others) < most:
+        if sum(connection in self._all for connection in others) < most:
             return True
-        waiting = [one for one in others if one in self._all and one.waits]
+        waiting = [connection for connection in others if connection in self._all and connection.waits]
         if not waiting:
             return False
-        longest = min(waiting, key=lambda one: one.since)
+        longest = min(waiting, key=lambda connection: connection.since)
         self.remove(longest)
         longest.transport.abort()
         return True
@@ -113,7 +113,7 @@ class Connection(H11Protocol):
         self._time_headers()
 
     def data_received(self, data: bytes) -> None:
-        """Take what came; the time for headers ends with them, not with their first byte."""
+        """Receive data; the time limit for headers ends when they are complete, not with their first byte."""
         before = self._answering()
         super().data_received(data)
         answering = self._answering()
@@ -132,13 +132,13 @@ class Connection(H11Protocol):
             self._time_headers()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Let it go."""
+        """Stop its timer and forget it."""
         self._end_timer()
         self._connections.remove(self)
         super().connection_lost(exc)
 
     def _answering(self) -> RequestResponseCycle | None:
-        """Return the request whose headers have come and whose answer is not complete."""
+        """Return the request that is being answered: its headers are complete, its response is not."""
         cycle = cast("RequestResponseCycle | None", self.cycle)
         return None if cycle is None or cycle.response_complete else cycle
 
@@ -158,10 +158,10 @@ class Connection(H11Protocol):
 
 
 def connection_maker(limits: Limits) -> Callable[..., Connection]:
-    """Return what makes the connections of one server."""
+    """Return a factory of the connections of one server."""
     connections = Connections(limits)
 
-    def make(**given: Any) -> Connection:
-        return Connection(**given, connections=connections)
+    def make(**options: Any) -> Connection:
+        return Connection(**options, connections=connections)
 
     return make

@@ -10,7 +10,7 @@ from pydantic import TypeAdapter
 from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
-from stayput.app.fields import STANDS_FOR
+from stayput.app.requests import STANDS_FOR
 from stayput.scenario import Scenario
 from stayput.scenario.measures import MeasureTable, SingleChoice
 
@@ -29,12 +29,12 @@ UNUSED = ("HTTPValidationError", "ValidationError")
 
 def described(app: FastAPI) -> Callable[[], dict[str, Any]]:
     """Return the function that makes the description of an app, once."""
-    made = app.openapi
+    generate = app.openapi
 
     @cache
     def description() -> dict[str, Any]:
-        found = made()
-        schemas = found["components"]["schemas"]
+        document = generate()
+        schemas = document["components"]["schemas"]
         scene = Scenario.schema(ref_template=REFERENCE)
         measure = TypeAdapter[MeasureTable](SingleChoice).json_schema(ref_template=REFERENCE)
         schemas |= {**scene.pop("$defs"), "Scenario": scene}
@@ -42,7 +42,7 @@ def described(app: FastAPI) -> Callable[[], dict[str, Any]]:
         schemas["Measure"] = measure
         for name in UNUSED:
             schemas.pop(name, None)
-        return _placed(found)
+        return _placed(document)
 
     return description
 
@@ -50,7 +50,7 @@ def described(app: FastAPI) -> Callable[[], dict[str, Any]]:
 def _placed(node: Any) -> Any:
     """Return a schema with references in place of marks."""
     if isinstance(node, list):
-        return [_placed(one) for one in cast("list[Any]", node)]
+        return [_placed(item) for item in cast("list[Any]", node)]
     if not isinstance(node, dict):
         return node
     table = cast("dict[str, Any]", node)
@@ -81,16 +81,16 @@ def kind_of(node: dict[str, Any]) -> list[tuple[str, str | None]]:
         return [(name, name)]
     for key in ("anyOf", "oneOf"):
         if key in node:
-            pieces = [piece for one in node[key] for piece in [(" or ", None), *kind_of(one)]]
-            return pieces[1:]
+            parts = [part for inner in node[key] for part in [(" or ", None), *kind_of(inner)]]
+            return parts[1:]
     if "const" in node:
         return [(repr(node["const"]), None)]
     if "enum" in node:
         return [("one of " + ", ".join(map(repr, node["enum"])), None)]
     if node.get("type") == "array":
         if "prefixItems" in node:
-            inside = [piece for one in node["prefixItems"] for piece in [(", ", None), *kind_of(one)]][1:]
-            return [("[", None), *inside, ("]", None)]
+            parts = [part for inner in node["prefixItems"] for part in [(", ", None), *kind_of(inner)]][1:]
+            return [("[", None), *parts, ("]", None)]
         return [("list of ", None), *kind_of(node.get("items", {}))]
     return [(_bounds(node), None)]
 

@@ -1,4 +1,4 @@
-"""What a user keeps: a scenario file, histories and rankings as tables, the report."""
+"""Files that a user saves: the scenario, histories as a table, the report."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from starlette.responses import Response
 
-from stayput.app.running import run_of, yours
+from stayput.app.running import own_measures, run_of
 from stayput.report.history import history
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def scene_toml(scenario: Scenario, motions: Motions) -> str:
     scenario : Scenario
         The scene.
     motions : Motions
-        What was uploaded.
+        The uploaded motions, whose names replace their ids.
     """
     shaking = scenario.shaking
     names = {key: value for key in ("record", "vertical") if isinstance(value := getattr(shaking, key), str)}
@@ -64,45 +64,45 @@ def run_csv(scenario: Scenario, *, held: bool) -> str:
         Whether the user's measures are in place.
     """
     motion = scenario.case().motion
-    run = run_of(scenario, motion, yours(scenario) if held else ())
-    shown = history(run)
+    run = run_of(scenario, motion, own_measures(scenario) if held else ())
+    histories = history(run)
     columns = {
-        "time_s": shown.time,
-        "x_m": shown.x,
-        "z_m": shown.z,
-        "tilt_rad": shown.tilt,
-        "slide_m": shown.slide,
-        **_floor(motion, shown.time),
-        **_forces(run, shown.time),
+        "time_s": histories.time,
+        "x_m": histories.x,
+        "z_m": histories.z,
+        "tilt_rad": histories.tilt,
+        "slide_m": histories.slide,
+        **_floor(motion, histories.time),
+        **_forces(run, histories.time),
     }
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([*columns, "mode"])
-    for *values, mode in zip(*(column.tolist() for column in columns.values()), shown.mode, strict=True):
+    for *values, mode in zip(*(column.tolist() for column in columns.values()), histories.mode, strict=True):
         writer.writerow([*(f"{value:.9g}" for value in values), mode.value])
     return text.getvalue()
 
 
 def _floor(motion: Motion, time: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
     """Return the floor's motion at some times, by the names of its columns."""
-    found = {
+    columns = {
         "floor_acceleration_m_s2": motion.x,
         "floor_velocity_m_s": motion.velocity,
         "floor_displacement_m": motion.displacement,
     }
     if motion.z is not None:
-        found["floor_vertical_acceleration_m_s2"] = motion.z
-    return {name: np.interp(time, motion.time, values) for name, values in found.items()}
+        columns["floor_vertical_acceleration_m_s2"] = motion.z
+    return {name: np.interp(time, motion.time, values) for name, values in columns.items()}
 
 
 def _forces(run: Run, time: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
     """Return the forces of a run's devices at some times, by the names of their columns."""
-    found: dict[str, NDArray[np.float64]] = {}
+    columns: dict[str, NDArray[np.float64]] = {}
     for number, device in enumerate(run.devices, 1):
         name = f"device_{number}_{device.kind}" + (f"_{device.place}" if device.place else "")
-        for what, values in (("pull", device.pull), ("shear", device.shear)):
-            found[f"{name.replace(' ', '_')}_{what}_n"] = np.interp(time, run.time, values)
-    return found
+        for direction, values in (("pull", device.pull), ("shear", device.shear)):
+            columns[f"{name.replace(' ', '_')}_{direction}_n"] = np.interp(time, run.time, values)
+    return columns
 
 
 def report_page(verdict: Verdict, language: str, motions: Motions) -> bytes:
@@ -111,11 +111,11 @@ def report_page(verdict: Verdict, language: str, motions: Motions) -> bytes:
     Parameters
     ----------
     verdict : Verdict
-        What came out.
+        The result of the verification.
     language : str
         "en" or "ja".
     motions : Motions
-        What was uploaded.
+        The uploaded motions, whose names replace their ids.
     """
     from stayput.report.verdict.html import report_html  # Matplotlib takes its time to load
 

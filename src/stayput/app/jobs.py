@@ -1,4 +1,4 @@
-"""Jobs: verifications that take a while, with their progress, and an end at any time."""
+"""Jobs: verifications in the background, with their progress; each can be cancelled at any time."""
 
 from __future__ import annotations
 
@@ -19,14 +19,12 @@ if TYPE_CHECKING:
     from stayput.app.limits import Limits
     from stayput.verification import Verdict
 
-State = Literal["waiting", "running", "done", "cancelled", "failed"]
-Told = "Callable[[int, int], None]"
-
+JobState = Literal["waiting", "running", "done", "cancelled", "failed"]
 _log = logging.getLogger("stayput.app")
 
 
 class StoppedError(Exception):
-    """Raised within a job that is no longer wanted."""
+    """Raised within a job that is to stop."""
 
 
 @dataclass(slots=True)
@@ -44,7 +42,7 @@ class Job:
     motions : frozenset of str
         The uploaded motions that it reads.
     verdict : Verdict or None
-        What came out.
+        Its result.
     error : InputError or None
         Why it failed.
     lease : float or None
@@ -55,13 +53,13 @@ class Job:
     total: int
     motions: frozenset[str] = frozenset()
     lease: float | None = None
-    state: State = "waiting"
+    state: JobState = "waiting"
     done: int = 0
     verdict: Verdict | None = None
     error: InputError | None = None
     began: float = field(default_factory=time.monotonic)
     ended: float | None = None
-    used: float = field(default_factory=time.monotonic)
+    last_used: float = field(default_factory=time.monotonic)
     reports: dict[str, bytes] = field(default_factory=dict[str, bytes])
     stop: threading.Event = field(default_factory=threading.Event)
 
@@ -72,12 +70,12 @@ class Job:
 
     @property
     def wanted(self) -> bool:
-        """Whether it is to go on: nobody has cancelled it, and whoever began it still asks for it."""
-        left = self.lease is not None and time.monotonic() - self.used > self.lease
-        return not (left or self.stop.is_set())
+        """Whether it is to go on: it is not cancelled, and its lease has not run out."""
+        abandoned = self.lease is not None and time.monotonic() - self.last_used > self.lease
+        return not (abandoned or self.stop.is_set())
 
-    def told(self, done: int, total: int) -> None:
-        """Note how far it has got.
+    def note_progress(self, done: int, total: int) -> None:
+        """Note how many simulations are done.
 
         Raises
         ------
@@ -90,7 +88,7 @@ class Job:
 
 
 class Jobs:
-    """All jobs: some at work, some waiting, the others done and kept for a while.
+    """All jobs: running, waiting, or ended and kept for a while.
 
     Parameters
     ----------
@@ -116,7 +114,7 @@ class Jobs:
         Parameters
         ----------
         work : callable
-            Does it; it is given what it tells its progress, and that raises when it is to stop.
+            Does it; called with a function that takes its progress, and raises when it is to stop.
         total : int
             About how many simulations there are.
         motions : frozenset of str
@@ -158,7 +156,7 @@ class Jobs:
             job = self._jobs.get(name)
         if job is None:
             raise refused(404, "app.no_such_job")
-        job.used = time.monotonic()
+        job.last_used = time.monotonic()
         return job
 
     def cancel(self, name: str) -> Job:
@@ -192,7 +190,7 @@ class Jobs:
                 return
             job.state = "running"
         try:
-            verdict = work(job.told)
+            verdict = work(job.note_progress)
         except StoppedError:
             self._end(job, "cancelled")
         except RefusedError as refusal:
@@ -212,26 +210,26 @@ class Jobs:
             job.verdict = verdict
             self._end(job, "done")
 
-    def _end(self, job: Job, state: State) -> None:
+    def _end(self, job: Job, state: JobState) -> None:
         with self._lock:
             if job.state == "running":
                 job.state, job.ended = state, time.monotonic()
 
     @staticmethod
     def _cancel(job: Job) -> None:
-        """Note that a job which has not ended is no longer wanted."""
+        """Mark a job that has not ended as cancelled."""
         job.stop.set()
         if job.ended is None:
             job.state, job.ended = "cancelled", time.monotonic()
 
     def _expire(self) -> None:
-        """End jobs that were left; forget those that ended long ago, and the oldest of too many."""
+        """Cancel abandoned jobs; forget those that ended long ago, and the oldest of too many."""
         now = time.monotonic()
         for job in self._jobs.values():
             if job.ended is None and not job.wanted:
                 self._cancel(job)
-        ended = sorted((job for job in self._jobs.values() if job.ended is not None), key=lambda j: j.used)
+        ended = [job for job in self._jobs.values() if job.ended is not None]
         surplus = len(self._jobs) - self._limits.jobs_kept
-        for place, job in enumerate(ended):
-            if place < surplus or now - job.used > self._limits.keep:
+        for place, job in enumerate(sorted(ended, key=lambda job: job.last_used)):
+            if place < surplus or now - job.last_used > self._limits.keep:
                 del self._jobs[job.id]

@@ -1,4 +1,4 @@
-"""What the server accepts: sizes, lengths, counts."""
+"""Limits of the server: sizes, lengths, counts and times."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ class Limits:
         Longest time for the headers of a request, and for a body to begin [s].
     slowest : float
         A body must come at least so fast from then on [bytes/s].
-    connections, connections_of_one : int
+    connections, connections_per_client : int
         Most connections, and most of one client.
-    requests_of_one : int
+    requests_per_client : int
         Most requests of one client that are answered at a time.
-    uploads, uploads_of_one : int
+    uploads, uploads_per_client : int
         Most uploads that are on their way, and most of one client.
     duration : float
         Longest motion [s].
@@ -77,10 +77,10 @@ class Limits:
     header_seconds: float = 10.0
     slowest: float = 4096.0
     connections: int = 256
-    connections_of_one: int = 128
-    requests_of_one: int = 64
+    connections_per_client: int = 128
+    requests_per_client: int = 64
     uploads: int = 8
-    uploads_of_one: int = 4
+    uploads_per_client: int = 4
     duration: float = 600.0
     samples_of_motion: int = 200_000
     numbers: int = 1_000_000

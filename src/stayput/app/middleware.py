@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.requests import ClientDisconnect
 
-from stayput.app.bodies import Body, Uploads, drain
+from stayput.app.bodies import RequestBody, Uploads, drain
 from stayput.app.connections import client_of
 from stayput.app.refusals import RefusedError, error_response, refused
 from stayput.errors import InputError
@@ -54,7 +54,7 @@ _log = logging.getLogger("stayput.app")
 
 
 class Guard:
-    """Middleware that refuses what should not come in.
+    """Middleware that refuses requests of other hosts and sites, and those beyond the limits.
 
     Parameters
     ----------
@@ -79,12 +79,12 @@ class Guard:
             await self._app(scope, receive, send)
             return
 
-        begun = False
+        response_started = False
 
         async def answer(message: Message) -> None:
-            nonlocal begun
+            nonlocal response_started
             if message["type"] == "http.response.start":
-                begun = True
+                response_started = True
                 headers = MutableHeaders(scope=message)
                 for name, value in HEADERS.items():
                     headers.setdefault(name, value)
@@ -100,8 +100,8 @@ class Guard:
         if origin is not None and _host_of(origin) != headers.get("host", "").lower():
             await error_response(403, InputError("app.other_site"))(scope, receive, answer)
             return
-        uploads = scope["path"].rstrip("/") == UPLOADS and scope["method"] == "POST"
-        most = self._limits.upload if uploads else self._limits.body
+        is_upload = scope["path"].rstrip("/") == UPLOADS and scope["method"] == "POST"
+        most = self._limits.upload if is_upload else self._limits.body
         too_large = refused(413, "app.body_too_large", most=most)
         stated = headers.get("content-length", "")
         if stated.isdigit() and int(stated[:20]) > most:
@@ -109,14 +109,14 @@ class Guard:
             await too_large.response()(scope, receive, answer)
             return
         client = client_of(scope["client"] and scope["client"][0])
-        body = Body(receive, self._limits, most, too_large)
-        if self._at_work[client] >= self._limits.requests_of_one:
+        body = RequestBody(receive, self._limits, most, too_large)
+        if self._at_work[client] >= self._limits.requests_per_client:
             busy = refused(503, "app.many_requests", retry_after=2)
             await busy.response()(scope, receive, answer)
             return
         self._at_work[client] += 1
         try:
-            if uploads:
+            if is_upload:
                 self._uploads.add(body, client)
             await self._app(scope, body.receive, answer)
         except RefusedError as refusal:
@@ -124,7 +124,7 @@ class Guard:
         except ClientDisconnect:
             return
         except Exception:
-            if begun:
+            if response_started:
                 raise
             _log.exception("%s %s failed", scope["method"], scope["path"])
             await error_response(500, InputError("app.failed"))(scope, receive, answer)
@@ -139,14 +139,14 @@ class Guard:
 
         A foreign page can make its own name point here, but it cannot make its requests carry another name.
         """
-        found = _HOST.fullmatch(host or "")
-        if found is None:
+        match = _HOST.fullmatch(host or "")
+        if match is None:
             return False
         try:
-            if found["version6"]:
-                ipaddress.IPv6Address(found["version6"])
-            elif found["name"].lower() not in self._names:
-                ipaddress.IPv4Address(found["name"])
+            if match["version6"]:
+                ipaddress.IPv6Address(match["version6"])
+            elif match["name"].lower() not in self._names:
+                ipaddress.IPv4Address(match["name"])
         except ValueError:
             return False
         return True
@@ -154,8 +154,8 @@ class Guard:
 
 def _host_of(origin: str) -> str | None:
     """Return the host and port of an Origin header, or None where it has none or is no origin."""
-    found = _ORIGIN.fullmatch(origin)
-    return found["host"].lower() if found else None
+    match = _ORIGIN.fullmatch(origin)
+    return match["host"].lower() if match else None
 
 
 SHORTEST_COMPRESSED = 1000
@@ -169,7 +169,7 @@ COMPRESSED_KINDS = ("text/", "application/json", "application/toml", "image/svg+
 
 
 class Compression:
-    """Middleware that compresses answers that come in one piece; what comes in several passes as it is."""
+    """Middleware that compresses responses in one part; those in several parts pass unchanged."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app
@@ -197,9 +197,9 @@ class Compression:
 
 
 def _takes_gzip(headers: Headers) -> bool:
-    """Return whether a client says that it takes gzip, and not with a weight of zero."""
-    for one in headers.get("accept-encoding", "").lower().split(","):
-        name, _, weight = one.partition(";")
+    """Return whether a client accepts gzip with a weight above zero."""
+    for coding in headers.get("accept-encoding", "").lower().split(","):
+        name, _, weight = coding.partition(";")
         if name.strip() == "gzip":
             return weight.replace(" ", "") not in ("q=0", "q=0.0", "q=0.00", "q=0.000")
     return False

@@ -26,32 +26,32 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.app.limits import Limits
-    from stayput.app.readers import Readers
+    from stayput.app.readers import ReaderPool
     from stayput.app.uploads import Upload
     from stayput.errors import InputWarning
     from stayput.motion import Motion
 
-PREVIEW = 1000
-"""Most pieces of a preview."""
+MOST_INTERVALS = 1000
+"""Most intervals of a preview, each with its lowest and highest value."""
 
 _NAME = re.compile(r"\b[0-9a-f]{32}\b")
 _UNSAFE = re.compile(r"[^\w .,()+-]", re.ASCII)
 
 
 @dataclass(slots=True)
-class Kept:
-    """A motion that is kept."""
+class StoredMotion:
+    """An uploaded motion, and how a scene's shaking names it."""
 
     motion: Motion
-    asked: dict[str, Any]
+    shaking: dict[str, Any]
     size: int
-    doubts: tuple[InputWarning, ...] = ()
-    called: str = ""  # by the user, in any script
-    used: float = field(default_factory=time.monotonic)
+    warnings: tuple[InputWarning, ...] = ()
+    file_name: str = ""  # by the user, in any script
+    last_used: float = field(default_factory=time.monotonic)
 
 
 def safe_label(name: str | None) -> str:
-    """Return what a user's file may be called in texts: its last part, plain characters only."""
+    """Return a label for a user's file: the last part of its name, plain characters only."""
     last = re.split(r"[\\/]", name or "")[-1]
     plain = _UNSAFE.sub("_", last).strip(" .")[:60]
     return plain or "record"
@@ -76,35 +76,35 @@ class Motions:
         The server's own folder.
     limits : Limits
         How many, how large, how long.
-    readers : Readers
+    readers : ReaderPool
         What reads them.
     in_use : callable
         Returns the names of the motions that must stay, whatever their age.
     """
 
     def __init__(
-        self, folder: Path, limits: Limits, readers: Readers, in_use: Callable[[], set[str]]
+        self, folder: Path, limits: Limits, readers: ReaderPool, in_use: Callable[[], set[str]]
     ) -> None:
         self.folder = folder
         self._readers = readers
         self._in_use = in_use
         self._limits = limits
-        self._kept: dict[str, Kept] = {}
+        self._stored: dict[str, StoredMotion] = {}
         self._lock = threading.Lock()
 
     def knows(self, name: str) -> bool:
         """Return whether there is such a motion."""
         self.expire()
         with self._lock:
-            return name in self._kept
+            return name in self._stored
 
     def touch(self, name: str) -> None:
         """Note that a motion is used."""
         with self._lock:
-            if name in self._kept:
-                self._kept[name].used = time.monotonic()
+            if name in self._stored:
+                self._stored[name].last_used = time.monotonic()
 
-    async def add(self, sent: Upload) -> str:
+    async def add(self, upload: Upload) -> str:
         """Read a file's content in a process of its own and keep it; return its name here.
 
         Raises
@@ -112,22 +112,22 @@ class Motions:
         RefusedError
             It is no record in a known format, or it is too long.
         """
-        label, size, name = safe_label(sent.name), len(sent.data), secrets.token_hex(16)
+        label, size, name = safe_label(upload.name), len(upload.data), secrets.token_hex(16)
         path = self.folder / name
-        given: dict[str, Any] = {"unit": sent.unit, "dt": sent.dt, "component": sent.component}
-        asked = {"record": name} | {key: value for key, value in given.items() if value is not None}
+        options: dict[str, Any] = {"unit": upload.unit, "dt": upload.dt, "component": upload.component}
+        shaking = {"record": name} | {key: value for key, value in options.items() if value is not None}
         try:
-            await asyncio.to_thread(path.write_bytes, sent.data)
-            kept = await self._read(asked, label, size, sent.name or label, "file")
+            await asyncio.to_thread(path.write_bytes, upload.data)
+            stored = await self._read(shaking, label, size, upload.name or label, "file")
         except BaseException:
             path.unlink(missing_ok=True)
             raise
         with self._lock:
-            self._kept[name] = kept
+            self._stored[name] = stored
         self.expire()
         return name
 
-    async def with_component(self, name: str, component: str | None) -> Kept:
+    async def with_component(self, name: str, component: str | None) -> StoredMotion:
         """Return a motion, read anew where another channel than the one it was uploaded with is to be x.
 
         Raises
@@ -135,40 +135,42 @@ class Motions:
         RefusedError
             There is none of this name, or it has no such channel.
         """
-        kept = self._of(name)
-        if component is None or component == kept.asked.get("component"):
-            return kept
-        asked = {**kept.asked, "component": component}
-        return await self._read(asked, kept.motion.name, kept.size, kept.called, "component")
+        stored = self._get(name)
+        if component is None or component == stored.shaking.get("component"):
+            return stored
+        shaking = {**stored.shaking, "component": component}
+        return await self._read(shaking, stored.motion.name, stored.size, stored.file_name, "component")
 
-    async def _read(self, asked: dict[str, Any], label: str, size: int, called: str, about: str) -> Kept:
+    async def _read(
+        self, shaking: dict[str, Any], label: str, size: int, file_name: str, about: str
+    ) -> StoredMotion:
         """Read a file of the folder in a process of its own, as a scene's shaking asks for it."""
-        name = asked["record"]
-        options = (asked.get(key) for key in ("component", "unit", "dt"))
+        name = shaking["record"]
+        options = (shaking.get(key) for key in ("component", "unit", "dt"))
 
-        def plainly(text: str) -> str:
-            return self.told(text, {name: label})
+        def rewrite(text: str) -> str:
+            return self.with_file_names(text, {name: label})
 
         try:
-            motion, doubts = await self._readers.read(self.folder / name, *options)
+            motion, warnings = await self._readers.read(self.folder / name, *options)
         except InputError as error:
-            known = error.rewritten(plainly)
+            known = error.rewritten(rewrite)
             raise RefusedError(422, known.about(known.field or about)) from None
         motion = replace(motion, name=label)
-        if not motion.floor and (floor := upper_floor([called])):  # the reader knows no user's names
+        if not motion.floor and (floor := upper_floor([file_name])):  # the reader knows no user's names
             motion = replace(motion, floor=floor)
-            doubts = (*doubts, upper_floor_warning(floor).at(label))
-        known = tuple(doubt.rewritten(plainly) for doubt in doubts)
-        return Kept(motion, asked, size, known, called)
+            warnings = (*warnings, upper_floor_warning(floor).at(label))
+        known = tuple(warning.rewritten(rewrite) for warning in warnings)
+        return StoredMotion(motion, shaking, size, known, file_name)
 
-    def about(self, name: str, kept: Kept | None = None) -> MotionReply:
-        """Return what is known of a motion.
+    def about(self, name: str, stored: StoredMotion | None = None) -> MotionReply:
+        """Return the facts about a motion.
 
         Parameters
         ----------
         name : str
             Its id.
-        kept : Kept, optional
+        stored : StoredMotion, optional
             The motion with another component, from `with_component`.
 
         Raises
@@ -176,8 +178,8 @@ class Motions:
         RefusedError
             There is none of this name.
         """
-        kept = self._of(name) if kept is None else kept
-        motion = kept.motion
+        stored = self._get(name) if stored is None else stored
+        motion = stored.motion
         intensity = intensity_of(motion)
         return MotionReply(
             id=name,
@@ -193,16 +195,16 @@ class Motions:
             pgv_m_s=motion.pgv,
             intensity=intensity,
             intensity_class=class_of(intensity),
-            expires_in_s=max(0.0, self._limits.keep - (time.monotonic() - kept.used)),
+            expires_in_s=max(0.0, self._limits.keep - (time.monotonic() - stored.last_used)),
             floor=motion.floor,
-            warnings=[DoubtReply(**problem(doubt).model_dump()) for doubt in kept.doubts],
-            shaking=kept.asked,
+            warnings=[DoubtReply(**problem(warning).model_dump()) for warning in stored.warnings],
+            shaking=stored.shaking,
         )
 
     @staticmethod
     def preview(motion: Motion) -> PreviewReply:
         """Return the outline of a motion's x."""
-        starts = np.unique(np.linspace(0, len(motion), PREVIEW, endpoint=False).astype(np.intp))
+        starts = np.unique(np.linspace(0, len(motion), MOST_INTERVALS, endpoint=False).astype(np.intp))
         return PreviewReply(
             time_s=np.round(motion.time[starts], 4).tolist(),
             low_m_s2=np.round(np.minimum.reduceat(motion.x, starts), 4).tolist(),
@@ -210,33 +212,33 @@ class Motions:
         )
 
     def label(self, name: str) -> str:
-        """Return what a motion's file is called."""
-        return self._of(name).motion.name
+        """Return the label of a motion's file."""
+        return self._get(name).motion.name
 
     def named(self, text: str) -> str:
         """Return a text with the motions' own names in place of their ids."""
         with self._lock:
-            for name, kept in self._kept.items():
-                text = text.replace(name, kept.motion.name)
+            for name, stored in self._stored.items():
+                text = text.replace(name, stored.motion.name)
         return text
 
-    def told(self, sentence: str, new: Mapping[str, str] | None = None) -> str:
-        """Return a sentence with the users' names for their files, not the server's.
+    def with_file_names(self, sentence: str, new: Mapping[str, str] | None = None) -> str:
+        """Return a sentence with the users' names for their files in place of the server's.
 
         Parameters
         ----------
         sentence : str
-            What was said of a file.
+            A sentence about a file.
         new : mapping, optional
             Names of files that are not kept yet.
         """
         with self._lock:
-            names = {name: kept.motion.name for name, kept in self._kept.items()}
+            names = {name: stored.motion.name for name, stored in self._stored.items()}
         names |= new or {}
         inside = f"{self.folder}{os.sep}"
         for known in (repr(inside)[1:-1], inside):  # sentences quote paths by repr, which doubles backslashes
             sentence = sentence.replace(known, "")
-        return _NAME.sub(lambda found: names.get(found[0], "record"), sentence)
+        return _NAME.sub(lambda match: names.get(match[0], "record"), sentence)
 
     def remove(self, name: str) -> None:
         """Forget a motion.
@@ -246,46 +248,47 @@ class Motions:
         RefusedError
             There is none of this name, or a verification still needs it.
         """
-        self._of(name)
+        self._get(name)
         if name in self._in_use():
             raise refused(409, "app.motion_needed")
         with self._lock:
             self._drop(name)
 
     def expire(self) -> None:
-        """Forget motions that were not used for long, and the oldest where there are too many.
+        """Forget motions unused for too long, and the oldest of too many.
 
         Those in use neither go nor count.
         """
         limits, now, in_use = self._limits, time.monotonic(), self._in_use()
         with self._lock:
-            free = [name for name in self._kept if name not in in_use]
-            oldest = sorted(free, key=lambda name: self._kept[name].used)
-            size = sum(self._kept[name].size for name in free)
+            free = [name for name in self._stored if name not in in_use]
+            oldest = sorted(free, key=lambda name: self._stored[name].last_used)
+            size = sum(self._stored[name].size for name in free)
             count = len(oldest)
             for name in oldest:
-                kept = self._kept[name]
-                if count > limits.motions or size > limits.motion_bytes or now - kept.used > limits.keep:
-                    count, size = count - 1, size - kept.size
+                stored = self._stored[name]
+                too_old = now - stored.last_used > limits.keep
+                if too_old or count > limits.motions or size > limits.motion_bytes:
+                    count, size = count - 1, size - stored.size
                     self._drop(name)
 
     def close(self) -> None:
         """Forget all motions, and remove the folder."""
         with self._lock:
-            self._kept.clear()
+            self._stored.clear()
         shutil.rmtree(self.folder, ignore_errors=True)
 
-    def _of(self, name: str) -> Kept:
+    def _get(self, name: str) -> StoredMotion:
         self.expire()
         with self._lock:
-            kept = self._kept.get(name)
-            if kept is None:
+            stored = self._stored.get(name)
+            if stored is None:
                 raise refused(404, "app.no_such_motion")
-            kept.used = time.monotonic()
-            return kept
+            stored.last_used = time.monotonic()
+            return stored
 
     def _drop(self, name: str) -> None:
-        del self._kept[name]
+        del self._stored[name]
         (self.folder / name).unlink(missing_ok=True)
 
 

@@ -1,4 +1,4 @@
-"""The page's files, out of the package, and its words."""
+"""Routes of the page: its static files, and its texts as a module of JavaScript."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from starlette.types import Scope
 
 WORDS = "/words_table.js"
-"""Where the page finds its words: a module made from the catalogue."""
+"""Path of the page's texts: a module made from the catalogue."""
 
 # Windows reads the kinds of files from its registry, where programs may have changed them; a browser runs no
 # module of another kind.
@@ -34,8 +34,8 @@ class PackageFiles(StaticFiles):
     def __init__(self, package: str, folder: str) -> None:
         super().__init__(packages=[(package, folder)], html=True)
         # Only names that are there are looked up: others may be too long for the file system, or no names.
-        there = resources.files(package).joinpath(folder)
-        self._names = {".", *(file.name for file in there.iterdir())}
+        files = resources.files(package).joinpath(folder)
+        self._names = {".", *(file.name for file in files.iterdir())}
 
     async def get_response(self, path: str, scope: Scope) -> Response:
         """Return a file, or that it has not changed; a browser asks each time."""

@@ -1,12 +1,12 @@
-"""Everything that can be chosen, with its names and numbers."""
+"""The presets reply: everything that a user can choose, with labels and numbers."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import MISSING
 from typing import TYPE_CHECKING, Any, Literal
 
 import stayput
-from stayput.app.fields import Words
 from stayput.app.replies import (
     FamilyReply,
     FurnitureReply,
@@ -19,6 +19,7 @@ from stayput.app.replies import (
     PresetsReply,
     StructureReply,
     SurfaceReply,
+    Words,
 )
 from stayput.building.building import STOREY_HEIGHT
 from stayput.building.building import STRUCTURES as BUILDINGS
@@ -36,11 +37,13 @@ from stayput.catalogue.names import (
 )
 from stayput.errors import InputError
 from stayput.measures import MEASURES, hold, parameters
-from stayput.model.body import Body
+from stayput.model.body import Body, Part
 from stayput.model.furniture import FURNITURE as PIECES
+from stayput.model.parameters import parameter_of
 from stayput.model.room import SURFACES as FRICTIONS
 from stayput.model.room import Ceiling, Room, Wall
 from stayput.motion.intensity import CLASSES, intensity_of_class
+from stayput.motion.suites import synthetic_suite
 from stayput.report.palette import MODE_COLOURS
 from stayput.verification.options import USUAL
 
@@ -59,8 +62,19 @@ SCENE: dict[str, Any] = {
 }
 """A scene to begin with: a bookcase that falls, in the shortest of the mixed suite's kinds of motion."""
 
-SHOWN: list[dict[str, Any]] = [{"type": "l_bracket"}]
+SCENE_MEASURES: list[dict[str, Any]] = [{"type": "l_bracket"}]
 """Measures to begin with."""
+
+NUMBERS = {
+    "furniture.width": parameter_of(Body, "width"),
+    "furniture.height": parameter_of(Body, "height"),
+    "furniture.mass": parameter_of(Body, "mass"),
+    "furniture.shelves": parameter_of(Part, "mass"),
+    "room.left_wall.gap": parameter_of(Wall, "gap"),
+    "room.ceiling.height": parameter_of(Ceiling, "height"),
+    "shaking.suite.count": parameter_of(synthetic_suite, "count"),
+}
+"""Numbers of a scene that the page asks for."""
 
 
 def presets(limits: Limits) -> PresetsReply:
@@ -93,6 +107,7 @@ def presets(limits: Limits) -> PresetsReply:
         ],
         intensities=[_intensity(name, start) for name, start in CLASSES],
         measures=[_measure(name, kind) for name, kind in MEASURES.items()],
+        numbers={name: _parameter(one) for name, one in NUMBERS.items()},
         modes=[
             ModeReply(id=mode.value, label=Words.of(MODES[mode]), colour=colour)
             for mode, colour in MODE_COLOURS.items()
@@ -100,7 +115,7 @@ def presets(limits: Limits) -> PresetsReply:
         outcomes=[NamedReply(id=name, label=Words.of(label)) for name, label in OUTCOMES.items()],
         events=[NamedReply(id=name, label=Words.of(label)) for name, label in EVENTS.items()],
         scene=SCENE,
-        measures_shown=SHOWN,
+        measures_shown=SCENE_MEASURES,
         limits=_limits(limits),
     )
 
@@ -138,12 +153,12 @@ def _measure(name: str, kind: type[Measure]) -> MeasureReply:
         place=None if (place := kind().where()) is None else place[0],
         needs=_needs(kind),
         usual=name in USUAL,
-        parameters=[_parameter(one) for one in parameters(kind)],
+        parameters=[_parameter(parameter) for parameter in parameters(kind)],
     )
 
 
 def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
-    """Return what must be there, found by trying without it."""
+    """Return the surfaces that a kind of measure needs, found by applying it without each."""
     body = Body(0.4, 1.8, 100.0)
 
     def applies(room: Room) -> bool:
@@ -153,26 +168,24 @@ def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
             return False
         return True
 
-    wall, ceiling = Wall(0.05), Ceiling(2.4)
-    needs: list[Literal["wall", "ceiling"]] = []
-    if not applies(Room(ceiling=ceiling)):
-        needs.append("wall")
-    if not applies(Room(left_wall=wall)):
-        needs.append("ceiling")
-    return needs
+    without: dict[Literal["wall", "ceiling"], Room] = {
+        "wall": Room(ceiling=Ceiling(2.4)),
+        "ceiling": Room(left_wall=Wall(0.05)),
+    }
+    return [surface for surface, room in without.items() if not applies(room)]
 
 
-def _parameter(one: Parameter) -> ParameterReply:
+def _parameter(parameter: Parameter) -> ParameterReply:
     return ParameterReply(
-        name=one.name,
-        default=one.default,
-        unit=one.unit,
-        low=one.low,
-        high=one.high,
-        confidence=str(one.confidence),
-        label=Words.of(one.label),
-        choices=list(one.choices),
-        whole=isinstance(one.default, int),
+        name=parameter.name,
+        default=None if parameter.default is MISSING else parameter.default,
+        unit=parameter.unit,
+        low=parameter.low,
+        high=parameter.high,
+        confidence=str(parameter.confidence),
+        label=Words.of(parameter.label),
+        choices=list(parameter.choices),
+        whole=parameter.whole,
     )
 
 

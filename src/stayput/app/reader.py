@@ -1,4 +1,4 @@
-"""A process that reads uploaded records, one after the other: what goes wrong in it is lost with it alone.
+"""The program of a reading process: it reads uploaded records, so that a crash does not end the server.
 
 Messages go as pickles over its standard input and output. It ends when its input does, which is so when the
 server ends in any way, and when a record takes too long.
@@ -27,7 +27,7 @@ _SEPARATORS[list(b" \t\n\r\v\f,;")] = True
 
 
 @dataclass(frozen=True, slots=True)
-class Task:
+class ReadingTask:
     """A record to read.
 
     Parameters
@@ -53,28 +53,28 @@ class Task:
 
 
 @dataclass(frozen=True, slots=True)
-class Outcome:
-    """What came of a task: a motion, or the sentence that refuses it; and what is doubtful about it."""
+class ReadingResult:
+    """The motion that was read, or its refusal; and warnings about it."""
 
     motion: Motion | None
     refusal: InputError | None
-    doubts: tuple[InputWarning, ...] = ()
+    warnings: tuple[InputWarning, ...] = ()
 
 
-def read(task: Task) -> Outcome:
+def read(task: ReadingTask) -> ReadingResult:
     """Read a record within the limits."""
-    doubts: list[InputWarning] = []
+    warnings: list[InputWarning] = []
     try:
-        with warnings_to(doubts.append):
+        with warnings_to(warnings.append):
             motion = _read(task)
     except InputError as error:
-        return Outcome(None, error)
+        return ReadingResult(None, error)
     except (MemoryError, RecursionError):
-        return Outcome(None, InputError("app.reading_memory"))
-    return Outcome(motion, None, tuple(doubts))
+        return ReadingResult(None, InputError("app.reading_memory"))
+    return ReadingResult(motion, None, tuple(warnings))
 
 
-def _read(task: Task) -> Motion:
+def _read(task: ReadingTask) -> Motion:
     with open(task.path, "rb") as file:  # noqa: PTH123 - a plain path is all that came
         _check_numbers(file.read(), task.numbers)
     motion = read_motion(task.path, task.component, task.unit, dt=task.dt)
@@ -94,7 +94,7 @@ def _check_numbers(data: bytes, most: int) -> None:
 
 
 def limit_memory(more: int) -> None:
-    """Let this process take so much more memory than it has, where the system can be told so [bytes]."""
+    """Limit this process to its present memory and so much more [bytes], where the system can."""
     try:
         import resource
     except ModuleNotFoundError:  # Windows
@@ -116,18 +116,18 @@ def main(memory: int) -> None:
     memory : int
         How much memory it may take for them [bytes].
     """
-    asked, answered = sys.stdin.buffer, os.fdopen(os.dup(sys.stdout.fileno()), "wb")
+    requests, replies = sys.stdin.buffer, os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, sys.stdout.fileno())  # nothing that prints gets between the answers
     faulthandler.disable()
     limit_memory(memory)
-    send(answered, None)
-    while (task := receive(asked)) is not None:
+    send(replies, None)
+    while (task := receive(requests)) is not None:
         # The server ends a process that is too slow; where it is gone, the process ends itself.
         faulthandler.dump_traceback_later(2.0 * task.seconds + 5.0, exit=True, file=nowhere)
-        outcome = read(task)
+        result = read(task)
         faulthandler.cancel_dump_traceback_later()
-        send(answered, outcome)
+        send(replies, result)
 
 
 def send(stream: BinaryIO, value: object) -> None:
@@ -136,7 +136,7 @@ def send(stream: BinaryIO, value: object) -> None:
     stream.flush()
 
 
-def receive(stream: BinaryIO) -> Task | None:
+def receive(stream: BinaryIO) -> ReadingTask | None:
     """Read a task, or None at the end."""
     try:
         return pickle.load(stream)

@@ -1,4 +1,4 @@
-"""Processes that read uploaded records: ready before they are needed, ended when one takes too long.
+"""A pool of processes that read uploaded records: started ahead of need, ended when one takes too long.
 
 They are plain child processes with pipes, which all systems have; Ctrl-C does not reach them, and they end
 with the server, however that ends.
@@ -35,8 +35,8 @@ STARTING = 60.0
 """How long a process may take to be ready, on a slow machine [s]."""
 
 
-class Reader:
-    """One process.
+class ReaderProcess:
+    """A process that runs `stayput.app.reader`.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ class Reader:
         )
         self._ready = False
 
-    def read(self, task: reader.Task) -> reader.Outcome:
+    def read(self, task: reader.ReadingTask) -> reader.ReadingResult:
         """Have a record read.
 
         Raises
@@ -76,7 +76,7 @@ class Reader:
             reader.send(cast("BinaryIO", self._process.stdin), task)
         except OSError:
             raise EOFError from None
-        return cast("reader.Outcome", self._answer(task.seconds))
+        return cast("reader.ReadingResult", self._answer(task.seconds))
 
     def _answer(self, seconds: float) -> object:
         answers = cast("BinaryIO", self._process.stdout)
@@ -100,7 +100,7 @@ class Reader:
 
     @property
     def alive(self) -> bool:
-        """Whether it goes on."""
+        """Whether the process is running."""
         return self._process.poll() is None
 
     def end(self) -> None:
@@ -109,8 +109,8 @@ class Reader:
         self._process.wait()
 
 
-class Readers:
-    """All processes that read: one that is ready, more while it is busy.
+class ReaderPool:
+    """All processes that read: an idle one, and more while it is busy.
 
     Parameters
     ----------
@@ -121,8 +121,8 @@ class Readers:
     def __init__(self, limits: Limits) -> None:
         self._limits = limits
         self._pool = ThreadPoolExecutor(limits.readers, "stayput-reader")
-        self._idle: queue.SimpleQueue[Reader] = queue.SimpleQueue()
-        self._all: set[Reader] = set()
+        self._idle: queue.SimpleQueue[ReaderProcess] = queue.SimpleQueue()
+        self._all: set[ReaderProcess] = set()
         self._lock = threading.Lock()
         self._closed = False
         self._busy = 0
@@ -135,7 +135,7 @@ class Readers:
     async def read(
         self, path: Path, component: str | None = None, unit: str | None = None, dt: float | None = None
     ) -> tuple[Motion, tuple[InputWarning, ...]]:
-        """Read a record; see `read_motion`. Return it with what is doubtful about it.
+        """Read a record; see `read_motion`. Return it with the warnings about it.
 
         Raises
         ------
@@ -148,65 +148,65 @@ class Readers:
         if self._busy >= limits.readers + limits.reading_waiting:
             raise refused(503, "app.many_files", retry_after=2)
         most = limits.numbers, limits.samples_of_motion, limits.duration, limits.reading_seconds
-        task = reader.Task(str(path), component, unit, dt, *most)
+        task = reader.ReadingTask(str(path), component, unit, dt, *most)
         self._busy += 1
         try:
-            outcome = await asyncio.get_running_loop().run_in_executor(self._pool, self._read, task)
+            result = await asyncio.get_running_loop().run_in_executor(self._pool, self._read, task)
         finally:
             self._busy -= 1
-        if outcome.motion is None:
-            raise outcome.refusal or InputError("app.reading_died")
-        return outcome.motion, outcome.doubts
+        if result.motion is None:
+            raise result.refusal or InputError("app.reading_died")
+        return result.motion, result.warnings
 
     def close(self) -> None:
         """End all processes."""
         with self._lock:
             self._closed = True
             ending, self._all = self._all, set()
-        for one in ending:
-            one.end()
+        for process in ending:
+            process.end()
         self._pool.shutdown(wait=False, cancel_futures=True)
 
-    def _read(self, task: reader.Task) -> reader.Outcome:
-        found = self._taken()
+    def _read(self, task: reader.ReadingTask) -> reader.ReadingResult:
+        process = self._taken()
         try:
             try:
-                outcome = found.read(task)
+                result = process.read(task)
             except EOFError:  # it may have died while it waited, which is not the file's fault
-                self._forget(found)
-                found = self._new()
-                outcome = found.read(task)
+                self._forget(process)
+                process = self._new()
+                result = process.read(task)
         except TimeoutError:
-            outcome = reader.Outcome(None, InputError("app.reading_slow", seconds=task.seconds))
+            result = reader.ReadingResult(None, InputError("app.reading_slow", seconds=task.seconds))
         except EOFError:
-            outcome = reader.Outcome(None, InputError("app.reading_died"))
+            result = reader.ReadingResult(None, InputError("app.reading_died"))
         else:
-            self._idle.put(found)
-            return outcome
-        self._forget(found)
+            self._idle.put(process)
+            return result
+        self._forget(process)
         if self._idle.empty() and not self._closed:
             self.start()
-        return outcome
+        return result
 
-    def _taken(self) -> Reader:
+    def _taken(self) -> ReaderProcess:
         while True:
             try:
-                found = self._idle.get_nowait()
+                process = self._idle.get_nowait()
             except queue.Empty:
                 return self._new()
-            if found.alive:
-                return found
-            self._forget(found)
+            if process.alive:
+                return process
+            self._forget(process)
 
-    def _new(self) -> Reader:
+    def _new(self) -> ReaderProcess:
         with self._lock:
             if self._closed:
                 raise refused(503, "app.ends")
-            made = Reader(self._limits.reading_memory)
-            self._all.add(made)
-            return made
+            process = ReaderProcess(self._limits.reading_memory)
+            self._all.add(process)
+            return process
 
-    def _forget(self, one: Reader) -> None:
+    def _forget(self, process: ReaderProcess) -> None:
         with self._lock:
-            self._all.discard(one)
-        one.end()
+            self._all.discard(process)
+        process.end()

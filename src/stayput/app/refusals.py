@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
-from stayput.app.fields import Problem
+from stayput.app.replies import Problem
 from stayput.errors import LONGEST_SENTENCE, InputError
 
 if TYPE_CHECKING:

@@ -1,12 +1,38 @@
-"""What the server answers besides runs: presets and motions."""
+"""Replies of the API: what all of them share, presets and motions."""
 
 from __future__ import annotations
 
 from typing import Any, Literal
 
-from pydantic import Field
+from pydantic import BaseModel, ConfigDict, Field
 
-from stayput.app.fields import Pair, Reply, Words
+TwoNumbers = tuple[float, float]
+
+
+class Reply(BaseModel):
+    """An answer; what is not finite is null."""
+
+    model_config = ConfigDict(ser_json_inf_nan="null")
+
+
+class Words(Reply):
+    """A text in both languages."""
+
+    en: str
+    ja: str
+
+    @classmethod
+    def of(cls, pair: tuple[str, str]) -> Words:
+        """Make it of a pair."""
+        return cls(en=pair[0], ja=pair[1])
+
+
+class Problem(Reply):
+    """Why a request was refused."""
+
+    message: str = Field(description="One sentence.")
+    message_ja: str | None = Field(default=None, description="The same in Japanese.")
+    field: str | None = Field(default=None, description="Dotted name of what is wrong.")
 
 
 class PingReply(Reply):
@@ -27,7 +53,7 @@ class FurnitureReply(Reply):
     mass_kg: float
     carcass_mass_kg: float | None
     shelves: int | None
-    centre_of_gravity_m: Pair
+    centre_of_gravity_m: TwoNumbers
 
 
 class SurfaceReply(Reply):
@@ -69,7 +95,7 @@ class IntensityReply(Reply):
 
 
 class ParameterReply(Reply):
-    """A parameter of a measure."""
+    """What is known of a field: a measure's parameter, or a number of a scene."""
 
     name: str
     default: float | int | str | None
@@ -133,6 +159,7 @@ class PresetsReply(Reply):
     families: list[FamilyReply]
     intensities: list[IntensityReply]
     measures: list[MeasureReply]
+    numbers: dict[str, ParameterReply] = Field(description="Numbers of a scene by their dotted names.")
     modes: list[ModeReply]
     outcomes: list[NamedReply]
     events: list[NamedReply]

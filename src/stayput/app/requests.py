@@ -1,12 +1,29 @@
-"""What the server is asked."""
+"""Request bodies of the API."""
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema
 
-from stayput.app.fields import Measures, Request, SceneData
+STANDS_FOR = "x-stands-for"
+"""Mark, in a schema, of what stands in the description of the API under a name of its own."""
+
+SceneData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "Scenario"})]
+"""A scene as it came: it is checked by `stayput.app.scenes`, off the event loop."""
+
+MeasureData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "Measure"})]
+"""A measure as it came."""
+
+Measures = Annotated[
+    list[MeasureData], Field(default_factory=list, max_length=8, description="In place together.")
+]
+
+
+class Request(BaseModel):
+    """A body; unknown keys are refused."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
 
 
 class SimulateRequest(Request):

@@ -1,4 +1,4 @@
-"""What the server answers about runs: histories as arrays, sent once."""
+"""Replies about runs: their results, with histories as arrays."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from stayput.app.fields import Pair, Problem, Reply, Words
+from stayput.app.replies import Problem, Reply, TwoNumbers, Words
 
 
 class BodyReply(Reply):
@@ -16,9 +16,9 @@ class BodyReply(Reply):
     height_m: float
     mass_kg: float
     inertia_kg_m2: float
-    centre_of_gravity_m: Pair = Field(description="From the middle of the base.")
-    corners_m: list[Pair] = Field(description="Base left, base right, top right, top left, from G.")
-    base_heights_m: Pair
+    centre_of_gravity_m: TwoNumbers = Field(description="From the middle of the base.")
+    corners_m: list[TwoNumbers] = Field(description="Base left, base right, top right, top left, from G.")
+    base_heights_m: TwoNumbers
     resting_tilt_rad: float = Field(description="Tilt at rest, to which `tilt_rad` adds.")
     slenderness_rad: float
 
@@ -149,8 +149,8 @@ class SimulateReply(Reply):
     with_: RunReply | None = Field(serialization_alias="with")
 
 
-class Here(Reply):
-    """Where the user's piece stands in a map."""
+class OwnPieceReply(Reply):
+    """The user's own piece, for its mark in the map."""
 
     intensity: float | None
     width_m: float
@@ -170,4 +170,4 @@ class SizeMapReply(Reply):
     )
     refused: list[Problem | None] = Field(description="By size: why such a piece is not possible.")
     motions: int
-    here: Here
+    here: OwnPieceReply

@@ -1,4 +1,4 @@
-"""A scene run without and with measures, and its histories at the rate of a screen."""
+"""Runs of a scene without and with measures, and their histories at the frame rate of a screen."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.app.fields import Words
 from stayput.app.motions import class_of, intensity_of
 from stayput.app.refusals import RefusedError
+from stayput.app.replies import Words
 from stayput.app.run_replies import (
     BuildingReply,
     EventReply,
@@ -37,9 +37,9 @@ MOST_EVENTS = 2000
 """Events of a run that are sent: the first ones, and the last."""
 
 
-def yours(scenario: Scenario) -> tuple[Measure, ...]:
+def own_measures(scenario: Scenario) -> tuple[Measure, ...]:
     """Return the user's own set of measures."""
-    return next((one.measures for one in scenario.measures if one.name == YOURS), ())
+    return next((measure_set.measures for measure_set in scenario.measures if measure_set.name == YOURS), ())
 
 
 def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) -> Run:
@@ -73,20 +73,20 @@ def simulated(scenario: Scenario) -> SimulateReply:
     RefusedError
         As `run_of`.
     """
-    own, shaking = yours(scenario), scenario.shaking
+    measures, shaking = own_measures(scenario), scenario.shaking
     ground = shaking.model_copy(update={"building": None, "storey": None}).motion(scenario.folder)
     motion = ground if shaking.building is None else shaking.motion(scenario.folder)
-    runs = [run_of(scenario, motion, measures) for measures in ([(), own] if own else [()])]
+    runs = [run_of(scenario, motion, measures) for measures in ([(), measures] if measures else [()])]
     scene = scene_of(runs, end=motion.duration)
     data = scene.data(RATE)
-    replies = [run_reply(run, one, scenario) for run, one in zip(runs, data["runs"], strict=True)]
+    replies = [run_reply(run, run_data, scenario) for run, run_data in zip(runs, data["runs"], strict=True)]
     return SimulateReply(
         motion=_motion_of(ground, motion),
         floor=FloorReply(**data["floor"]),
         view=ViewReply(**data["view"]),
         building=_building(scenario, ground, scene.shift_scale),
         without=replies[0],
-        with_=replies[1] if own else None,
+        with_=replies[1] if measures else None,
     )
 
 
@@ -105,7 +105,7 @@ def run_reply(run: Run, data: dict[str, Any], scenario: Scenario) -> RunReply:
 
 
 def _motion_of(ground: Motion, motion: Motion) -> MotionOfRun:
-    below, felt = intensity_of(ground), intensity_of(motion)
+    ground_intensity, floor_intensity = intensity_of(ground), intensity_of(motion)
     return MotionOfRun(
         name=motion.name,
         synthetic=motion.synthetic,
@@ -113,10 +113,10 @@ def _motion_of(ground: Motion, motion: Motion) -> MotionOfRun:
         dt_s=motion.dt,
         pga_m_s2=motion.pga,
         pgv_m_s=motion.pgv,
-        ground_intensity=below,
-        ground_class=class_of(below),
-        floor_intensity=felt,
-        floor_class=class_of(felt),
+        ground_intensity=ground_intensity,
+        ground_class=class_of(ground_intensity),
+        floor_intensity=floor_intensity,
+        floor_class=class_of(floor_intensity),
     )
 
 

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, cast
 
 from stayput.app.refusals import RefusedError, refused
 from stayput.errors import InputError
+from stayput.model.parameters import parameter_of
+from stayput.motion import sine
 from stayput.scenario import Scenario
 from stayput.verification.options import YOURS
 
@@ -48,7 +50,7 @@ def read_scene(
     """
     scene = dict(data)
     if measures:
-        scene["measures"] = [{"name": YOURS, "combine": [dict(one) for one in measures]}]
+        scene["measures"] = [{"name": YOURS, "combine": [dict(measure) for measure in measures]}]
     _refuse_half_characters(scene)
     shaking = scene.get("shaking")
     if isinstance(shaking, dict):
@@ -65,7 +67,7 @@ def read_scene(
     return scenario
 
 
-def uploaded(scenario: Scenario) -> frozenset[str]:
+def uploaded_motions(scenario: Scenario) -> frozenset[str]:
     """Return the uploaded motions that a scene reads."""
     shaking = scenario.shaking
     return frozenset(name for name in (shaking.record, shaking.vertical) if isinstance(name, str))
@@ -91,7 +93,7 @@ def _refuse_half_characters(scene: dict[str, Any]) -> None:
 
 
 def _check_shaking(shaking: dict[str, Any], limits: Limits, motions: Motions) -> None:
-    """Refuse what would read a file, or be too long, before any of it is made."""
+    """Refuse a shaking that names a file of the server or is too long, before any motion is made."""
     for key in ("record", "vertical"):
         name = shaking.get(key)
         if isinstance(name, str):
@@ -114,14 +116,14 @@ def _check_shaking(shaking: dict[str, Any], limits: Limits, motions: Motions) ->
             raise refused(
                 422, "app.many_masses", f"scene.{place}", name=place, value=count, most=limits.storeys
             )
-    sine = shaking.get("sine")
-    if isinstance(sine, dict):
-        _check_sine(cast("dict[str, Any]", sine), limits)
+    harmonic = shaking.get("sine")
+    if isinstance(harmonic, dict):
+        _check_sine(cast("dict[str, Any]", harmonic), limits)
 
 
-def _check_sine(sine: dict[str, Any], limits: Limits) -> None:
+def _check_sine(table: dict[str, Any], limits: Limits) -> None:
     duration, quiet, dt = (
-        _number(sine.get(key, usual)) for key, usual in (("duration", 30.0), ("quiet", 0.0), ("dt", 0.005))
+        _number(table.get(key, parameter_of(sine, key).default)) for key in ("duration", "quiet", "dt")
     )
     length = duration + quiet
     if length > limits.duration:
@@ -150,7 +152,7 @@ def _too_many(name: str, value: float, most: int) -> RefusedError:
 
 
 def _number(value: object) -> float:
-    """Return a number, or 0 for what the scenario's own check refuses."""
+    """Return a number; 0 for a value that the scenario's own check refuses."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return 0.0
     try:

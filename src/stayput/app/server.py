@@ -1,4 +1,4 @@
-"""The server: its parts put together, and how it begins and ends."""
+"""The server: the app made of its parts, its start and its end."""
 
 from __future__ import annotations
 
@@ -30,13 +30,12 @@ from stayput.app.limits import Limits
 from stayput.app.middleware import Compression, Guard
 from stayput.app.motions import Motions
 from stayput.app.pages import page_routes
-from stayput.app.presets import SCENE, SHOWN
-from stayput.app.readers import Readers
+from stayput.app.presets import SCENE, SCENE_MEASURES
+from stayput.app.readers import ReaderPool
 from stayput.app.refusals import RefusedError, error_response
 from stayput.app.running import simulated
-from stayput.app.service import Service
+from stayput.app.service import Service, Workers
 from stayput.app.size_map import size_map
-from stayput.app.workers import Workers
 from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning
 from stayput.scenario import Scenario
@@ -76,7 +75,7 @@ def create_app(host: str = "127.0.0.1", limits: Limits | None = None, *, warming
     folder = Path(tempfile.mkdtemp(prefix="stayput-"))
     quick = Workers(allowed.workers, allowed.waiting)
     slow = Workers(allowed.slow_workers, allowed.slow_waiting)
-    readers, jobs = Readers(allowed), Jobs(allowed)
+    readers, jobs = ReaderPool(allowed), Jobs(allowed)
     motions = Motions(folder, allowed, readers, jobs.motions)
     service = Service(allowed, quick, slow, readers, motions, jobs)
 
@@ -108,7 +107,7 @@ def create_app(host: str = "127.0.0.1", limits: Limits | None = None, *, warming
     app.router.routes.extend(page_routes())
     app.add_middleware(Compression)
     app.add_middleware(Guard, limits=allowed, host=host)
-    _add_refusals(app, service.motions.told)
+    _add_refusals(app, service.motions.with_file_names)
     app.openapi = described(app)
     return app
 
@@ -116,7 +115,7 @@ def create_app(host: str = "127.0.0.1", limits: Limits | None = None, *, warming
 def warm() -> None:
     """Run the scene that the page begins with first; then upstairs, the map and a small verification."""
     upstairs = {**SCENE["shaking"], "building": {"storeys": 10}, "storey": 5}
-    simulated(Scenario.parse({**SCENE, "measures": [{"name": YOURS, "combine": SHOWN}]}))
+    simulated(Scenario.parse({**SCENE, "measures": [{"name": YOURS, "combine": SCENE_MEASURES}]}))
     simulated(Scenario.parse({**SCENE, "shaking": upstairs}))
     size_map(Scenario.parse(SCENE), "height", 1)
     few = {"measures": [{"type": "belt"}], "uncertainty": {"samples": 1}}
@@ -135,16 +134,16 @@ def _warm(service: Service) -> None:
     service.ready = True
 
 
-def _add_refusals(app: FastAPI, told_plainly: Callable[[str], str]) -> None:
+def _add_refusals(app: FastAPI, with_file_names: Callable[[str], str]) -> None:
     """Let every refusal be one sentence, without the server's own paths, and a field."""
 
     async def refused(_request: Request, error: Exception) -> Response:
-        found = cast("RefusedError", error)
-        plain = found.error.rewritten(told_plainly)
-        return error_response(found.status_code, plain, found.headers)
+        refusal = cast("RefusedError", error)
+        plain = refusal.error.rewritten(with_file_names)
+        return error_response(refusal.status_code, plain, refusal.headers)
 
     async def input_refused(_request: Request, error: Exception) -> Response:
-        return error_response(422, cast("InputError", error).rewritten(told_plainly))
+        return error_response(422, cast("InputError", error).rewritten(with_file_names))
 
     async def invalid(_request: Request, error: Exception) -> Response:
         first = cast("RequestValidationError", error).errors()[0]
@@ -156,9 +155,9 @@ def _add_refusals(app: FastAPI, told_plainly: Callable[[str], str]) -> None:
         return error_response(422, InputError("app.not_valid", field, name=name, message=first["msg"]))
 
     async def http(_request: Request, error: Exception) -> Response:
-        found = cast("HTTPException", error)
-        error = InputError("app.http", message=str(found.detail).rstrip("."))
-        return error_response(found.status_code, error, found.headers)
+        exception = cast("HTTPException", error)
+        error = InputError("app.http", message=str(exception.detail).rstrip("."))
+        return error_response(exception.status_code, error, exception.headers)
 
     app.add_exception_handler(RefusedError, refused)
     app.add_exception_handler(InputError, input_refused)
@@ -167,7 +166,7 @@ def _add_refusals(app: FastAPI, told_plainly: Callable[[str], str]) -> None:
 
 
 def server_of(app: FastAPI) -> uvicorn.Server:
-    """Return what serves an app; it is run with sockets that are bound already."""
+    """Return the Uvicorn server of an app; it is run with sockets that are bound already."""
     config = uvicorn.Config(
         app,
         log_level="warning",
@@ -175,7 +174,7 @@ def server_of(app: FastAPI) -> uvicorn.Server:
         timeout_keep_alive=30,
         timeout_graceful_shutdown=2,
         http=cast("type[asyncio.Protocol]", connection_maker(app.state.service.limits)),
-        proxy_headers=False,  # who a client is, it does not say itself
+        proxy_headers=False,  # a client's own claim of its address is not believed
         ws="none",
     )
     return uvicorn.Server(config)

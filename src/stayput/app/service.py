@@ -1,26 +1,75 @@
-"""What the routes work with, and how they answer."""
+"""Shared by the routes: the server's state, threads for work, and JSON responses."""
 
 from __future__ import annotations
 
+import asyncio
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 from starlette.responses import Response
 
-from stayput.app.fields import Problem, Reply
+from stayput.app.refusals import RefusedError, refused
+from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import read_scene
+from stayput.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from stayput.app.jobs import Jobs
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
-    from stayput.app.readers import Readers
-    from stayput.app.workers import Workers
+    from stayput.app.readers import ReaderPool
     from stayput.scenario import Scenario
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+class Workers:
+    """A bounded pool of threads that compute, off the event loop.
+
+    Parameters
+    ----------
+    threads : int
+        How many threads.
+    waiting : int
+        How many requests may wait for one.
+    """
+
+    def __init__(self, threads: int, waiting: int) -> None:
+        self._pool = ThreadPoolExecutor(threads, "stayput-worker")
+        self._most = threads + waiting
+        self._busy = 0
+
+    async def run(self, work: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+        """Do some work on a thread.
+
+        Raises
+        ------
+        RefusedError
+            Too much is waiting, or the input is refused.
+        """
+        if self._busy >= self._most:
+            raise refused(503, "app.busy", retry_after=2)
+        self._busy += 1
+        try:
+            return await asyncio.get_running_loop().run_in_executor(self._pool, lambda: work(*args, **kwargs))
+        except InputError as error:
+            raise RefusedError(422, error.about(None)) from None
+        except MemoryError:
+            raise refused(503, "app.little_memory") from None
+        finally:
+            self._busy -= 1
+
+    def close(self) -> None:
+        """Shut the threads down; work that has not begun is dropped."""
+        self._pool.shutdown(wait=False, cancel_futures=True)
 
 
 def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
-    """Return what the description of the API says of refusals."""
+    """Return the entries of refusals in the description of the API."""
     words = {
         400: "The body is not JSON.",
         404: "There is none of this id.",
@@ -35,7 +84,7 @@ def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
 
 @dataclass(slots=True)
 class Service:
-    """What the routes work with.
+    """State of the server that the routes share.
 
     Attributes
     ----------
@@ -43,7 +92,7 @@ class Service:
         What is accepted.
     workers, slow : Workers
         Threads that compute: what is short, and what is not.
-    readers : Readers
+    readers : ReaderPool
         Processes that read uploads.
     motions : Motions
         What was uploaded.
@@ -58,7 +107,7 @@ class Service:
     limits: Limits
     workers: Workers
     slow: Workers
-    readers: Readers
+    readers: ReaderPool
     motions: Motions
     jobs: Jobs
     ready: bool = False
@@ -79,6 +128,6 @@ class Service:
 
 
 def json_response(reply: Reply, status: int = 200, headers: dict[str, str] | None = None) -> Response:
-    """Return an answer; to be called on a worker where the reply is large."""
+    """Return a reply as a JSON response; call it on a worker where the reply is large."""
     text = reply.model_dump_json(by_alias=True)
     return Response(text, status, headers, "application/json")

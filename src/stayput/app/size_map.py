@@ -9,17 +9,17 @@ import numpy as np
 
 from stayput.app.jobs import StoppedError
 from stayput.app.refusals import problem
-from stayput.app.run_replies import Here, SizeMapReply
-from stayput.app.running import yours
-from stayput.catalogue import phrase
+from stayput.app.run_replies import OwnPieceReply, SizeMapReply
+from stayput.app.running import own_measures
 from stayput.errors import InputError
 from stayput.measures import hold
-from stayput.model.body import SIZE_RANGE, Body
+from stayput.model.body import MASS_RANGE, SIZE_RANGE, Body
 from stayput.model.state import State, refuse_bad_start
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import Rows, stated_rows
 from stayput.motion.suites import Suite
+from stayput.verification.options import require_coulomb
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -58,7 +58,7 @@ def scaled_body(body: Body, across: float, up: float) -> Body:
     grown = Body(
         float(np.clip(across * body.width, *SIZE_RANGE)),
         float(np.clip(up * body.height, *SIZE_RANGE)),
-        float(np.clip(area * body.mass, 1e-3, 1e6)),
+        float(np.clip(area * body.mass, *MASS_RANGE)),
         (across * body.cg_offset[0], up * body.cg_offset[1]),
         base_heights=body.base_heights,
     )
@@ -88,15 +88,9 @@ def size_map(
     InputError
         The paper's contact law, or measures that cannot be applied to the piece as it stands.
     """
-    if scenario.contact != "coulomb":
-        raise InputError(
-            "verification.needs_coulomb",
-            "contact",
-            contact=scenario.contact,
-            what=phrase("verification.the_map"),
-        )
+    require_coulomb(scenario, "verification.the_map")
     shaking = scenario.shaking
-    body, measures = scenario.furniture.body(), yours(scenario)
+    body, measures = scenario.furniture.body(), own_measures(scenario)
     most = MOTIONS if shaking.building is None or not shaking.building.yields else MOTIONS_YIELDING
     if hold(body, scenario.room.room(), measures).elements:
         most = MOTIONS_HELD
@@ -105,26 +99,26 @@ def size_map(
     across = np.where(axis == "height", 1.0, SIZES)
     up = np.where(axis == "width", 1.0, SIZES)
     bodies = [scaled_body(body, float(a), float(u)) for a, u in zip(across, up, strict=True)]
-    rows = [_rows_or_refusal(one, scenario, measures, len(ground)) for one in bodies]
+    rows = [_rows_or_refusal(scaled, scenario, measures, len(ground)) for scaled in bodies]
     possible = {place: row for place, row in enumerate(rows) if isinstance(row, Rows)}
     share = np.full((len(bodies), len(INTENSITIES)), np.nan)
     if possible:
         for column, level in enumerate(INTENSITIES):
             if not awaited():
                 raise StoppedError
-            runs = run_level(list(possible.values()), hazard.at(float(level), threads), threads=threads)
-            share[list(possible), column] = [one.probability_of_overturning().estimate for one in runs]
+            by_size = run_level(list(possible.values()), hazard.at(float(level), threads), threads=threads)
+            share[list(possible), column] = [runs.probability_of_overturning().estimate for runs in by_size]
     wanted = shaking.wanted_intensity
     return SizeMapReply(
         axis=axis,
         intensity=INTENSITIES.tolist(),
         size=SIZES.tolist(),
-        width_m=[one.width for one in bodies],
-        height_m=[one.height for one in bodies],
+        width_m=[scaled.width for scaled in bodies],
+        height_m=[scaled.height for scaled in bodies],
         overturned=share.round(4).tolist(),
         refused=[problem(row.about(None)) if isinstance(row, InputError) else None for row in rows],
         motions=len(ground),
-        here=Here(
+        here=OwnPieceReply(
             intensity=_own_intensity(ground, shaking.scale) if wanted is None else wanted,
             width_m=body.width,
             height_m=body.height,
@@ -147,6 +141,8 @@ def _rows_or_refusal(
 def _own_intensity(ground: Suite, scale: float | None) -> float | None:
     """Return the intensity of motions that keep their own strength, in the middle of them."""
     factor = abs(1.0 if scale is None else scale)
-    found = [motion.intensity + 2.0 * np.log10(factor) if factor > 0.0 else -np.inf for motion in ground]
-    middle = float(np.median(found))
+    intensities = [
+        motion.intensity + 2.0 * np.log10(factor) if factor > 0.0 else -np.inf for motion in ground
+    ]
+    middle = float(np.median(intensities))
     return middle if np.isfinite(middle) else None

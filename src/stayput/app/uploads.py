@@ -20,7 +20,7 @@ LONGEST_FIELD = 200
 
 
 class Upload(NamedTuple):
-    """What was sent."""
+    """The fields of an upload's form."""
 
     data: bytes
     name: str | None

@@ -1,4 +1,4 @@
-"""What the server answers about verifications: jobs and verdicts."""
+"""Replies about verifications: jobs and verdicts."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from stayput.app.fields import Problem, Reply, Words
+from stayput.app.replies import Problem, Reply, Words
 
 
 class ChanceReply(Reply):

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.app.fields import Words
 from stayput.app.refusals import problem, refused
+from stayput.app.replies import Words
+from stayput.app.running import own_measures
 from stayput.app.verdict_replies import (
     CurveReply,
     JobReply,
@@ -15,12 +16,10 @@ from stayput.app.verdict_replies import (
     VerdictReply,
 )
 from stayput.fragility import JMA_INTENSITY
-from stayput.fragility.curve import METHOD, State
+from stayput.fragility.curve import METHOD, CurveState
 from stayput.measures import MEASURES
 from stayput.report.verdict.data import verdict_data
 from stayput.scenario import Scenario
-from stayput.verification import verify
-from stayput.verification.compare import LEVELS
 from stayput.verification.grades import weakest
 from stayput.verification.options import YOURS, options_of, usual_options
 
@@ -57,33 +56,33 @@ def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) 
     InputError
         A measure that cannot be applied.
     """
-    own = next((one for one in scenario.measures if one.name == YOURS), None)
-    if own is None:
+    own = own_measures(scenario)
+    if not own:
         options_of(scenario)
         return scenario
-    tables: list[dict[str, Any]] = [{"name": YOURS, "combine": [table_of(one) for one in own.measures]}]
-    seen = {own.measures}
-    alone = [(measure,) for measure in own.measures]
+    tables: list[dict[str, Any]] = [{"name": YOURS, "combine": [table_of(measure) for measure in own]}]
+    seen = {own}
+    alone = [(measure,) for measure in own]
     usual = usual_options(scenario.furniture.body(), scenario.room.room()) if compare_usual else ()
     for measures in (*alone, *(option.measures for option in usual)):
         if measures not in seen:
             seen.add(measures)
-            tables.append(_option(measures, {one.get("name") for one in tables}))
-    whole = Scenario.parse({**data, "measures": tables}, scenario.folder)
-    options_of(whole)
-    return whole
+            tables.append(_option(measures, {table.get("name") for table in tables}))
+    extended = Scenario.parse({**data, "measures": tables}, scenario.folder)
+    options_of(extended)
+    return extended
 
 
 def _option(measures: tuple[Measure, ...], taken: set[Any]) -> dict[str, Any]:
-    name = " + ".join(one.kind for one in measures)
+    name = " + ".join(measure.kind for measure in measures)
     while name in taken:  # the same kind with parameters of the user's
         name += ", as usual"
-    tables = [table_of(one) for one in measures]
+    tables = [table_of(measure) for measure in measures]
     return {**tables[0], "name": name} if len(tables) == 1 else {"name": name, "combine": tables}
 
 
 def table_of(measure: Measure) -> dict[str, Any]:
-    """Return a measure as a scenario has it: its type, and what is not its default."""
+    """Return a measure as a table of a scenario: its type, and parameters that differ from their defaults."""
     usual = MEASURES[measure.kind]()
     names = measure.__dataclass_fields__
     changed = {n: getattr(measure, n) for n in names if getattr(measure, n) != getattr(usual, n)}
@@ -111,28 +110,14 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
     return runs
 
 
-def verified(
-    scenario: Scenario,
-    slide_limit: float,
-    curves: bool,
-    threads: int,
-    told: Callable[[int, int], None],
-) -> Verdict:
-    """Verify a scene on this thread; what ``told`` raises stops it."""
-    levels = LEVELS if curves else LEVELS[:0]
-    return verify(
-        scenario, levels=levels, slide_limit=slide_limit, threads=threads, progress=False, told=told
-    )
-
-
-def job_reply(job: Job, told: Callable[[str], str]) -> JobReply:
-    """Return how a job stands, with its verdict once there is one.
+def job_reply(job: Job, rewrite: Callable[[str], str]) -> JobReply:
+    """Return the state of a job, with its verdict once it is done.
 
     Parameters
     ----------
     job : Job
         The job.
-    told : callable
+    rewrite : callable
         Puts the users' names for their files into a sentence.
     """
     verdict = job.verdict if job.state == "done" else None
@@ -143,7 +128,7 @@ def job_reply(job: Job, told: Callable[[str], str]) -> JobReply:
         total=job.total,
         progress=1.0 if job.state == "done" else min(1.0, job.done / max(1, job.total)),
         seconds=round(job.seconds, 3),
-        error=None if job.error is None else problem(job.error.rewritten(told)),
+        error=None if job.error is None else problem(job.error.rewritten(rewrite)),
         result=None if verdict is None else verdict_reply(verdict),
     )
 
@@ -156,24 +141,24 @@ def verdict_reply(verdict: Verdict) -> VerdictReply:
         "headline": data["verdict"],
         "intensity": data["jma_intensity"],
         "seconds": round(verdict.seconds, 3),
-        "options": [_option_data(one, option, verdict) for one, option in pairs],
+        "options": [_option_data(result, option, verdict) for result, option in pairs],
     }
     return VerdictReply.model_validate(data)
 
 
-def _option_data(one: OptionVerdict, data: dict[str, Any], verdict: Verdict) -> dict[str, Any]:
+def _option_data(result: OptionVerdict, data: dict[str, Any], verdict: Verdict) -> dict[str, Any]:
     """Return an option as the page reads it, from its data in the JSON file."""
     capacities = {f"p{100.0 * capacity['share']:.0f}": capacity for capacity in data["capacities"]}
     for capacity in capacities.values():
         capacity["estimate"] = capacity["jma_intensity"]
-    curve = one.curves.get(JMA_INTENSITY)
-    observed = [each["levels"] for each in data["curves"] if each["measure"] == JMA_INTENSITY.key]
+    curve = result.curves.get(JMA_INTENSITY)
+    observed = [row["levels"] for row in data["curves"] if row["measure"] == JMA_INTENSITY.key]
     return {
         **data,
         **data["probabilities"],
-        "measures": [table_of(measure) for measure in one.option.measures],
-        "weakest": [Words.of(each.label) for each in weakest(one.option, verdict.scenario)],
-        "yours": one.option.name == YOURS,
+        "measures": [table_of(measure) for measure in result.option.measures],
+        "weakest": [Words.of(item.label) for item in weakest(result.option, verdict.scenario)],
+        "yours": result.option.name == YOURS,
         "change": data["overturned_change"],
         "slide_m": data["peak_slide_m"],
         "tilt_rad": data["peak_tilt_rad"],
@@ -192,7 +177,7 @@ def _option_data(one: OptionVerdict, data: dict[str, Any], verdict: Verdict) -> 
 
 
 def _curve(curve: FragilityCurve, levels: list[dict[str, Any]]) -> CurveReply:
-    grid, fitted = curve.grid(CURVE_POINTS), curve.state is State.FITTED
+    grid, fitted = curve.grid(CURVE_POINTS), curve.state is CurveState.FITTED
     low, high = curve.band(grid)
     banded = fitted and not curve.one_motion
     return CurveReply(

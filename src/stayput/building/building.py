@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.building.isolation import Isolation
-from stayput.building.model import MOST_STOREYS, ShearModel
+from stayput.building.model import AMPLIFICATION_RANGE, MOST_STOREYS, ShearModel
 from stayput.building.modes import natural_modes, strain_energy_damping
 from stayput.building.shears import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
-from stayput.errors import InputError, within
+from stayput.errors import InputError
+from stayput.model.parameters import check_fields, parameter, quantity
 from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
@@ -22,6 +23,11 @@ if TYPE_CHECKING:
 
     from stayput.building.model import FloorPeaks, FloorResponse
     from stayput.motion import Motion
+
+
+_DAMPING = ("", 0.0, 0.5, ("Building damping", "建物の減衰定数"))
+_YIELD = ("", 1e-3, 10.0, ("Building yield_coefficient", "建物の降伏せん断力係数"))
+_POST_YIELD = ("", 0.0, 0.95, ("Building post_yield", "建物の降伏後の剛性比"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,10 +46,12 @@ class Structure:
         Ratio of a storey's stiffness after yielding to that before it.
     """
 
-    period_per_height: float
-    damping: float
-    yield_coefficient: float
-    post_yield: float
+    period_per_height: float = field(
+        metadata=quantity("s/m", 1e-3, 1.0, ("First period over height", "建物の高さに対する固有周期"))
+    )
+    damping: float = field(metadata=quantity(*_DAMPING))
+    yield_coefficient: float = field(metadata=quantity(*_YIELD))
+    post_yield: float = field(metadata=quantity(*_POST_YIELD))
 
 
 ISOLATED = "base-isolated"
@@ -104,16 +112,42 @@ class Building:
         An unknown structure, or a value out of range.
     """
 
-    storeys: int = 10
+    storeys: int = parameter(
+        10, "", 1, MOST_STOREYS - 1, ("Number of storeys", "建物の階数"), "Number of storeys."
+    )
     structure: str = "RC"
-    period: float | None = None
-    damping: float | None = None
-    storey_height: float | None = None
+    period: float | None = parameter(
+        None,
+        "s",
+        0.02,
+        20.0,
+        ("Building period", "建物の固有周期"),
+        "First natural period; default by height.",
+    )
+    damping: float | None = parameter(
+        None, *_DAMPING, "Damping ratio of every mode; default the structure's."
+    )
+    storey_height: float | None = parameter(
+        None,
+        "m",
+        1.5,
+        20.0,
+        ("Building storey_height", "建物の階高"),
+        f"Height of a storey; default {STOREY_HEIGHT:g} m.",
+    )
     nonlinear: bool = True
-    yield_coefficient: float | None = None
-    post_yield: float | None = None
+    yield_coefficient: float | None = parameter(
+        None, *_YIELD, "Shear coefficient of the lowest storey at yielding."
+    )
+    post_yield: float | None = parameter(None, *_POST_YIELD, "Stiffness after yielding over that before it.")
     isolation: Isolation = field(default_factory=Isolation)
-    vertical_amplification: float = 1.0
+    vertical_amplification: float = parameter(
+        1.0,
+        "",
+        *AMPLIFICATION_RANGE,
+        ("Building vertical_amplification", "建物の上下動の増幅率"),
+        "Factor on the vertical motion at the roof, growing linearly from 1.",
+    )
 
     def __post_init__(self) -> None:
         if self.structure not in STRUCTURES:
@@ -125,16 +159,7 @@ class Building:
         object.__setattr__(self, "storeys", int(self.storeys))
         if not self.nonlinear and (self.yield_coefficient is not None or self.post_yield is not None):
             raise InputError("building.needs_nonlinear", "nonlinear")
-        for name, low, high, unit in (
-            ("period", 0.02, 20.0, "s"),
-            ("damping", 0.0, 0.5, ""),
-            ("storey_height", 1.5, 20.0, "m"),
-            ("yield_coefficient", 1e-3, 10.0, ""),
-            ("post_yield", 0.0, 0.95, ""),
-            ("vertical_amplification", 0.0, 10.0, ""),
-        ):
-            if (value := getattr(self, name)) is not None:
-                within(f"building.{name}", value, low, high, unit, name)
+        check_fields(self)
         if self.structure == ISOLATED and self.fixed_period >= self.isolation.period:
             fixed, isolators = self.fixed_period, self.isolation.period
             raise InputError("building.period_of_isolated", "period", period=fixed, isolators=isolators)

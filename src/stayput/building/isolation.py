@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from stayput.errors import InputError, within
+from stayput.errors import InputError
+from stayput.model.parameters import check_fields, parameter
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,20 +30,13 @@ class Isolation:
         A value out of range, or a damping that no bilinear law of that ratio has.
     """
 
-    period: float = 4.0
-    damping: float = 0.20
-    displacement: float = 0.25
-    post_yield: float = 0.1
+    period: float = parameter(4.0, "s", 0.5, 20.0, ("Isolation period", "免震層の周期"))
+    damping: float = parameter(0.20, "", 0.01, 0.6, ("Isolation damping", "免震層の減衰定数"))
+    displacement: float = parameter(0.25, "m", 0.01, 2.0, ("Isolation displacement", "免震層の変位"))
+    post_yield: float = parameter(0.1, "", 0.01, 0.9, ("Isolation post_yield", "免震層の降伏後の剛性比"))
 
     def __post_init__(self) -> None:
-        for name, low, high, unit in (
-            ("period", 0.5, 20.0, "s"),
-            ("damping", 0.01, 0.6, ""),
-            ("displacement", 0.01, 2.0, "m"),
-            ("post_yield", 0.01, 0.9, ""),
-        ):
-            value: float = getattr(self, name)
-            within(f"building.isolation_{name}", value, low, high, unit, f"isolation.{name}")
+        check_fields(self, place="isolation.")
         most = 2.0 / math.pi * (1.0 - math.sqrt(self.post_yield)) / (1.0 + math.sqrt(self.post_yield))
         if self.damping >= most:
             raise InputError(

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
 from stayput.building.modes import ModalModel, Modes, natural_modes
-from stayput.catalogue import phrase
-from stayput.errors import InputError, InputWarning, quoted, warn, within
+from stayput.errors import InputError, InputWarning, quoted, warn
 from stayput.execution import Call, ThreadExecutor
+from stayput.model.parameters import parameter, parameter_of, quantity
 from stayput.motion.integrals import peak_velocity
 from stayput.motion.processing import refine
 
@@ -28,6 +28,9 @@ T = TypeVar("T")
 
 MOST_STOREYS = 200
 """Most masses that are accepted."""
+
+AMPLIFICATION_RANGE = (0.0, 10.0)
+"""Smallest and largest factor on the vertical motion at the roof that is accepted."""
 
 
 @dataclass(frozen=True)
@@ -65,39 +68,48 @@ class ShearModel:
         A value out of range, or lists of different lengths.
     """
 
-    masses: Sequence[float]
-    stiffnesses: Sequence[float]
-    damping: float | Sequence[float]
-    yield_shears: Sequence[float] | None = None
-    post_yield: float | Sequence[float] = 0.05
+    masses: Sequence[float] = field(
+        metadata=quantity("kg", 1e-3, 1e12, ("ShearModel masses", "せん断モデルの質量"))
+    )
+    stiffnesses: Sequence[float] = field(
+        metadata=quantity("N/m", 1e-9, 1e18, ("ShearModel stiffnesses", "せん断モデルの剛性"))
+    )
+    damping: float | Sequence[float] = field(
+        metadata=quantity("", 0.0, 0.9, ("ShearModel damping", "せん断モデルの減衰定数"))
+    )
+    yield_shears: Sequence[float] | None = parameter(
+        None, "N", 1e-6, 1e18, ("ShearModel yield_shears", "せん断モデルの降伏せん断力")
+    )
+    post_yield: float | Sequence[float] = parameter(
+        0.05, "", 0.0, 0.95, ("ShearModel post_yield", "せん断モデルの降伏後の剛性比")
+    )
     isolated: bool = False
-    vertical_amplification: float = 1.0
+    vertical_amplification: float = parameter(
+        1.0, "", *AMPLIFICATION_RANGE, ("Vertical amplification", "上下動の増幅率")
+    )
     name: str = ""
 
     def __post_init__(self) -> None:
-        masses = self._row("masses", self.masses, 1e-3, 1e12, "kg")
+        masses = self._row("masses", self.masses)
         if not int(self.isolated) < len(masses) <= MOST_STOREYS:
             least = 1 + int(self.isolated)
             raise InputError("building.masses", "masses", count=len(masses), least=least, most=MOST_STOREYS)
-        self._row("stiffnesses", self.stiffnesses, 1e-9, 1e18, "N/m")
-        self._row("damping", self.damping, 0.0, 0.9)
-        self._row("post_yield", self.post_yield, 0.0, 0.95)
+        self._row("stiffnesses", self.stiffnesses)
+        self._row("damping", self.damping)
+        self._row("post_yield", self.post_yield)
         if self.yield_shears is not None:
-            self._row("yield_shears", self.yield_shears, 1e-6, 1e18, "N")
-        amplification = "vertical_amplification"
-        within(f"building.model_{amplification}", self.vertical_amplification, 0.0, 10.0, field=amplification)
+            self._row("yield_shears", self.yield_shears)
+        parameter_of(ShearModel, "vertical_amplification").check(self.vertical_amplification)
         if not self.name:
             object.__setattr__(self, "name", f"{len(masses)}-mass shear model")
 
-    def _row(
-        self, field: str, given: float | Sequence[float], low: float, high: float, unit: str = ""
-    ) -> tuple[float, ...]:
+    def _row(self, field: str, given: float | Sequence[float]) -> tuple[float, ...]:
         """Check a field, and set it to a tuple of floats, one for each mass."""
-        name, count = phrase(f"building.model_{field}"), len(tuple(self.masses))
-        values = (given,) * count if isinstance(given, int | float) else tuple(given)
-        if len(values) != count:
-            raise InputError("building.model_values", field, name=name, count=len(values), wanted=count)
-        row = tuple(within(name, value, low, high, unit, field) for value in values)
+        about, wanted = parameter_of(ShearModel, field), len(tuple(self.masses))
+        values = (given,) * wanted if isinstance(given, int | float) else tuple(given)
+        if (count := len(values)) != wanted:
+            raise InputError("building.model_values", field, name=about.label, count=count, wanted=wanted)
+        row = tuple(about.check(value) for value in values)
         object.__setattr__(self, field, row)
         return row
 

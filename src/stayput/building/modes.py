@@ -126,4 +126,4 @@ def parts_of_step(modes: Modes, dt: float) -> int:
     """
     share = np.cumsum(modes.effective_mass)
     shortest = float(modes.periods[min(int(np.searchsorted(share, MASS_THAT_MATTERS)), len(share) - 1)])
-    return math.ceil(STEPS_IN_A_PERIOD * dt / max(shortest, 2.0 * dt) - 1e-9)
+    return max(1, math.ceil(STEPS_IN_A_PERIOD * dt / max(shortest, 2.0 * dt) - 1e-9))

@@ -83,8 +83,8 @@ def phrase(text: str | Phrase, **values: object) -> Phrase:
     return english, japanese
 
 
-def say(text: str | Phrase, language: Language = "en", **values: object) -> str:
-    """Return a text in one language, with its values filled in; see `phrase`."""
+def say(text: str | Phrase, language: str = "en", **values: object) -> str:
+    """Return a text in one of `LANGUAGES`, with its values filled in; see `phrase`."""
     return phrase(text, **values)[LANGUAGES.index(language)]
 
 

@@ -1,24 +1,6 @@
 """Buildings, their isolators, and shear models."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    # Names of a building's numbers
-    "period": ("Building period", "建物の固有周期"),
-    "damping": ("Building damping", "建物の減衰定数"),
-    "storey_height": ("Building storey_height", "建物の階高"),
-    "yield_coefficient": ("Building yield_coefficient", "建物の降伏せん断力係数"),
-    "post_yield": ("Building post_yield", "建物の降伏後の剛性比"),
-    "vertical_amplification": ("Building vertical_amplification", "建物の上下動の増幅率"),
-    "isolation_period": ("Isolation period", "免震層の周期"),
-    "isolation_damping": ("Isolation damping", "免震層の減衰定数"),
-    "isolation_displacement": ("Isolation displacement", "免震層の変位"),
-    "isolation_post_yield": ("Isolation post_yield", "免震層の降伏後の剛性比"),
-    # Names of a shear model's numbers
-    "model_masses": ("ShearModel masses", "せん断モデルの質量"),
-    "model_stiffnesses": ("ShearModel stiffnesses", "せん断モデルの剛性"),
-    "model_damping": ("ShearModel damping", "せん断モデルの減衰定数"),
-    "model_yield_shears": ("ShearModel yield_shears", "せん断モデルの降伏せん断力"),
-    "model_post_yield": ("ShearModel post_yield", "せん断モデルの降伏後の剛性比"),
-    "model_vertical_amplification": ("Vertical amplification", "上下動の増幅率"),
     # Refusals
     "structure": (
         "The structure is {structure}; it must be one of {known}.",

@@ -27,6 +27,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value:g}; it must be a whole number.",
         "{name}が{value:g}になっています。整数を指定してください。",
     ),
+    "no_language": (
+        "The language is {value!r}; it must be one of {languages}.",
+        "言語が{value!r}になっています。{languages}のいずれかを指定してください。",
+    ),
     # Threads and Dask clusters
     "threads": ("Threads", "スレッド数"),
     "cluster_lost": (

@@ -50,6 +50,82 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "finite_number": ("a finite number", "有限の数値"),
     "above_zero": ("larger than 0", "0より大きい値"),
+    # probabilities, differences and capacities in words
+    "probability": ("{estimate} % ({low} to {high} %)", "{estimate}%（{low}〜{high}%）"),
+    "probability_unknown": ("unknown (no run)", "不明（計算なし）"),
+    "difference": ("{estimate} points ({low} to {high})", "{estimate}ポイント（{low}〜{high}）"),
+    "difference_unknown": ("unknown (no pair of runs)", "不明（対になる計算なし）"),
+    "capacity": ("{value} ({low} to {high})", "{value}（{low}〜{high}）"),
+    "capacity_one_motion": (
+        "{value} (one motion: no interval)",
+        "{value}（地震動が1つのため区間なし）",
+    ),
+    "capacity_between": ("between {above} and {below}{doubt}", "{above}〜{below}{doubt}"),
+    "capacity_above": ("> {above}{doubt}", "{above}超{doubt}"),
+    "capacity_below": ("< {below}{doubt}", "{below}未満{doubt}"),
+    "capacity_unknown": ("unknown", "不明"),
+    "below_runs": ("below what was run", "計算した範囲より下"),
+    "beyond_runs": ("beyond what was run", "計算した範囲より上"),
+    "doubt_unsure": (" (unsure)", "（不確実）"),
+    "doubt_one_motion": (" (one motion)", "（地震動が1つ）"),
+    # curves in words
+    "curve_fitted": (
+        "Half fall at {measure} {half}, 10 % at {tenth}.{intervals}",
+        "半数が転倒する{measure}は{half}、10%が転倒する{measure}は{tenth}です。{intervals}",
+    ),
+    "curve_none_fell": (
+        "None of {runs} fell, up to {measure} {highest}.{intervals}",
+        "{measure} {highest}まで、{runs}の計算はどれも転倒しませんでした。{intervals}",
+    ),
+    "curve_all_fell": (
+        "All of {runs} fell, from {measure} {lowest} on.{intervals}",
+        "{measure} {lowest}から、{runs}の計算はすべて転倒しました。{intervals}",
+    ),
+    "curve_one_level": (
+        "At {measure} {level} {probability} fell; no other was run.{intervals}",
+        "{measure} {level}で転倒した割合は{probability}です。ほかの強さでは計算していません。{intervals}",
+    ),
+    "curve_abrupt": (
+        (
+            "All stand up to a level and all fall from the next on, so there is no curve: "
+            "half fall at {measure} {half}.{intervals}"
+        ),
+        (
+            "ある強さまではすべて転倒せず、次の強さからはすべて転倒するため、曲線はありません。"
+            "半数が転倒する{measure}は{half}です。{intervals}"
+        ),
+    ),
+    "curve_no_trend": (
+        "The share of falls does not grow with {measure} in {runs}, so there is no curve.{intervals}",
+        "{runs}の計算では、{measure}が大きくなっても転倒の割合が増えないため、曲線はありません。{intervals}",
+    ),
+    "no_intervals": (
+        " One motion tells nothing of how motions scatter: there are no intervals.",
+        "地震動が1つではばらつきが分からないため、区間はありません。",
+    ),
+    "normal": ("normal", "正規分布"),
+    "lognormal": ("lognormal", "対数正規分布"),
+    "parameters": (
+        "median {median}, dispersion {dispersion:.3g}",
+        "中央値 {median}、ばらつき {dispersion:.3g}",
+    ),
+    "test": ("p = {p:.2g}, at most {points} points off", "p = {p:.2g}、差は最大{points}ポイント"),
+    "lognormal_untested": (
+        "A {family} curve ({parameters}) cannot be tested on these runs.",
+        "{family}の曲線（{parameters}）が合うかどうかは、この計算では検定できません。",
+    ),
+    "lognormal_unseen": (
+        "A {family} curve ({parameters}) has its median outside what was run.",
+        "{family}の曲線（{parameters}）の中央値は、計算した範囲の外にあります。",
+    ),
+    "lognormal_fits": (
+        "A {family} curve fits: {parameters} ({test}).",
+        "{family}の曲線が合います：{parameters}（{test}）。",
+    ),
+    "lognormal_misfits": (
+        "A {family} curve does not fit: {parameters} ({test}).",
+        "{family}の曲線は合いません：{parameters}（{test}）。",
+    ),
     # sample size
     "half_width": ("Half width", "信頼区間の半幅"),
     "share": ("Share", "割合"),

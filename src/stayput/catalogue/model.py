@@ -1,39 +1,10 @@
 """Bodies, rooms, cases, what is not known, and a run of them."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    # What numbers are called
-    "width": ("Body width", "家具の奥行き"),
-    "height": ("Body height", "家具の高さ"),
-    "mass": ("Body mass", "家具の質量"),
-    "cg_offset": ("Body cg_offset", "重心のずれ（cg_offset）"),
-    "inertia": ("Body inertia", "家具の慣性モーメント"),
-    "base_height": ("Body base height", "底の角の高さ"),
+    # Parts of the labels of fields, and what other numbers are called
     "load_width": ("load_width", "棚の荷物の奥行き（load_width）"),
-    "part_mass": ("Part mass", "部分の質量"),
-    "part_x": ("Part x", "部分のx座標"),
-    "part_z": ("Part z", "部分のz座標"),
-    "part_width": ("Part width", "部分の幅"),
-    "part_height": ("Part height", "部分の高さ"),
     "static_friction": ("{surface} static friction", "{surface}の静止摩擦係数"),
     "kinetic_friction": ("{surface} kinetic friction", "{surface}の動摩擦係数"),
-    "floor": ("Floor", "床"),
-    "edge": ("Floor edge", "底の角"),
-    "left_edge": ("Floor left edge", "底の左の角"),
-    "right_edge": ("Floor right edge", "底の右の角"),
-    "floor_restitution": ("Floor restitution", "床の反発係数"),
-    "floor_normal_restitution": ("Floor normal restitution", "床の鉛直方向の反発係数"),
-    "wall_gap": ("Wall gap", "壁とのすき間"),
-    "wall_restitution": ("Wall restitution", "壁の反発係数"),
-    "wall_friction": ("Wall friction", "壁の摩擦係数"),
-    "ceiling_height": ("Ceiling height", "天井の高さ"),
-    "ceiling_restitution": ("Ceiling restitution", "天井の反発係数"),
-    "ceiling_friction": ("Ceiling friction", "天井の摩擦係数"),
-    "tilt": ("Initial tilt", "初期の傾き"),
-    "tilt_rate": ("Initial tilt rate", "初期の傾きの角速度"),
-    "slide": ("Initial slide", "初期の移動量"),
-    "slide_rate": ("Initial slide rate", "初期の移動速度"),
-    "gravity": ("Gravity", "重力加速度"),
-    "motion_scale": ("Scale of the motion", "地震動の倍率"),
     # Bodies
     "cg_offset_not_two": (
         "Body cg_offset is {value}; it must be two numbers (e_x, e_z) [m].",

@@ -2,10 +2,6 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # The page, from its top to its foot.
-    "no_language": (
-        "The language is {given!r}; it must be one of {languages}.",
-        "言語が{given!r}になっています。{languages}のいずれかを指定してください。",
-    ),
     "report": ("Verification of earthquake-proof measures", "家具の地震対策 検証報告書"),
     "skip": ("Skip to the ranking", "順位表へ移動"),
     "contents": ("Contents", "目次"),
@@ -13,7 +9,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "shaking": ("Shaking of the ground", "地盤の揺れ"),
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
-    "simulations_told": (
+    "simulations_text": (
         (
             "{runs} in all: motions × draws of what is not known, {motions} × {samples} for "
             "each measure and level"
@@ -38,7 +34,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "before": ("Without a measure", "対策なし"),
     "after": ("With the best of those compared", "比較した中で最良の対策"),
     "ranking": ("The measures, best first", "対策の順位"),
-    "ranking_told": (
+    "ranking_text": (
         (
             "Shares of all runs with their 95 % intervals. All measures met the same motions "
             "and the same draws. Ranked by overturning; where that is equal, by sliding, "
@@ -53,15 +49,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "grade": ("Grade of its inputs", "入力の根拠"),
     "brief_grade": ("Grade", "根拠"),
-    "grade_told": (
+    "grade_text": (
         "Grade: that of the weakest of the inputs that decide a number ({meanings}).",
         "根拠：数値を左右する入力のうち、最も不確かなものの区分（{meanings}）。",
     ),
-    "weakest": ("weakest inputs: {told}", "最も不確かな入力：{told}"),
+    "weakest": ("weakest inputs: {inputs}", "最も不確かな入力：{inputs}"),
     "colon": (": ", "："),
     "stop": (". ", "。"),
     "listed": ("; ", "、"),
-    "aside": (" ({told})", "（{told}）"),
+    "aside": (" ({content})", "（{content}）"),
     "rank": ("Rank", "順位"),
     "measure": ("Measure", "対策"),
     "overturned": ("Overturns", "転倒"),
@@ -81,7 +77,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "brief_slide": ("Slide", "移動量"),
     "brief_falls": ("falls", "転倒"),
     "brief_capacity": ("I{share}", "I{share}"),
-    "brief_told": (
+    "brief_text": (
         (
             "Shares of all runs, with the grade of the inputs. Slide: median of the peak. "
             "I10, I50: JMA intensity at which 10, 50 % overturn; ?: unsure. Below, in "
@@ -110,7 +106,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "between": ("{low} to {high}", "{low}〜{high}"),
     "interval": ("95 % interval", "95%区間"),
     "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
-    "fragility_told": (
+    "fragility_text": (
         (
             "Share that overturns against the intensity of the ground. The marks are what "
             "was counted at each level; the lines join the nearest rising shares (isotonic "
@@ -146,7 +142,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "one_level": ("one level", "1レベルのみ"),
     "no_trend": ("no trend", "傾向なし"),
     "watch": ("See it happen", "動きを見る"),
-    "watch_told": (
+    "watch_text": (
         (
             "The room moves with the ground, without its drift below {corner} Hz; the dotted "
             "lines stand still, {grid} m apart."
@@ -161,7 +157,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "部屋の動きは実際の{part}%で描いています。",
     ),
     "typical": ("A typical case", "典型的な場合"),
-    "typical_told": (
+    "typical_text": (
         (
             "Without a measure, half of the runs went better than this one and half went "
             "worse. The same motion and the same draw on both sides."
@@ -169,11 +165,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "対策なしで、結果がちょうど中程度だった計算です。左右とも同じ地震動・同じ標本です。",
     ),
     "worst": ("The worst case", "最悪の場合"),
-    "worst_told": (
+    "worst_text": (
         "The run that went worst with the best measure, and the same one without it.",
         "最良の対策で最も悪い結果になった計算と、その対策なしの場合です。",
     ),
-    "worst_bare_told": (
+    "worst_bare_text": (
         "The run that went worst without a measure.",
         "対策なしで最も悪い結果になった計算です。",
     ),
@@ -182,18 +178,18 @@ TEXTS: dict[str, tuple[str, str]] = {
     "time": ("Time", "時刻"),
     "speed": ("Speed", "速さ"),
     "scene_alt": (
-        "Animation of the piece in its room, seen from its side: {told}",
-        "家具と部屋を横から見た動画：{told}",
+        "Animation of the piece in its room, seen from its side: {content}",
+        "家具と部屋を横から見た動画：{content}",
     ),
     "histories": ("Time histories", "時刻歴"),
     "histories_alt": (
-        "Floor acceleration, tilt and slide over time, without and with the measure: {told}",
-        "床の加速度・傾き・移動量の時刻歴（対策なしとあり）：{told}",
+        "Floor acceleration, tilt and slide over time, without and with the measure: {outcomes}",
+        "床の加速度・傾き・移動量の時刻歴（対策なしとあり）：{outcomes}",
     ),
     "axis_acceleration": ("Floor acceleration [m/s²]", "床の加速度 [m/s²]"),
     "axis_tilt": ("Tilt [°]", "傾き [°]"),
     "axis_slide": ("Slide [cm]", "移動量 [cm]"),
-    "typical_bare_told": (
+    "typical_bare_text": (
         "Without a measure, half of the runs went better than this one and half went worse.",
         "対策なしで、結果がちょうど中程度だった計算です。",
     ),
@@ -211,7 +207,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "estimates": ("Quick estimates, to compare", "簡易式による目安"),
-    "estimates_told": (
+    "estimates_text": (
         (
             "These are formulas for a piece that does not slide and stands free, not "
             "simulations. They are here so that the size of the results can be checked."
@@ -225,12 +221,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     "says": ("What it says", "内容"),
     "beside": ("Simulation beside it", "シミュレーションの結果"),
     "west": ("West", "ウェストの式"),
-    "west_told": (
+    "west_text": (
         "rocks where the floor's peak acceleration exceeds {value} m/s²",
         "床の最大加速度が{value} m/s²を超えるとロッキングを始める",
     ),
     "ishiyama": ("Ishiyama (1982)", "石山（1982）"),
-    "ishiyama_told": (
+    "ishiyama_text": (
         (
             "can only overturn where the floor's peak velocity also exceeds {value} cm/s: "
             "{share} of the motions"
@@ -238,13 +234,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "さらに床の最大速度が{value} cm/sを超えないと転倒しない：該当する地震動は{share}",
     ),
     "kaneko": ("Kaneko and Hayashi", "金子・林の式"),
-    "kaneko_told": ("{share} overturn", "{share}が転倒"),
+    "kaneko_text": ("{share} overturn", "{share}が転倒"),
     "details": ("Each measure", "対策ごとの詳細"),
     "drawing_alt": (
         ("Drawing to scale, seen from the side: {piece}, {width} cm deep and {height} cm high; {label}"),
         "縮尺図（横から）：{piece}、奥行{width} cm、高さ{height} cm。{label}",
     ),
-    "scale_told": ("Drawn to scale, seen from the side", "縮尺どおり、横から見た図"),
+    "scale_text": ("Drawn to scale, seen from the side", "縮尺どおり、横から見た図"),
     "device": ("Device", "器具"),
     "failed": ("Failed", "破損・脱落"),
     "failure_time": ("Fails at, median", "破損の時刻（中央値）"),
@@ -257,7 +253,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "confidence": ("How well founded", "確からしさ"),
     "parameters": ("Parameters", "設定値"),
     "assumptions": ("What this rests on", "前提"),
-    "assumptions_told": (
+    "assumptions_text": (
         (
             "Values marked as defaults are common values that were not measured on your "
             "furniture. Measure what matters, above all friction and the strength of wall, "
@@ -275,14 +271,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "given": ("given by the user", "利用者の指定"),
     "model": ("limit of the model", "モデルの限界"),
     "again": ("To do it again", "再現するには"),
-    "again_told": (
+    "again_text": (
         (
             "Save this as {file}, and run the command with stayput {version}. The same seed "
             "gives the same numbers."
         ),
         ("これを{file}に保存し、stayput {version}でコマンドを実行します。同じシードなら同じ数値になります。"),
     ),
-    "record_told": (
+    "record_text": (
         "It names files of records; they are needed too, in the same place relative to it.",
         "記録ファイルの名前を含みます。それらも同じ相対位置に必要です。",
     ),
@@ -304,7 +300,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "ceiling": ("Ceiling", "天井"),
     "building": ("Building", "建物"),
     # What a verdict rests on.
-    "piece_told": (
+    "piece_text": (
         "{width:g} m × {height:g} m, {mass:.4g} kg, centre of gravity {up:.3g} m up{forward}",
         "{width:g} m × {height:g} m, {mass:.4g} kg、重心の高さ {up:.3g} m{forward}",
     ),
@@ -314,8 +310,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{surface}static friction {static:g}, kinetic {kinetic:g}",
         "{surface}静止摩擦係数 {static:g}、動摩擦係数 {kinetic:g}",
     ),
-    "gap_told": ("{gap:.3g} cm away", "すき間 {gap:.3g} cm"),
-    "height_told": ("{height:g} m high", "高さ {height:g} m"),
+    "gap_text": ("{gap:.3g} cm away", "すき間 {gap:.3g} cm"),
+    "height_text": ("{height:g} m high", "高さ {height:g} m"),
     "motions_read": ("{count}, read from {name}", "{count}本（{name}から読込み）"),
     "motions_synthetic": (
         "{count} synthetic ones ({family}): computed, not recorded",
@@ -326,7 +322,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}（模擬）：観測記録ではありません",
     ),
     "suite_member": ("synthetic {family} {number}", "合成地震動（{family}）{number}"),
-    "building_told": (
+    "building_text": (
         "{name}, floor of storey {storey}, as a shear model",
         "{name}、{storey}階の床（せん断質点系モデル）",
     ),
@@ -340,7 +336,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "uniform": ("uniform, {low:g} to {high:g}", "一様分布、{low:g}〜{high:g}"),
     "limit_body": ("Rigid body in a plane", "平面内の剛体"),
-    "limit_body_told": (
+    "limit_body_text": (
         (
             "No shaking across the piece, no turning about its vertical axis, no bending; contents do "
             "not fall out, doors stay shut."
@@ -348,7 +344,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "奥行方向以外の水平動、水平面内の回転、家具の変形、中身の飛び出しや扉の開きは考慮しません。",
     ),
     "limit_contacts": ("Contacts", "接触"),
-    "limit_contacts_told": (
+    "limit_contacts_text": (
         (
             "Coulomb friction; a landing corner does not bounce, and rocking loses what the momentum "
             "balance demands (Housner)."
@@ -359,7 +355,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "limit_devices": ("Devices", "器具"),
-    "limit_devices_told": (
+    "limit_devices_text": (
         "Springs with slack, damping and a strength; age, dirt and faulty mounting are not in it.",
         "がた・減衰・強さをもつばねです。経年劣化、汚れ、取付け不良は含みません。",
     ),

@@ -31,8 +31,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}の動きは{end:.2f}秒より先を計算できませんでした。倒れるかどうかは分かりません。",
     ),
     "first_to_fail": (
-        "{said} First to fail: {device}, after {time:.1f} s.",
-        "{said}最初に壊れた対策：{device}（{time:.1f}秒後）。",
+        "{outcome} First to fail: {device}, after {time:.1f} s.",
+        "{outcome}最初に壊れた対策：{device}（{time:.1f}秒後）。",
     ),
     "side_left": ("left", "左"),
     "side_right": ("right", "右"),
@@ -72,6 +72,20 @@ TEXTS: dict[str, tuple[str, str]] = {
     "open_side": (" (there is no wall to stop it)", "（止める壁がありません）"),
     "synthetic": ("{name} (synthetic)", "{name}（合成）"),
     # Animations.
+    "body": ("body", "物体"),
+    "player_tilt": ("tilt", "傾き"),
+    "player_slide": ("slide", "移動量"),
+    "player_play": ("Play", "再生"),
+    "player_pause": ("Pause", "一時停止"),
+    "player_time": ("Time", "時刻"),
+    "player_speed": ("Speed", "速さ"),
+    "player_theme": ("Light / dark", "明るい配色／暗い配色"),
+    "player_strip": ("Floor acceleration and tilt over time", "床の加速度と傾きの時刻歴"),
+    "player_keys": (
+        "Space plays and pauses; the arrow keys step.",
+        "スペースキーで再生・一時停止、矢印キーでコマ送りができます。",
+    ),
+    "player_tilt_shown": ("Tilt, shown up to {angle}°", "傾き（{angle}°まで表示）"),
     "motion_title": ("{name}, peak {peak:.1f} m/s²", "{name}、最大加速度 {peak:.1f} m/s²"),
     "caption": (
         (

@@ -1,4 +1,4 @@
-"""The command line: one file a command, and nothing heavy loaded before a command runs."""
+"""The command line: heavy modules are loaded only when a command runs."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ import typer
 import stayput
 from stayput.cli import app as page
 from stayput.cli import assess, building, fragility, motion, simulate, study, verify
-from stayput.cli.plainly import Plainly
+from stayput.cli.messages import CommandGroup
 
 app = typer.Typer(
-    cls=Plainly,
+    cls=CommandGroup,
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.cli.messages import print_json
+
 if TYPE_CHECKING:
     from stayput.inventory import Assessment
 
@@ -41,7 +43,7 @@ def assess(
     """
     from stayput.inventory import assess as run
 
-    done = run(
+    assessment = run(
         inventory,
         scenario,
         out,
@@ -53,19 +55,16 @@ def assess(
         say=lambda text: typer.echo(text, err=True),
     )
     if json:
-        import json as writer
-
-        typer.echo(writer.dumps(_record(done), allow_nan=False))
+        print_json(_record(assessment))
     else:
-        _print(done)
-    if not done.facts["pieces"]:
+        _print(assessment)
+    if not assessment.facts["pieces"]:
         from stayput.errors import InputError
 
-        rejects = done.folder / "rejects.csv"
-        raise InputError("cli.no_row", rejects=rejects)
+        raise InputError("cli.no_row", rejects=assessment.folder / "rejects.csv")
 
 
-def _record(done: Assessment) -> dict[str, object]:
+def _record(assessment: Assessment) -> dict[str, object]:
     events = {
         name: {
             "pieces": total.pieces,
@@ -75,37 +74,37 @@ def _record(done: Assessment) -> dict[str, object]:
             "expected_loss_best": total.loss_best,
             "pieces_helped": total.helped,
         }
-        for name, total in done.summary.events.items()
+        for name, total in assessment.summary.events.items()
     }
     return {
-        "folder": str(done.folder),
-        **done.facts,
+        "folder": str(assessment.folder),
+        **assessment.facts,
         "events": events,
-        "runs": done.runs,
-        "seconds": done.seconds,
+        "runs": assessment.runs,
+        "seconds": assessment.seconds,
     }
 
 
-def _print(done: Assessment) -> None:
+def _print(assessment: Assessment) -> None:
     from stayput.fragility.probabilities import percent
     from stayput.wording import counted
 
-    facts = done.facts
+    facts = assessment.facts
     typer.echo(f"Read {counted(facts['rows'], 'row')} as {facts['read as']}: {facts['pieces']:,} assessed.")
     if facts["columns not used"]:
         typer.echo(f"Columns that were not used: {', '.join(facts['columns not used'])}.")
     if facts["rejects"]:
         typer.echo(f"Not assessed: {counted(facts['rejects'], 'row')}; rejects.csv says why, row by row.")
     different = f"{counted(facts['choices'], 'combination')}, {facts['units']:,} of them different"
-    typer.echo(f"{different}; {counted(done.runs, 'run')}.")
-    for name, total in done.summary.events.items():
+    typer.echo(f"{different}; {counted(assessment.runs, 'run')}.")
+    for name, total in assessment.summary.events.items():
         known = total.pieces > total.unknown
         share = f"{percent(total.share)} %" if known else "all runs were given up"
-        pieces = counted(total.pieces, "piece")
-        told = f"{name}: expected to overturn: {total.fallen:,.1f} of {pieces} ({share})"
+        expected = f"{total.fallen:,.1f} of {counted(total.pieces, 'piece')} ({share})"
+        line = f"{name}: expected to overturn: {expected}"
         if total.fallen_best < total.fallen:
-            told += f", {total.fallen_best:,.1f} with the best measures"
+            line += f", {total.fallen_best:,.1f} with the best measures"
         elif not total.helped:
-            told += "; none of the compared measures helps any of them"
-        typer.echo(f"{told}.")
-    typer.echo(f"Wrote {done.folder / 'report.html'}")
+            line += "; none of the compared measures helps any of them"
+        typer.echo(f"{line}.")
+    typer.echo(f"Wrote {assessment.folder / 'report.html'}")

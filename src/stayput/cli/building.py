@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from stayput.cli.options import Component, TimeStep, Unit  # noqa: TC001 - Typer reads them
+from stayput.cli.flags import ComponentOption, TimeStepOption, UnitOption, motion_of
+from stayput.cli.messages import print_json
 
 if TYPE_CHECKING:
     from stayput.building.model import FloorResponse
@@ -26,9 +27,9 @@ def building(
     motion: Annotated[
         str, typer.Option(metavar="MOTION", help="A record's file; or near-fault, or sine:A,F[,T].")
     ] = "near-fault",
-    component: Component = None,
-    unit: Unit = None,
-    dt: TimeStep = None,
+    component: ComponentOption = None,
+    unit: UnitOption = None,
+    dt: TimeStepOption = None,
     storey: Annotated[
         list[int] | None,
         typer.Option(help="Storey to write with --out, and to draw the spectrum of; may be repeated."),
@@ -45,7 +46,6 @@ def building(
 ) -> None:
     """Say how the floors of a building move: the peaks of every storey, and the motion of one."""
     from stayput.building import Building
-    from stayput.cli.flags import motion_of
     from stayput.errors import InputError
     from stayput.files import PLOT_SUFFIXES, check_target
 
@@ -55,10 +55,10 @@ def building(
             raise InputError("cli.out_needs_storey", "--out", out=repr(str(out)))
     if plot is not None:
         check_target(plot, PLOT_SUFFIXES)
-    asked = Building(storeys, structure, period, damping, nonlinear=not linear)
+    described = Building(storeys, structure, period, damping, nonlinear=not linear)
     for number in storey or ():
-        asked.model.place(number)
-    response = asked.respond(motion_of(motion, component=component, unit=unit, dt=dt))
+        described.model.place(number)
+    response = described.respond(motion_of(motion, component=component, unit=unit, dt=dt))
     if out is not None and storey:
         response.floor(storey[0]).write(out)
     if plot is not None:
@@ -66,9 +66,7 @@ def building(
 
         plot_building(response, plot, storey)
     if json:
-        import json as writer
-
-        typer.echo(writer.dumps(_record(response), allow_nan=False))
+        print_json(_record(response))
     else:
         _print_table(response, [file for file in (out, plot) if file is not None])
 

@@ -1,9 +1,11 @@
-"""From the flags of a command to the tables of a scenario, so that one set of rules checks both."""
+"""Options that several commands share, and the way from their texts to the tables of a scenario."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, cast
+
+import typer
 
 from stayput.errors import InputError, unknown
 
@@ -15,12 +17,28 @@ if TYPE_CHECKING:
     from stayput.motion.suites import TargetSpectrum
     from stayput.scenario import Scenario
 
+MotionArgument: TypeAlias = Annotated[
+    str, typer.Argument(metavar="MOTION", help="A record's file; or near-fault, or sine:A,F[,T].")
+]
+ComponentOption: TypeAlias = Annotated[
+    str | None, typer.Option("--component", help="The record's channel along the shaking.")
+]
+UnitOption: TypeAlias = Annotated[
+    str | None, typer.Option("--unit", help="The record's unit, where its file does not state it.")
+]
+TimeStepOption: TypeAlias = Annotated[
+    float | None, typer.Option("--dt", help="The record's time step [s], where its file does not state it.")
+]
+ThreadsOption: TypeAlias = Annotated[
+    int | None, typer.Option("--threads", min=1, help="Threads; as many as there are cores by default.")
+]
+
 EXAMPLE: dict[str, Any] = {
     "furniture": {"preset": "bookcase"},
     "room": {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}},
     "shaking": {"builtin": "near-fault"},
 }
-"""What is simulated when nothing is said: a full bookcase with its back to a wall, under one motion."""
+"""The example that is simulated by default: a full bookcase with its back to a wall, under one motion."""
 
 
 def body_table(text: str) -> dict[str, Any]:
@@ -64,7 +82,7 @@ def overlaid(
     walls: dict[str, float | None],
     contact: str | None,
 ) -> dict[str, Any]:
-    """Return a scenario's tables with what the flags say in place of what they said.
+    """Return a scenario's tables, overridden by the flags.
 
     Parameters
     ----------
@@ -91,8 +109,8 @@ def overlaid(
         tables["furniture"] = body_table(body)
     if motion is not None:
         tables["shaking"] = shaking_table(motion)
-    if given := {key: value for key, value in shaking.items() if value is not None}:
-        tables["shaking"] = {**_table(tables, "shaking"), **given}
+    if stated := {key: value for key, value in shaking.items() if value is not None}:
+        tables["shaking"] = {**_table(tables, "shaking"), **stated}
     if floor is not None:
         tables["room"] = {**_table(tables, "room"), "floor": floor}
     if friction is not None:
@@ -128,8 +146,8 @@ def motion_of(text: str, **fields: str | float | None) -> Motion:
     """
     from stayput.scenario import Scenario
 
-    given = {key: value for key, value in fields.items() if value is not None}
-    scenario = Scenario.parse({**EXAMPLE, "shaking": {**shaking_table(text), **given}})
+    stated = {key: value for key, value in fields.items() if value is not None}
+    scenario = Scenario.parse({**EXAMPLE, "shaking": {**shaking_table(text), **stated}})
     return scenario.shaking.motion(Path())
 
 
@@ -169,14 +187,14 @@ def chosen_measures(scenario: Scenario, names: Sequence[str]) -> tuple[Measure, 
     """
     from stayput.measures import MEASURES
 
-    named = {one.name: one.measures for one in scenario.measures}
+    named = {measure_set.name: measure_set.measures for measure_set in scenario.measures}
     known = [*named, *(kind for kind in MEASURES if kind not in named)]
-    found: list[Measure] = []
+    measures: list[Measure] = []
     for name in names:
         if name not in known:
             raise unknown("--measure", name, known, "--measure")
-        found += named[name] if name in named else (MEASURES[name](),)
-    return tuple(found)
+        measures += named[name] if name in named else (MEASURES[name](),)
+    return tuple(measures)
 
 
 def one_of_two(flag: str, value: str, other: str, other_value: str) -> InputError:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stayput.cli.compiling import compiling
-from stayput.cli.options import Threads  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.flags import ThreadsOption, chosen_measures
+from stayput.cli.messages import compiling
 
 if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve, IntensityMeasure
@@ -26,7 +26,7 @@ def fragility(
         list[str] | None,
         typer.Option(metavar="TYPE|NAME", help="Only this measure beside none; may be repeated."),
     ] = None,
-    threads: Threads = None,
+    threads: ThreadsOption = None,
 ) -> None:
     """Write the probability of overturning over the strength of the shaking.
 
@@ -45,22 +45,22 @@ def fragility(
 
     from stayput.scenario import read_scenario
 
-    asked = _only(read_scenario(scenario), measure)
+    selected = _only(read_scenario(scenario), measure)
 
     from stayput.report.verdict.exports import write_curves
     from stayput.verification import verify
 
     with compiling():
-        verdict = verify(asked, threads=threads)
+        verdict = verify(selected, threads=threads)
     wanted: IntensityMeasure = INTENSITY_MEASURES[im]
-    curves: list[FragilityCurve] = [one.curves[wanted] for one in verdict.options]
     files, left_out = write_curves(verdict, wanted, out)
-    for curve in curves:
+    for result in verdict.options:
+        curve: FragilityCurve = result.curves[wanted]
         typer.echo(f"{curve.name}: {curve.text}")
         if curve.lognormal is not None:
             typer.echo(f"  {curve.lognormal.text}")
-    for told in left_out:
-        typer.echo(told, err=True)
+    for sentence in left_out:
+        typer.echo(sentence, err=True)
     for file in files:
         typer.echo(f"Wrote {file}")
 
@@ -75,11 +75,11 @@ def _only(scenario: Scenario, names: list[str] | None) -> Scenario:
     """
     if not names:
         return scenario
-    from stayput.cli.flags import chosen_measures
     from stayput.scenario import Scenario
 
     chosen_measures(scenario, names)  # refuses unknown names
-    said = scenario.model_dump(by_alias=True, exclude_unset=True)
-    given = dict(zip((one.name for one in scenario.measures), said.get("measures") or (), strict=True))
-    said["measures"] = [given.get(name, {"type": name}) for name in dict.fromkeys(names)]
-    return Scenario.parse(said, scenario.folder)
+    tables = scenario.model_dump(by_alias=True, exclude_unset=True)
+    stated_names = (measure_set.name for measure_set in scenario.measures)
+    stated = dict(zip(stated_names, tables.get("measures") or (), strict=True))
+    tables["measures"] = [stated.get(name, {"type": name}) for name in dict.fromkeys(names)]
+    return Scenario.parse(tables, scenario.folder)

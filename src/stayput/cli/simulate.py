@@ -8,15 +8,22 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stayput.cli.compiling import compiling
-from stayput.cli.options import Component, TimeStep, Unit  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.flags import (
+    ComponentOption,
+    TimeStepOption,
+    UnitOption,
+    building_table,
+    chosen_measures,
+    intensity_value,
+    overlaid,
+    scenario_data,
+)
+from stayput.cli.messages import compiling, print_json
 
 if TYPE_CHECKING:
     from collections.abc import Generator
 
-    from stayput.measures import Measure
     from stayput.report.animation import Progress
-    from stayput.scenario import Scenario
     from stayput.simulation.run import Run
 
 
@@ -40,9 +47,9 @@ def simulate(
             help="A record's file, the built-in motion, or a sine of A [m/s²], F [Hz] and T [s].",
         ),
     ] = None,
-    component: Component = None,
-    unit: Unit = None,
-    dt: TimeStep = None,
+    component: ComponentOption = None,
+    unit: UnitOption = None,
+    dt: TimeStepOption = None,
     scale: Annotated[float | None, typer.Option(help="Factor on the motion.")] = None,
     intensity: Annotated[
         str | None,
@@ -88,7 +95,6 @@ def simulate(
 
     Flags override what the scenario file says; --body without a file stands free of walls.
     """
-    from stayput.cli.flags import building_table, chosen_measures, intensity_value, overlaid, scenario_data
     from stayput.scenario import Scenario
 
     _check_targets(plot, animate)
@@ -113,7 +119,9 @@ def simulate(
     )
     here = Path() if scenario is None or motion is not None else scenario.parent
     checked = Scenario.parse(data, here)
-    run = _run(checked, chosen_measures(checked, measure or []))
+    case = checked.case(chosen_measures(checked, measure or []))
+    with compiling():
+        run = case.run()
     name = checked.furniture.title
     if plot is not None:
         from stayput.report.plot import plot_run
@@ -125,11 +133,9 @@ def simulate(
         with _progress() as progress:
             animate_run(run, animate, fps=fps, speed=speed, name=name, progress=progress)
     if json:
-        import json as writer
-
         from stayput.report.summary import summary
 
-        typer.echo(writer.dumps(summary(run), allow_nan=False))
+        print_json(summary(run))
     else:
         _print_table(run, name, checked.title, [path for path in (plot, animate) if path is not None])
 
@@ -145,15 +151,9 @@ def _check_targets(plot: Path | None, animate: Path | None) -> None:
         check_animation(animate)
 
 
-def _run(scenario: Scenario, measures: tuple[Measure, ...]) -> Run:
-    case = scenario.case(measures)
-    with compiling():
-        return case.run()
-
-
 @contextmanager
 def _progress() -> Generator[Progress | None]:
-    """Give what reports the frames drawn: a bar on standard error, if that is a terminal."""
+    """Yield a function that advances a bar of frames on standard error, or None where it is no terminal."""
     from rich.console import Console
     from rich.progress import Progress as Bar
 
@@ -177,8 +177,8 @@ def _print_table(run: Run, name: str, title: str | None, written: list[Path]) ->
         console.print(title, style="bold")
     console.print(sentence(run, name))
     table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
-    for what, value in rows(run):
-        table.add_row(what, value)
+    for label, value in rows(run):
+        table.add_row(label, value)
     console.print(table)
     for path in written:
         console.print(f"Wrote {path}", soft_wrap=True)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stayput.cli.options import Component, TimeStep, Unit  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.flags import ComponentOption, TimeStepOption, UnitOption, motion_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -38,9 +38,9 @@ def study(
             metavar="FILE", help=f"A record's file, for {', '.join(OF_A_RECORD)}. Default: near-fault."
         ),
     ] = None,
-    component: Component = None,
-    unit: Unit = None,
-    dt: TimeStep = None,
+    component: ComponentOption = None,
+    unit: UnitOption = None,
+    dt: TimeStepOption = None,
 ) -> None:
     """Run a study and write its data (NetCDF, CSV), figures, key numbers and tables."""
     from stayput.errors import InputError, unknown
@@ -55,13 +55,9 @@ def study(
     import stayput.studies as studies
 
     run: Callable[..., Study] = getattr(studies, name.replace("-", "_"))
-    if motion is not None:
-        from stayput.cli.flags import motion_of
-
-        done = run(motion_of(motion, component=component, unit=unit, dt=dt))
-    else:
-        done = run()
-    files = done.write(out)
-    typer.echo(done.markdown())
+    motions = () if motion is None else (motion_of(motion, component=component, unit=unit, dt=dt),)
+    result = run(*motions)
+    files = result.write(out)
+    typer.echo(result.markdown())
     for file in files:
         typer.echo(f"Wrote {file}")

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from pathlib import Path  # noqa: TC003 - Typer reads the annotations
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stayput.cli.compiling import compiling
-from stayput.cli.options import Threads  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.flags import ThreadsOption  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.messages import compiling
 
 if TYPE_CHECKING:
     from stayput.verification import Verdict
@@ -26,7 +27,7 @@ def verify(
     markdown: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the verdict as .md.")] = None,
     csv: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the ranking as .csv.")] = None,
     slide_limit: Annotated[float | None, typer.Option(help="Slide that counts as too far [m].")] = None,
-    threads: Threads = None,
+    threads: ThreadsOption = None,
 ) -> None:
     """Compare what a scenario's measures do, over its motions and over what is not known.
 
@@ -34,7 +35,7 @@ def verify(
     """
     from stayput.errors import within
     from stayput.files import check_target
-    from stayput.report.verdict.words import check_language
+    from stayput.wording import check_language
 
     check_language(lang)
     for path, suffix in ((report, ".html"), (markdown, ".md"), (csv, ".csv")):
@@ -93,61 +94,57 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
 
     from stayput.montecarlo.counting import OVERTURNED
     from stayput.report.verdict import numbers
-    from stayput.report.verdict.tables import SHARES, grades_told, impossible_rows, ranking, simulations
+    from stayput.report.verdict.tables import SHARES, grades_text, impossible_rows, ranking, simulations
     from stayput.report.verdict.words import word
     from stayput.verification import EVENTS
     from stayput.verification.words import headline, title
 
-    def told(key: str, **values: object) -> str:
-        return word(key, lang, **values)
-
+    text = partial(word, language=lang)
     console = Console(highlight=False, markup=False)
     if verdict.scenario.title is not None:
         console.print(verdict.scenario.title, style="bold")
     console.print(headline(verdict, lang))
     table = Table(box=None, padding=(0, 1, 0, 0))
     table.add_column("", justify="right")
-    table.add_column(told("measure"), min_width=12)
+    table.add_column(text("measure"), min_width=12)
     limit = numbers.length(verdict.slide_limit, lang)
-    events = (told(f"brief_{event}", limit=limit) for event in EVENTS)
-    capacities = (told("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
-    for heading in (*events, told("brief_slide"), *capacities):
+    events = (text(f"brief_{event}", limit=limit) for event in EVENTS)
+    capacities = (text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
+    for heading in (*events, text("brief_slide"), *capacities):
         table.add_column(heading, justify="right", no_wrap=True)
     rows = ranking(verdict, lang)
     for row in rows:
-        shares = (
-            numbers.NO_NUMBER if found is None else numbers.probability(found, lang)
-            for _, found in row.shares
+        falls, *others = (
+            numbers.NO_NUMBER if chance is None else numbers.probability(chance, lang)
+            for _, chance in row.shares
         )
-        one = row.option
-        found = [one.capacities.get(share) for share in SHARES]
-        reached = (numbers.capacity(capacity, lang, brief=True) for capacity in found)
-        slide = told("brief_falls") if math.isinf(one.slide.median) else row.slide[0]
-        falls, *others = shares
+        result = row.option
+        reached = (numbers.capacity(result.capacities.get(share), lang, brief=True) for share in SHARES)
+        slide = text("brief_falls") if math.isinf(result.slide.median) else row.slide[0]
         share = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
-        table.add_row(str(one.rank), row.name or row.label, share, *others, slide, *reached)
+        table.add_row(str(result.rank), row.name or row.label, share, *others, slide, *reached)
     impossible = impossible_rows(verdict, lang)
-    for (label, _), other in zip(impossible, verdict.impossible, strict=True):
-        name = other.option.name if other.option.own_name else label
-        table.add_row(numbers.NO_NUMBER, name, told("brief_not_possible"))
+    for (label, _), rejected in zip(impossible, verdict.impossible, strict=True):
+        name = rejected.option.name if rejected.option.own_name else label
+        table.add_row(numbers.NO_NUMBER, name, text("brief_not_possible"))
     console.print(table)
-    console.print(told("brief_told"))
-    console.print(grades_told(lang))
-    colon = told("colon")
+    console.print(text("brief_text"))
+    console.print(grades_text(lang))
+    colon = text("colon")
     for row in rows:
         ends = numbers.interval(row.option.probabilities[OVERTURNED], lang)
-        label = title(row.option.option, verdict, lang) + (told("aside", told=ends) if ends else "")
+        label = title(row.option.option, verdict, lang) + (text("aside", content=ends) if ends else "")
         console.print(f"{row.option.rank}. {label}{colon}{row.reason}", soft_wrap=True)
     for label, why in impossible:
         console.print(
-            f"{numbers.NO_NUMBER}  {label}{colon}{told('not_possible')}{colon}{why}", soft_wrap=True
+            f"{numbers.NO_NUMBER}  {label}{colon}{text('not_possible')}{colon}{why}", soft_wrap=True
         )
     for note in verdict.notes(lang):
         console.print(note, soft_wrap=True)
     if verdict.motions == 1:
-        console.print(told("one_motion"))
+        console.print(text("one_motion"))
     if not verdict.precise:
-        console.print(told("not_precise"))
+        console.print(text("not_precise"))
     console.print(simulations(verdict, lang))
     for path in written:
         console.print(f"Wrote {path}", soft_wrap=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from stayput.fragility.capacity import Capacity
-from stayput.fragility.curve import FragilityCurve, State, fragility_curve
+from stayput.fragility.curve import CurveState, FragilityCurve, fragility_curve
 from stayput.fragility.intensity_measures import (
     INTENSITY_MEASURES,
     JMA_INTENSITY,
@@ -30,6 +30,7 @@ __all__ = [
     "PGA",
     "PGV",
     "Capacity",
+    "CurveState",
     "Difference",
     "FragilityCurve",
     "IntensityMeasure",
@@ -38,7 +39,6 @@ __all__ = [
     "LognormalFit",
     "Plan",
     "Probability",
-    "State",
     "Trials",
     "difference",
     "fragility_curve",

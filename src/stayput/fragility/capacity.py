@@ -6,14 +6,17 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from stayput.catalogue import phrase
+
 if TYPE_CHECKING:
+    from stayput.catalogue import Phrase
     from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.fragility.isotonic import Isotonic
 
 
 @dataclass(frozen=True, slots=True)
 class Capacity:
-    """An intensity at which a given share falls. Nothing outside what was run is ever given as a number.
+    """The intensity at which a given share falls; outside the intensities that were run it is no number.
 
     Parameters
     ----------
@@ -43,28 +46,35 @@ class Capacity:
 
     @property
     def sure(self) -> bool:
-        """Whether what the text says of a capacity without an estimate holds with 95 % confidence."""
+        """Whether the bounds of a capacity without an estimate hold with 95 % confidence."""
         return self.low >= self.above and self.high <= self.below
 
     @property
-    def text(self) -> str:
-        """The capacity in words: "6.12 (5.95 to 6.33)", "> 6.90", "between 5.50 and 5.75"."""
-        show = self.measure.text
-        least = self.measure.least
-        unsure = " (one motion)" if self.one_motion else "" if self.sure else " (unsure)"
+    def texts(self) -> Phrase:
+        """The capacity in both languages: "6.12 (5.95 to 6.33)", "> 6.90", "between 5.50 and 5.75"."""
+        show, least = self.measure.text, self.measure.least
         if not math.isnan(self.estimate):
             if self.one_motion:
-                return f"{show(self.estimate)} (one motion: no interval)"
-            low = "below what was run" if self.low <= least else show(self.low, unit=False)
-            high = "beyond what was run" if math.isinf(self.high) else show(self.high, unit=False)
-            return f"{show(self.estimate)} ({low} to {high})"
-        if self.above > least and math.isfinite(self.below):
-            return f"between {show(self.above, unit=False)} and {show(self.below)}{unsure}"
-        if self.above > least:
-            return f"> {show(self.above)}{unsure}"
-        if math.isfinite(self.below):
-            return f"< {show(self.below)}{unsure}"
-        return "unknown"
+                return phrase("fragility.capacity_one_motion", value=show(self.estimate))
+            low = phrase("fragility.below_runs") if self.low <= least else show(self.low, unit=False)
+            high = phrase("fragility.beyond_runs") if math.isinf(self.high) else show(self.high, unit=False)
+            return phrase("fragility.capacity", value=show(self.estimate), low=low, high=high)
+        bounds = (self.above > least, math.isfinite(self.below))
+        if not any(bounds):
+            return phrase("fragility.capacity_unknown")
+        key = "between" if all(bounds) else "above" if bounds[0] else "below"
+        doubt = "one_motion" if self.one_motion else "unsure"
+        return phrase(
+            f"fragility.capacity_{key}",
+            above=show(self.above, unit=key != "between"),
+            below=show(self.below),
+            doubt="" if self.sure and not self.one_motion else phrase(f"fragility.doubt_{doubt}"),
+        )
+
+    @property
+    def text(self) -> str:
+        """The capacity in English words; see `texts`."""
+        return self.texts[0]
 
 
 def capacity_of(measure: IntensityMeasure, rising: Isotonic, share: float, one_motion: bool) -> Capacity:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.errors import within
 from stayput.fragility.capacity import Capacity, capacity_of, unknown_capacity
 from stayput.fragility.isotonic import Isotonic
@@ -19,14 +20,15 @@ from stayput.wording import counted
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.fragility.trials import Trials
 
 METHOD = "isotonic"
-"""How every curve is fitted, as data and texts say it."""
+"""Name of the method by which every curve is fitted, in data and texts."""
 
 
-class State(StrEnum):
+class CurveState(StrEnum):
     """Whether there is a curve, and why not."""
 
     FITTED = "fitted"
@@ -59,14 +61,14 @@ class FragilityCurve:
 
     name: str
     trials: Trials
-    state: State
+    state: CurveState
     levels: tuple[Level, ...] = field(repr=False)
     rising: Isotonic = field(repr=False)
     lognormal: LognormalFit | None = None
 
     @property
     def measure(self) -> IntensityMeasure:
-        """What the curve is drawn against."""
+        """The intensity measure of the curve."""
         return self.trials.measure
 
     @property
@@ -82,7 +84,7 @@ class FragilityCurve:
     def probability(self, im: ArrayLike) -> NDArray[np.float64]:
         """Return the probability of falling at intensities [SI]; NaN outside what was run."""
         u = self._inside(im)
-        return self.rising.at(u) if self.state is State.FITTED else np.full(u.shape, math.nan)
+        return self.rising.at(u) if self.state is CurveState.FITTED else np.full(u.shape, math.nan)
 
     def band(self, im: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return the ends of the 95 % interval of the probability at each intensity [SI].
@@ -90,7 +92,7 @@ class FragilityCurve:
         They are NaN outside what was run, and where there is one motion only.
         """
         u = self._inside(im)
-        if self.state is not State.FITTED or self.one_motion:
+        if self.state is not CurveState.FITTED or self.one_motion:
             return np.full(u.shape, math.nan), np.full(u.shape, math.nan)
         return self.rising.band(u)
 
@@ -110,40 +112,32 @@ class FragilityCurve:
             A share that is not between 0.001 and 0.999.
         """
         share = within("fragility.share", share, 1e-3, 1.0 - 1e-3)
-        if self.state is State.NO_TREND:
+        if self.state is CurveState.NO_TREND:
             return unknown_capacity(self.measure, share, self.one_motion)
         return capacity_of(self.measure, self.rising, share, self.one_motion)
 
     @property
-    def text(self) -> str:
-        """The result in a sentence or two."""
-        alone = (
-            " One motion tells nothing of how motions scatter: there are no intervals."
-            if self.one_motion
-            else ""
+    def texts(self) -> Phrase:
+        """The result in a sentence or two, in both languages."""
+        show, count = self.measure.text, int(self.trials.runs.sum())
+        first, last = self.levels[0], self.levels[-1]
+        return phrase(
+            f"fragility.curve_{self.state.value.replace(' ', '_')}",
+            measure=self.measure.key,
+            runs=(counted(count, "run"), f"{count:,}件"),
+            half=self.capacity(0.5).texts,
+            tenth=self.capacity(0.1).texts,
+            lowest=show(first.lowest),
+            highest=show(last.highest),
+            level=show(first.im),
+            probability=first.probability.texts,
+            intervals=phrase("fragility.no_intervals") if self.one_motion else "",
         )
-        return self._told + alone
 
     @property
-    def _told(self) -> str:
-        measure = self.measure
-        runs, first, last = counted(int(self.trials.runs.sum()), "run"), self.levels[0], self.levels[-1]
-        if self.state is State.FITTED:
-            return f"Half fall at {measure.key} {self.capacity(0.5).text}, 10 % at {self.capacity(0.1).text}."
-        if self.state is State.NONE_FELL:
-            return f"None of {runs} fell, up to {measure.key} {measure.text(last.highest)}."
-        if self.state is State.ALL_FELL:
-            return f"All of {runs} fell, from {measure.key} {measure.text(first.lowest)} on."
-        if self.state is State.ONE_LEVEL:
-            return (
-                f"At {measure.key} {measure.text(first.im)} {first.probability.text} fell; no other was run."
-            )
-        if self.state is State.ABRUPT:
-            return (
-                "All stand up to a level and all fall from the next on, so there is no curve: "
-                f"half fall at {measure.key} {self.capacity(0.5).text}."
-            )
-        return f"The share of falls does not grow with {measure.key} in {runs}, so there is no curve."
+    def text(self) -> str:
+        """The result in a sentence or two, in English."""
+        return self.texts[0]
 
 
 def fragility_curve(trials: Trials, name: str = "") -> FragilityCurve:
@@ -173,17 +167,17 @@ def fragility_curve(trials: Trials, name: str = "") -> FragilityCurve:
     levels = observed_levels(trials)
     rising = Isotonic.of(trials.measure, levels)
     state = _state(trials, rising.share)
-    wanted = state is State.FITTED and not trials.one_motion
+    wanted = state is CurveState.FITTED and not trials.one_motion
     return FragilityCurve(name, trials, state, levels, rising, lognormal(trials, levels) if wanted else None)
 
 
-def _state(trials: Trials, share: NDArray[np.float64]) -> State:
+def _state(trials: Trials, share: NDArray[np.float64]) -> CurveState:
     if not trials.fell.any():
-        return State.NONE_FELL
+        return CurveState.NONE_FELL
     if (trials.fell == trials.runs).all():
-        return State.ALL_FELL
+        return CurveState.ALL_FELL
     if len(share) == 1:
-        return State.ONE_LEVEL
+        return CurveState.ONE_LEVEL
     if share[0] == share[-1]:
-        return State.NO_TREND
-    return State.FITTED if ((share > 0.0) & (share < 1.0)).any() else State.ABRUPT
+        return CurveState.NO_TREND
+    return CurveState.FITTED if ((share > 0.0) & (share < 1.0)).any() else CurveState.ABRUPT

@@ -1,4 +1,4 @@
-"""Isotonic regression of the share that falls over the intensity: assumed is only that it never decreases.
+"""Isotonic regression of the share that falls over the intensity, which is only assumed not to decrease.
 
 The estimate is the isotonic regression of the levels' shares (Barlow, Bartholomew, Bremner and Brunk 1972),
 by the algorithm of pool-adjacent-violators, drawn straight from level to level. The band is that of the
@@ -31,7 +31,7 @@ _JUMP = 0.5
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Isotonic:
-    """The rising share at the levels, and its 95 % band.
+    """The isotonic (non-decreasing) share at the levels, and its 95 % band.
 
     Parameters
     ----------
@@ -48,10 +48,10 @@ class Isotonic:
 
     @classmethod
     def of(cls, measure: IntensityMeasure, levels: tuple[Level, ...]) -> Isotonic:
-        """Return the regression of what was observed."""
-        found = [level.probability for level in levels]
-        share = pooled(np.array([float(p.fell) for p in found]), np.array([float(p.runs) for p in found]))
-        low, high = np.array([p.low for p in found]), np.array([p.high for p in found])
+        """Return the regression of the observed shares."""
+        observed = [(p.fell, p.runs, p.low, p.high) for p in (level.probability for level in levels)]
+        fell, runs, low, high = np.array(observed, np.float64).T
+        share = pooled(fell, runs)
         for value in np.unique(share):
             together = share == value
             low[together], high[together] = low[together].min(), high[together].max()

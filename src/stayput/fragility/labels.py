@@ -7,7 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError
-from stayput.fragility.curve import State
+from stayput.fragility.curve import CurveState
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -28,7 +28,7 @@ def identifiers(curves: Sequence[FragilityCurve]) -> list[str]:
     if not curves:
         raise InputError("fragility.no_curves")
     for curve in curves:
-        if curve.state is not State.FITTED:
+        if curve.state is not CurveState.FITTED:
             raise InputError("fragility.not_fitted", name=repr(curve.name), state=repr(curve.state.value))
         if curve.one_motion:
             raise InputError("fragility.of_one_motion", name=repr(curve.name))
@@ -61,13 +61,13 @@ def plain_names(names: Sequence[str]) -> list[str]:
             raise InputError("fragility.name_not_unique", name=repr(name))
     # pelicun takes a dash as the end of a part of a name
     plain = [re.sub(r"[^A-Za-z0-9]+", "_", name.replace("+", " and ")).strip("_") for name in names]
-    found: list[str] = []
+    plain_unique: list[str] = []
     for name, short in zip(names, plain, strict=True):
         alike = sum(other.casefold() == short.casefold() for other in plain) > 1
         lost = any(letter.isalnum() and not letter.isascii() for letter in name)
         if short and not (alike or lost or len(short) > _LONGEST):
-            found.append(short)
+            plain_unique.append(short)
         else:
             digest = hashlib.blake2s(name.encode(errors="surrogatepass"), digest_size=4).hexdigest()
-            found.append(f"{short[: _LONGEST - 9] or 'measure'}_{digest}")
-    return found
+            plain_unique.append(f"{short[: _LONGEST - 9] or 'measure'}_{digest}")
+    return plain_unique

@@ -16,12 +16,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.special import chdtrc, fdtrc, ndtr
 
+from stayput.catalogue import phrase
 from stayput.fragility.probabilities import percent
 from stayput.fragility.probit import derivatives, fit, information, separated, solved
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.fragility.intensity_measures import IntensityMeasure
     from stayput.fragility.trials import Level, Trials
 
@@ -81,15 +83,23 @@ class LognormalFit:
         return self.dispersion * (0.5 * math.log(10.0) if self.measure.is_logarithm else 1.0)
 
     @property
+    def texts(self) -> Phrase:
+        """The parameters and the test in a sentence, in both languages."""
+        untested = math.isnan(self.p_value)
+        result = "untested" if untested else "unseen" if not self.seen else "fits" if self.fits else "misfits"
+        return phrase(
+            f"fragility.lognormal_{result}",
+            family=phrase(f"fragility.{self.family}"),
+            parameters=phrase(
+                "fragility.parameters", median=self.measure.text(self.median), dispersion=self.dispersion
+            ),
+            test=phrase("fragility.test", p=self.p_value, points=percent(self.misfit)),
+        )
+
+    @property
     def text(self) -> str:
-        """The parameters and the test in a sentence."""
-        parameters = f"median {self.measure.text(self.median)}, dispersion {self.dispersion:.3g}"
-        if math.isnan(self.p_value):
-            return f"A {self.family} curve ({parameters}) cannot be tested on these runs."
-        if not self.seen:
-            return f"A {self.family} curve ({parameters}) has its median outside what was run."
-        test = f"p = {self.p_value:.2g}, at most {percent(self.misfit)} points off"
-        return f"A {self.family} curve {'fits' if self.fits else 'does not fit'}: {parameters} ({test})."
+        """The parameters and the test in an English sentence."""
+        return self.texts[0]
 
     def probability(self, im: ArrayLike) -> NDArray[np.float64]:
         """Return the probability of falling at intensities [SI]."""
@@ -118,16 +128,16 @@ def lognormal(trials: Trials, levels: tuple[Level, ...]) -> LognormalFit | None:
     a, b = float(ab[0, 0]), float(ab[0, 1])
     if not b > 0.0:
         return None
-    slope, curvature = (each[0] for each in derivatives(v, fell, stood, ab))
+    (slope,), (curvature,) = derivatives(v, fell, stood, ab)
     median = float(trials.measure.value(middle - a / b * spread))
     p = ndtr(a + b * (trials.measure.coordinate([level.im for level in levels]) - middle) / spread)
-    gaps = [abs(level.probability.estimate - float(there)) for level, there in zip(levels, p, strict=True)]
-    p_value = _tested(v, slope, curvature, trials.motion)
+    misfit = float(np.abs(p - [level.probability.estimate for level in levels]).max())
+    p_value = _p_value(v, slope, curvature, trials.motion)
     seen = levels[0].im <= median <= levels[-1].im
-    return LognormalFit(trials.measure, median, spread / b, p_value, max(gaps), seen)
+    return LognormalFit(trials.measure, median, spread / b, p_value, misfit, seen)
 
 
-def _tested(
+def _p_value(
     v: NDArray[np.float64],
     slope: NDArray[np.float64],
     curvature: NDArray[np.float64],
@@ -147,8 +157,8 @@ def _tested(
         return math.nan if _singular(variance) else float(chdtrc(bends, _squared(score, variance)))
     motions = int(motion.max()) + 1
     parts = np.stack([np.bincount(motion, slope * column, motions) for column in bent])
-    apart = parts - parts.mean(axis=1, keepdims=True)
-    variance = motions / (motions - 1.0) * (apart[:, np.newaxis] * apart).sum(axis=2)
+    centred = parts - parts.mean(axis=1, keepdims=True)
+    variance = motions / (motions - 1.0) * (centred[:, np.newaxis] * centred).sum(axis=2)
     if _singular(variance):
         return math.nan
     free = motions - bends

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.special import ndtri
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.fragility.probabilities import CONFIDENCE, checked_runs, percent, student
 
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from numpy.typing import ArrayLike, NDArray
+
+    from stayput.catalogue import Phrase
 
 _WEIGHT = 0.2
 """Weight, in pairs, of each of the two motions that are added before the design effect is estimated.
@@ -63,15 +66,21 @@ class Difference:
 
     @property
     def clear(self) -> bool:
-        """Whether the interval leaves out 0, so that the sign is sure."""
+        """Whether the interval excludes 0, so that the sign is significant."""
         return self.low > 0.0 or self.high < 0.0
 
     @property
-    def text(self) -> str:
-        """Difference and interval in words: "−35 points (−48 to −20)", points being per cent."""
+    def texts(self) -> Phrase:
+        """Difference and interval in both languages: "−35 points (−48 to −20)", points being per cent."""
         if self.pairs == 0:
-            return "unknown (no pair of runs)"
-        return f"{percent(self.estimate)} points ({percent(self.low)} to {percent(self.high)})"
+            return phrase("fragility.difference_unknown")
+        ends = {"low": percent(self.low), "high": percent(self.high)}
+        return phrase("fragility.difference", estimate=percent(self.estimate), **ends)
+
+    @property
+    def text(self) -> str:
+        """Difference and interval in English words; see `texts`."""
+        return self.texts[0]
 
 
 def difference(first: ArrayLike, second: ArrayLike, missing: ArrayLike | None = None) -> Difference:
@@ -176,7 +185,7 @@ def score_interval(more: float, fewer: float, pairs: float) -> tuple[float, floa
 
 
 def _edge(inside: Callable[[float], bool], start: float, end: float) -> float:
-    """Return where a range that holds ``start`` ends on the way to ``end``."""
+    """Return the boundary of a range between ``start``, which is inside, and ``end``."""
     for _ in range(_HALVINGS):
         middle = 0.5 * (start + end)
         start, end = (middle, end) if inside(middle) else (start, middle)

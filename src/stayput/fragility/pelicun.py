@@ -59,14 +59,14 @@ def pelicun_csv(curves: Sequence[FragilityCurve]) -> str:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(HEADER)
     for name, curve in zip(identifiers(curves), curves, strict=True):
-        found = curve.lognormal
-        if found is None or not found.fits:
-            fit = phrase("fragility.no_lognormal") if found is None else found.text
+        lognormal = curve.lognormal
+        if lognormal is None or not lognormal.fits:
+            fit = phrase("fragility.no_lognormal") if lognormal is None else lognormal.texts
             raise InputError("fragility.not_lognormal", name=repr(curve.name), fit=fit)
         demand, unit, factor = DEMANDS[curve.measure.key]
         # Theta_1 of "lognormal" is the standard deviation of the logarithm, of "normal_std" that of the value
         family = "normal_std" if curve.measure.is_logarithm else "lognormal"
-        parameters = (family, repr(found.median * factor), repr(found.dispersion))
+        parameters = (family, repr(lognormal.median * factor), repr(lognormal.dispersion))
         writer.writerow((name, 0, demand, unit, 0, 1, *parameters))
     return text.getvalue()
 

@@ -1,4 +1,4 @@
-r"""A probability from counts, with an interval that knows that runs of one motion are alike.
+r"""A probability from counts, with an interval that accounts for correlation of the runs of one motion.
 
 Wilson's score interval (Wilson 1927; recommended by Brown, Cai and DasGupta 2001) with the number of
 independent runs in place of the number of runs, n* = n / deff, and Student's t in place of the normal
@@ -19,10 +19,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.special import stdtrit
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError, within
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
+
+    from stayput.catalogue import Phrase
 
 CONFIDENCE = 0.95
 """Confidence of every interval."""
@@ -70,11 +73,17 @@ class Probability:
         return 0.5 * (self.high - self.low)
 
     @property
-    def text(self) -> str:
-        """Probability and interval in words: "12 % (7 to 20 %)"."""
+    def texts(self) -> Phrase:
+        """Probability and interval in both languages: "12 % (7 to 20 %)"."""
         if self.runs == 0:
-            return "unknown (no run)"
-        return f"{percent(self.estimate)} % ({percent(self.low)} to {percent(self.high)} %)"
+            return phrase("fragility.probability_unknown")
+        ends = {"low": percent(self.low), "high": percent(self.high)}
+        return phrase("fragility.probability", estimate=percent(self.estimate), **ends)
+
+    @property
+    def text(self) -> str:
+        """Probability and interval in English words; see `texts`."""
+        return self.texts[0]
 
 
 def percent(share: float) -> str:
@@ -155,13 +164,13 @@ def probability_of_counts(fell: ArrayLike, runs: ArrayLike, missing: ArrayLike =
         Runs of each motion that were given up.
     """
     k, n = np.asarray(fell, np.float64), np.asarray(runs, np.float64)
-    gone = np.broadcast_to(np.asarray(missing, np.float64), n.shape)
+    given_up = np.broadcast_to(np.asarray(missing, np.float64), n.shape)
     if not n.sum() > 0.0:
-        return Probability(math.nan, 0.0, 1.0, 0, 0, 0, int(gone.sum()), math.nan)
-    low, _ = _interval(k, n + gone)
-    _, high = _interval(k + gone, n + gone)
+        return Probability(math.nan, 0.0, 1.0, 0, 0, 0, int(given_up.sum()), math.nan)
+    low, _ = _interval(k, n + given_up)
+    _, high = _interval(k + given_up, n + given_up)
     effect = design_effect(k, n)
-    counts = int(k.sum()), int(n.sum()), int((n > 0.0).sum()), int(gone.sum())
+    counts = int(k.sum()), int(n.sum()), int((n > 0.0).sum()), int(given_up.sum())
     return Probability(float(k.sum() / n.sum()), low, high, *counts, effect)
 
 
@@ -245,7 +254,7 @@ class Plan:
         return self.samples > 0
 
 
-def samples_needed(found: Probability, half_width: float) -> Plan:
+def samples_needed(current: Probability, half_width: float) -> Plan:
     """Return the sample size for a target half-width of the interval.
 
     With correlation ρ = (deff − 1) / (m − 1) between the runs of a motion, m samples of M motions tell as
@@ -253,26 +262,26 @@ def samples_needed(found: Probability, half_width: float) -> Plan:
 
     Parameters
     ----------
-    found : Probability
-        What has been found so far. With one sample a motion ρ is unknown and taken as 0.
+    current : Probability
+        The estimate so far. With one sample a motion ρ is unknown and taken as 0.
     half_width : float
-        Asked half width of the 95 % interval.
+        Target half width of the 95 % interval.
 
     Raises
     ------
     InputError
         A half width that is not between 0.001 and 0.5, or a probability without runs.
     """
-    asked = within("fragility.half_width", half_width, 1e-3, 0.5)
-    if found.runs == 0:
+    target = within("fragility.half_width", half_width, 1e-3, 0.5)
+    if current.runs == 0:
         raise InputError("fragility.plan_without_runs")
-    motions = found.motions
-    m = found.runs / motions
+    motions = current.motions
+    m = current.runs / motions
     if motions == 1:
-        needed = math.ceil(independent_runs(found.estimate, asked, quantile(1, found.runs)))
+        needed = math.ceil(independent_runs(current.estimate, target, quantile(1, current.runs)))
         return Plan(needed, 1)
-    rho = min((found.design_effect - 1.0) / (m - 1.0), 1.0) if m > 1.0 else 0.0
-    runs = independent_runs(found.estimate, asked, quantile(motions, found.runs))
+    rho = min((current.design_effect - 1.0) / (m - 1.0), 1.0) if m > 1.0 else 0.0
+    runs = independent_runs(current.estimate, target, quantile(motions, current.runs))
     more_motions = math.ceil(runs * (1.0 + (m - 1.0) * rho) / m)
     left = motions - runs * rho
     if left <= 0.0:
@@ -281,7 +290,7 @@ def samples_needed(found: Probability, half_width: float) -> Plan:
 
 
 def independent_runs(p: float, half_width: float, quantile: float) -> float:
-    """Return the number n of independent runs whose Wilson interval has an asked half width.
+    """Return the number n of independent runs whose Wilson interval has a half width.
 
     With y = 1/n and q the square of the quantile, h²(1 + q y)² = q p(1 − p) y + q² y²/4.
     """

@@ -46,15 +46,14 @@ def derivatives(
 
 def information(v: NDArray[np.float64], curvature: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the observed information of (a, b) from each cell's curvature, shape (sets, 2, 2)."""
-    one, mixed, two = curvature.sum(axis=1), (curvature * v).sum(axis=1), (curvature * v * v).sum(axis=1)
-    return np.stack((one, mixed, mixed, two), axis=1).reshape(-1, 2, 2)
+    aa, ab, bb = curvature.sum(axis=1), (curvature * v).sum(axis=1), (curvature * v * v).sum(axis=1)
+    return np.stack((aa, ab, ab, bb), axis=1).reshape(-1, 2, 2)
 
 
 def fit(
     v: NDArray[np.float64],
     fell: NDArray[np.float64],
     stood: NDArray[np.float64],
-    start: NDArray[np.float64] | None = None,
 ) -> NDArray[np.float64]:
     """Return (a, b) of the largest likelihood, shape (sets, 2).
 
@@ -64,14 +63,10 @@ def fit(
         Coordinate of each cell, of mean 0 and spread 1 or so.
     fell, stood : ndarray, shape (sets, cells)
         Counts, or weights, of each set. Each set must have a maximum: see `separated`.
-    start : ndarray, shape (2,), optional
-        First (a, b).
     """
     ab = np.zeros((len(fell), 2))
     share = np.clip(fell.sum(axis=1) / (fell + stood).sum(axis=1), 1e-3, 1.0 - 1e-3)
     ab[:, 0] = ndtri(share)
-    if start is not None:
-        ab[:] = start
     height = log_likelihood(v, fell, stood, ab)
     moving = np.arange(len(fell))
     for _ in range(_STEPS):

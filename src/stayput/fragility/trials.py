@@ -1,4 +1,4 @@
-"""Counted falls over an intensity measure, of any layout, as a list of cells, and shares by level."""
+"""Counts of falls over an intensity measure as a list of cells, and observed shares by level."""
 
 from __future__ import annotations
 
@@ -229,7 +229,7 @@ class Level:
 
 def observed_levels(trials: Trials) -> tuple[Level, ...]:
     """Return the levels of some trials, from the weakest to the strongest."""
-    found: list[Level] = []
+    levels: list[Level] = []
     u = trials.measure.coordinate(trials.im)
     for number in np.unique(trials.level):
         inside = trials.level == number
@@ -245,5 +245,5 @@ def observed_levels(trials: Trials) -> tuple[Level, ...]:
         if trials.motions > 1 == share.motions:
             # the only one of the motions here says nothing of the others
             share = replace(share, low=0.0, high=1.0)
-        found.append(Level(float(middle), float(ends[0]), float(ends[1]), share))
-    return tuple(sorted(found, key=lambda level: level.im))
+        levels.append(Level(float(middle), float(ends[0]), float(ends[1]), share))
+    return tuple(sorted(levels, key=lambda level: level.im))

@@ -1,4 +1,4 @@
-"""`assess`: an inventory from its table to results, each stage taken up again where it was left."""
+"""`assess`: an inventory from its table to results; an interrupted assessment is resumed where it stopped."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from stayput.errors import InputError, within
 from stayput.execution import DaskExecutor, ThreadExecutor
 from stayput.extras import absent
 from stayput.inventory.arrow import arrow, dataset, parquet
-from stayput.inventory.city import read_cities
 from stayput.inventory.folder import MANIFEST, WORK, check_parts, claimed, digest_of
 from stayput.inventory.places import measure_about, read_shakemap
 from stayput.inventory.plan import REJECTS, STORE, make_plan
-from stayput.inventory.records import UNITS, Flat
+from stayput.inventory.records import UNITS, RecordFile
 from stayput.inventory.report import report_html
 from stayput.inventory.results import PIECES, Writer, part_names
+from stayput.inventory.scenarios import read_scenarios
 from stayput.inventory.store import Store
 from stayput.inventory.summary import COLUMNS, summarise
 from stayput.inventory.work import Work
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.execution import Executor
-    from stayput.inventory.city import Cities
+    from stayput.inventory.scenarios import Scenarios
     from stayput.inventory.summary import Summary
     from stayput.inventory.workspace import Workspace
 
@@ -83,16 +83,12 @@ class Assessment:
     @property
     def pieces(self) -> Any:
         """The results as a dataset of PyArrow: one row a piece and event."""
-        ds = dataset()
-
-        return ds.dataset(self.folder / PIECES, format="parquet")
+        return dataset().dataset(self.folder / PIECES, format="parquet")
 
     @property
     def rejects(self) -> Any:
         """The rows that were not assessed, as a table of PyArrow: row, id, reason."""
-        pq = parquet()
-
-        return pq.read_table(self.folder / REJECTS[0])
+        return parquet().read_table(self.folder / REJECTS[0])
 
 
 def assess(
@@ -147,53 +143,53 @@ def assess(
         full; a cluster that is gone.
     """
     began = time.perf_counter()
-    limit, room = within("inventory.slide_limit", slide_limit, 0.0, 1e3, "m"), memory_of(memory)
+    limit, memory_bytes = within("inventory.slide_limit", slide_limit, 0.0, 1e3, "m"), memory_of(memory)
     if scheduler is not None and client is not None:
         raise InputError("inventory.scheduler_and_client", "scheduler")
     arrow()
     table, folder = Path(inventory), Path(out)
     if not table.is_file():
         raise InputError("inventory.not_a_file", "inventory", path=repr(str(table)))
-    grid = None if shakemap is None else Path(shakemap)
-    files = {"inventory": table} | ({} if grid is None else {"shake map": grid})
+    map_path = None if shakemap is None else Path(shakemap)
+    files = {"inventory": table} | ({} if map_path is None else {"shake map": map_path})
     digests = {name: _digest(name, path) for name, path in files.items()}
-    cities = read_cities(scenario, None if grid is None else read_shakemap(grid))
+    scenarios = read_scenarios(scenario, None if map_path is None else read_shakemap(map_path))
     inputs = {
         "inventory": digests["inventory"],
-        "scenario": [city.digest for city in cities.all],
+        "scenario": [file.digest for file in scenarios.all],
         "shake map": digests.get("shake map"),
         "slide limit": limit,
     }
 
-    def still_the_same() -> None:
+    def check_unchanged() -> None:
         for name, path in files.items():
             if _digest(name, path) != digests[name]:
                 raise InputError("inventory.changed", file=_called(name), path=repr(str(path)))
 
     with _full_disk(folder), claimed(folder, inputs) as space:
         plan = digest_of_inputs(inputs)
-        with bar(_rows_about(table), "Reading", progress, "rows") as tell:
-            facts = make_plan(space, table, cities, room // 16, tell, still_the_same)
+        with bar(_rows_about(table), "Reading", progress, "rows") as advance:
+            facts = make_plan(space, table, scenarios, memory_bytes // 16, advance, check_unchanged)
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
-        store = Store(space.folder / "plan" / STORE, room // 16)
+        store = Store(space.folder / "plan" / STORE, memory_bytes // 16)
         try:
-            ready = Work(store, cities, space, plan, slide_limit=limit, room_for_floors=room // 8)
+            work = Work(store, scenarios, space, plan, slide_limit=limit, floor_memory=memory_bytes // 8)
             started = time.perf_counter()
-            _simulate(ready, threads, scheduler, client, progress, say)
+            _simulate(work, threads, scheduler, client, progress, say)
             simulating = time.perf_counter() - started
         finally:
             store.close()
-        manifest = _manifest(cities, limit, ready)
-        _write(folder, space, plan, facts, manifest, ready, progress)
+        manifest = _manifest(scenarios, limit, work)
+        _write(folder, space, plan, facts, manifest, work, progress)
         summary = _sum_up(folder, space, facts, manifest)
-        asked = read_json(folder / MANIFEST) or {}
+        claim = read_json(folder / MANIFEST) or {}
         space.write_json(
-            folder / MANIFEST, {"inputs": asked["inputs"], "plan": facts, "assessment": manifest}
+            folder / MANIFEST, {"inputs": claim["inputs"], "plan": facts, "assessment": manifest}
         )
-    return Assessment(folder, facts, summary, ready.runs, time.perf_counter() - began, simulating)
+    return Assessment(folder, facts, summary, work.runs, time.perf_counter() - began, simulating)
 
 
-def memory_of(given: float | str) -> int:
+def memory_of(value: float | str) -> int:
     """Return a memory in bytes: a number, or a text such as "2GB" or "512 MiB".
 
     Raises
@@ -201,12 +197,12 @@ def memory_of(given: float | str) -> int:
     InputError
         Something else, or less than 256 MiB.
     """
-    if isinstance(given, str):
-        found = re.fullmatch(r"\s*([\d.]+)\s*([kmgt]?)(i?b)?\s*", given, re.IGNORECASE | re.ASCII)
-        if found is None or found[1].count(".") > 1 or found[1] == ".":
-            raise InputError("inventory.memory_format", "memory", memory=repr(given))
-        given = float(found[1]) * _UNITS[found[2].lower()]
-    return int(within("inventory.memory", given, 2**28, 2**50, "bytes"))
+    if isinstance(value, str):
+        match = re.fullmatch(r"\s*([\d.]+)\s*([kmgt]?)(i?b)?\s*", value, re.IGNORECASE | re.ASCII)
+        if match is None or match[1].count(".") > 1 or match[1] == ".":
+            raise InputError("inventory.memory_format", "memory", memory=repr(value))
+        value = float(match[1]) * _UNITS[match[2].lower()]
+    return int(within("inventory.memory", value, 2**28, 2**50, "bytes"))
 
 
 def digest_of_inputs(inputs: dict[str, Any]) -> str:
@@ -228,7 +224,7 @@ def _digest(name: str, path: Path) -> str:
 
 
 def _called(name: str) -> Phrase:
-    """Return what a sentence calls an input: the inventory or the shake map."""
+    """Return the name of an input in sentences: the inventory or the shake map."""
     return phrase(f"inventory.the_{name.replace(' ', '_')}")
 
 
@@ -274,10 +270,10 @@ def _simulate(
     if not work.left:
         return
     with (
-        bar(work.left, "Simulating", progress, "units") as tell,
+        bar(work.left, "Simulating", progress, "units") as advance,
         _executor(threads, scheduler, client, say) as executor,
     ):
-        work.run(executor, tell, time.monotonic)
+        work.run(executor, advance, time.monotonic)
 
 
 @contextmanager
@@ -310,25 +306,25 @@ def _executor(
             made.close(timeout=5)
 
 
-def _manifest(cities: Cities, limit: float, work: Work) -> dict[str, Any]:
+def _manifest(scenarios: Scenarios, limit: float, work: Work) -> dict[str, Any]:
     strengths = _strengths(work)
     return {
         "version": stayput.__version__,
         "slide limit": limit,
-        "shake map": None if cities.shakemap is None else measure_about(cities.measure),
+        "shake map": None if scenarios.shakemap is None else measure_about(scenarios.measure),
         "scenarios": [
             {
-                "name": city.name,
-                "digest": city.digest,
-                "suite": city.ground.name,
-                "synthetic": city.ground.synthetic,
-                "intensity": None if cities.shakemap is not None else strengths(city.name, None)[0],
-                "motions": one.motions,
-                "samples": one.samples,
-                "seed": one.seed,
-                "precision": one.precision,
+                "name": file.name,
+                "digest": file.digest,
+                "suite": file.ground.name,
+                "synthetic": file.ground.synthetic,
+                "intensity": None if scenarios.shakemap is not None else strengths(file.name, None)[0],
+                "motions": settings.motions,
+                "samples": settings.samples,
+                "seed": settings.seed,
+                "precision": settings.precision,
             }
-            for city, one in zip(cities.all, work.settings, strict=True)
+            for file, settings in zip(scenarios.all, work.settings, strict=True)
         ],
     }
 
@@ -339,19 +335,19 @@ def _write(
     plan: str,
     facts: dict[str, Any],
     manifest: dict[str, Any],
-    ready: Work,
+    work: Work,
     progress: bool | None,
 ) -> None:
     import json
 
-    flat = Flat(space.draft())
+    record_file = RecordFile(space.draft())
     try:
-        flat.gather(space.folder / UNITS, plan, facts["units"])
+        record_file.gather(space.folder / UNITS, plan, facts["units"])
         about = {"stayput": json.dumps({"inputs": plan, **manifest}, sort_keys=True)}
-        with bar(facts["pieces"] * len(ready.cities.events), "Writing", progress, "rows") as tell:
-            Writer(folder, space, flat, about, _strengths(ready)).write(facts["parts"], tell)
+        with bar(facts["pieces"] * len(work.scenarios.events), "Writing", progress, "rows") as advance:
+            Writer(folder, space, record_file, about, _strengths(work)).write(facts["parts"], advance)
     finally:
-        flat.path.unlink(missing_ok=True)
+        record_file.path.unlink(missing_ok=True)
     for name in REJECTS:
         with space.durable(folder / name) as file, (space.folder / "plan" / name).open("rb") as source:
             shutil.copyfileobj(source, file)
@@ -359,12 +355,12 @@ def _write(
 
 def _strengths(work: Work) -> Callable[[str, float | None], tuple[float, float | None]]:
     """Return a function of a scenario and a map's level: JMA's intensity, and Sa [g], of the ground."""
-    places = {city.name: n for n, city in enumerate(work.cities.all)}
-    period = work.cities.measure.period
+    places = {file.name: n for n, file in enumerate(work.scenarios.all)}
+    period = work.scenarios.measure.period
 
     @lru_cache(maxsize=10_000)
     def strengths(station: str, level: float | None) -> tuple[float, float | None]:
-        ground, shaking = work.ground(places[station]), work.cities.all[places[station]].scenario.shaking
+        ground, shaking = work.ground(places[station]), work.scenarios.all[places[station]].scenario.shaking
         wanted = shaking.wanted_intensity if level is None else level
         if period is None and wanted is not None:
             return float(wanted), None
@@ -380,8 +376,8 @@ def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dic
 
     summary = summarise(folder / PIECES)
     rows = summary.rows()
-    whole, number = pa.int64(), pa.float64()
-    kinds: list[Any] = [pa.string(), pa.string(), pa.int32(), whole, whole, *[number] * 6, whole]
+    integer, real = pa.int64(), pa.float64()
+    kinds: list[Any] = [pa.string(), pa.string(), pa.int32(), integer, integer, *[real] * 6, integer]
     schema = pa.schema(list(zip(COLUMNS, kinds, strict=True)))
     columns: list[Any] = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in COLUMNS]
     with space.durable(folder / SUMMARY[0]) as file:

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 LONGEST = 1000
 """Most characters of a cell."""
 
+MOST_NUMBERS = 100
+"""Most numbers of a cell."""
+
 SHOWN = 40
 """Characters of a cell that a sentence shows."""
 
@@ -139,7 +142,7 @@ def whole_of(name: str, cell: Cell, low: int, high: int) -> int | None:
     return int(within(name, value, low, high, field=name))
 
 
-def numbers_of(name: str, cell: Cell, unit: str = "", most: int = 100) -> tuple[float, ...]:
+def numbers_of(name: str, cell: Cell, unit: str = "") -> tuple[float, ...]:
     """Return the numbers of a cell, with semicolons between them; none where it is empty.
 
     Raises
@@ -151,9 +154,9 @@ def numbers_of(name: str, cell: Cell, unit: str = "", most: int = 100) -> tuple[
     if value is None:
         return ()
     parts = value.split(";") if isinstance(value, str) else [value]
-    if len(parts) > most:
-        raise InputError("inventory.too_many_numbers", name, name=name, count=len(parts), most=most)
-    found = [number_of(name, part, unit) for part in parts]
-    if any(number is None for number in found):
+    if len(parts) > MOST_NUMBERS:
+        raise InputError("inventory.too_many_numbers", name, name=name, count=len(parts), most=MOST_NUMBERS)
+    numbers = [number_of(name, part, unit) for part in parts]
+    if any(value is None for value in numbers):
         raise InputError("inventory.missing_number", name, name=name, value=shown(value))
-    return tuple(number for number in found if number is not None)
+    return tuple(value for value in numbers if value is not None)

@@ -69,18 +69,18 @@ def claimed(folder: Path, inputs: Mapping[str, Any]) -> Generator[Workspace]:
     with _locked(folder):
         _refuse_strangers(folder)
         _refuse_what_is_in_the_way(folder)
-        asked = {"format": FORMAT, "version of stayput": stayput.__version__, **inputs}
+        wanted = {"format": FORMAT, "version of stayput": stayput.__version__, **inputs}
         before = _inputs_before(folder)
-        if before is not None and before != asked and _holds_results(folder):
-            other = next((name for name in asked if before.get(name) != asked[name]), "list of inputs")
+        if before is not None and before != wanted and _holds_results(folder):
+            other = next((name for name in wanted if before.get(name) != wanted[name]), "list of inputs")
             other = phrase(f"inventory.input_{other.replace(' ', '_')}")
             raise InputError("inventory.other_assessment", "out", folder=repr(str(folder)), other=other)
         (folder / WORK).mkdir(exist_ok=True)
         space = Workspace(folder / WORK)
         for path in (folder / WORK / CLAIM, folder / MANIFEST):
-            said = read_json(path)
-            if said is None or said.get("inputs") != asked:
-                space.write_json(path, {"inputs": asked})
+            claim = read_json(path)
+            if claim is None or claim.get("inputs") != wanted:
+                space.write_json(path, {"inputs": wanted})
         yield space
 
 
@@ -93,12 +93,12 @@ def check_parts(folder: Path, names: set[str]) -> None:
 
 
 def _refuse_strangers(folder: Path) -> None:
-    """Refuse a folder without an assessment that holds more than the remains of a killed one."""
+    """Refuse a folder that holds foreign files and no assessment; remains of a killed one are accepted."""
     if (folder / MANIFEST).exists() or (folder / WORK / CLAIM).exists():
         return
-    found = list(entries(folder, OWN))
+    present = list(entries(folder, OWN))
     tokens = recorded(folder / WORK / JOURNAL)  # after the drafts: each had its token there before
-    for entry in found:
+    for entry in present:
         if not BEGUN.fullmatch(entry) or not _is_left_of_ours(folder, entry, tokens):
             name = entry.rstrip("/@")
             raise InputError("inventory.strangers", "out", folder=repr(str(folder)), name=repr(name))
@@ -125,9 +125,8 @@ def _is_left_of_ours(folder: Path, entry: str, tokens: frozenset[str]) -> bool:
 
 def _inputs_before(folder: Path) -> dict[str, Any] | None:
     """Return the inputs of the assessment in the folder, or None where the folder is new."""
-    said = (read_json(folder / MANIFEST), read_json(folder / WORK / CLAIM))
-    for one in said:
-        if one is not None and isinstance(inputs := one.get("inputs"), dict):
+    for claim in (read_json(folder / MANIFEST), read_json(folder / WORK / CLAIM)):
+        if claim is not None and isinstance(inputs := claim.get("inputs"), dict):
             return cast("dict[str, Any]", inputs)
     if (folder / MANIFEST).exists():
         raise InputError("inventory.damaged_manifest", "out", folder=repr(str(folder)), manifest=MANIFEST)
@@ -135,7 +134,7 @@ def _inputs_before(folder: Path) -> dict[str, Any] | None:
 
 
 def _holds_results(folder: Path) -> bool:
-    """Return whether there are results of the inputs; there are none where the table was refused."""
+    """Return whether there are results of the inputs: there are none where the table was refused."""
     return not (folder / WORK / CLAIM).exists() or any(
         (folder / name).exists() for name in (f"{WORK}/plan", "pieces", "report.html")
     )

@@ -48,7 +48,7 @@ _UNIT = re.compile(r"_(?:in_)?(?:mm|cm|m|inch|inches|in|ft|g|kg|t|lb|lbs|deg|yen
 
 @dataclass(frozen=True, slots=True)
 class Header:
-    """Places of the columns.
+    """Positions of the columns in a row.
 
     Parameters
     ----------
@@ -98,10 +98,10 @@ def header_of(cells: Sequence[Cell]) -> Header:
         raise InputError("inventory.too_many_columns", columns=len(cells), most=MOST)
     names = [str(cell).strip().lower() if isinstance(cell, str) else "" for cell in cells]
     if "id" not in names:
-        given = ", ".join(shown(name) for name in names if name)[:200]
+        listed = ", ".join(shown(name) for name in names if name)[:200] or phrase("inventory.nothing")
         if len(names) == 1 and any(mark in names[0] for mark in ";\t|"):
             raise InputError("inventory.commas", row=shown(names[0]))
-        raise InputError("inventory.no_id", "id", names=given or phrase("inventory.nothing"))
+        raise InputError("inventory.no_id", "id", names=listed)
     unused: list[str] = []
     for name in names:
         if name and names.count(name) > 1:

@@ -13,8 +13,8 @@ from pydantic import ValidationError
 from stayput.catalogue import phrase
 from stayput.errors import InputError, within
 from stayput.inventory.cells import number_of, numbers_of, plain, shown, text_of, whole_of
-from stayput.inventory.city import stated_building
-from stayput.inventory.store import ground_spec, measures_spec, thing_spec
+from stayput.inventory.scenarios import stated_building
+from stayput.inventory.store import ground_spec, measures_spec, piece_spec
 from stayput.measures import MEASURES, hold
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.room import Floor, Wall
@@ -26,13 +26,13 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Hashable, Mapping
 
     from stayput.inventory.cells import Cell
-    from stayput.inventory.city import Cities
+    from stayput.inventory.scenarios import Scenarios
     from stayput.measures import Measure
     from stayput.model.body import Body
     from stayput.model.room import Room
     from stayput.scenario.building import BuildingTable
 
-KEPT = 100_000
+MOST_CACHED = 100_000
 """Bodies, and rooms with their measures, that are cached for rows with the same values."""
 
 MOST_OPTIONS = 20
@@ -55,7 +55,7 @@ class MeasureSet:
     @classmethod
     def of(cls, name: str, measures: tuple[Measure, ...] = ()) -> MeasureSet:
         """Make an option of measures in any order."""
-        ordered = tuple(sorted(measures, key=lambda one: one.kind))
+        ordered = tuple(sorted(measures, key=lambda measure: measure.kind))
         return cls(name, ordered, measures_spec(ordered))
 
 
@@ -77,7 +77,7 @@ class Exposure:
         The storey, 1 on the ground.
     building : str, optional
         What the building is called; none on the ground.
-    thing : str
+    piece : str
         Spec of the piece in its room.
     options : tuple of MeasureSet
         Without a measure first.
@@ -93,7 +93,7 @@ class Exposure:
     ground: str
     storey: int
     building: str | None
-    thing: str
+    piece: str
     options: tuple[MeasureSet, ...]
     impossible: tuple[tuple[str, str], ...]
     costs: tuple[float, ...]
@@ -115,36 +115,36 @@ class Item:
 class ResultCache:
     """Cache of results, refusals among them, of which the oldest are dropped."""
 
-    def __init__(self, most: int = KEPT) -> None:
+    def __init__(self, most: int = MOST_CACHED) -> None:
         self.most = most
-        self.found: OrderedDict[Hashable, Any] = OrderedDict()
+        self.results: OrderedDict[Hashable, Any] = OrderedDict()
 
-    def of(self, key: Hashable, make: Callable[[], Any]) -> Any:
+    def get(self, key: Hashable, make: Callable[[], Any]) -> Any:
         """Return the result for a key, or raise the refusal: a copy, since each raise adds to a traceback."""
-        if key not in self.found:
+        if key not in self.results:
             try:
-                self.found[key] = make()
+                self.results[key] = make()
             except InputError as error:
-                self.found[key] = error.with_traceback(None)
-            if len(self.found) > self.most:
-                self.found.popitem(last=False)
-        value = self.found[key]
+                self.results[key] = error.with_traceback(None)
+            if len(self.results) > self.most:
+                self.results.popitem(last=False)
+        value = self.results[key]
         if isinstance(value, InputError):
             raise copy(value)
         return value
 
 
 class RowReader:
-    """Makes items of rows.
+    """Checks rows and makes items of them.
 
     Parameters
     ----------
-    cities : Cities
+    scenarios : Scenarios
         The scenarios.
     """
 
-    def __init__(self, cities: Cities) -> None:
-        self.cities = cities
+    def __init__(self, scenarios: Scenarios) -> None:
+        self.scenarios = scenarios
         self.bodies, self.rooms, self.buildings, self.grounds = (ResultCache() for _ in range(4))
 
     def item(self, row: int, cells: Mapping[str, Cell]) -> Item:
@@ -169,17 +169,17 @@ class RowReader:
         if lat is not None and lon is not None:
             within("lat", lat, -90.0, 90.0, "°")
             within("lon", lon, -180.0, 360.0, "°")
-        body = self.bodies.of(*self._with(cells, OF_THE_BODY, body_of))
+        body = self.bodies.get(_values(cells, OF_THE_BODY), partial(body_of, cells))
         costs = numbers_of("costs", cells.get("costs"))
         exposures: list[Exposure] = []
-        for event, station, level in self.cities.events_at(lat, lon):
+        for event, station, level in self.scenarios.events_at(lat, lon):
             label, building, storey = self._building(cells, station)
-            thing, options, not_possible = self._room(cells, body, station)
+            piece_text, options, not_possible = self._room(cells, body, station)
             if costs and len(costs) != len(options) - 1:
                 raise InputError(
                     "inventory.costs_count", "costs", costs=len(costs), measures=len(options) - 1
                 )
-            ground = self.grounds.of((station, level, label), partial(ground_spec, station, level, building))
+            ground = self.grounds.get((station, level, label), partial(ground_spec, station, level, building))
             possible = [n for n, option in enumerate(options) if option.name not in not_possible]
             exposures.append(
                 Exposure(
@@ -189,7 +189,7 @@ class RowReader:
                     ground,
                     storey,
                     label,
-                    thing,
+                    piece_text,
                     tuple(options[n] for n in possible),
                     tuple(not_possible.items()),
                     tuple(costs[n - 1] for n in possible[1:]) if costs else (),
@@ -199,18 +199,11 @@ class RowReader:
             within("costs", cost, 0.0, 1e15)
         return Item(row, piece, count or 1, value, lat, lon, tuple(exposures))
 
-    def _with(
-        self, cells: Mapping[str, Cell], names: tuple[str, ...], make: Callable[[Mapping[str, Cell]], Any]
-    ) -> tuple[Hashable, Callable[[], Any]]:
-        key = tuple(plain(name, cells.get(name)) for name in names)
-        return key, lambda: make(cells)
-
     def _room(
         self, cells: Mapping[str, Cell], body: Body, station: int
     ) -> tuple[str, tuple[MeasureSet, ...], dict[str, str]]:
         """Return the spec of the piece in its room, the options, and reasons against those not possible."""
-        key = tuple(plain(name, cells.get(name)) for name in OF_THE_ROOM)
-        scenario = self.cities.all[station].scenario
+        scenario = self.scenarios.all[station].scenario
 
         def make() -> tuple[str, tuple[MeasureSet, ...], dict[str, str]]:
             room = room_of(cells, scenario)
@@ -222,23 +215,23 @@ class RowReader:
                     hold(body, room, option.measures)
                 except InputError as error:  # no wall behind, no ceiling, an anchor above the ceiling
                     not_possible[option.name] = str(error)
-            return thing_spec(body, room), options, not_possible
+            return piece_spec(body, room), options, not_possible
 
-        return self.rooms.of((station, body, key), make)
+        return self.rooms.get((station, body, _values(cells, OF_THE_ROOM)), make)
 
     def _building(
         self, cells: Mapping[str, Cell], station: int
     ) -> tuple[str | None, BuildingTable | None, int]:
-        given = text_of("building", cells.get("building"))
+        stated = text_of("building", cells.get("building"))
         storey = whole_of("storey", cells.get("storey"), 1, 200)
-        shaking = self.cities.all[station].scenario.shaking
-        if given is None:
+        shaking = self.scenarios.all[station].scenario.shaking
+        if stated is None:
             label, building = (None, shaking.building)
             storey = storey or shaking.storey
             if building is None and storey is not None:
                 raise InputError("inventory.building_missing", "building")
         else:
-            label, building = given, self.buildings.of(given, lambda: self._named(given))
+            label, building = stated, self.buildings.get(stated, lambda: self._named(stated))
         if building is None or storey is None:
             if building is not None:
                 raise InputError("inventory.storey_missing", "storey")
@@ -248,7 +241,7 @@ class RowReader:
         return label or building.building().name, building, storey
 
     def _named(self, name: str) -> BuildingTable:
-        named = self.cities.buildings
+        named = self.scenarios.buildings
         building = named[name] if name in named else stated_building(name)
         if building is None:
             known = phrase("inventory.one_that_is_named")
@@ -256,6 +249,10 @@ class RowReader:
                 known = phrase("inventory.one_of_the_scenario", names=", ".join(named))
             raise InputError("inventory.unknown_building", "building", value=shown(name), known=known)
         return building
+
+
+def _values(cells: Mapping[str, Cell], names: tuple[str, ...]) -> Hashable:
+    return tuple(plain(name, cells.get(name)) for name in names)
 
 
 def body_of(cells: Mapping[str, Cell]) -> Body:
@@ -272,12 +269,12 @@ def body_of(cells: Mapping[str, Cell]) -> Body:
         table["cg_offset"] = list(offset)
     if load := numbers_of("load", cells.get("load"), "kg"):
         table["shelves"] = list(load)
-    said = {name: value for name, value in table.items() if value is not None}
+    stated = {name: value for name, value in table.items() if value is not None}
     try:
-        return FurnitureTable.model_validate(said).body()
+        return FurnitureTable.model_validate(stated).body()
     except ValidationError:
         try:
-            Scenario.parse({"furniture": said})
+            Scenario.parse({"furniture": stated})
         except InputError as error:
             # A row has columns where a scenario has keys of its table [furniture].
             known = error.renamed("furniture.shelves", "load").renamed("furniture.", "")
@@ -303,17 +300,17 @@ def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:
     return room
 
 
-def _floor(given: str | float, before: Floor) -> Floor:
-    if isinstance(given, str) and ";" not in given:
-        of = Floor.of(given)
-        static, kinetic = of.static_friction, of.kinetic_friction
+def _floor(value: str | float, default: Floor) -> Floor:
+    if isinstance(value, str) and ";" not in value:
+        preset = Floor.of(value)
+        static, kinetic = preset.static_friction, preset.kinetic_friction
     else:
-        pair = numbers_of("floor", given)
+        pair = numbers_of("floor", value)
         if len(pair) != 2:
-            raise InputError("inventory.floor", "floor", value=shown(given))
+            raise InputError("inventory.floor", "floor", value=shown(value))
         static, kinetic = pair
     return Floor(
-        static, kinetic, restitution=before.restitution, normal_restitution=before.normal_restitution
+        static, kinetic, restitution=default.restitution, normal_restitution=default.normal_restitution
     )
 
 
@@ -325,11 +322,11 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[MeasureSe
     InputError
         No such measure, one given twice, or too many.
     """
-    named = {one.name: one.measures for one in scenario.measures}
+    named = {measure_set.name: measure_set.measures for measure_set in scenario.measures}
     text = text_of("measures", cells.get("measures"), 1000)
     if text is None:
-        return (MeasureSet.of(NO_MEASURE), *(MeasureSet.of(name, of) for name, of in named.items()))
-    found = [MeasureSet.of(NO_MEASURE)]
+        return (MeasureSet.of(NO_MEASURE), *(MeasureSet.of(*each) for each in named.items()))
+    sets = [MeasureSet.of(NO_MEASURE)]
     for part in text.split(";"):
         names = [name.strip() for name in part.split("+")]
         measures: tuple[Measure, ...] = ()
@@ -338,11 +335,11 @@ def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[MeasureSe
                 known = ", ".join(dict.fromkeys((*named, *MEASURES)))
                 raise InputError("inventory.unknown_measure", "measures", value=shown(name), known=known)
             measures += named[name] if name in named else (MEASURES[name](),)
-        found.append(MeasureSet.of("+".join(names), measures))
-    if len(found) > MOST_OPTIONS + 1:
-        raise InputError("inventory.too_many_sets", "measures", count=len(found) - 1, most=MOST_OPTIONS)
-    names = [option.name for option in found]
+        sets.append(MeasureSet.of("+".join(names), measures))
+    if len(sets) > MOST_OPTIONS + 1:
+        raise InputError("inventory.too_many_sets", "measures", count=len(sets) - 1, most=MOST_OPTIONS)
+    names = [option.name for option in sets]
     if len(set(names)) < len(names):
         twice = next(name for name in names if names.count(name) > 1)
         raise InputError("inventory.measure_twice", "measures", value=shown(twice))
-    return tuple(found)
+    return tuple(sets)

@@ -62,7 +62,7 @@ def steps_of(measure: IntensityMeasure) -> int:
 
 
 def measure_about(measure: IntensityMeasure) -> str:
-    """Return what a map's measure is, in words."""
+    """Return a description of a map's measure."""
     if measure.period is None:
         return "JMA intensity, rounded to 0.1"
     return (
@@ -114,9 +114,9 @@ class ShakeMap:
         InputError
             The place lies outside the map.
         """
-        for name, value, of in (("lat", lat, self.lats), ("lon", lon, self.lons)):
+        for name, value, values in (("lat", lat, self.lats), ("lon", lon, self.lons)):
             called = phrase("inventory.on_the_map", name=name)
-            within(called, value, float(of.min()), float(of.max()), "°", name)
+            within(called, value, float(values.min()), float(values.max()), "°", name)
         if self.levels.ndim == 1:
             level = float(self.levels[np.argmin(distances(lat, lon, self.lats, self.lons))])
         else:

@@ -23,18 +23,19 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.inventory.cells import Cell
-    from stayput.inventory.city import Cities
     from stayput.inventory.header import Header
     from stayput.inventory.items import Item
+    from stayput.inventory.scenarios import Scenarios
     from stayput.inventory.workspace import Workspace
 
-IN_A_PART = 20_000
+ROWS_PER_PART = 20_000
 """Rows of the inventory in a part of the results."""
 
 REJECTS = ("rejects.parquet", "rejects.csv")
 ROWS, STORE, SUMS = "rows", "plan.sqlite", "sums.json"
 
-_TELL = 2000  # rows between updates of the progress bar
+ROWS_PER_UPDATE = 2000
+"""Rows between updates of the progress bar."""
 
 
 def schema() -> Any:
@@ -81,29 +82,29 @@ class Rejects:
         self.text = (folder / REJECTS[1]).open("w", encoding="utf-8", newline="")
         self.lines = csv.writer(self.text)
         self.lines.writerow(self.schema.names)
-        self.waiting: list[tuple[int, str, str]] = []
+        self.buffered: list[tuple[int, str, str]] = []
         self.count = 0
 
     def add(self, row: int, name: object, reason: str) -> None:
         """Add a row."""
         identifier = "" if name is None or isinstance(name, Unusable) else str(name)[:200]
-        self.waiting.append((row, identifier, reason))
+        self.buffered.append((row, identifier, reason))
         self.count += 1
-        if len(self.waiting) >= IN_A_PART:
+        if len(self.buffered) >= ROWS_PER_PART:
             self.flush()
 
     def flush(self) -> None:
         """Write the rows that are buffered."""
         pa = arrow()
 
-        if not self.waiting:
+        if not self.buffered:
             return
-        columns = dict(zip(self.schema.names, map(list, zip(*self.waiting, strict=True)), strict=True))
+        columns = dict(zip(self.schema.names, map(list, zip(*self.buffered, strict=True)), strict=True))
         self.parquet.write_table(pa.table(columns, schema=self.schema))
         self.lines.writerows(
-            (row, harmless(" ".join(name.split())), harmless(reason)) for row, name, reason in self.waiting
+            (row, harmless(" ".join(name.split())), harmless(reason)) for row, name, reason in self.buffered
         )
-        self.waiting.clear()
+        self.buffered.clear()
 
     def __enter__(self) -> Self:
         return self
@@ -122,10 +123,10 @@ class Rejects:
 def make_plan(
     space: Workspace,
     inventory: Path,
-    cities: Cities,
+    scenarios: Scenarios,
     cache: int,
-    tell: Callable[[int], None],
-    still_the_same: Callable[[], None] = lambda: None,
+    advance: Callable[[int], None],
+    check_unchanged: Callable[[], None] = lambda: None,
 ) -> dict[str, Any]:
     """Read and check the whole inventory, once; return the facts of the plan.
 
@@ -138,13 +139,13 @@ def make_plan(
         Where the plan goes.
     inventory : Path
         The table.
-    cities : Cities
+    scenarios : Scenarios
         The scenarios.
     cache : int
         Bytes for the cache of the data base; four times as many are for the texts of a workbook.
-    tell : callable
+    advance : callable
         Called with the number of rows that were just read.
-    still_the_same : callable, optional
+    check_unchanged : callable, optional
         Called when all is read; raises where the table is no longer that which was asked for.
 
     Raises
@@ -153,15 +154,15 @@ def make_plan(
         A table that cannot be read, a wrong header, or no row.
     """
     place = space.folder / "plan"
-    if place.exists() and not _is_whole(place):
+    if place.exists() and read_json(place / SUMS) != _sums(place):
         remove(place)
     if not place.exists():
         draft = space.draft()
         draft.mkdir()
         try:
             (draft / ROWS).mkdir()
-            _fill(draft, inventory, cities, cache, tell)
-            still_the_same()
+            _fill(draft, inventory, scenarios, cache, advance)
+            check_unchanged()
             space.write_json(draft / SUMS, _sums(draft))
             for path in draft.rglob("*"):
                 if path.is_file():
@@ -182,21 +183,19 @@ def _sums(place: Path) -> dict[str, str]:
     return {path.relative_to(place).as_posix(): digest_of(path) for path in files if path.name != SUMS}
 
 
-def _is_whole(place: Path) -> bool:
-    return read_json(place / SUMS) == _sums(place)
-
-
-def _fill(folder: Path, inventory: Path, cities: Cities, cache: int, tell: Callable[[int], None]) -> None:
-    reader = RowReader(cities)
+def _fill(
+    folder: Path, inventory: Path, scenarios: Scenarios, cache: int, advance: Callable[[int], None]
+) -> None:
+    reader = RowReader(scenarios)
     seen = empty = parts = pieces = choices = 0
-    waiting: list[tuple[Item, list[list[int]]]] = []
+    buffered: list[tuple[Item, list[list[int]]]] = []
 
     def flush() -> None:
         nonlocal parts
-        if waiting:
-            _write_rows(folder / ROWS / f"part-{parts:06d}.parquet", waiting, cities)
+        if buffered:
+            _write_rows(folder / ROWS / f"part-{parts:06d}.parquet", buffered, scenarios)
             parts += 1
-            waiting.clear()
+            buffered.clear()
 
     with closing(Store(folder / STORE, cache)) as store:
         store.begin()
@@ -204,8 +203,8 @@ def _fill(folder: Path, inventory: Path, cities: Cities, cache: int, tell: Calla
             header = header_of(table.header)
             for number, cells in table.rows:
                 seen += 1
-                if seen % _TELL == 0:
-                    tell(_TELL)
+                if seen % ROWS_PER_UPDATE == 0:
+                    advance(ROWS_PER_UPDATE)
                 if not isinstance(cells, InputError) and all(cell in (None, "") for cell in cells):
                     empty += 1
                     continue
@@ -215,15 +214,15 @@ def _fill(folder: Path, inventory: Path, cities: Cities, cache: int, tell: Calla
                         store.units_of(
                             exposure.ground,
                             exposure.storey,
-                            exposure.thing,
+                            exposure.piece,
                             [option.spec for option in exposure.options],
                         )
                         for exposure in item.exposures
                     ]
                     choices += sum(map(len, units))
                     pieces += 1
-                    waiting.append((item, units))
-                    if len(waiting) >= IN_A_PART:
+                    buffered.append((item, units))
+                    if len(buffered) >= ROWS_PER_PART:
                         flush()
             flush()
         if seen == empty:
@@ -237,7 +236,7 @@ def _fill(folder: Path, inventory: Path, cities: Cities, cache: int, tell: Calla
                 "parts": parts,
                 "units": store.next_unit,
                 "choices": choices,
-                "read as": table.how,
+                "read as": table.read_as,
                 "columns not used": list(header.unused),
             }
         )
@@ -267,7 +266,7 @@ def _checked(
     return piece
 
 
-def _write_rows(path: Path, rows: list[tuple[Item, list[list[int]]]], cities: Cities) -> None:
+def _write_rows(path: Path, rows: list[tuple[Item, list[list[int]]]], scenarios: Scenarios) -> None:
     pa, pq = arrow(), parquet()
 
     lines: Iterator[tuple[Any, ...]] = (
@@ -279,7 +278,7 @@ def _write_rows(path: Path, rows: list[tuple[Item, list[list[int]]]], cities: Ci
             piece.lat,
             piece.lon,
             exposure.event,
-            cities.all[exposure.station].name,
+            scenarios.all[exposure.station].name,
             exposure.level,
             exposure.building,
             None if exposure.building is None else exposure.storey,

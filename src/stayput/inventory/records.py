@@ -1,4 +1,4 @@
-"""Outcomes of simulation units as records of a fixed size, in files that are checked by their digest."""
+"""Outcomes of simulation units as records of fixed size, in files with a checksum."""
 
 from __future__ import annotations
 
@@ -74,12 +74,12 @@ def read_records(path: Path, plan: str) -> NDArray[np.void] | None:
 def all_records(folder: Path, plan: str) -> Iterator[NDArray[np.void]]:
     """Yield the records of all complete files of a folder."""
     for path in sorted(folder.glob("*.units")):
-        found = read_records(path, plan)
-        if found is not None:
-            yield found
+        records = read_records(path, plan)
+        if records is not None:
+            yield records
 
 
-class Flat:
+class RecordFile:
     """One file with the records of all units by number, of which only the wanted ones are read into memory.
 
     Parameters
@@ -105,7 +105,7 @@ class Flat:
 
     def of(self, units: NDArray[np.int64]) -> NDArray[np.void]:
         """Return the records of some units, in increasing order of their numbers."""
-        found = np.empty(len(units), RECORD)
+        records = np.empty(len(units), RECORD)
         size = RECORD.itemsize
         with self.path.open("rb", buffering=0) as file:
             descriptor = file.fileno()
@@ -113,6 +113,6 @@ class Flat:
             cuts = np.flatnonzero(np.diff(units) != 1) + 1
             for part in np.split(units, cuts):
                 content = os.pread(descriptor, len(part) * size, int(part[0]) * size)
-                found[start : start + len(part)] = np.frombuffer(content, RECORD)
+                records[start : start + len(part)] = np.frombuffer(content, RECORD)
                 start += len(part)
-        return found
+        return records

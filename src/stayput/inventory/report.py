@@ -67,7 +67,7 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str) -
     fallen: dict[str, float] = {}
     for (building, _), total in totals.items():
         fallen[building] = fallen.get(building, 0.0) + total.fallen
-    buildings = sorted(sorted(fallen, key=lambda one: -fallen[one])[:MOST_BUILDINGS], key=_by_number)
+    buildings = sorted(sorted(fallen, key=lambda name: -fallen[name])[:MOST_BUILDINGS], key=_by_number)
     storeys = _storeys({storey for building, storey in totals if building in buildings})
     longest = min(max(len(building or "no building") for building in buildings), LONGEST_NAME)
     height = TOP + ROW * len(storeys) + 24.0 + SLANT * longest
@@ -86,11 +86,11 @@ def storey_map(totals: Mapping[tuple[str, int], Total], best: bool, name: str) -
     for i, building in enumerate(buildings):
         x = LEFT + CELL * (i + 0.5)
         text = building if len(building) <= LONGEST_NAME else f"{building[: LONGEST_NAME - 1]}…"
-        whole = element("title", Markup.escape(building)) if text != building else ""
+        tooltip = element("title", Markup.escape(building)) if text != building else ""
         parts.append(
             element(
                 "text",
-                whole + str(Markup.escape(text or "no building")),
+                tooltip + str(Markup.escape(text or "no building")),
                 x=x,
                 y=y,
                 class_="axis",
@@ -111,10 +111,10 @@ def _by_number(name: str) -> list[tuple[bool, int, str]]:
     return [(not part.isdecimal(), int(part) if part.isdecimal() else 0, part) for part in parts]
 
 
-def _storeys(there: set[int]) -> list[int]:
+def _storeys(storeys: set[int]) -> list[int]:
     """Return the storeys of a map from the top: none is left out between, or heights would mislead."""
-    above = range(max(there), 0, -1)
-    return [*above, 0] if 0 in there else list(above)
+    above = range(max(storeys), 0, -1)
+    return [*above, 0] if 0 in storeys else list(above)
 
 
 def _map_cell(x: float, y: float, total: Total, best: bool, where: str) -> str:
@@ -164,15 +164,15 @@ def report_html(
     """
     maps: list[dict[str, Any]] = []
     for event in summary.events:
-        mine = {(b, s): total for (e, b, s), total in summary.places.items() if e == event}
-        buildings = len({building for building, _ in mine})
+        totals = {(b, s): total for (e, b, s), total in summary.places.items() if e == event}
+        buildings = len({building for building, _ in totals})
         maps.append(
             {
                 "event": event,
                 "total": summary.events[event],
                 "left_out": max(0, buildings - MOST_BUILDINGS),
-                "without": Markup(storey_map(mine, False, f"{event}, no measure: {SHOWS}")),
-                "best": Markup(storey_map(mine, True, f"{event}, best measures: {SHOWS}")),
+                "without": Markup(storey_map(totals, False, f"{event}, no measure: {SHOWS}")),
+                "best": Markup(storey_map(totals, True, f"{event}, best measures: {SHOWS}")),
             }
         )
     environment = Environment(

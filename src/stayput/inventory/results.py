@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.inventory.arrow import arrow, parquet
+from stayput.inventory.folder import digest_of
 from stayput.inventory.items import NO_MEASURE
 from stayput.inventory.plan import ROWS, not_possible
-from stayput.inventory.records import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90, Flat
+from stayput.inventory.records import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90, RecordFile
 from stayput.inventory.workspace import read_json
 from stayput.montecarlo.counting import EVENTS, OVERTURNED
 from stayput.verification.compare import severity
@@ -55,7 +56,7 @@ def schema(metadata: Mapping[str, str]) -> Any:
     option = pa.struct(
         [
             pa.field("name", pa.string()),
-            *(pa.field(one.name, one.type) for one in (*chances(""), *slides)),
+            *(pa.field(column.name, column.type) for column in (*chances(""), *slides)),
             pa.field("cost", pa.float64()),
             pa.field("expected_loss", pa.float64()),
         ]
@@ -76,7 +77,7 @@ def schema(metadata: Mapping[str, str]) -> Any:
         number("motions", "motions", pa.int32()),
         number("runs", "simulations without a measure that were not given up", pa.int32()),
         number("given_up", "simulations that were given up", pa.int32()),
-        *(one for one in chances(", without a measure") if not one.name.startswith("device_failed")),
+        *(column for column in chances(", without a measure") if not column.name.startswith("device_failed")),
         *slides,
         number("expected_loss", "count · value · probability of overturning, without a measure"),
         number("best", "the measure that lowers the risk most; 'none' where none does", pa.string()),
@@ -163,7 +164,7 @@ class Writer:
         Where results go.
     space : Workspace
         Where the plan is.
-    flat : Flat
+    record_file : RecordFile
         Outcomes of all units.
     metadata : mapping
         Metadata of every part.
@@ -175,63 +176,63 @@ class Writer:
         self,
         folder: Path,
         space: Workspace,
-        flat: Flat,
+        record_file: RecordFile,
         metadata: Mapping[str, str],
         strengths: Callable[[str, float | None], tuple[float, float | None]],
     ) -> None:
-        self.folder, self.space, self.flat = folder / PIECES, space, flat
+        self.folder, self.space, self.record_file = folder / PIECES, space, record_file
         self.schema = schema(metadata)
         self.strengths = strengths
         self.folder.mkdir(exist_ok=True)
         (space.folder / "sums").mkdir(exist_ok=True)
         self.options = [field.name for field in self.schema.field("options").type.value_type]
 
-    def write(self, parts: int, tell: Callable[[int], None]) -> None:
+    def write(self, parts: int, advance: Callable[[int], None]) -> None:
         """Write all parts that are not complete yet."""
         for name in part_names(parts):
-            tell(self._part(name))
+            advance(self._part(name))
 
     def _part(self, name: str) -> int:
-        note = self.space.folder / "sums" / f"{name}.json"
+        sums_path = self.space.folder / "sums" / f"{name}.json"
         target = self.folder / name
-        said = read_json(note)
-        if said is not None and isinstance(rows := said.get("rows"), int) and target.exists():
-            content = target.read_bytes()
-            if hashlib.sha256(content).hexdigest() == said.get("sha256"):
-                return rows
+        sums = read_json(sums_path) or {}
+        rows = sums.get("rows")
+        if isinstance(rows, int) and target.exists() and digest_of(target) == sums.get("sha256"):
+            return rows
         table = self._table(self.space.folder / "plan" / ROWS / name)
         content = _parquet(table)
         with self.space.durable(target) as file:
             file.write(content)
-        self.space.write_json(note, {"rows": table.num_rows, "sha256": hashlib.sha256(content).hexdigest()})
+        sums = {"rows": table.num_rows, "sha256": hashlib.sha256(content).hexdigest()}
+        self.space.write_json(sums_path, sums)
         return table.num_rows
 
     def _table(self, path: Path) -> Any:
-        pa, rows = arrow(), _listed(parquet().read_table(path))
+        rows: list[dict[str, Any]] = parquet().read_table(path).to_pylist()
         wanted = np.unique(np.concatenate([row["units"] for row in rows]).astype(np.int64))
-        records = self.flat.of(wanted)
+        records = self.record_file.of(wanted)
         chosen: dict[Any, tuple[Choice, list[dict[str, Any]]]] = {}
         lines: list[dict[str, Any]] = []
         for row in rows:
             key = (tuple(row["units"]), tuple(row["options"]), tuple(row["costs"] or ()), row["value"])
             if key not in chosen:
-                mine = records[np.searchsorted(wanted, row["units"])]
+                option_records = records[np.searchsorted(wanted, row["units"])]
                 sizes = [0 if name == NO_MEASURE else 1 + name.count("+") for name in row["options"]]
-                choice = choose(mine, sizes, row["costs"], row["value"])
-                chosen[key] = choice, [_numbers(record) for record in mine]
+                choice = choose(option_records, sizes, row["costs"], row["value"])
+                chosen[key] = choice, [_numbers(record) for record in option_records]
             lines.append(self._line(row, *chosen[key]))
         columns = {field.name: [line.get(field.name) for line in lines] for field in self.schema}
-        return pa.table(columns, schema=self.schema)
+        return arrow().table(columns, schema=self.schema)
 
-    def _line(self, row: dict[str, Any], choice: Choice, found: list[dict[str, Any]]) -> dict[str, Any]:
+    def _line(self, row: dict[str, Any], choice: Choice, numbers: list[dict[str, Any]]) -> dict[str, Any]:
         count, value, costs = row["count"], row["value"], row["costs"]
 
-        def loss(of: dict[str, Any]) -> float | None:
-            return None if value is None else count * value * of[OVERTURNED]
+        def loss(option: dict[str, Any]) -> float | None:
+            return None if value is None else count * value * option[OVERTURNED]
 
-        without, best = found[0], found[choice.best]
-        kept = [name for name in self.schema.names if name in row and name != "options"]
-        line = {**without, **{name: row[name] for name in kept}}
+        without, best = numbers[0], numbers[choice.best]
+        copied = [name for name in self.schema.names if name in row and name != "options"]
+        line = {**without, **{name: row[name] for name in copied}}
         line |= dict(zip(GROUND, self.strengths(row["station"], row["level"]), strict=True))
         line["expected_loss"], line["best_expected_loss"] = loss(without), loss(best)
         line["best"] = row["options"][choice.best]
@@ -242,35 +243,29 @@ class Writer:
         line["best_by_cost_gain"] = choice.gain
         line["options"] = [
             {
-                **of,
+                **option,
                 "name": name,
                 "cost": None if costs is None else (costs[n - 1] if n else 0.0),
-                "expected_loss": loss(of),
+                "expected_loss": loss(option),
             }
-            for n, (name, of) in enumerate(zip(row["options"], found, strict=True))
+            for n, (name, option) in enumerate(zip(row["options"], numbers, strict=True))
         ]
         return line
 
 
 def _numbers(record: np.void) -> dict[str, Any]:
-    found: dict[str, Any] = {
+    numbers: dict[str, Any] = {
         "motions": int(record["motions"]),
         "runs": int(record["runs"]),
         "given_up": int(record["missing"]),
     }
     for event, row in zip(EVENTS, record["chances"].tolist(), strict=True):
-        found |= {event: row[ESTIMATE], f"{event}_low": row[LOW], f"{event}_high": row[HIGH]}
+        numbers |= {event: row[ESTIMATE], f"{event}_low": row[LOW], f"{event}_high": row[HIGH]}
     slide = record["slide"].tolist()
-    return found | {"slide_median": slide[MEDIAN], "slide_p90": slide[P90], "slide_mean": slide[MEAN]}
-
-
-def _listed(table: Any) -> list[dict[str, Any]]:
-    return table.to_pylist()
+    return numbers | {"slide_median": slide[MEDIAN], "slide_p90": slide[P90], "slide_mean": slide[MEAN]}
 
 
 def _parquet(table: Any) -> bytes:
-    pq = parquet()
-
     buffer = io.BytesIO()
-    pq.write_table(table, buffer, compression="zstd", row_group_size=20_000)
+    parquet().write_table(table, buffer, compression="zstd", row_group_size=20_000)
     return buffer.getvalue()

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.model.room import Room
 
-KEPT = 400_000
+MOST_CACHED = 400_000
 """Numbers of pieces and of units that are kept in memory."""
 
 _TABLES = """
@@ -43,15 +43,15 @@ CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 class NumberCache:
     """Cache of row numbers by key, of which the oldest are dropped."""
 
-    def __init__(self, most: int = KEPT) -> None:
+    def __init__(self, most: int = MOST_CACHED) -> None:
         self.most = most
-        self.found: OrderedDict[Hashable, int] = OrderedDict()
+        self.numbers: OrderedDict[Hashable, int] = OrderedDict()
 
     def put(self, key: Hashable, number: int) -> int:
         """Keep a number."""
-        self.found[key] = number
-        if len(self.found) > self.most:
-            self.found.popitem(last=False)
+        self.numbers[key] = number
+        if len(self.numbers) > self.most:
+            self.numbers.popitem(last=False)
         return number
 
 
@@ -70,7 +70,7 @@ class Store:
         self.base = sqlite3.connect(path, isolation_level=None)
         self.base.execute(f"PRAGMA cache_size = -{max(cache // 1024, 1024)}")
         self.base.execute("PRAGMA temp_store = FILE")
-        self.things, self.options, self.sites, self.units = (NumberCache() for _ in range(4))
+        self.pieces, self.options, self.sites, self.units = (NumberCache() for _ in range(4))
         self.next_unit = 0
 
     def begin(self) -> None:
@@ -81,7 +81,7 @@ class Store:
         self.base.execute("BEGIN")
 
     def finish(self, facts: dict[str, Any]) -> None:
-        """Keep what is to be known of the plan, and close it."""
+        """Write the facts of the plan, and close it."""
         self.base.executemany(
             "INSERT INTO facts VALUES (?, ?)", [(name, json.dumps(value)) for name, value in facts.items()]
         )
@@ -93,7 +93,7 @@ class Store:
         self.base.close()
 
     def facts(self) -> dict[str, Any]:
-        """Return what is known of the plan."""
+        """Return the facts of the plan."""
         return {name: json.loads(value) for name, value in self.base.execute("SELECT * FROM facts")}
 
     def row_of(self, name: str, row: int) -> int:
@@ -104,7 +104,7 @@ class Store:
             return int(self.base.execute("SELECT row FROM ids WHERE id = ?", (name,)).fetchone()[0])
         return row
 
-    def units_of(self, ground: str, storey: int, thing: str, options: Iterable[str]) -> list[int]:
+    def units_of(self, ground: str, storey: int, piece: str, options: Iterable[str]) -> list[int]:
         """Return the numbers of the units of a piece at a site, one for each option; new ones are added.
 
         Parameters
@@ -113,47 +113,47 @@ class Store:
             Spec of the shaking of its building.
         storey : int
             The storey.
-        thing : str
+        piece : str
             Spec of the piece in its room.
         options : iterable of str
             Specs of the sets of measures.
         """
         site = self._number(self.sites, (ground, storey), "sites", ("ground", "storey"))
-        number = self._thing(thing)
+        number = self._piece(piece)
         return [
             self._unit(site, self._number(self.options, (spec,), "options", ("spec",)), number)
             for spec in options
         ]
 
     def _number(
-        self, kept: NumberCache, key: tuple[str | int, ...], table: str, columns: tuple[str, ...]
+        self,
+        cache: NumberCache,
+        key: tuple[str | int | bytes, ...],
+        table: str,
+        columns: tuple[str, ...],
+        **others: str,
     ) -> int:
-        if key in kept.found:
-            return kept.found[key]
+        """Return the number of a row by its key, which is added with its other columns where it is new."""
+        if key in cache.numbers:
+            return cache.numbers[key]
         where = " AND ".join(f"{column} = ?" for column in columns)
         row = self.base.execute(f"SELECT id FROM {table} WHERE {where}", key).fetchone()
-        if row is None:
-            marks = ", ".join("?" for _ in columns)
-            added = self.base.execute(f"INSERT INTO {table} ({', '.join(columns)}) VALUES ({marks})", key)
-            assert added.lastrowid is not None
-            return kept.put(key, added.lastrowid)
-        return kept.put(key, int(row[0]))
-
-    def _thing(self, spec: str) -> int:
-        digest = hashlib.blake2b(spec.encode(), digest_size=16).digest()
-        if digest in self.things.found:
-            return self.things.found[digest]
-        row = self.base.execute("SELECT id FROM things WHERE digest = ?", (digest,)).fetchone()
         if row is not None:
-            return self.things.put(digest, int(row[0]))
-        added = self.base.execute("INSERT INTO things (digest, spec) VALUES (?, ?)", (digest, spec))
+            return cache.put(key, int(row[0]))
+        names, values = (*columns, *others), (*key, *others.values())
+        marks = ", ".join("?" for _ in names)
+        added = self.base.execute(f"INSERT INTO {table} ({', '.join(names)}) VALUES ({marks})", values)
         assert added.lastrowid is not None
-        return self.things.put(digest, added.lastrowid)
+        return cache.put(key, added.lastrowid)
 
-    def _unit(self, site: int, option: int, thing: int) -> int:
-        key = (site, option, thing)
-        if key in self.units.found:
-            return self.units.found[key]
+    def _piece(self, spec: str) -> int:
+        digest = hashlib.blake2b(spec.encode(), digest_size=16).digest()
+        return self._number(self.pieces, (digest,), "things", ("digest",), spec=spec)
+
+    def _unit(self, site: int, option: int, piece: int) -> int:
+        key = (site, option, piece)
+        if key in self.units.numbers:
+            return self.units.numbers[key]
         row = self.base.execute(
             "SELECT id FROM units WHERE site = ? AND option = ? AND thing = ?", key
         ).fetchone()
@@ -170,17 +170,17 @@ class Store:
 
     def grounds(self) -> list[tuple[str, list[tuple[int, int]]]]:
         """Return the shakings of the ground, each with its sites: their numbers and storeys."""
-        found: dict[str, list[tuple[int, int]]] = {}
+        sites: dict[str, list[tuple[int, int]]] = {}
         for number, ground, storey in self.base.execute("SELECT id, ground, storey FROM sites ORDER BY id"):
-            found.setdefault(ground, []).append((number, storey))
-        return list(found.items())
+            sites.setdefault(ground, []).append((number, storey))
+        return list(sites.items())
 
     def option_specs(self) -> dict[int, str]:
         """Return the measures of each option."""
         return dict(self.base.execute("SELECT id, spec FROM options"))
 
     def units_at(self, site: int) -> Iterator[tuple[int, int, str]]:
-        """Give the units of a site: number, option, and what stands; those of one option together."""
+        """Yield the units of a site: number, option, spec of the piece; those of one option together."""
         cursor = self.base.cursor()
         cursor.execute(
             "SELECT units.id, units.option, things.spec FROM units JOIN things ON things.id = units.thing "
@@ -189,13 +189,13 @@ class Store:
         )
         yield from cursor
 
-    def work_left(self) -> dict[int, int]:
+    def units_by_option(self) -> dict[int, int]:
         """Return how many units each option has."""
         return dict(self.base.execute("SELECT option, COUNT(*) FROM units GROUP BY option"))
 
 
 def ground_spec(station: int, level: float | None, building: BuildingTable | None) -> str:
-    """Return what tells the shaking of a building from others: scenario, level from a map, building."""
+    """Return the spec of a building's shaking as text: scenario, level from a map, building."""
     table = None if building is None else building.model_dump(exclude_defaults=True)
     return json.dumps([station, level, table], sort_keys=True)
 
@@ -206,12 +206,12 @@ def ground_of(spec: str) -> tuple[int, float | None, BuildingTable | None]:
     return station, level, None if table is None else BuildingTable.model_validate(table)
 
 
-def thing_spec(body: Body, room: Room) -> str:
+def piece_spec(body: Body, room: Room) -> str:
     """Return a body in a room as text, each number with all its bits."""
     return json.dumps(flat_fields(body, room, State(), 1.0))
 
 
-def thing_of(spec: str) -> tuple[Body, Room]:
+def piece_of(spec: str) -> tuple[Body, Room]:
     """Return the body and the room of a spec; the inverse of `thing_spec`."""
     body, room, _ = from_flat_fields(json.loads(spec))
     return body, room
@@ -220,8 +220,8 @@ def thing_of(spec: str) -> tuple[Body, Room]:
 def measures_spec(measures: tuple[Measure, ...]) -> str:
     """Return measures as text."""
     tables = [
-        {"type": one.kind, **{about.name: getattr(one, about.name) for about in parameters(one)}}
-        for one in measures
+        {"type": measure.kind, **{p.name: getattr(measure, p.name) for p in parameters(measure)}}
+        for measure in measures
     ]
     return json.dumps(tables, sort_keys=True)
 

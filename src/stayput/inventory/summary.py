@@ -123,25 +123,23 @@ class Summary:
                 event,
                 building or None,
                 storey or None,
-                of.rows,
-                of.pieces,
-                of.fallen,
-                of.share,
-                of.fallen_best,
-                of.share_best,
-                of.loss,
-                of.loss_best,
-                of.helped,
+                total.rows,
+                total.pieces,
+                total.fallen,
+                total.share,
+                total.fallen_best,
+                total.share_best,
+                total.loss,
+                total.loss_best,
+                total.helped,
             ]
-            for (event, building, storey), of in sorted(self.places.items())
+            for (event, building, storey), total in sorted(self.places.items())
         ]
 
 
 def _rows(folder: Path) -> Iterator[dict[str, Any]]:
-    pq = parquet()
-
     for path in sorted(folder.glob("*.parquet")):
-        file: Any = pq.ParquetFile(path)
+        file: Any = parquet().ParquetFile(path)
         with file:
             for batch in file.iter_batches(8192, columns=list(READ)):
                 yield from batch.to_pylist()
@@ -149,13 +147,13 @@ def _rows(folder: Path) -> Iterator[dict[str, Any]]:
 
 def summarise(folder: Path) -> Summary:
     """Return the summary of the parts of a folder, read a few rows at a time."""
-    found = Summary()
+    summary = Summary()
     heap: list[tuple[tuple[float, float, float, int], int, dict[str, Any]]] = []
     for number, row in enumerate(_rows(folder)):
         place = row["event"], row["building"] or "", row["storey"] or 0
         for total in (
-            found.places.setdefault(place, Total()),
-            found.events.setdefault(row["event"], Total()),
+            summary.places.setdefault(place, Total()),
+            summary.events.setdefault(row["event"], Total()),
         ):
             total.add(row)
         if row["overturned"] == row["overturned"]:
@@ -165,5 +163,5 @@ def summarise(folder: Path) -> Summary:
                 heapq.heappush(heap, entry)
             else:
                 heapq.heappushpop(heap, entry)
-    found.worst = [row for _, _, row in sorted(heap, reverse=True)]
-    return found
+    summary.worst = [row for _, _, row in sorted(heap, reverse=True)]
+    return summary

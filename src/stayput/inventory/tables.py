@@ -40,7 +40,7 @@ UNITS_SHOWN = frozenset(("mm", "cm", "m", "㎜", "㎝", "in", "ft", "g", "kg", "
 
 _LITERAL = re.compile(r'"([^"]*)"|\\(.)')
 
-Row = tuple[int, "list[Cell] | InputError"]
+TableRow = tuple[int, "list[Cell] | InputError"]
 """Number of a row, the header being row 1, and its cells or why it cannot be read."""
 
 
@@ -54,13 +54,13 @@ class OpenTable:
         Cells of its first row.
     rows : iterator
         Its other rows with their numbers.
-    how : str
+    read_as : str
         How it was read: the encoding, the sheet.
     """
 
     header: list[Cell]
-    rows: Iterator[Row]
-    how: str
+    rows: Iterator[TableRow]
+    read_as: str
 
 
 @contextmanager
@@ -94,7 +94,7 @@ def open_table(path: Path, memory: int = 2**29) -> Generator[OpenTable]:
         yield replace(table, rows=_guarded(path, table.rows))
 
 
-def _guarded(path: Path, rows: Iterator[Row]) -> Iterator[Row]:
+def _guarded(path: Path, rows: Iterator[TableRow]) -> Iterator[TableRow]:
     with _readable(path):
         yield from rows
 
@@ -116,7 +116,7 @@ def _readable(path: Path) -> Generator[None]:
 
 
 def _one_line(text: str) -> str:
-    """Return the beginning of what a library says, without the stop at its end."""
+    """Return a library's message on one line, shortened, without the stop at its end."""
     return " ".join(text.split())[:200].rstrip(" .")
 
 
@@ -154,7 +154,7 @@ def _csv(path: Path) -> Generator[OpenTable]:
         csv.field_size_limit(before)
 
 
-def _csv_rows(reader: Any) -> Iterator[Row]:
+def _csv_rows(reader: Any) -> Iterator[TableRow]:
     number = 0
     while True:
         number += 1
@@ -186,7 +186,7 @@ def _parquet(path: Path) -> Generator[OpenTable]:
         yield OpenTable(names, _parquet_rows(file), "Parquet")
 
 
-def _parquet_rows(file: Any) -> Iterator[Row]:
+def _parquet_rows(file: Any) -> Iterator[TableRow]:
     number = 1
     for batch in file.iter_batches(BATCH):
         columns = [column.to_pylist() for column in batch.columns]
@@ -224,11 +224,11 @@ def _excel(path: Path, memory: int) -> Generator[OpenTable]:
         first = next(rows, None)
         if first is None or isinstance(first[1], InputError):
             raise InputError("inventory.empty_sheet", "inventory", path=repr(str(path)))
-        how = f"sheet {title!r}" + (f"; not {', '.join(map(repr, others))}" if others else "")
-        yield OpenTable(first[1], rows, how)
+        read_as = f"sheet {title!r}" + (f"; not {', '.join(map(repr, others))}" if others else "")
+        yield OpenTable(first[1], rows, read_as)
 
 
-def _excel_rows(rows: Iterator[tuple[int, dict[int, SheetCell]]]) -> Iterator[Row]:
+def _excel_rows(rows: Iterator[tuple[int, dict[int, SheetCell]]]) -> Iterator[TableRow]:
     width = expected = 0
     for number, cells in rows:
         while (expected := expected + 1) < number:  # rows that the file leaves out are empty

@@ -1,4 +1,4 @@
-"""Simulation units: one piece with one set of measures on one floor, under all motions and all draws."""
+"""Simulation of units: a piece with a set of measures on a floor, under all motions and all draws."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from stayput.errors import InputError
 from stayput.inventory.records import RECORD
-from stayput.inventory.store import measures_of, thing_of
+from stayput.inventory.store import measures_of, piece_of
 from stayput.montecarlo.counting import OVERTURNED, Outcomes, Quantiles
 from stayput.montecarlo.runs import run_prepared
 from stayput.montecarlo.sampling import draws, rows_of, sample_until_precise
@@ -93,7 +93,7 @@ def _block(
 
 def _rows_or_none(spec: str, option: tuple[Measure, ...], drawn: DrawTable, gravity: float) -> Rows | None:
     try:
-        body, room = thing_of(spec)
+        body, room = piece_of(spec)
         return rows_of(body, room, option, drawn, gravity)
     except InputError:  # a draw in which the measure is not possible: all its runs count as given up
         return None
@@ -105,7 +105,7 @@ def _fill(out: NDArray[np.void], outcomes: Outcomes, slide_limit: float) -> None
     fallen = chances[OVERTURNED]
     for name in ("motions", "runs", "missing", "fell"):
         out[name] = getattr(fallen, name)
-    out["chances"][0] = [(one.estimate, one.low, one.high) for one in chances.values()]
+    out["chances"][0] = [(chance.estimate, chance.low, chance.high) for chance in chances.values()]
     slide = Quantiles.of(outcomes.slide, outcomes.overturned)
     upright = outcomes.slide[~outcomes.missing & ~outcomes.overturned]
     mean = float(upright.sum() / len(upright)) if len(upright) else np.nan

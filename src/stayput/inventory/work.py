@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.execution import Executor
-    from stayput.inventory.city import Cities
+    from stayput.inventory.scenarios import Scenarios
     from stayput.inventory.store import Store
     from stayput.inventory.workspace import Workspace
     from stayput.scenario.building import BuildingTable
@@ -33,11 +33,11 @@ SECONDS = 1.0
 FIRST_GUESS = {False: 3e-4, True: 6e-3}
 """Time of a run before any was measured, without and with devices [s]."""
 
-KEEP_AFTER, KEEP_UNITS = 5.0, 50_000
-"""Outcomes are written after so many seconds or units: what is lost where the process is killed."""
+SAVE_AFTER, SAVE_UNITS = 5.0, 50_000
+"""Outcomes are saved after so many seconds or units: the most that is lost where the process is killed."""
 
 SAMPLE_BYTES = 40
-"""Bytes of a floor's motion for each sample: two components, as they are made and as they are kept."""
+"""Bytes of a floor's motion for each sample: two components, while they are made and as they are prepared."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,7 +62,7 @@ class FloorRequest:
     factors: NDArray[np.float64]
 
     def floors(self, ground: Ground) -> dict[int, PreparedFloor]:
-        """Return what shakes the furniture of each storey."""
+        """Return the floor motions of each storey."""
         floors, scales = ground.floors(self.building, self.storeys, self.factors, threads=1)
         if self.building is None:  # the same motions for all
             return dict.fromkeys(self.storeys, PreparedFloor.of(ground.acting, scales))
@@ -83,12 +83,12 @@ class UnitTask:
 
     def run(self, floors: dict[int, PreparedFloor]) -> TaskOutcome:
         """Simulate the units on this thread."""
-        found = [
+        results = [
             (option, *evaluate(units, measures, floors[self.storey], self.settings))
             for option, measures, units in self.groups
         ]
-        records = np.concatenate([one[1] for one in found])
-        return TaskOutcome(records, tuple((option, runs, seconds) for option, _, runs, seconds in found))
+        records = np.concatenate([result[1] for result in results])
+        return TaskOutcome(records, tuple((option, runs, seconds) for option, _, runs, seconds in results))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -112,7 +112,7 @@ class Costs:
         """Return the time of a unit [s]."""
         return self.mean[option] * self.runs
 
-    def learn(self, done: TaskOutcome) -> None:
+    def update(self, done: TaskOutcome) -> None:
         """Update the times by those of a task."""
         for option, runs, seconds in done.costs:
             total = self.seen.setdefault(option, [0.0, 0.0])
@@ -133,7 +133,7 @@ class Work:
     ----------
     store : Store
         The plan.
-    cities : Cities
+    scenarios : Scenarios
         The scenarios.
     space : Workspace
         Where outcomes are kept.
@@ -141,32 +141,32 @@ class Work:
         Digest of the plan.
     slide_limit : float
         Slide that counts as too far [m].
-    room_for_floors : int
+    floor_memory : int
         Bytes for the floors of a building.
     """
 
     def __init__(
         self,
         store: Store,
-        cities: Cities,
+        scenarios: Scenarios,
         space: Workspace,
         plan: str,
         *,
         slide_limit: float,
-        room_for_floors: int,
+        floor_memory: int,
     ) -> None:
-        self.store, self.cities, self.space, self.plan = store, cities, space, plan
-        self.room_for_floors = room_for_floors
+        self.store, self.scenarios, self.space, self.plan = store, scenarios, space, plan
+        self.floor_memory = floor_memory
         folder = space.folder / UNITS
         folder.mkdir(exist_ok=True)
         self.done = np.zeros(store.facts()["units"], np.bool_)
         for records in all_records(folder, plan):
             self.done[records["unit"]] = True
         self.grounds: dict[int, Ground] = {}
-        self.settings = [Settings.of(city.scenario, len(city.ground), slide_limit) for city in cities.all]
+        self.settings = [Settings.of(file.scenario, len(file.ground), slide_limit) for file in scenarios.all]
         self.options = store.option_specs()
-        runs = max(one.motions * one.samples for one in self.settings)
-        self.costs = Costs(self.options, store.work_left(), runs)
+        runs = max(settings.motions * settings.samples for settings in self.settings)
+        self.costs = Costs(self.options, store.units_by_option(), runs)
         self.runs, self.seconds = 0, 0.0
 
     @property
@@ -177,9 +177,9 @@ class Work:
     def ground(self, station: int) -> Ground:
         """Return the motions of a scenario."""
         if station not in self.grounds:
-            city = self.cities.all[station]
-            vertical = bool(city.scenario.shaking.vertical)
-            ground = Ground(city.ground, vertical, self.cities.measure)
+            file = self.scenarios.all[station]
+            vertical = bool(file.scenario.shaking.vertical)
+            ground = Ground(file.ground, vertical, self.scenarios.measure)
             _ = ground.to_jma_zero  # the intensity is reported in any case: refuse a still motion now
             self.grounds[station] = ground
         return self.grounds[station]
@@ -188,22 +188,22 @@ class Work:
         """Yield tasks, each for one storey, those of a building one after another."""
         for spec, sites in self.store.grounds():
             station, level, building = ground_of(spec)
-            ground, shaking = self.ground(station), self.cities.all[station].scenario.shaking
+            ground, shaking = self.ground(station), self.scenarios.all[station].scenario.shaking
             wanted = shaking.wanted_intensity if level is None else level
             factors = ground.factors(wanted, 1.0 if shaking.scale is None else shaking.scale)
-            for some in self._storeys_at_a_time(ground, sites):
-                storeys = tuple(storey for _, storey in some)
+            for batch in self._storeys_at_a_time(ground, sites):
+                storeys = tuple(storey for _, storey in batch)
                 request = FloorRequest(station, building, storeys, factors)
-                for site, storey in some:
+                for site, storey in batch:
                     yield from self._tasks_at(site, storey, request, width)
 
     def _storeys_at_a_time(
         self, ground: Ground, sites: list[tuple[int, int]]
     ) -> Iterator[list[tuple[int, int]]]:
         size = SAMPLE_BYTES * sum(len(motion.x) for motion in ground.motions)
-        many = max(1, self.room_for_floors // size)
-        for start in range(0, len(sites), many):
-            yield sites[start : start + many]
+        batch_size = max(1, self.floor_memory // size)
+        for start in range(0, len(sites), batch_size):
+            yield sites[start : start + batch_size]
 
     def _tasks_at(
         self, site: int, storey: int, request: FloorRequest, width: Callable[[], int]
@@ -244,46 +244,46 @@ class Work:
                 floors = Shared(request.floors, grounds[request.station])
             yield Call(task.run, floors)
 
-    def run(self, executor: Executor, tell: Callable[[int], None], clock: Callable[[], float]) -> None:
-        """Run all tasks on an executor, and write their outcomes as they come.
+    def run(self, executor: Executor, advance: Callable[[int], None], clock: Callable[[], float]) -> None:
+        """Run all tasks on an executor, and save their outcomes as they are completed.
 
         Parameters
         ----------
         executor : Executor
             Runs them.
-        tell : callable
+        advance : callable
             Called with the number of units that were just done.
         clock : callable
             The time [s].
         """
-        waiting: deque[NDArray[np.void]] = deque()
-        kept_at = clock()
+        unsaved: deque[NDArray[np.void]] = deque()
+        saved_at = clock()
 
-        def keep() -> None:
-            nonlocal kept_at
-            if waiting:
-                write_records(self.space, np.concatenate(waiting), self.plan)
-                waiting.clear()
-            kept_at = clock()
+        def save() -> None:
+            nonlocal saved_at
+            if unsaved:
+                write_records(self.space, np.concatenate(unsaved), self.plan)
+                unsaved.clear()
+            saved_at = clock()
 
         try:
             with closing(executor.as_completed(self._calls(executor.width))) as outcomes:
                 for _, outcome in outcomes:
-                    self._take(outcome, waiting, tell)
-                    if clock() - kept_at > KEEP_AFTER or sum(map(len, waiting)) >= KEEP_UNITS:
-                        keep()
+                    self._store_outcome(outcome, unsaved, advance)
+                    if clock() - saved_at > SAVE_AFTER or sum(map(len, unsaved)) >= SAVE_UNITS:
+                        save()
         finally:
-            keep()
+            save()
 
-    def _take(
-        self, found: TaskOutcome, waiting: deque[NDArray[np.void]], tell: Callable[[int], None]
+    def _store_outcome(
+        self, outcome: TaskOutcome, unsaved: deque[NDArray[np.void]], advance: Callable[[int], None]
     ) -> None:
-        self.costs.learn(found)
-        self.runs += sum(runs for _, runs, _ in found.costs)
-        self.seconds += sum(seconds for _, _, seconds in found.costs)
-        records = found.records
+        self.costs.update(outcome)
+        self.runs += sum(runs for _, runs, _ in outcome.costs)
+        self.seconds += sum(seconds for _, _, seconds in outcome.costs)
+        records = outcome.records
         fresh = records[~self.done[records["unit"]]].astype(RECORD)
         self.done[fresh["unit"]] = True
         if len(fresh):
-            waiting.append(fresh)
-        tell(len(fresh))
+            unsaved.append(fresh)
+        advance(len(fresh))

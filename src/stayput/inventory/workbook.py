@@ -1,4 +1,4 @@
-"""Reading the first sheet of a workbook as a stream: memory stays small, whatever the file unpacks to.
+"""Reading the first sheet of a workbook as a stream: memory stays bounded, whatever the file unpacks to.
 
 A sheet of a megabyte may unpack to gigabytes, so no tree is made of its XML: rows are given as they are
 parsed, and texts that cells share are counted as they are kept.
@@ -87,29 +87,33 @@ class Workbook:
     def _related(self, part: str, kind: str) -> dict[str, str]:
         """Return the parts of a kind that a part names, by their ids."""
         folder, name = posixpath.split(part)
-        found: dict[str, str] = {}
+        parts: dict[str, str] = {}
 
-        def start(tag: str, given: dict[str, str]) -> None:
-            if tag == "Relationship" and given.get("Type", "").endswith(f"/{kind}") and len(found) < _MANY:
-                path = posixpath.join("/", folder, given["Target"])
-                found[given["Id"]] = posixpath.normpath(path).lstrip("/")
+        def start(tag: str, attributes: dict[str, str]) -> None:
+            if (
+                tag == "Relationship"
+                and attributes.get("Type", "").endswith(f"/{kind}")
+                and len(parts) < _MANY
+            ):
+                path = posixpath.join("/", folder, attributes["Target"])
+                parts[attributes["Id"]] = posixpath.normpath(path).lstrip("/")
 
         for _ in self._parsed(posixpath.join(folder, "_rels", f"{name}.rels"), start):
             pass
-        return found
+        return parts
 
     def _names(self, book: str) -> dict[str, str]:
         """Return the parts of the sheets of cells by their names, in their order."""
-        found: dict[str, str] = {}
+        names: dict[str, str] = {}
 
-        def start(tag: str, given: dict[str, str]) -> None:
-            part = self._sheets.get(next((given[key] for key in given if key.endswith(":id")), ""))
+        def start(tag: str, attributes: dict[str, str]) -> None:
+            part = self._sheets.get(next((attributes[key] for key in attributes if key.endswith(":id")), ""))
             if tag == "sheet" and part is not None:
-                found[given["name"]] = part
+                names[attributes["name"]] = part
 
         for _ in self._parsed(book, start):
             pass
-        return found
+        return names
 
     @cached_property
     def _formats(self) -> list[str]:
@@ -120,12 +124,12 @@ class Workbook:
         used: list[int] = []
         inside: list[str] = []
 
-        def start(tag: str, given: dict[str, str]) -> None:
+        def start(tag: str, attributes: dict[str, str]) -> None:
             inside.append(tag)
             if tag == "numFmt":
-                own[int(given["numFmtId"])] = given["formatCode"]
+                own[int(attributes["numFmtId"])] = attributes["formatCode"]
             elif tag == "xf" and inside[-2:-1] == ["cellXfs"]:
-                used.append(int(given.get("numFmtId", 0)))
+                used.append(int(attributes.get("numFmtId", 0)))
             if len(own) + len(used) > _MANY:
                 raise ValueError(f"it has more than {_MANY} formats")
 
@@ -139,21 +143,21 @@ class Workbook:
         """The texts that cells share."""
         if self._shared is None:
             return []
-        found: list[str] = []
+        texts: list[str] = []
         text = _Text()
         used = 0
 
         def end(tag: str) -> None:
             nonlocal used
             if text.ends(tag):
-                found.append(text.take().replace("x005F_", ""))  # Excel escapes underscores so
-                used += sys.getsizeof(found[-1]) + 8
+                texts.append(text.take().replace("x005F_", ""))  # Excel escapes underscores so
+                used += sys.getsizeof(texts[-1]) + 8
                 if used > self._memory:
                     raise InputError("inventory.workbook_texts", size=self._memory / 2**20)
 
         for _ in self._parsed(self._shared, text.start, end, text.add):
             pass
-        return found
+        return texts
 
     def rows(self, name: str) -> Iterator[tuple[int, dict[int, SheetCell]]]:
         """Give the rows of a sheet that are in the file: number, and cells by columns, both from 1."""
@@ -182,12 +186,12 @@ class Workbook:
         """Parse a part, and pause after each chunk of it."""
         depth = 0
 
-        def started(tag: str, given: dict[str, str]) -> None:
+        def started(tag: str, attributes: dict[str, str]) -> None:
             nonlocal depth
             depth += 1
             if depth > _DEPTH:
                 raise ValueError(f"it nests more than {_DEPTH} elements")
-            start(tag.rpartition(":")[2], given)
+            start(tag.rpartition(":")[2], attributes)
 
         def ended(tag: str) -> None:
             nonlocal depth
@@ -267,27 +271,27 @@ class _Rows:
     column: int = 0
     inside: bool = False
     formula: bool = False
-    given: dict[str, str] = field(default_factory=dict[str, str])
+    attributes: dict[str, str] = field(default_factory=dict[str, str])
     cells: dict[int, SheetCell] = field(default_factory=dict[int, SheetCell])
 
-    def start(self, tag: str, given: dict[str, str]) -> None:
+    def start(self, tag: str, attributes: dict[str, str]) -> None:
         """Take in that an element starts."""
         if tag == "sheetData":
             self.inside = True
         if not self.inside:
             return
         if tag == "row":
-            number = int(given.get("r", self.row + 1))
+            number = int(attributes.get("r", self.row + 1))
             if not self.row < number <= ROWS:
                 raise ValueError(f"row {number} does not follow row {self.row}, or is beyond {ROWS}")
             self.row, self.column, self.cells = number, 0, {}
         elif tag == "c":
-            self.column = self._column(given.get("r"))
-            self.given, self.formula = given, False
+            self.column = self._column(attributes.get("r"))
+            self.attributes, self.formula = attributes, False
             self.text.take()
         elif tag == "f":
             self.formula = True
-        self.text.start(tag, given)
+        self.text.start(tag, attributes)
 
     def end(self, tag: str) -> None:
         """Take in that an element ends."""
@@ -296,7 +300,7 @@ class _Rows:
         self.text.ends(tag)
         if tag == "c":
             value = self.text.take()
-            kind, style = self.given.get("t", "n"), int(self.given.get("s", 0))
+            kind, style = self.attributes.get("t", "n"), int(self.attributes.get("s", 0))
             if value or self.formula:
                 shown = self.formats[style] if 0 <= style < len(self.formats) else ""
                 self.cells[self.column] = SheetCell(kind, value, self.formula, shown)
@@ -309,11 +313,11 @@ class _Rows:
     def _column(self, reference: str | None) -> int:
         column = self.column + 1
         if reference is not None:
-            found = _REFERENCE.fullmatch(reference)
-            if found is None:
+            match = _REFERENCE.fullmatch(reference)
+            if match is None:
                 raise ValueError(f"{reference[:20]!r} is no place of a cell")
             column = 0
-            for letter in found[1]:
+            for letter in match[1]:
                 column = 26 * column + ord(letter) - ord("A") + 1
         if not self.column < column <= COLUMNS:
             raise ValueError(f"column {column} does not follow column {self.column}, or is beyond {COLUMNS}")

@@ -1,8 +1,8 @@
 """The work folder of an assessment: atomic file writes, and no foreign file touched.
 
-Every file or folder is made as a draft and takes its name when it is whole. The name of a draft begins with a
-token, which stands in the journal before the first draft is made: so what a killed process left is told from
-what others put there.
+Every file or folder is made as a draft and takes its name when it is complete. A draft's name begins with a
+token, which stands in the journal before the first draft is made: it tells drafts of a killed process from
+foreign files.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ OWN = re.compile(
 
 
 class Workspace:
-    """Makes files by way of drafts; what killed processes left of theirs is removed.
+    """Makes files by way of drafts; drafts of killed processes are removed.
 
     Parameters
     ----------
@@ -58,9 +58,9 @@ class Workspace:
         drafts, journal = folder / DRAFTS, folder / JOURNAL
         drafts.mkdir(exist_ok=True)
         tokens = recorded(journal)
-        for left in sorted(drafts.iterdir()):
-            if left.name.partition("-")[0] in tokens:
-                remove(left)
+        for leftover in sorted(drafts.iterdir()):
+            if leftover.name.partition("-")[0] in tokens:
+                remove(leftover)
         self._token = secrets.token_hex(8)
         with journal.open("wb") as file:
             file.write(f"{self._token}\n".encode())
@@ -70,12 +70,12 @@ class Workspace:
         self._numbers = itertools.count()
 
     def draft(self) -> Path:
-        """Return a path for something that is to be made; nothing is there yet."""
+        """Return the path of a new draft, which does not exist yet."""
         return self.folder / DRAFTS / f"{self._token}-{next(self._numbers)}"
 
     @contextmanager
     def durable(self, path: Path) -> Generator[IO[bytes]]:
-        """Give a file to write; whole and on the disk it takes its name, else it is removed."""
+        """Yield a file to write; once complete and on disk it takes its name, else it is removed."""
         draft = self.draft()
         try:
             with draft.open("xb") as file:
@@ -88,13 +88,13 @@ class Workspace:
             draft.unlink(missing_ok=True)
 
     def write_json(self, path: Path, content: Mapping[str, Any]) -> None:
-        """Write a mapping as JSON, whole or not at all."""
+        """Write a mapping as JSON, atomically."""
         with self.durable(path) as file:
             file.write((json.dumps(content, indent=2, sort_keys=True) + "\n").encode())
 
 
 def recorded(journal: Path) -> frozenset[str]:
-    """Return the tokens of a journal; lines that are not whole belong to no draft."""
+    """Return the tokens of a journal; incomplete lines belong to no draft."""
     try:
         lines = journal.read_bytes().decode("ascii", "replace").splitlines()
     except FileNotFoundError:
@@ -114,12 +114,12 @@ def sync_folder(folder: Path) -> None:
 
 
 def read_json(path: Path) -> dict[str, Any] | None:
-    """Return what a JSON file says, or None where it is not there or not whole."""
+    """Return the object of a JSON file, or None where it is missing or incomplete."""
     try:
-        found: Any = json.loads(path.read_bytes())
+        content: Any = json.loads(path.read_bytes())
     except (FileNotFoundError, ValueError, RecursionError):
         return None
-    return cast("dict[str, Any]", found) if isinstance(found, dict) else None
+    return cast("dict[str, Any]", content) if isinstance(content, dict) else None
 
 
 def entries(folder: Path, own: re.Pattern[str], below: str = "") -> Iterator[str]:
@@ -127,11 +127,11 @@ def entries(folder: Path, own: re.Pattern[str], below: str = "") -> Iterator[str
 
     Only folders that match ``own`` are looked into; a folder comes before what lies in it.
     """
-    for one in sorted(os.scandir(folder / below), key=lambda one: one.name):
-        path = below + one.name
-        if one.is_symlink():
+    for entry in sorted(os.scandir(folder / below), key=lambda entry: entry.name):
+        path = below + entry.name
+        if entry.is_symlink():
             yield f"{path}@"
-        elif one.is_dir():
+        elif entry.is_dir():
             yield f"{path}/"
             if own.fullmatch(f"{path}/"):
                 yield from entries(folder, own, f"{path}/")
@@ -152,15 +152,15 @@ def remove(path: Path) -> None:
     if not path.is_dir():
         path.unlink(missing_ok=True)
         return
-    found = list(entries(path, PLAN))
-    for one in found:
-        if not PLAN.fullmatch(one):
-            raise in_the_way(path, one)
-    for one in reversed(found):
-        if one.endswith("/"):
-            (path / one).rmdir()
+    contents = list(entries(path, PLAN))
+    for entry in contents:
+        if not PLAN.fullmatch(entry):
+            raise in_the_way(path, entry)
+    for entry in reversed(contents):
+        if entry.endswith("/"):
+            (path / entry).rmdir()
         else:
-            (path / one).unlink()
+            (path / entry).unlink()
     path.rmdir()
 
 

@@ -9,13 +9,13 @@ from stayput.measures.gel import GelMats
 from stayput.measures.isolator import BaseIsolator
 from stayput.measures.mass import Ballast, LowerShelves
 from stayput.measures.measure import Held, Measure, element_rows, hold
-from stayput.measures.parameters import Parameter, parameters
 from stayput.measures.place import AgainstWall, AwayFromWall
 from stayput.measures.pole import TensionPole
 from stayput.measures.results import DeviceResult
 from stayput.measures.sketch import Shape, shapes, sketch
 from stayput.measures.tie import Belt, Chain
 from stayput.measures.wedge import WedgeStopper
+from stayput.model.parameters import Parameter, parameters
 
 MEASURES: dict[str, type[Measure]] = {
     measure.kind: measure

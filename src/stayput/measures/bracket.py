@@ -9,13 +9,15 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, damper
 from stayput.measures.measure import Held, Measure, wall_behind
-from stayput.measures.parameters import choice, parameter
+from stayput.measures.parameters import choice
+from stayput.model.parameters import other_default, parameter
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.model.body import Body
     from stayput.model.room import Room
 
+HEIGHT = ("height on the piece, as a part of its height", "取付け高さ（家具の高さに対する比）")
 REACH = 0.15
 """Farthest from the wall that an L-bracket reaches [m]."""
 
@@ -24,13 +26,13 @@ REACH = 0.15
 class Bracket(Measure):
     """Brackets that pull, push and shear like springs between the back of the piece and the wall."""
 
-    count: int
-    strength: float
-    stiffness: float
-    slack: float
-    ultimate: float
-    height: float
-    damping: float
+    count: int = parameter(2, "", 1, 20, ("number of brackets", "個数"))
+    strength: float = parameter(1500.0, "N", 1.0, 1e6, ("strength of one", "1個の強さ"), decides=True)
+    stiffness: float = parameter(300e3, "N/m", 1e3, 1e8, ("stiffness of one", "1個の剛性"))
+    slack: float = parameter(0.0005, "m", 0.0, 0.1, ("slack", "がた"))
+    ultimate: float = parameter(0.005, "m", 0.0, 0.1, ("plastic elongation at failure", "破断までの塑性伸び"))
+    height: float = parameter(1.0, "", 0.1, 1.0, HEIGHT)
+    damping: float = parameter(0.05, "", 0.0, 2.0, ("damping ratio", "減衰定数"))
 
     def where(self) -> Phrase | None:
         """Return the height on the wall."""
@@ -61,9 +63,6 @@ class Bracket(Measure):
         return Held(body, room, (element,), (self,))
 
 
-HEIGHT = ("height on the piece, as a part of its height", "取付け高さ（家具の高さに対する比）")
-
-
 @dataclass(frozen=True, slots=True)
 class LBracket(Bracket):
     """L-brackets screwed into studs."""
@@ -81,13 +80,6 @@ class LBracket(Bracket):
         ),
     )
 
-    count: int = parameter(2, "", 1, 20, ("number of brackets", "個数"))
-    strength: float = parameter(1500.0, "N", 1.0, 1e6, ("strength of one", "1個の強さ"), decides=True)
-    stiffness: float = parameter(300e3, "N/m", 1e3, 1e8, ("stiffness of one", "1個の剛性"))
-    slack: float = parameter(0.0005, "m", 0.0, 0.1, ("slack", "がた"))
-    ultimate: float = parameter(0.005, "m", 0.0, 0.1, ("plastic elongation at failure", "破断までの塑性伸び"))
-    height: float = parameter(1.0, "", 0.1, 1.0, HEIGHT)
-    damping: float = parameter(0.05, "", 0.0, 2.0, ("damping ratio", "減衰定数"))
     screws: str = choice("down", ("down", "up"), ("direction of the screws", "ねじの向き"))
     upward_strength: float = parameter(
         0.7, "", 0.0, 1.0, ("strength with the screws up, of that with them down", "上向き取付けの強さの比")
@@ -112,10 +104,6 @@ class LBracketInBoard(Bracket):
         "下地のない石こうボードに留めたL型金具は、見た目は同じでもほとんど力に耐えず、ボードごと抜ける。",
     )
 
-    count: int = parameter(2, "", 1, 20, ("number of brackets", "個数"))
-    strength: float = parameter(150.0, "N", 1.0, 1e6, ("strength of one", "1個の強さ"), decides=True)
-    stiffness: float = parameter(100e3, "N/m", 1e3, 1e8, ("stiffness of one", "1個の剛性"))
-    slack: float = parameter(0.0005, "m", 0.0, 0.1, ("slack", "がた"))
-    ultimate: float = parameter(0.0, "m", 0.0, 0.1, ("plastic elongation at failure", "破断までの塑性伸び"))
-    height: float = parameter(1.0, "", 0.1, 1.0, HEIGHT)
-    damping: float = parameter(0.05, "", 0.0, 2.0, ("damping ratio", "減衰定数"))
+    strength: float = other_default(150.0, Bracket, "strength")
+    stiffness: float = other_default(100e3, Bracket, "stiffness")
+    ultimate: float = other_default(0.0, Bracket, "ultimate")

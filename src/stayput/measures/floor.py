@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from stayput.errors import InputError
 from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
-from stayput.measures.parameters import parameter
+from stayput.model.parameters import parameter
 from stayput.model.room import FRICTION_RANGE, SURFACES
 from stayput.uncertainty import Confidence
 
@@ -24,12 +24,16 @@ KINETIC = ("kinetic friction", "動摩擦係数")
 
 def static_of(surface: str) -> Any:
     """Return the parameter for the static friction of a surface."""
-    return parameter(SURFACES[surface][0], "", *FRICTION_RANGE, STATIC, Confidence.MEDIUM, decides=True)
+    return _usual(SURFACES[surface][0], STATIC)
 
 
 def kinetic_of(surface: str) -> Any:
     """Return the parameter for the kinetic friction of a surface."""
-    return parameter(SURFACES[surface][1], "", *FRICTION_RANGE, KINETIC, Confidence.MEDIUM, decides=True)
+    return _usual(SURFACES[surface][1], KINETIC)
+
+
+def _usual(value: float, label: Phrase) -> Any:
+    return parameter(value, "", *FRICTION_RANGE, label, confidence=Confidence.MEDIUM, decides=True)
 
 
 def with_friction(floor: Floor, static: float, kinetic: float) -> Floor:

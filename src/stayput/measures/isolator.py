@@ -9,7 +9,7 @@ from stayput.errors import InputError
 from stayput.measures.element import Element, Line, damper
 from stayput.measures.floor import KINETIC, STATIC, with_friction
 from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
-from stayput.measures.parameters import parameter
+from stayput.model.parameters import parameter
 from stayput.model.room import FRICTION_RANGE
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.measure import Held, Measure
-from stayput.measures.parameters import parameter
+from stayput.model.parameters import parameter
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, ClassVar
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, rows_of
-from stayput.measures.parameters import check, parameters
+from stayput.measures.parameters import check
+from stayput.model.parameters import parameters
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -48,7 +49,7 @@ class Held:
 class Measure(ABC):
     """An earthquake-proof measure: something that holds furniture, or makes it stand better.
 
-    Its fields are its parameters, in SI units; `stayput.measures.parameters` tells what is known of each.
+    Its fields are its parameters, in SI units; `stayput.model.parameters` tells what is known of each.
 
     Raises
     ------

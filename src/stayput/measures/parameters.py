@@ -1,27 +1,24 @@
-"""Parameters of measures: defaults with their unit, range, confidence, and names in English and Japanese.
+"""Parameters of measures: words to choose from, how a wrong value is refused, and grades of their confidence.
 
 How well a result is founded is told by a grade, that of the weakest of the inputs that decide it.
 """
 
 from __future__ import annotations
 
-import dataclasses
-from dataclasses import dataclass
 from enum import StrEnum
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import LANGUAGES, phrase, say
-from stayput.errors import InputError, within
+from stayput.errors import InputError
+from stayput.model.parameters import GIVEN, parameter
 from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from stayput.catalogue import Phrase
-
-GIVEN = "given"
-"""Tag of a value that the user has given himself, beside those of `stayput.uncertainty.Confidence`."""
+    from stayput.model.parameters import Parameter
 
 
 class Grade(StrEnum):
@@ -61,86 +58,11 @@ MEANINGS: Mapping[Grade, tuple[str, str]] = MappingProxyType(
 """What each grade means, in English and Japanese."""
 
 
-@dataclass(frozen=True, slots=True)
-class Parameter:
-    """What is known of one parameter of a measure.
-
-    Attributes
-    ----------
-    name : str
-        Its name in Python and in a scenario.
-    default : float, int, str or None
-        Its default; None where it is taken from the room.
-    unit : str
-        SI unit; "" for a plain number.
-    low, high : float
-        Smallest and largest value that is accepted.
-    confidence : Confidence
-        How well founded the default is.
-    label : tuple of str
-        What it is called, in English and Japanese.
-    choices : tuple of str
-        The words that are accepted, where it is a word.
-    decides : bool
-        Whether the outcome hangs on it and only the product or the wall can tell it: strength, grip, slack.
-        How many there are and where is the user's choice; stiffness and damping change little beside these.
-    """
-
-    name: str
-    default: float | int | str | None
-    unit: str
-    low: float
-    high: float
-    confidence: Confidence
-    label: tuple[str, str]
-    choices: tuple[str, ...] = ()
-    decides: bool = False
-
-    def tag(self, value: object) -> str:
-        """Return how well founded a value is: its confidence if it is the default, else `GIVEN`."""
-        return self.confidence.value if value == self.default else GIVEN
-
-
-def parameter(
-    default: float | None,
-    unit: str,
-    low: float,
-    high: float,
-    label: tuple[str, str],
-    confidence: Confidence = Confidence.LOW,
-    *,
-    decides: bool = False,
-) -> Any:
-    """Return the field of a measure for a number; a default that is an int takes whole numbers only."""
-    about = {
-        "unit": unit,
-        "low": low,
-        "high": high,
-        "confidence": confidence,
-        "label": label,
-        "decides": decides,
-    }
-    return dataclasses.field(default=default, metadata=about)
-
-
 def choice(
-    default: str, choices: tuple[str, ...], label: tuple[str, str], confidence: Confidence = Confidence.LOW
+    default: str, choices: tuple[str, ...], label: Phrase, confidence: Confidence = Confidence.LOW
 ) -> Any:
     """Return the field of a measure for one of several words."""
-    about = {
-        "unit": "",
-        "low": 0.0,
-        "high": 0.0,
-        "confidence": confidence,
-        "label": label,
-        "choices": choices,
-    }
-    return dataclasses.field(default=default, metadata=about)
-
-
-def parameters(measure: Any) -> tuple[Parameter, ...]:
-    """Return the parameters of a measure, or of a kind of measure, in their order."""
-    return tuple(Parameter(f.name, cast("Any", f.default), **f.metadata) for f in dataclasses.fields(measure))
+    return parameter(default, "", 0.0, 0.0, label, confidence=confidence, choices=choices)
 
 
 def check(about: Parameter, value: Any, measure: Phrase) -> None:
@@ -152,11 +74,9 @@ def check(about: Parameter, value: Any, measure: Phrase) -> None:
         Not one of the words, not a number, out of range, or not whole where it counts something.
     """
     name = phrase("measures.parameter", measure=measure, name=(about.name, about.label[1]))
-    if about.choices:
-        if value not in about.choices:
-            words = tuple(say("measures.or", lang).join(map(repr, about.choices)) for lang in LANGUAGES)
-            raise InputError("measures.wrong_word", about.name, name=name, value=repr(value), words=words)
-    elif value is not None or about.default is not None:
-        number = within(name, cast("float", value), about.low, about.high, about.unit, about.name)
-        if isinstance(about.default, int) and not number.is_integer():
-            raise InputError("common.not_whole", about.name, name=name, value=number)
+    if not about.choices:
+        if value is not None or about.default is not None:
+            about.check(value, called=name)
+    elif value not in about.choices:
+        words = tuple(say("measures.or", lang).join(map(repr, about.choices)) for lang in LANGUAGES)
+        raise InputError("measures.wrong_word", about.name, name=name, value=repr(value), words=words)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import phrase
 from stayput.measures.measure import Held, Measure, wall_behind
-from stayput.measures.parameters import parameter
+from stayput.model.parameters import parameter
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase

@@ -9,7 +9,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest
 from stayput.measures.measure import Held, Measure
-from stayput.measures.parameters import parameter
+from stayput.model.parameters import parameter
 from stayput.model.room import FRICTION_RANGE, Ceiling
 
 if TYPE_CHECKING:

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
+from stayput.measures.bracket import HEIGHT
 from stayput.measures.element import Element, Line, at_rest, damper
 from stayput.measures.measure import Held, Measure, wall_behind
-from stayput.measures.parameters import parameter
+from stayput.model.parameters import other_default, parameter
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
@@ -18,18 +19,21 @@ if TYPE_CHECKING:
     from stayput.model.room import Room
 
 
+ANGLE = ("rise of the line towards the wall", "壁側への上がり角度")
+
+
 @dataclass(frozen=True, slots=True)
 class Tie(Measure):
     """Something that only pulls, along the line between a point of the piece and one on the wall."""
 
     count: int
-    strength: float
-    stiffness: float
-    slack: float
-    setback: float
-    angle: float
-    height: float
-    damping: float
+    strength: float = parameter(1500.0, "N", 1.0, 1e6, ("strength of one", "1本の強さ"), decides=True)
+    stiffness: float = parameter(50e3, "N/m", 1e3, 1e8, ("stiffness of one", "1本の剛性"))
+    slack: float = parameter(0.01, "m", 0.0, 0.5, ("slack", "たるみ"), decides=True)
+    setback: float = parameter(0.1, "m", 0.02, 5.0, ("distance from the back of the piece", "背面からの距離"))
+    angle: float = parameter(0.5, "rad", -1.4, 1.4, ANGLE)
+    height: float = parameter(1.0, "", 0.1, 1.0, HEIGHT)
+    damping: float = parameter(0.05, "", 0.0, 2.0, ("damping ratio", "減衰定数"))
 
     def where(self) -> Phrase | None:
         """Return the height on the wall."""
@@ -63,11 +67,6 @@ def _left(body: Body) -> float:
     return min(at_rest(body, (back, body.base_heights[0]))[0], at_rest(body, (back, body.height))[0])
 
 
-HEIGHT = ("height on the piece, as a part of its height", "取付け高さ（家具の高さに対する比）")
-SETBACK = ("distance from the back of the piece", "背面からの距離")
-ANGLE = ("rise of the line towards the wall", "壁側への上がり角度")
-
-
 @dataclass(frozen=True, slots=True)
 class Belt(Tie):
     """Belts from the top of the piece to the wall."""
@@ -86,13 +85,6 @@ class Belt(Tie):
     )
 
     count: int = parameter(2, "", 1, 20, ("number of belts", "本数"))
-    strength: float = parameter(1500.0, "N", 1.0, 1e6, ("strength of one", "1本の強さ"), decides=True)
-    stiffness: float = parameter(50e3, "N/m", 1e3, 1e8, ("stiffness of one", "1本の剛性"))
-    slack: float = parameter(0.01, "m", 0.0, 0.5, ("slack", "たるみ"), decides=True)
-    setback: float = parameter(0.1, "m", 0.02, 5.0, SETBACK)
-    angle: float = parameter(0.5, "rad", -1.4, 1.4, ANGLE)
-    height: float = parameter(1.0, "", 0.1, 1.0, HEIGHT)
-    damping: float = parameter(0.05, "", 0.0, 2.0, ("damping ratio", "減衰定数"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,10 +105,7 @@ class Chain(Tie):
     )
 
     count: int = parameter(2, "", 1, 20, ("number of chains", "本数"))
-    strength: float = parameter(1000.0, "N", 1.0, 1e6, ("strength of one", "1本の強さ"), decides=True)
-    stiffness: float = parameter(200e3, "N/m", 1e3, 1e8, ("stiffness of one", "1本の剛性"))
-    slack: float = parameter(0.02, "m", 0.0, 0.5, ("slack", "たるみ"), decides=True)
-    setback: float = parameter(0.1, "m", 0.02, 5.0, SETBACK)
-    angle: float = parameter(0.5, "rad", -1.4, 1.4, ANGLE)
-    height: float = parameter(1.0, "", 0.1, 1.0, HEIGHT)
-    damping: float = parameter(0.02, "", 0.0, 2.0, ("damping ratio", "減衰定数"))
+    strength: float = other_default(1000.0, Tie, "strength")
+    stiffness: float = other_default(200e3, Tie, "stiffness")
+    slack: float = other_default(0.02, Tie, "slack")
+    damping: float = other_default(0.02, Tie, "damping")

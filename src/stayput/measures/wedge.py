@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from stayput.measures.floor import kinetic_of, static_of
 from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
-from stayput.measures.parameters import parameter
+from stayput.model.parameters import parameter
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase

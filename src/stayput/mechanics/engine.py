@@ -75,7 +75,7 @@ from stayput.mechanics.geometry import (
 from stayput.mechanics.impact import closing_contacts
 from stayput.mechanics.pivot_impact import pivot_on_landing
 from stayput.mechanics.projection import set_pivot_velocity
-from stayput.mechanics.records import Held
+from stayput.mechanics.records import CaseDevices
 from stayput.mechanics.sampling import loads, public_mode, record_sample
 from stayput.mechanics.transitions import handle_impacts, relax_event_thresholds, update_mode
 
@@ -325,9 +325,9 @@ def run_batch(cases, held, motion, settings, scratch, states, output, results):
     ----------
     cases : CASE[m]
         The cases; a single one where there is output.
-    held : HeldCases or None
+    held : BatchDevices or None
         Their devices; none of them has any where it is None.
-    motion, settings, scratch, output : Excitation, Settings, Scratch, Output
+    motion, settings, scratch, output : Excitation, SolverSettings, Scratch, Output
         See `stayput.mechanics.records`.
     states : STATE[1]
         Working memory for the state.
@@ -342,6 +342,6 @@ def run_batch(cases, held, motion, settings, scratch, states, output, results):
             _run_case(case, scratch, s, None, motion, settings, output)
         else:
             works = held.works
-            mine = Held(held.elements[n], held.links, held.devices[n], works[0], works[1])
+            mine = CaseDevices(held.elements[n], held.links, held.devices[n], works[0], works[1])
             _run_held_case(case, scratch, s, mine, motion, settings, output)
         _record_result(results[n], case, s, motion.dt)

@@ -22,7 +22,7 @@ class Excitation(NamedTuple):
     """Smallest and largest ax, and az, over blocks of samples, by which rest is skipped."""
 
 
-class Settings(NamedTuple):
+class SolverSettings(NamedTuple):
     """How a case is solved."""
 
     law: int
@@ -46,7 +46,7 @@ class Scratch(NamedTuple):
     """The closed contacts, ROW[8]."""
 
 
-class Held(NamedTuple):
+class CaseDevices(NamedTuple):
     """The devices of a case; None stands for a case without any."""
 
     elements: NDArray[np.void]
@@ -61,8 +61,8 @@ class Held(NamedTuple):
     """The same, for facets on trial."""
 
 
-class HeldCases(NamedTuple):
-    """The devices of an array of cases; see `Held`."""
+class BatchDevices(NamedTuple):
+    """The devices of an array of cases; see `CaseDevices`."""
 
     elements: NDArray[np.void]
     """ELEMENT[m, e]."""

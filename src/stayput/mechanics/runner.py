@@ -11,7 +11,7 @@ from stayput.mechanics import columns as col
 from stayput.mechanics.devices.columns import FORCES
 from stayput.mechanics.engine import run_batch
 from stayput.mechanics.flat import BLOCK, block_extremes
-from stayput.mechanics.records import Excitation, HeldCases, Output, Scratch, Settings
+from stayput.mechanics.records import BatchDevices, Excitation, Output, Scratch, SolverSettings
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -102,7 +102,7 @@ def shaking(along: NDArray[np.float64], up: NDArray[np.float64] | None, dt: floa
 
 def solve(
     cases: NDArray[np.void],
-    held: HeldCases | None,
+    held: BatchDevices | None,
     motion: Shaking,
     *,
     tolerance: float = TOLERANCE,
@@ -117,7 +117,7 @@ def solve(
     ----------
     cases : ndarray of CASE, shape [m]
         The cases; a single one where ``records`` are kept.
-    held : HeldCases or None
+    held : BatchDevices or None
         Their devices, whose results are written into it.
     motion : Shaking
         How the floor moves, and the contact law.
@@ -144,7 +144,7 @@ def solve(
         forces=np.zeros((samples, devices, FORCES)),
         events=np.zeros((listed, col.EVENT)),  # pages that are not written take no memory
     )
-    settings = Settings(motion.law, tolerance, error, max_step, max_events)
+    settings = SolverSettings(motion.law, tolerance, error, max_step, max_events)
     scratch = Scratch(np.zeros(col.CONTACTS, col.CONTACT), np.zeros(col.CONTACTS, col.ROW))
     results = np.zeros(len(cases), col.RESULT)
     run_batch(cases, held, motion.floor, settings, scratch, np.zeros(1, col.STATE), output, results)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from stayput.errors import InputError, finite, within
+from stayput.model.parameters import check_fields, parameter, parameter_of, quantity
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -16,6 +17,10 @@ SIZE_RANGE = (1e-3, 100.0)
 
 MASS_RANGE = (1e-3, 1e6)
 """Smallest and largest mass that is accepted [kg]."""
+
+_SIZE, _MASS = ("m", *SIZE_RANGE), ("kg", *MASS_RANGE)
+_OFFSET = ("m", -SIZE_RANGE[1], SIZE_RANGE[1])
+_PART_SIZE = ("m", 0.0, SIZE_RANGE[1])
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,18 +39,14 @@ class Part:
         Size in the plane of shaking [m]; 0 for a thin board or a point mass.
     """
 
-    mass: float
-    x: float
-    z: float
-    width: float = 0.0
-    height: float = 0.0
+    mass: float = field(metadata=quantity("kg", 0.0, MASS_RANGE[1], ("Part mass", "部分の質量")))
+    x: float = field(metadata=quantity(*_OFFSET, ("Part x", "部分のx座標")))
+    z: float = field(metadata=quantity(*_OFFSET, ("Part z", "部分のz座標")))
+    width: float = parameter(0.0, *_PART_SIZE, ("Part width", "部分の幅"))
+    height: float = parameter(0.0, *_PART_SIZE, ("Part height", "部分の高さ"))
 
     def __post_init__(self) -> None:
-        within("model.part_mass", self.mass, 0.0, MASS_RANGE[1], "kg")
-        within("model.part_x", self.x, -SIZE_RANGE[1], SIZE_RANGE[1], "m")
-        within("model.part_z", self.z, -SIZE_RANGE[1], SIZE_RANGE[1], "m")
-        within("model.part_width", self.width, 0.0, SIZE_RANGE[1], "m")
-        within("model.part_height", self.height, 0.0, SIZE_RANGE[1], "m")
+        check_fields(self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,38 +77,54 @@ class Body:
         A size, mass, inertia or offset that is not finite or not possible.
     """
 
-    width: float
-    height: float
-    mass: float = 100.0
-    cg_offset: tuple[float, float] = (0.0, 0.0)
-    inertia: float | None = None
-    base_heights: tuple[float, float] = (0.0, 0.0)
+    width: float = field(
+        metadata=quantity(
+            *_SIZE, ("Body width", "家具の奥行き"), "Depth of the piece, which lies along the shaking."
+        )
+    )
+    height: float = field(metadata=quantity(*_SIZE, ("Body height", "家具の高さ"), "Height."))
+    mass: float = parameter(100.0, *_MASS, ("Body mass", "家具の質量"), "Mass.")
+    cg_offset: tuple[float, float] = parameter(
+        (0.0, 0.0),
+        *_OFFSET,
+        ("Body cg_offset", "重心のずれ（cg_offset）"),
+        "Offset of the centre of gravity from the centroid, to the right and up.",
+    )
+    inertia: float | None = parameter(
+        None,
+        "kg m²",
+        1e-12,
+        1e12,
+        ("Body inertia", "家具の慣性モーメント"),
+        "Moment of inertia about the centre of gravity; default the uniform rectangle's.",
+    )
+    base_heights: tuple[float, float] = parameter(
+        (0.0, 0.0),
+        *_OFFSET,
+        ("Body base height", "底の角の高さ"),
+        "Height of the left and the right base corner.",
+    )
 
     def __post_init__(self) -> None:
-        within("model.width", self.width, *SIZE_RANGE, "m", field="width")
-        within("model.height", self.height, *SIZE_RANGE, "m", field="height")
-        within("model.mass", self.mass, *MASS_RANGE, "kg", field="mass")
+        check_fields(self, but=("cg_offset", "inertia", "base_heights"))
         if len(self.cg_offset) != 2:
             raise InputError("model.cg_offset_not_two", "cg_offset", value=repr(self.cg_offset))
-        e_x, e_z = (finite("model.cg_offset", value, "cg_offset") for value in self.cg_offset)
+        label = parameter_of(Body, "cg_offset").label
+        e_x, e_z = (finite(label, value, "cg_offset") for value in self.cg_offset)
         if abs(e_x) >= self.width / 2 or abs(e_z) >= self.height / 2:
             half_width, half_height = self.width / 2, self.height / 2
             raise InputError(
-                "model.cg_outside",
-                "cg_offset",
-                x=e_x,
-                z=e_z,
-                half_width=half_width,
-                half_height=half_height,
+                "model.cg_outside", "cg_offset", x=e_x, z=e_z, half_width=half_width, half_height=half_height
             )
         if self.inertia is not None:
             largest = 4.0 * self.mass * (self.width**2 + self.height**2)
-            within("model.inertia", self.inertia, 1e-6 * self.uniform_inertia, largest, "kg m²", "inertia")
+            bounds = (1e-6 * self.uniform_inertia, largest)
+            parameter_of(Body, "inertia").check(self.inertia, bounds=bounds)
         if len(self.base_heights) != 2:
             raise InputError("model.base_heights_not_two", "base_heights", value=repr(self.base_heights))
-        highest = min(self.width, self.height) / 4
+        bounds = (-self.width / 2, min(self.width, self.height) / 4)
         for value in self.base_heights:
-            within("model.base_height", value, -self.width / 2, highest, "m", "base_heights")
+            parameter_of(Body, "base_heights").check(value, bounds=bounds)
 
     @property
     def uniform_inertia(self) -> float:

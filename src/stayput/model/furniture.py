@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+from stayput.model.body import MASS_RANGE, SIZE_RANGE
+from stayput.model.parameters import parameter, quantity
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,10 +24,10 @@ class Preset:
         Mass when it is empty [kg], for pieces whose loads may be given shelf by shelf.
     """
 
-    width: float
-    height: float
-    mass: float
-    carcass_mass: float | None = None
+    width: float = field(metadata=quantity("m", *SIZE_RANGE, ("width (depth)", "奥行き")))
+    height: float = field(metadata=quantity("m", *SIZE_RANGE, ("height", "高さ")))
+    mass: float = field(metadata=quantity("kg", *MASS_RANGE, ("mass", "質量")))
+    carcass_mass: float | None = parameter(None, "kg", *MASS_RANGE, ("empty carcass", "空の本体の質量"))
 
 
 FURNITURE: dict[str, Preset] = {

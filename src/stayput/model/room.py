@@ -2,24 +2,40 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, unknown, within
+from stayput.errors import InputError, unknown
+from stayput.model.parameters import check_fields, parameter, quantity
+
+if TYPE_CHECKING:
+    from stayput.catalogue import Phrase
 
 FRICTION_RANGE = (0.0, 1e6)
 """Smallest and largest coefficient of friction: 1e3, say, is for a body that must not slip."""
 
 
-def _coefficients(surface: str, static: float, kinetic: float, prefix: str = "") -> None:
-    static_field, kinetic_field = f"{prefix}static_friction", f"{prefix}kinetic_friction"
-    called = phrase(surface)
-    within(phrase("model.static_friction", surface=called), static, *FRICTION_RANGE, field=static_field)
-    within(phrase("model.kinetic_friction", surface=called), kinetic, *FRICTION_RANGE, field=kinetic_field)
-    if kinetic > static:
-        raise InputError(
-            "model.kinetic_above_static", kinetic_field, surface=called, kinetic=kinetic, static=static
-        )
+_CORNER = "the {} base corner alone, as of a strip of rubber"
+_BASES: dict[str, tuple[Phrase, str]] = {
+    "": (("Floor", "床"), "the flat base"),
+    "edge_": (("Floor edge", "底の角"), "a single corner"),
+    "left_edge_": (("Floor left edge", "底の左の角"), _CORNER.format("left")),
+    "right_edge_": (("Floor right edge", "底の右の角"), _CORNER.format("right")),
+}
+"""Parts of the base with friction of their own: how the fields begin, what they are called, what they are."""
+
+
+def _friction(default: float | None, base: str, kind: str) -> Any:
+    """Return the field of a part of the base's static or kinetic coefficient of friction."""
+    surface, which = _BASES[base]
+    label = phrase(f"model.{kind}_friction", surface=surface)
+    return parameter(default, "", *FRICTION_RANGE, label, f"{kind.capitalize()} friction of {which}.")
+
+
+def _restitution(default: float, label: Phrase, meaning: str) -> Any:
+    """Return the field of a coefficient of restitution."""
+    return parameter(default, "", 0.0, 1.0, label, meaning)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,44 +65,46 @@ class Floor:
         A coefficient out of its range.
     """
 
-    static_friction: float = 0.4
-    kinetic_friction: float = 0.3
-    edge_static_friction: float | None = None
-    edge_kinetic_friction: float | None = None
-    restitution: float = 1.0
-    normal_restitution: float = 0.0
-    left_edge_static_friction: float | None = None
-    left_edge_kinetic_friction: float | None = None
-    right_edge_static_friction: float | None = None
-    right_edge_kinetic_friction: float | None = None
+    static_friction: float = _friction(0.4, "", "static")
+    kinetic_friction: float = _friction(0.3, "", "kinetic")
+    edge_static_friction: float | None = _friction(None, "edge_", "static")
+    edge_kinetic_friction: float | None = _friction(None, "edge_", "kinetic")
+    restitution: float = _restitution(
+        1.0,
+        ("Floor restitution", "床の反発係数"),
+        "Factor on the rotation rate at a change of fulcrum; 1: Housner.",
+    )
+    normal_restitution: float = _restitution(
+        0.0,
+        ("Floor normal restitution", "床の鉛直方向の反発係数"),
+        "Newton's restitution of a landing corner.",
+    )
+    left_edge_static_friction: float | None = _friction(None, "left_edge_", "static")
+    left_edge_kinetic_friction: float | None = _friction(None, "left_edge_", "kinetic")
+    right_edge_static_friction: float | None = _friction(None, "right_edge_", "static")
+    right_edge_kinetic_friction: float | None = _friction(None, "right_edge_", "kinetic")
 
     def __post_init__(self) -> None:
-        _coefficients("model.floor", self.static_friction, self.kinetic_friction)
-        _coefficients("model.edge", *self.edge_friction, "edge_")
-        _coefficients("model.left_edge", *self._of_one_edge("left"), "left_edge_")
-        _coefficients("model.right_edge", *self._of_one_edge("right"), "right_edge_")
-        within("model.floor_restitution", self.restitution, 0.0, 1.0, field="restitution")
-        normal = self.normal_restitution
-        within("model.floor_normal_restitution", normal, 0.0, 1.0, field="normal_restitution")
+        check_fields(self)
+        flat, edge = (self.static_friction, self.kinetic_friction), self.edge_friction
+        each = (flat, edge, self._own("left_edge_", edge), self._own("right_edge_", edge))
+        for (base, (called, _)), (static, kinetic) in zip(_BASES.items(), each, strict=True):
+            if kinetic > static:
+                name = f"{base}kinetic_friction"
+                raise InputError(
+                    "model.kinetic_above_static", name, surface=called, kinetic=kinetic, static=static
+                )
 
     @property
     def edge_friction(self) -> tuple[float, float]:
         """Static and kinetic coefficients of a single corner."""
-        static, kinetic = self.edge_static_friction, self.edge_kinetic_friction
-        return (
-            self.static_friction if static is None else static,
-            self.kinetic_friction if kinetic is None else kinetic,
-        )
+        return self._own("edge_", (self.static_friction, self.kinetic_friction))
 
-    def _of_one_edge(self, side: str) -> tuple[float, float]:
-        """Coefficients of one base corner; one that is not given is the edge's."""
-        static, kinetic = self.edge_friction
-        own_static: float | None = getattr(self, f"{side}_edge_static_friction")
-        own_kinetic: float | None = getattr(self, f"{side}_edge_kinetic_friction")
-        return (
-            static if own_static is None else own_static,
-            kinetic if own_kinetic is None else own_kinetic,
-        )
+    def _own(self, base: str, other: tuple[float, float]) -> tuple[float, float]:
+        """Coefficients of a part of the base; one that is not given is the other's."""
+        static: float | None = getattr(self, f"{base}static_friction")
+        kinetic: float | None = getattr(self, f"{base}kinetic_friction")
+        return other[0] if static is None else static, other[1] if kinetic is None else kinetic
 
     @classmethod
     def of(cls, surface: str, *, restitution: float = 1.0, normal_restitution: float = 0.0) -> Floor:
@@ -127,14 +145,18 @@ class Wall:
         Coefficient of friction of a corner on the wall, static and kinetic alike.
     """
 
-    gap: float
-    restitution: float = 0.3
-    friction: float = 0.3
+    gap: float = field(
+        metadata=quantity(
+            "m", 0.0, 1e4, ("Wall gap", "壁とのすき間"), "Clear distance from the body's side to the wall."
+        )
+    )
+    restitution: float = _restitution(0.3, ("Wall restitution", "壁の反発係数"), "Wall collision factor.")
+    friction: float = parameter(
+        0.3, "", *FRICTION_RANGE, ("Wall friction", "壁の摩擦係数"), "Friction of a corner on the wall."
+    )
 
     def __post_init__(self) -> None:
-        within("model.wall_gap", self.gap, 0.0, 1e4, "m", "gap")
-        within("model.wall_restitution", self.restitution, 0.0, 1.0, field="restitution")
-        within("model.wall_friction", self.friction, *FRICTION_RANGE, field="friction")
+        check_fields(self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,14 +171,20 @@ class Ceiling:
         As for `Wall`.
     """
 
-    height: float
-    restitution: float = 0.3
-    friction: float = 0.3
+    height: float = field(
+        metadata=quantity("m", 1e-3, 1e4, ("Ceiling height", "天井の高さ"), "Height above the floor.")
+    )
+    restitution: float = _restitution(0.3, ("Ceiling restitution", "天井の反発係数"), "Collision factor.")
+    friction: float = parameter(
+        0.3,
+        "",
+        *FRICTION_RANGE,
+        ("Ceiling friction", "天井の摩擦係数"),
+        "Friction of a corner on the ceiling.",
+    )
 
     def __post_init__(self) -> None:
-        within("model.ceiling_height", self.height, 1e-3, 1e4, "m", "height")
-        within("model.ceiling_restitution", self.restitution, 0.0, 1.0, field="restitution")
-        within("model.ceiling_friction", self.friction, *FRICTION_RANGE, field="friction")
+        check_fields(self)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, within
+from stayput.errors import InputError
+from stayput.model.parameters import check_fields, parameter
 
 if TYPE_CHECKING:
     from stayput.model.body import Body
@@ -32,16 +33,17 @@ class State:
         A value that is not finite, or a tilt of 90° and more.
     """
 
-    tilt: float = 0.0
-    tilt_rate: float = 0.0
-    slide: float = 0.0
-    slide_rate: float = 0.0
+    tilt: float = parameter(0.0, "rad", -1.57, 1.57, ("Initial tilt", "初期の傾き"), "Tilt, + right.")
+    tilt_rate: float = parameter(
+        0.0, "rad/s", -1e3, 1e3, ("Initial tilt rate", "初期の傾きの角速度"), "Tilt rate."
+    )
+    slide: float = parameter(0.0, "m", -1e3, 1e3, ("Initial slide", "初期の移動量"), "Slide, + right.")
+    slide_rate: float = parameter(
+        0.0, "m/s", -1e3, 1e3, ("Initial slide rate", "初期の移動速度"), "Slide rate."
+    )
 
     def __post_init__(self) -> None:
-        within("model.tilt", self.tilt, -1.57, 1.57, "rad", "tilt")
-        within("model.tilt_rate", self.tilt_rate, -1e3, 1e3, "rad/s", "tilt_rate")
-        within("model.slide", self.slide, -1e3, 1e3, "m", "slide")
-        within("model.slide_rate", self.slide_rate, -1e3, 1e3, "m/s", "slide_rate")
+        check_fields(self)
 
 
 def standing_corners(body: Body, start: State) -> tuple[tuple[float, float], ...]:

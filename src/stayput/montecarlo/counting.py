@@ -1,4 +1,4 @@
-"""Outcomes of Monte Carlo runs, and what is counted of them: events, probabilities, quantiles."""
+"""Outcomes of Monte Carlo runs: probabilities of events, and quantiles of peaks."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ class Outcomes:
     def probabilities(self, slide_limit: float) -> dict[str, Probability]:
         """Return the probability of each of `EVENTS`; ``slide_limit`` is the slide that is too far [m]."""
         happened = (self.overturned, self.slide > slide_limit, self.hit_wall, self.device_failed)
-        return {event: self._probability(of) for event, of in zip(EVENTS, happened, strict=True)}
+        return {event: self._probability(flags) for event, flags in zip(EVENTS, happened, strict=True)}
 
     def _probability(self, happened: NDArray[np.bool_]) -> Probability:
         known = ~self.missing
@@ -103,5 +103,5 @@ class Outcomes:
 
 @lru_cache(maxsize=16_384)
 def _probability(fell: tuple[int, ...], runs: tuple[int, ...], missing: tuple[int, ...]) -> Probability:
-    """Return a probability from counts by motion; in an inventory the same counts come again and again."""
+    """Return a probability from counts by motion; cached, since counts repeat often in an inventory."""
     return probability_of_counts(fell, runs, missing)

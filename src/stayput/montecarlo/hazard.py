@@ -88,7 +88,7 @@ def horizontal_sa(motion: Motion, period: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Ground:
-    """The motions of the ground, and what scales them to a level.
+    """The motions of the ground, with their factors to a level.
 
     Parameters
     ----------
@@ -198,11 +198,6 @@ class FloorMotions:
     scales: NDArray[np.float64]
     measures: dict[IntensityMeasure, NDArray[np.float64]]
 
-    def felt(self, number: int) -> Motion:
-        """Return a motion as it is felt, scaled."""
-        scale = float(self.scales[number])
-        return self.motions[number] if scale == 1.0 else self.motions[number].scaled(scale)
-
 
 @dataclass(frozen=True, eq=False)
 class Hazard:
@@ -256,10 +251,6 @@ class Hazard:
             A still motion.
         """
         return self._with(self._scaled.factors(intensity, 1.0), threads)
-
-    def as_given(self, scale: float = 1.0, threads: int | None = None) -> FloorMotions:
-        """Return the motions under the furniture with the ground's own strength times a factor."""
-        return self._with(self._scaled.factors(None, scale), threads)
 
     def stated(
         self, intensity: float | None, scale: float | None, threads: int | None = None

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Runs(Outcomes):
-    """Outcomes with those of the devices.
+    """Outcomes of the body and of its devices.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def run_level(
     threads: int | None = None,
     progress: Callable[[int], None] | None = None,
 ) -> list[Runs]:
-    """Run several pieces or sets of measures at one level, in one go: together they fill the threads.
+    """Run several pieces or sets of measures at one level together, so that all threads are busy.
 
     Parameters
     ----------
@@ -58,23 +58,25 @@ def run_level(
     threads : int, optional
         As many as there are cores by default.
     progress : callable, optional
-        Called with the number of runs that were just done; what it raises stops the work.
+        Called with the number of runs just done; an exception that it raises stops the work.
     """
     motions = len(floors.motions)
-    cases = np.concatenate([piece.cases for piece in rows])
-    elements = _side_by_side([piece.elements for piece in rows])
-    motion = np.concatenate([np.repeat(np.arange(motions), len(piece.cases) // motions) for piece in rows])
+    cases = np.concatenate([piece_rows.cases for piece_rows in rows])
+    elements = _side_by_side([piece_rows.elements for piece_rows in rows])
+    motion = np.concatenate(
+        [np.repeat(np.arange(motions), len(piece_rows.cases) // motions) for piece_rows in rows]
+    )
     cases["scale"] = floors.scales[motion]
     results, devices = run_columns(
-        cases, elements, floors.motions, motion, threads=threads, progress=False, told=progress
+        cases, elements, floors.motions, motion, threads=threads, progress=False, on_progress=progress
     )
     failed = failures_of(elements, devices).count > 0
     runs: list[Runs] = []
     start = 0
-    for piece in rows:
-        mine = slice(start, start + len(piece.cases))
-        runs.append(_runs(piece, results[mine], devices[mine], failed[mine], motions))
-        start = mine.stop
+    for piece_rows in rows:
+        part = slice(start, start + len(piece_rows.cases))
+        runs.append(_runs(piece_rows, results[part], devices[part], failed[part], motions))
+        start = part.stop
     return runs
 
 
@@ -119,16 +121,16 @@ def run_prepared(rows: Sequence[Rows], floor: PreparedFloor) -> list[Outcomes]:
     """
     motions = len(floor.shakings)
     shape = (motions, len(rows[0].cases) // motions)
-    cases = np.stack([piece.cases.reshape(shape) for piece in rows])
-    elements = np.stack([piece.elements.reshape((*shape, -1)) for piece in rows])
+    cases = np.stack([piece_rows.cases.reshape(shape) for piece_rows in rows])
+    elements = np.stack([piece_rows.elements.reshape((*shape, -1)) for piece_rows in rows])
     results: list[NDArray[np.void]] = []
     failed: list[NDArray[np.bool_]] = []
     for motion, shaking in enumerate(floor.shakings):
-        mine = np.ascontiguousarray(cases[:, motion]).ravel()
-        mine["scale"] = floor.scales[motion]
-        ties = np.ascontiguousarray(elements[:, motion]).reshape(len(mine), -1)
-        result, devices = run_rows(mine, ties, shaking)
+        motion_cases = np.ascontiguousarray(cases[:, motion]).ravel()
+        motion_cases["scale"] = floor.scales[motion]
+        motion_elements = np.ascontiguousarray(elements[:, motion]).reshape(len(motion_cases), -1)
+        result, devices = run_rows(motion_cases, motion_elements, shaking)
         results.append(result.reshape(len(rows), -1))
-        failed.append((failures_of(ties, devices).count > 0).reshape(len(rows), -1))
+        failed.append((failures_of(motion_elements, devices).count > 0).reshape(len(rows), -1))
     together, broken = np.stack(results, axis=1), np.stack(failed, axis=1)
     return [Outcomes.of(result, bad) for result, bad in zip(together, broken, strict=True)]

@@ -1,4 +1,4 @@
-"""Monte Carlo samples: draws of the uncertain quantities, the cases that they make, and how many it takes.
+"""Monte Carlo samples: draws of the uncertain quantities, the cases they make, and their number.
 
 The same draws serve every set of measures and every hazard level (common random numbers), so that differences
 between measures are not blurred by chance.
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from stayput.model.room import Floor, Room
     from stayput.montecarlo.counting import Outcomes
     from stayput.scenario import Scenario
-    from stayput.simulation.flat_fields import Numbers
+    from stayput.simulation.flat_fields import NumberOrColumn
 
 QUANTITIES = Uncertainty(USUAL)
 """The quantities that are drawn."""
@@ -90,7 +90,7 @@ class Draw:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DrawTable:
-    """DrawTable for every motion.
+    """Draws for every motion.
 
     Parameters
     ----------
@@ -201,7 +201,7 @@ def rows_of(
     columns = {name: column.ravel() for name, column in drawn.columns.items()}
     count = len(columns["mass"])
     held = hold(body, room, measures)
-    numbers: dict[str, Numbers] = {**flat_fields(held.body, held.room, initial or State(), gravity)}
+    numbers: dict[str, NumberOrColumn] = {**flat_fields(held.body, held.room, initial or State(), gravity)}
     if not held.elements and _same_mass(body, held.body):
         # Nothing but numbers changes with the draw, so that all rows are made at once: far faster than one by
         # one. The formulas are those of `drawn_body`, in the same order of operations: the bits are the same.
@@ -293,7 +293,9 @@ def sample_until_precise(
         chances |= {place: joined[place].probability_of_overturning() for place in active}
         more = [place for place in active if _needs_more(chances[place], precision, done)]
         if done >= most or not more:
-            precise = not more and all(_is_reachable(chance, precision) for chance in chances.values())
+            precise = not more and all(
+                chance.runs > 0 and samples_needed(chance, precision).reachable for chance in chances.values()
+            )
             break
         active = active if together else more
     return [joined[place] for place in range(count)], done, precise
@@ -305,7 +307,3 @@ def _needs_more(chance: Probability, precision: float, done: int) -> bool:
         return False
     plan = samples_needed(chance, precision)
     return plan.reachable and plan.samples > done
-
-
-def _is_reachable(chance: Probability, precision: float) -> bool:
-    return chance.runs > 0 and samples_needed(chance, precision).reachable

@@ -29,7 +29,7 @@ HOUSNER_PERIODS = np.linspace(0.1, 2.5, 121)
 
 @dataclass(frozen=True, slots=True)
 class SpectralMeasures:
-    """What the response of oscillators says of one component.
+    """Measures of one component from the response of oscillators.
 
     Parameters
     ----------
@@ -66,8 +66,8 @@ class SpectralMeasures:
 
 
 @dataclass(frozen=True, slots=True)
-class Shaking:
-    """What a whole motion is on the scales of intensity.
+class Intensities:
+    """Intensities of a whole motion on several scales.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ class Shaking:
     mercalli: float
 
     @classmethod
-    def of(cls, motion: Motion) -> Shaking:
+    def of(cls, motion: Motion) -> Intensities:
         """Return the intensities of a motion, of as many components as it has."""
         intensity, response = motion.intensity, long_period_response(motion.x, motion.y, motion.dt)
         horizontal = [peaks for name, peaks in motion.peaks().items() if name != "z"]

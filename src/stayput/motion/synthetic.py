@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.errors import InputError, within
+from stayput.model.parameters import arguments, parameters, quantity
 from stayput.motion.processing import LARGEST_ACCELERATION, MOST_SAMPLES, STEP_RANGE
 from stayput.motion.record import Motion
 
@@ -39,6 +40,16 @@ def _then_quiet(a: NDArray[np.float64], still: int) -> NDArray[np.float64]:
     return np.concatenate((a[:-1], [0.5 * a[-1]], np.zeros(still)))
 
 
+@arguments(
+    amplitude=quantity(
+        "m/s²", -LARGEST_ACCELERATION, LARGEST_ACCELERATION, ("Sine amplitude", "正弦波の振幅"), "Amplitude."
+    ),
+    frequency=quantity("Hz", 1e-3, 1e3, ("Sine frequency", "正弦波の振動数"), "Frequency."),
+    duration=quantity("s", 1e-3, 1e5, ("Sine duration", "正弦波の継続時間"), "Time of shaking."),
+    phase=quantity("rad", -1e3, 1e3, ("Sine phase", "正弦波の位相"), "Phase; π/2 is a cosine."),
+    dt=quantity("s", *STEP_RANGE, ("Sine dt", "正弦波の時間刻み"), "Largest time step."),
+    quiet=quantity("s", 0.0, 1e5, ("Sine quiet", "正弦波の後の静止時間"), "Still floor after the shaking."),
+)
 def sine(
     amplitude: float,
     frequency: float,
@@ -76,13 +87,10 @@ def sine(
     >>> sine(5.0, 1.0).pga
     5.0
     """
-    largest = LARGEST_ACCELERATION
-    a0 = within("motion.name_sine_amplitude", amplitude, -largest, largest, "m/s²", "amplitude")
-    f = within("motion.name_sine_frequency", frequency, 1e-3, 1e3, "Hz", "frequency")
-    length = within("motion.name_sine_duration", duration, 1e-3, 1e5, "s", "duration")
-    angle = within("motion.name_sine_phase", phase, -1e3, 1e3, "rad", "phase")
-    still = within("motion.name_sine_quiet", quiet, 0.0, 1e5, "s", "quiet")
-    step = within("motion.name_sine_dt", dt, *STEP_RANGE, "s", "dt")
+    given = (amplitude, frequency, duration, phase, dt, quiet)
+    a0, f, length, angle, step, still = (
+        about.check(value) for about, value in zip(parameters(sine), given, strict=True)
+    )
     if step * f * _FEWEST_STEPS > 1.0 + 1e-9:
         raise InputError(
             "motion.sine_step", "dt", step=step, most=1 / f / _FEWEST_STEPS, fewest=_FEWEST_STEPS

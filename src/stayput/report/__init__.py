@@ -1,1 +1,1 @@
-"""What is shown: words, plots and animations of a run."""
+"""Output: texts, plots, animations and reports of runs, motions and verdicts."""

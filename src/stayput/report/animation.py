@@ -1,4 +1,4 @@
-"""Animations of a run: GIF, MP4, or one HTML page that needs nothing else."""
+"""Animations of a run: GIF, MP4, or a self-contained HTML page."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from stayput.report.embedding import inks_css, script_json, script_module
 from stayput.report.film import film_of
 from stayput.report.frames import Painter
 from stayput.report.palette import mode_looks
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -33,6 +34,9 @@ if TYPE_CHECKING:
 Progress: TypeAlias = Callable[[int, int], None]
 """Called with the number of frames drawn and the number of all frames."""
 
+PLAYER_TEXTS = ["tilt", "slide", "play", "pause", "time", "speed", "theme", "strip", "keys", "tilt_shown"]
+"""Texts of the HTML player, by their keys in `stayput.catalogue.runs` after "player_"."""
+
 _SHORTEST = 2  # hundredths of a second between a GIF's frames: browsers slow down what is shorter
 _COLOURS = 64  # colours of a GIF
 _SAMPLED = 12  # frames from which these are chosen
@@ -46,7 +50,8 @@ def animate_run(
     speed: float = 1.0,
     hold: float = 1.5,
     width: int = 640,
-    name: str = "body",
+    name: str | None = None,
+    language: str = "en",
     progress: Progress | None = None,
 ) -> Path:
     """Animate a run: the shaken room in section, to scale, above the floor's acceleration.
@@ -68,8 +73,10 @@ def animate_run(
         How long the last pose is held [s].
     width : int
         Width of a frame [pixels]; the height is three quarters of it. Not used for HTML.
-    name : str
-        What the body is called.
+    name : str, optional
+        What the body is called; "body" by default.
+    language : str
+        Language of the texts, "en" or "ja".
     progress : callable, optional
         Called with the number of frames drawn and the number of all frames.
 
@@ -81,14 +88,14 @@ def animate_run(
     Raises
     ------
     InputError
-        A value out of range, a path that cannot be written, or no ffmpeg for an MP4.
+        A value out of range, another language, a path that cannot be written, or no ffmpeg for an MP4.
     """
     target = check_animation(path)
     within("runs.animation_fps", fps, 1.0, 100.0, field="fps")
     within("runs.animation_speed", speed, 0.01, 100.0, field="speed")
     within("runs.animation_hold", hold, 0.0, 60.0, "s", field="hold")
     within("runs.animation_width", width, 200, 4000, "pixels", field="width")
-    film = film_of(run, name)
+    film = film_of(run, name, check_language(language))
     with draft(target) as unfinished:
         match target.suffix.lower():
             case ".html":
@@ -154,8 +161,8 @@ def _write_mp4(
                 raise
         if ffmpeg.returncode:
             messages.seek(0)
-            said = messages.read().decode(errors="replace").strip().splitlines()
-            reason = said[-1] if said else phrase("runs.no_reason")
+            output = messages.read().decode(errors="replace").strip().splitlines()
+            reason = output[-1] if output else phrase("runs.no_reason")
             raise InputError("runs.no_video", suffix=path.suffix, reason=reason)
 
 
@@ -172,21 +179,25 @@ def player_page(film: Film, speed: float, hold: float) -> str:
         How long the last pose is held before the film starts again [s].
     """
     files = resources.files("stayput.report")
+    texts = {key: film.say(f"player_{key}") for key in PLAYER_TEXTS}
     data = {
         **film.scene.data(),
         "title": film.title,
-        "motion": film.motion_title,
+        "strip_title": film.strip_title,
         "caption": film.caption,
         "speed": speed,
         "hold_s": hold,
-        "modes": mode_looks("en"),
+        "modes": mode_looks(film.language),
+        "texts": texts,
     }
     parts = {
+        **{key: html.escape(text) for key, text in texts.items()},
+        "language": film.language,
         "title": html.escape(film.title),
         "inks": inks_css(),
         "data": script_json(data),
-        "script": script_module(files.joinpath("player.js").read_text(encoding="utf-8")),
+        "code": script_module(files.joinpath("player.js").read_text(encoding="utf-8")),
     }
     page = files.joinpath("player.html").read_text(encoding="utf-8")
     # In one pass, as a title may hold a mark.
-    return re.sub(r"\{\{(title|inks|data|script)\}\}", lambda mark: parts[mark[1]], page)
+    return re.sub(r"\{\{(\w+)\}\}", lambda mark: parts[mark[1]], page)

@@ -79,7 +79,7 @@ def run_to_dataset(run: Run) -> xr.Dataset:
 
 
 def _add_devices(data: xr.Dataset, devices: tuple[DeviceResult, ...]) -> None:
-    """Put what became of the devices over ``device``, and their forces over ``time`` too."""
+    """Add the devices' results over ``device``, and their forces over ``time`` too."""
     names = [" ".join(filter(None, (device.kind, device.place))) for device in devices]
     data["device"] = ("device", np.array(names, dtype=np.str_), {"long_name": "measure and place"})
     for name, (unit, meaning) in _DEVICE_VALUES.items():

@@ -1,4 +1,4 @@
-"""What all plots share: figures made without pyplot (thread-safe, headless), their style, their files."""
+"""Shared by all plots: figures without pyplot (thread-safe, headless), their style and files."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def new_figure(width: float, height: float) -> Figure:
 
 
 def saved(figure: Figure, path: str | Path | None) -> Figure:
-    """Save a figure where a path is given (PNG, SVG or PDF by its ending), whole or not at all."""
+    """Save a figure atomically where a path is given: PNG, SVG or PDF by its ending."""
     with_fallback(figure)
     if path is not None:
         target = check_target(path, PLOT_SUFFIXES)
@@ -49,7 +49,7 @@ def style(axis: Axes, *, zero: bool = True) -> None:
         axis.spines[side].set_visible(False)
 
 
-def _plainly(value: float, _: int | None = None) -> str:
+def _plain_number(value: float, _: int | None = None) -> str:
     return f"{value:g}"
 
 
@@ -61,5 +61,5 @@ def plain_log(axis: Axes, *, x: bool = True, y: bool = True) -> None:
         axis.set_yscale("log")
     for wanted, line in ((x, axis.xaxis), (y, axis.yaxis)):
         if wanted:
-            line.set_major_formatter(FuncFormatter(_plainly))
+            line.set_major_formatter(FuncFormatter(_plain_number))
             line.set_minor_formatter(NullFormatter())

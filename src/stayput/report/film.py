@@ -1,4 +1,4 @@
-"""What an animation shows of one run: its scene, what is said beside it, and the instant of each frame."""
+"""The contents of an animation: scene and texts of a run, and the time of each frame."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.catalogue import say
+from stayput.catalogue import phrase, say
 from stayput.errors import InputError
 from stayput.report.scene import DRIFT_CORNER, Scene, scene_of
-from stayput.report.summary import motion_label, sentence
+from stayput.report.summary import motion_label, sentences
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -31,18 +31,30 @@ class Film:
         What became of the body, in one sentence.
     motion_title : str
         What the motion is called, and its peak.
+    language : str
+        Language of the texts, "en" or "ja".
     """
 
     scene: Scene
     title: str
     motion_title: str
+    language: str = "en"
+
+    def say(self, key: str, **values: object) -> str:
+        """Return a text of `stayput.catalogue.runs` in the film's language."""
+        return say(f"runs.{key}", self.language, **values)
 
     @property
     def caption(self) -> str:
-        """Say what is shown of the ground's motion."""
+        """How the room moves in the picture."""
         scale = self.scene.shift_scale
-        part = "" if scale >= 1.0 else say("runs.drawn_smaller", share=100.0 * scale)
-        return say("runs.caption", corner=DRIFT_CORNER, part=part, grid=self.scene.view.grid)
+        part = "" if scale >= 1.0 else phrase("runs.drawn_smaller", share=100.0 * scale)
+        return self.say("caption", corner=DRIFT_CORNER, part=part, grid=self.scene.view.grid)
+
+    @property
+    def strip_title(self) -> str:
+        """Title of the strip with the floor's acceleration."""
+        return self.say("floor_acceleration", motion=self.motion_title)
 
     def times(self, fps: float, speed: float, hold: float) -> NDArray[np.float64]:
         """Return the instant that each frame shows [s].
@@ -61,15 +73,17 @@ class Film:
         return np.append(moving, np.full(max(1, round(hold * fps)), end))
 
 
-def film_of(run: Run, name: str = "body") -> Film:
+def film_of(run: Run, name: str | None = None, language: str = "en") -> Film:
     """Make a run ready for an animation.
 
     Parameters
     ----------
     run : Run
         The run.
-    name : str
-        What the body is called.
+    name : str, optional
+        What the body is called; "body" by default.
+    language : str
+        Language of the texts, "en" or "ja".
 
     Raises
     ------
@@ -78,5 +92,7 @@ def film_of(run: Run, name: str = "body") -> Film:
     """
     if len(run.time) < 2:
         raise InputError("runs.too_short", samples=len(run.time))
-    title = say("runs.motion_title", name=motion_label(run.motion), peak=run.motion.pga)
-    return Film(scene_of([run], start=float(run.time[0])), sentence(run, name), title)
+    motion = say("runs.motion_title", language, name=motion_label(run.motion, language), peak=run.motion.pga)
+    called = phrase("runs.body") if name is None else (name, name)
+    title = say(sentences(run, called), language)
+    return Film(scene_of([run], start=float(run.time[0])), title, motion, language)

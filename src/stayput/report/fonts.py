@@ -89,8 +89,8 @@ def _missing(text: str) -> frozenset[str]:
 
 
 def _without(text: str, left_out: set[str] | frozenset[str]) -> str:
-    kept = "".join("\0" if c in left_out else c for c in text)
-    return re.sub("\0+", _LEFT_OUT, kept)
+    marked = "".join("\0" if c in left_out else c for c in text)
+    return re.sub("\0+", _LEFT_OUT, marked)
 
 
 @cache

@@ -1,4 +1,4 @@
-"""The picture of fragility curves: what was observed, the curves and how sure they are."""
+"""The picture of fragility curves: observed shares, curves, and their 95 % bands."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from stayput.catalogue import say
 from stayput.errors import InputError
-from stayput.fragility.curve import State
+from stayput.fragility.curve import CurveState
 from stayput.motion.intensity import CLASSES
 from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
@@ -102,7 +102,7 @@ def plot_fragility(
     axis.set_title(below, fontsize=FONT - 1.0, color=MUTED, loc="left")
     figure.legend(
         loc="outside lower center",
-        ncols=1 if max(len(_told(curve)) for curve in curves) > 52 or len(curves) < 3 else 2,
+        ncols=1 if max(len(_legend_label(curve)) for curve in curves) > 52 or len(curves) < 3 else 2,
         fontsize=FONT - 1.0,
         frameon=False,
         handlelength=3.6,
@@ -126,9 +126,9 @@ def _shift(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> float
     return 0.6 * min(steps, default=0.0) / len(_LOOKS)
 
 
-def _told(curve: FragilityCurve) -> str:
+def _legend_label(curve: FragilityCurve) -> str:
     name, half = curve.name or say("plots.curve"), curve.capacity(0.5).text
-    if curve.state is State.FITTED:
+    if curve.state is CurveState.FITTED:
         return say("plots.half", name=name, half=half)
     return say("plots.half_state", name=name, state=curve.state.value, half=half)
 
@@ -140,7 +140,7 @@ def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float) -> None:
     probabilities = [level.probability for level in curve.levels]
     shares = np.array([p.estimate for p in probabilities])
     ends = np.array([[p.estimate - p.low, p.high - p.estimate] for p in probabilities]).T
-    fitted = curve.state is State.FITTED
+    fitted = curve.state is CurveState.FITTED
     if fitted:
         grid = curve.grid(_POINTS)
         x = grid * measure.shown
@@ -167,7 +167,7 @@ def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float) -> None:
         marker=marker,
         markersize=5.0,
         markerfacecolor="white",
-        label=drawable(_told(curve)),
+        label=drawable(_legend_label(curve)),
     )
 
 

@@ -67,8 +67,8 @@ class Painter:
         self._half = 0.5 * self._scene[0] / self._scale
         self._middle = 0.5 * (view.left + view.right)
         if (self._left_wall is None) != (self._right_wall is None):  # a single wall stays at its edge
-            one_left = self._right_wall is None
-            self._middle = view.left + self._half if one_left else view.right - self._half
+            wall_is_left = self._right_wall is None
+            self._middle = view.left + self._half if wall_is_left else view.right - self._half
         self._low = view.low
         self._still = self._still_part()
 
@@ -87,12 +87,12 @@ class Painter:
         return image
 
     def _still_part(self) -> Image.Image:
-        """Draw what no frame changes: the acceleration strip and the caption."""
+        """Draw the static part of all frames: the acceleration strip and the caption."""
         image = Image.new("RGB", self._size, PAPER)
         draw = ImageDraw.Draw(image)
         left, top, right, bottom = self._strip
         small, text = self._fonts[11], self._fonts[13]
-        heading, face = with_face(say("runs.floor_acceleration", motion=self._film.motion_title), text.size)
+        heading, face = with_face(self._film.strip_title, text.size)
         draw.text((left, top - 3), heading, fill=INK, font=face, anchor="ls")
         scene = self._film.scene
         motion, start, end = scene.motion, scene.start, scene.end
@@ -123,11 +123,12 @@ class Painter:
         draw.rectangle(
             (10, middle - chip, 10 + 2 * chip, middle + chip), fill=MODE_COLOURS[pose.mode], outline=INK
         )
-        said = self._film.title if pose.time >= self._film.scene.end else MODES[pose.mode][0]
+        ended = pose.time >= self._film.scene.end
+        text = self._film.title if ended else say(MODES[pose.mode], self._film.language)
         room = width - 90 - 2 * chip
-        words, face = with_face(said, self._fonts[15].size)
+        words, face = with_face(text, self._fonts[15].size)
         if face.getlength(words) > room:
-            words, face = with_face(said, self._fonts[13].size)
+            words, face = with_face(text, self._fonts[13].size)
         lines = "\n".join(textwrap.wrap(words, max(20, int(1.08 * room / face.getlength("e")))))
         draw.multiline_text((20 + 2 * chip, middle), lines, fill=INK, font=face, anchor="lm", spacing=2)
 
@@ -158,7 +159,7 @@ class Painter:
         return image
 
     def _draw_devices(self, draw: ImageDraw.ImageDraw, pose: Pose) -> None:
-        """Draw the devices over the body; what goes with the room moves with it."""
+        """Draw the devices over the body, moved with the room."""
         for shape in self._film.scene.devices(pose):
             points = [self._point(x + pose.shift, z) for x, z in shape["points"]]
             colour = ROLE_COLOURS["broken" if shape["broken"] else shape["role"]]

@@ -1,4 +1,4 @@
-"""The histories of a run as they are shown: with the pose in which an overturned body lies at the end."""
+"""The histories of a run for display: with the final pose of an overturned body."""
 
 from __future__ import annotations
 

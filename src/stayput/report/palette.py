@@ -5,7 +5,7 @@ The mode colours are those of Okabe and Ito (2008), *Color universal design*.
 
 from __future__ import annotations
 
-from stayput.catalogue import LANGUAGES
+from stayput.catalogue import say
 from stayput.catalogue.names import MODES
 from stayput.simulation.run import EventKind, Mode
 
@@ -78,7 +78,7 @@ def mode_looks(language: str) -> dict[str, dict[str, str]]:
     language : str
         "en" or "ja".
     """
-    place = [str(one) for one in LANGUAGES].index(language)
     return {
-        mode.value: {"colour": colour, "label": MODES[mode][place]} for mode, colour in MODE_COLOURS.items()
+        mode.value: {"colour": colour, "label": say(MODES[mode], language)}
+        for mode, colour in MODE_COLOURS.items()
     }

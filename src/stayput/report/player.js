@@ -1,11 +1,11 @@
 // Plays one run: its scene, its histories below it, and the time that they share.
 
-import { calm, player } from "./canvas/clock.js";
+import { player, prefersReducedMotion } from "./canvas/clock.js";
 import { drawScene } from "./canvas/painter.js";
 import { ink, line, prepared, readInks } from "./canvas/pen.js";
 
 const film = JSON.parse(document.getElementById("run").textContent);
-const { floor, modes: looks } = film,
+const { floor, modes: looks, texts } = film,
   [run] = film.runs;
 const part = (id) => document.getElementById(id);
 const start = run.time_s[0],
@@ -57,7 +57,7 @@ function drawStrip(now) {
     values: floor.acceleration_m_s2,
     peak: peaks.acceleration,
     colour: ink.record,
-    label: `Floor acceleration: ${film.motion}`,
+    label: film.strip_title,
     unit: "m/s²",
   });
   drawHistory(pen, width, each, each, {
@@ -65,8 +65,8 @@ function drawStrip(now) {
     values: run.tilt_rad,
     peak: peaks.tilt,
     colour: ink.ink,
-    label: `Tilt, shown up to ${((peaks.tilt * 180) / Math.PI).toFixed(1)}°`,
-    unit: "tilt",
+    label: texts.tilt_shown.replace("{angle}", ((peaks.tilt * 180) / Math.PI).toFixed(1)),
+    unit: texts.tilt,
   });
   run.modes.forEach(([t, mode], i) => {
     const next = run.modes[i + 1]?.[0] ?? end;
@@ -90,7 +90,11 @@ function draw(now) {
   part("time").value = (1000 * (now - start)) / (end - start);
 }
 
-const clock = player(draw, (playing) => (part("play").textContent = playing ? "Pause" : "Play"), film.hold_s);
+const clock = player(
+  draw,
+  (playing) => (part("play").textContent = playing ? texts.pause : texts.play),
+  film.hold_s,
+);
 
 for (const value of [...new Set([0.1, 0.25, 0.5, 1, 2, 4, film.speed])].sort((p, q) => p - q))
   part("speed").add(new Option(`${value} ×`, value, false, value === film.speed));
@@ -131,5 +135,5 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", again);
 const wanted = Number(location.hash.slice(1)); // "#6.3" opens the page at 6.3 s, paused
 const chosen = location.hash && Number.isFinite(wanted);
 readInks();
-clock.span(start, end, chosen ? wanted : start, chosen || calm());
+clock.span(start, end, chosen ? wanted : start, chosen || prefersReducedMotion());
 again();

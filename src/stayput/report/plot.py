@@ -93,9 +93,9 @@ def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
     axes = figure.subplots(3, len(parts), sharex=True, sharey="row", squeeze=False)
     figure.suptitle(drawable(motion_label(motion)), fontsize=FONT + 2.0, color=INK)
     for column, component in enumerate(parts):
-        one = motion.component(component)
+        part = motion.component(component)
         time = motion.time
-        rows = (one.x, 100.0 * one.velocity, 100.0 * one.displacement)
+        rows = (part.x, 100.0 * part.velocity, 100.0 * part.displacement)
         axes[0, column].set_title(say(f"plots.component_{component}"), fontsize=FONT, color=INK)
         axes[2, column].set_xlabel(say("report.axis_time"), fontsize=FONT)
         for axis, values, unit in zip(axes[:, column], rows, ("m/s²", "cm/s", "cm"), strict=True):

@@ -70,7 +70,7 @@ class Pose:
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """What part of the room is in the picture; all runs of a scene share one.
+    """The part of the room in the picture, common to all runs of a scene.
 
     Parameters
     ----------
@@ -127,18 +127,18 @@ class Scene:
     shift_scale: float
     view: View
 
-    def pose(self, time: float, which: int = 0) -> Pose:
-        """Return the pose of a run at a time [s], linear between the samples; the last one after its end."""
-        shown = self.histories[which]
+    def pose(self, time: float) -> Pose:
+        """Return the first run's pose at a time [s], linear between samples; the last one after its end."""
+        shown = self.histories[0]
         instant = min(max(time, float(shown.time[0])), shown.end)
         sample = int(np.searchsorted(shown.time, instant, side="right")) - 1
         x, z, tilt = (float(np.interp(instant, shown.time, v)) for v in (shown.x, shown.z, shown.tilt))
         shift = float(np.interp(instant, self.motion.time, self.shift))
         return Pose(instant, x, z, tilt, shift, shown.mode[sample])
 
-    def devices(self, pose: Pose, which: int = 0) -> list[dict[str, Any]]:
-        """Return the shapes of the devices in a pose; see `stayput.measures.shapes`."""
-        run = self.runs[which]
+    def devices(self, pose: Pose) -> list[dict[str, Any]]:
+        """Return the shapes of the first run's devices in a pose; see `stayput.measures.shapes`."""
+        run = self.runs[0]
         if run.held is None:
             return []
         failed = [n for n, device in enumerate(run.devices) if device.failure_time <= pose.time]

@@ -103,7 +103,7 @@ def _label_long_period_classes(axis: Axes) -> None:
 
 
 def _end_fourier_axis(axis: Axes) -> None:
-    """Show four decades: what lies below is round-off or a filter's floor."""
+    """Limit the axis to four decades: below lie round-off and filter noise."""
     top = max((float(np.max(line.get_ydata())) for line in axis.lines), default=1.0)  # pyright: ignore[reportArgumentType, reportCallIssue]
     if top > 0.0:
         axis.set_ylim(1e-4 * top, 1.5 * top)

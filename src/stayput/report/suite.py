@@ -145,25 +145,23 @@ def _draw_scatter(axis: Axes, scatter: NDArray[np.float64] | None, colour: str) 
     axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.9)
 
 
-def plot_families(path: str | Path | None = None, number: int = 2, seed: int = 1) -> Figure:
-    """Plot acceleration and velocity of x of one synthetic motion of every family.
+def plot_families(path: str | Path | None = None) -> Figure:
+    """Plot acceleration and velocity of x of the second synthetic motion of every family, with seed 1.
 
     Parameters
     ----------
     path : str or Path, optional
         Where to save it: PNG, SVG or PDF, by its ending.
-    number, seed : int
-        Which motion; see `synthetic_motion`.
 
     Raises
     ------
     InputError
-        A path that cannot be written; a number or a seed out of range.
+        A path that cannot be written.
     """
     figure = new_figure(9.6, 8.4)
     axes = figure.subplots(len(FAMILIES), 2, squeeze=False)
     for (left, right), family in zip(axes, FAMILIES, strict=True):
-        motion = synthetic_motion(family, number, seed)
+        motion = synthetic_motion(family, 2, 1)
         for axis, values, unit, what in (
             (left, motion.x, "m/s²", "acceleration"),
             (right, 100.0 * motion.velocity, "cm/s", "velocity"),
@@ -173,11 +171,8 @@ def plot_families(path: str | Path | None = None, number: int = 2, seed: int = 1
             axis.plot(motion.time, values, color=colour, linewidth=0.7)
             axis.set_ylabel(say(f"plots.{what}"), fontsize=FONT)
             axis.set_xlim(0.0, motion.duration)
-            axis.set_title(
-                say("plots.peak", value=np.abs(values).max(), unit=unit),
-                fontsize=FONT - 1.0,
-                loc="right",
-            )
+            peak = say("plots.peak", value=np.abs(values).max(), unit=unit)
+            axis.set_title(peak, fontsize=FONT - 1.0, loc="right")
         left.set_title(drawable(motion.name), fontsize=FONT, loc="left", color=INK)
     for axis in axes[-1]:
         axis.set_xlabel(say("report.axis_time"), fontsize=FONT)

@@ -29,7 +29,7 @@ _SMALLEST_SLIDE = 5e-4
 
 
 def sentence(run: Run, name: str = "body") -> str:
-    """Say in one plain English sentence what became of the body.
+    """Return the outcome of a run in one plain English sentence.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def sentence(run: Run, name: str = "body") -> str:
 
 
 def sentences(run: Run, name: Phrase, sides: tuple[str, str] = LEFT_AND_RIGHT) -> Phrase:
-    """Say in one plain sentence, in English and Japanese, what became of the body.
+    """Return the outcome of a run in one plain sentence, in English and Japanese.
 
     Parameters
     ----------
@@ -68,8 +68,8 @@ def sentences(run: Run, name: Phrase, sides: tuple[str, str] = LEFT_AND_RIGHT) -
     )
 
 
-def piece_sentences(run: Run, preset: str | None, own: str | None = None) -> Phrase:
-    """Say what became of a piece of furniture, and which device failed first.
+def piece_sentences(run: Run, preset: str | None, own_name: str | None = None) -> Phrase:
+    """Return the outcome for a piece of furniture, and the first device that failed.
 
     Parameters
     ----------
@@ -77,22 +77,22 @@ def piece_sentences(run: Run, preset: str | None, own: str | None = None) -> Phr
         The run.
     preset : str, optional
         Preset of the piece.
-    own : str, optional
+    own_name : str, optional
         What the user calls it.
     """
-    name = (own, own) if own else PIECES.get(preset or "", ANY_PIECE)
-    said = sentences(run, name, BACK_AND_FRONT)
+    name = (own_name, own_name) if own_name else PIECES.get(preset or "", ANY_PIECE)
+    outcome = sentences(run, name, BACK_AND_FRONT)
     failed = min((d for d in run.devices if d.failed), key=lambda d: d.failure_time, default=None)
     if failed is None:
-        return said
+        return outcome
     device = (inside(failed.label[0]), failed.label[1])
-    return phrase("runs.first_to_fail", said=said, device=device, time=failed.failure_time)
+    return phrase("runs.first_to_fail", outcome=outcome, device=device, time=failed.failure_time)
 
 
-def motion_label(motion: Motion) -> str:
-    """Return what a motion is called in a picture; a computed one is always called synthetic."""
+def motion_label(motion: Motion, language: str = "en") -> str:
+    """Return a motion's label in pictures; a computed one is always labelled synthetic."""
     plain = motion.synthetic and "synthetic" not in motion.name.lower()
-    return say("runs.synthetic", name=motion.name) if plain else motion.name
+    return say("runs.synthetic", language, name=motion.name) if plain else motion.name
 
 
 def results(run: Run) -> dict[str, Any]:
@@ -115,7 +115,7 @@ def results(run: Run) -> dict[str, Any]:
 
 
 def device_results(device: DeviceResult) -> dict[str, Any]:
-    """Return what became of a device as plain values, in SI units that the keys name."""
+    """Return a device's results as plain values, in SI units that the keys name."""
     return {
         "kind": device.kind,
         "label": dict(zip(("en", "ja"), device.label, strict=True)),
@@ -157,13 +157,13 @@ def summary(run: Run) -> dict[str, Any]:
             "pga_m_s2": number(run.motion.pga),
         },
         "measures": [measure.kind for measure in run.measures],
-        "devices": [{key: one[same] for key, same in _DEVICE_KEYS.items()} for one in devices],
+        "devices": [{key: device[name] for key, name in _DEVICE_KEYS.items()} for device in devices],
         "events": [_event(event) for event in run.events],
     }
 
 
 def rows(run: Run) -> list[tuple[str, str]]:
-    """Return the results as a person reads them: what, and its value with its unit."""
+    """Return the results as rows of a table: label, and value with its unit."""
     motion = run.motion
     values = {
         "motion": say(
@@ -212,7 +212,7 @@ def _event(event: Event) -> dict[str, Any]:
 
 
 def _hits(run: Run) -> Phrase:
-    """Return how often the body hit what, as a part of the sentence; empty where it hit nothing."""
+    """Return the clause about impacts on walls and ceiling; empty where there was none."""
     counts = {"wall": run.count(EventKind.WALL_IMPACT), "ceiling": run.count(EventKind.CEILING_IMPACT)}
     parts = [
         phrase(

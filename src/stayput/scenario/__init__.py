@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from stayput.scenario.reading import read_scenario
-from stayput.scenario.scenario import Scenario
+from stayput.scenario.scenario import Scenario, read_scenario
 
 __all__ = ["Scenario", "read_scenario"]

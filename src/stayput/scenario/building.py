@@ -9,17 +9,17 @@ from pydantic import Field, model_validator
 from stayput.building import STRUCTURES, Building, ShearModel
 from stayput.building.model import MOST_STOREYS
 from stayput.errors import InputError
-from stayput.scenario.fields import Table, between, checked, named, one_of
+from stayput.scenario.fields import Table, checked, each, named, of, one_of
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
 
 StructureName = Annotated[str, one_of(STRUCTURES), named(STRUCTURES)]
 Masses = Annotated[
-    list[Annotated[float, between(1e-3, 1e12, "kg")]], Field(min_length=1, max_length=MOST_STOREYS)
+    list[Annotated[float, each(ShearModel, "masses")]], Field(min_length=1, max_length=MOST_STOREYS)
 ]
 Stiffnesses = Annotated[
-    list[Annotated[float, between(1e-3, 1e18, "N/m")]], Field(min_length=1, max_length=MOST_STOREYS)
+    list[Annotated[float, each(ShearModel, "stiffnesses")]], Field(min_length=1, max_length=MOST_STOREYS)
 ]
 OF_A_REGULAR_ONE = ("storeys", "structure", "period", "storey_height", "yield_coefficient", "post_yield")
 
@@ -27,32 +27,18 @@ OF_A_REGULAR_ONE = ("storeys", "structure", "period", "storey_height", "yield_co
 class BuildingTable(Table):
     """The building: what people know of it, or masses and stiffnesses of one's own."""
 
-    storeys: Annotated[int, between(1, MOST_STOREYS - 1)] | None = Field(
-        default=None, description="Number of storeys."
-    )
+    storeys: int | None = of(Building, "storeys", default=None)
     structure: StructureName | None = Field(default=None, description='Structure; "RC" where it is not said.')
-    period: Annotated[float, between(0.02, 20.0, "s")] | None = Field(
-        default=None, description="First natural period; default by height."
-    )
-    damping: Annotated[float, between(0.0, 0.5)] | None = Field(
-        default=None, description="Damping ratio of every mode; default the structure's."
-    )
-    storey_height: Annotated[float, between(1.5, 20.0, "m")] | None = Field(
-        default=None, description="Height of a storey; default 3 m."
-    )
+    period: float | None = of(Building, "period")
+    damping: float | None = of(Building, "damping")
+    storey_height: float | None = of(Building, "storey_height")
     nonlinear: bool = Field(
         default=True,
         description="Whether the storeys yield under strong shaking; below that nothing changes.",
     )
-    yield_coefficient: Annotated[float, between(1e-3, 10.0)] | None = Field(
-        default=None, description="Shear coefficient of the lowest storey at yielding."
-    )
-    post_yield: Annotated[float, between(0.0, 0.95)] | None = Field(
-        default=None, description="Stiffness after yielding over that before it."
-    )
-    vertical_amplification: Annotated[float, between(0.0, 10.0)] = Field(
-        default=1.0, description="Factor on the vertical motion at the roof, growing linearly from 1."
-    )
+    yield_coefficient: float | None = of(Building, "yield_coefficient")
+    post_yield: float | None = of(Building, "post_yield")
+    vertical_amplification: float = of(Building, "vertical_amplification")
     masses: Masses | None = Field(
         default=None, description="Masses of the floors, bottom to top: a model of one's own."
     )

@@ -1,15 +1,20 @@
-"""Kinds of field that the tables of a scenario have; ranges and units go into the JSON Schema."""
+"""Kinds of field that the tables of a scenario have; ranges and units go into the JSON Schema.
+
+What a field of a table has in common with the field of the value that the table makes stands with the latter:
+`stayput.model.parameters`. `of` reads it.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any
+from dataclasses import MISSING
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.model.body import MASS_RANGE, SIZE_RANGE
-from stayput.model.room import FRICTION_RANGE
+from stayput.model.body import Body
+from stayput.model.parameters import parameter_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection
@@ -24,9 +29,44 @@ class Table(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
 
-def between(low: float, high: float, unit: str = "") -> Any:
-    """Return a number's bounds."""
-    return Field(ge=low, le=high, json_schema_extra={"unit": unit} if unit else None)
+def between(low: float, high: float, unit: str = "", **about: Any) -> Any:
+    """Return a number's bounds, and what else pydantic's ``Field`` takes."""
+
+    def with_unit(schema: dict[str, Any]) -> None:
+        for kind in cast("list[dict[str, Any]]", schema.get("anyOf", [schema])):
+            if "minimum" in kind:
+                kind["unit"] = unit
+
+    return Field(ge=low, le=high, json_schema_extra=with_unit if unit else None, **about)
+
+
+def each(of: Any, name: str) -> Any:
+    """Return the bounds of an item of a list."""
+    about = parameter_of(of, name)
+    return between(about.low, about.high, about.unit)
+
+
+def of(kind: Any, name: str, *, listed: bool = False, **changed: Any) -> Any:
+    """Return the field of a table with the default, unit, range and meaning of the one that it is for.
+
+    Parameters
+    ----------
+    kind : type or function
+        The dataclass or the function that the table makes its value with.
+    name : str
+        The field or the argument.
+    listed : bool
+        Whether it is a list, whose items have their bounds by `each`.
+    **changed
+        What is otherwise in the table: default, description.
+    """
+    about = parameter_of(kind, name)
+    own: dict[str, Any] = {
+        "default": ... if about.default is MISSING else about.default,
+        "description": about.meaning,
+    }
+    own |= changed
+    return Field(**own) if listed else between(about.low, about.high, about.unit, **own)
 
 
 def one_of(names: Collection[str]) -> Any:
@@ -46,14 +86,7 @@ def named(names: Collection[str]) -> Any:
 
 
 Text = Annotated[str, Field(min_length=1, max_length=200)]
-Size = Annotated[float, between(*SIZE_RANGE, "m")]
-Mass = Annotated[float, between(*MASS_RANGE, "kg")]
-Load = Annotated[float, between(0.0, MASS_RANGE[1], "kg")]
-Offset = Annotated[float, between(-SIZE_RANGE[1], SIZE_RANGE[1], "m")]
-Pair = Annotated[list[Offset], Field(min_length=2, max_length=2)]
-Friction = Annotated[float, between(*FRICTION_RANGE)]
-Restitution = Annotated[float, between(0.0, 1.0)]
-Distance = Annotated[float, between(0.0, 1e4, "m")]
+Pair = Annotated[list[Annotated[float, each(Body, "cg_offset")]], Field(min_length=2, max_length=2)]
 
 
 def kind_of(value: object) -> str:

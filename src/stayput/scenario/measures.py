@@ -10,7 +10,7 @@ from pydantic import BaseModel, Discriminator, Field, Tag, create_model, model_v
 from stayput.errors import InputError, unknown
 from stayput.measures import MEASURES, Measure, Parameter, parameters
 from stayput.measures.measure import refuse_conflicts
-from stayput.scenario.fields import Table, Text, between, checked
+from stayput.scenario.fields import Table, Text, between, checked, of
 
 COMBINE = "combine"
 
@@ -59,24 +59,21 @@ class MeasureTable(Table):
         return (self.measure(),)
 
 
-def _value(about: Parameter) -> Any:
+def _kind_of(about: Parameter) -> Any:
     if about.choices:
         return Literal[about.choices]
-    kind: Any = int if isinstance(about.default, int) else float
-    bounded: Any = Annotated[kind, between(about.low, about.high, about.unit)]
-    return bounded if about.default is not None else bounded | None
-
-
-def _words(about: Parameter) -> str:
-    text = about.label[0]
-    return f"{text[0].upper()}{text[1:]} (default, {about.confidence} confidence)."
+    kind = int if about.whole else float
+    return kind if about.default is not None else kind | None
 
 
 def _table_of(kind: str, measure: type[Measure]) -> type[MeasureTable]:
     """Return the table of one kind of measure."""
     fields: dict[str, Any] = {"type": (Literal[kind], Field(description=measure.label[0] + "."))}
     for about in parameters(measure):
-        fields[about.name] = (_value(about), Field(default=about.default, description=_words(about)))
+        text = about.label[0]
+        words = f"{text[0].upper()}{text[1:]} (default, {about.confidence} confidence)."
+        field = of(measure, about.name, listed=bool(about.choices), description=words)
+        fields[about.name] = (_kind_of(about), field)
     name = f"{measure.__name__}Table"
     return create_model(name, __base__=MeasureTable, __doc__=measure.about[0], **fields)
 

@@ -1,4 +1,4 @@
-"""`Scenario`: the whole file as a value, and the case it makes."""
+"""`Scenario`: the whole file as a value, the case it makes, and `read_scenario`."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyT
 from stayput.scenario.messages import refusal_of
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import FurnitureTable, InitialTable, RoomTable
+from stayput.scenario.toml import read_toml
 from stayput.simulation.run import Case
 
 if TYPE_CHECKING:
@@ -150,3 +151,23 @@ class Scenario(Table):
             gravity=self.gravity,
             measures=tuple(measures),
         )
+
+
+def read_scenario(path: str | Path) -> Scenario:
+    """Read a scenario file.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file, in TOML.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, is not TOML, or says something that is not allowed.
+    """
+    file = Path(path)
+    try:
+        return Scenario.parse(read_toml(file), file.parent)
+    except InputError as error:
+        raise error.at(file.name) from None

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Annotated, Literal, Self
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
+from stayput.building.model import MOST_STOREYS
 from stayput.errors import InputError
 from stayput.motion import Motion, near_fault, read_motion, sine
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_vertical
 from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
 from stayput.scenario.building import BuildingTable  # noqa: TC001 - pydantic reads the annotations
-from stayput.scenario.fields import NAME, TABLE, Table, Text, between, checked, kind_of, named, one_of
+from stayput.scenario.fields import NAME, TABLE, Table, Text, between, checked, kind_of, named, of, one_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -22,16 +23,12 @@ if TYPE_CHECKING:
 class SineTable(Table):
     """A harmonic motion."""
 
-    amplitude: Annotated[float, between(-1e4, 1e4, "m/s²")] = Field(description="Amplitude.")
-    frequency: Annotated[float, between(1e-3, 1e3, "Hz")] = Field(description="Frequency.")
-    duration: Annotated[float, between(1e-3, 1e5, "s")] = Field(default=30.0, description="Time of shaking.")
-    phase: Annotated[float, between(-1e3, 1e3, "rad")] = Field(
-        default=0.0, description="Phase; π/2 is a cosine."
-    )
-    dt: Annotated[float, between(1e-6, 1.0, "s")] = Field(default=0.005, description="Largest time step.")
-    quiet: Annotated[float, between(0.0, 1e5, "s")] = Field(
-        default=0.0, description="Still floor after the shaking."
-    )
+    amplitude: float = of(sine, "amplitude")
+    frequency: float = of(sine, "frequency")
+    duration: float = of(sine, "duration")
+    phase: float = of(sine, "phase")
+    dt: float = of(sine, "dt")
+    quiet: float = of(sine, "quiet")
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
@@ -74,10 +71,8 @@ class SuiteTable(Table):
     """A suite of synthetic motions."""
 
     family: FamilyName = Field(default=MIXED, description="Kind of earthquake.")
-    count: Annotated[int, between(1, 1000)] = Field(default=40, description="Number of motions.")
-    seed: Annotated[int, between(0, 2**31 - 1)] = Field(
-        default=1, description="The same seed gives the same motions."
-    )
+    count: int = of(synthetic_suite, "count")
+    seed: int = of(synthetic_suite, "seed")
 
     def suite(self) -> Suite:
         """Make the suite."""
@@ -100,16 +95,19 @@ class ShakingTable(Table):
     unit: Text | None = Field(
         default=None, description="The record's unit, where its file does not state it."
     )
-    dt: Annotated[float, between(1e-6, 1.0, "s")] | None = Field(
-        default=None, description="The record's time step, where its file does not state it."
+    dt: float | None = of(
+        sine, "dt", default=None, description="The record's time step, where its file does not state it."
     )
     sine: SineTable | None = Field(default=None, description="A harmonic motion.")
     builtin: Literal["near-fault"] | None = Field(default=None, description="A built-in, synthetic motion.")
     suite: SuiteOrFolder | None = Field(
         default=None, description="A suite of synthetic motions, or a folder of records."
     )
-    member: Annotated[int, between(1, 1000)] | None = Field(
-        default=None, description="Which motion of a suite `simulate` takes; 1 where it is not said."
+    member: int | None = of(
+        synthetic_suite,
+        "count",
+        default=None,
+        description="Which motion of a suite `simulate` takes; 1 where it is not said.",
     )
     scale: Annotated[float, between(-1e3, 1e3)] | None = Field(
         default=None, description="Factor on the whole motion."
@@ -127,7 +125,7 @@ class ShakingTable(Table):
     building: BuildingTable | None = Field(
         default=None, description="The building between the ground and the furniture."
     )
-    storey: Annotated[int, between(1, 200)] | None = Field(
+    storey: Annotated[int, between(1, MOST_STOREYS)] | None = Field(
         default=None, description="The storey where the furniture stands: 1 is the ground floor."
     )
 

@@ -8,30 +8,14 @@ from typing import Annotated, Self
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from stayput.errors import InputError
-from stayput.model.body import Body
+from stayput.model.body import Body, Part
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import SURFACES, Ceiling, Floor, Room, Wall
 from stayput.model.state import State
-from stayput.scenario.fields import (
-    NAME,
-    TABLE,
-    Distance,
-    Friction,
-    Load,
-    Mass,
-    Pair,
-    Restitution,
-    Size,
-    Table,
-    Text,
-    between,
-    checked,
-    kind_of,
-    named,
-    one_of,
-)
+from stayput.scenario.fields import NAME, TABLE, Pair, Table, Text, checked, each, kind_of, named, of, one_of
 
 Surface = Annotated[str, one_of(SURFACES), named(SURFACES)]
+Loads = Annotated[list[Annotated[float, each(Part, "mass")]], Field(min_length=1, max_length=100)]
 Kind = Annotated[str, one_of(FURNITURE), named(FURNITURE)]
 
 
@@ -42,20 +26,15 @@ class FurnitureTable(Table):
     preset: Kind | None = Field(
         default=None, description="A common piece of furniture; a default, not a citation."
     )
-    width: Size | None = Field(default=None, description="Depth of the piece, which lies along the shaking.")
-    height: Size | None = Field(default=None, description="Height.")
-    mass: Mass | None = Field(default=None, description="Mass; with shelves, that of the empty carcass.")
-    cg_offset: Pair | None = Field(
-        default=None, description="Offset of the centre of gravity from the centroid, to the right and up."
+    width: float | None = of(Body, "width", default=None)
+    height: float | None = of(Body, "height", default=None)
+    mass: float | None = of(
+        Body, "mass", default=None, description="Mass; with shelves, that of the empty carcass."
     )
-    inertia: Annotated[float, between(1e-12, 1e12, "kg m²")] | None = Field(
-        default=None,
-        description="Moment of inertia about the centre of gravity; default the uniform rectangle's.",
-    )
-    base_heights: Pair | None = Field(
-        default=None, description="Height of the left and the right base corner."
-    )
-    shelves: Annotated[list[Load], Field(min_length=1, max_length=100)] | None = Field(
+    cg_offset: Pair | None = of(Body, "cg_offset", listed=True, default=None)
+    inertia: float | None = of(Body, "inertia")
+    base_heights: Pair | None = of(Body, "base_heights", listed=True, default=None)
+    shelves: Loads | None = Field(
         default=None, description="Load on each shelf from the lowest up; mass, centre and inertia follow."
     )
 
@@ -106,32 +85,16 @@ class FloorTable(Table):
     """The floor: a surface preset, coefficients of one's own, or both, the latter overriding."""
 
     surface: Surface | None = Field(default=None, description="A surface preset; a default, not a citation.")
-    static_friction: Friction | None = Field(default=None, description="Static friction of the flat base.")
-    kinetic_friction: Friction | None = Field(default=None, description="Kinetic friction of the flat base.")
-    edge_static_friction: Friction | None = Field(
-        default=None, description="Static friction of a single corner."
-    )
-    edge_kinetic_friction: Friction | None = Field(
-        default=None, description="Kinetic friction of a single corner."
-    )
-    left_edge_static_friction: Friction | None = Field(
-        default=None, description="Static friction of the left base corner alone, as of a strip of rubber."
-    )
-    left_edge_kinetic_friction: Friction | None = Field(
-        default=None, description="Kinetic friction of the left base corner alone."
-    )
-    right_edge_static_friction: Friction | None = Field(
-        default=None, description="Static friction of the right base corner alone."
-    )
-    right_edge_kinetic_friction: Friction | None = Field(
-        default=None, description="Kinetic friction of the right base corner alone."
-    )
-    restitution: Restitution = Field(
-        default=1.0, description="Factor on the rotation rate at a change of fulcrum; 1: Housner."
-    )
-    normal_restitution: Restitution = Field(
-        default=0.0, description="Newton's restitution of a landing corner."
-    )
+    static_friction: float | None = of(Floor, "static_friction", default=None)
+    kinetic_friction: float | None = of(Floor, "kinetic_friction", default=None)
+    edge_static_friction: float | None = of(Floor, "edge_static_friction")
+    edge_kinetic_friction: float | None = of(Floor, "edge_kinetic_friction")
+    left_edge_static_friction: float | None = of(Floor, "left_edge_static_friction")
+    left_edge_kinetic_friction: float | None = of(Floor, "left_edge_kinetic_friction")
+    right_edge_static_friction: float | None = of(Floor, "right_edge_static_friction")
+    right_edge_kinetic_friction: float | None = of(Floor, "right_edge_kinetic_friction")
+    restitution: float = of(Floor, "restitution")
+    normal_restitution: float = of(Floor, "normal_restitution")
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
@@ -147,17 +110,17 @@ class FloorTable(Table):
 class WallTable(Table):
     """A wall beside the body."""
 
-    gap: Distance = Field(description="Clear distance from the body's side to the wall.")
-    restitution: Restitution = Field(default=0.3, description="Wall collision factor.")
-    friction: Friction = Field(default=0.3, description="Friction of a corner on the wall.")
+    gap: float = of(Wall, "gap")
+    restitution: float = of(Wall, "restitution")
+    friction: float = of(Wall, "friction")
 
 
 class CeilingTable(Table):
     """A ceiling above the body."""
 
-    height: Annotated[float, between(1e-3, 1e4, "m")] = Field(description="Height above the floor.")
-    restitution: Restitution = Field(default=0.3, description="Collision factor.")
-    friction: Friction = Field(default=0.3, description="Friction of a corner on the ceiling.")
+    height: float = of(Ceiling, "height")
+    restitution: float = of(Ceiling, "restitution")
+    friction: float = of(Ceiling, "friction")
 
 
 FloorChoice = Annotated[
@@ -197,10 +160,10 @@ class RoomTable(Table):
 class InitialTable(Table):
     """How the body stands and moves at the beginning."""
 
-    tilt: Annotated[float, between(-1.57, 1.57, "rad")] = Field(default=0.0, description="Tilt, + right.")
-    tilt_rate: Annotated[float, between(-1e3, 1e3, "rad/s")] = Field(default=0.0, description="Tilt rate.")
-    slide: Annotated[float, between(-1e3, 1e3, "m")] = Field(default=0.0, description="Slide, + right.")
-    slide_rate: Annotated[float, between(-1e3, 1e3, "m/s")] = Field(default=0.0, description="Slide rate.")
+    tilt: float = of(State, "tilt")
+    tilt_rate: float = of(State, "tilt_rate")
+    slide: float = of(State, "slide")
+    slide_rate: float = of(State, "slide_rate")
 
     def state(self) -> State:
         """Make the initial state."""

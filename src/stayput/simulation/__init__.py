@@ -1,1 +1,1 @@
-"""How it moves: one case, or many over threads here or a Dask cluster."""
+"""Simulation of one case, or of many on threads or a Dask cluster."""

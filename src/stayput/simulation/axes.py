@@ -14,6 +14,7 @@ from stayput.motion import Motion
 from stayput.simulation.flat_fields import (
     WALLS_AND_CEILING,
     body_fields,
+    distance_to,
     flat_fields,
     floor_fields,
     room_fields,
@@ -31,24 +32,6 @@ if TYPE_CHECKING:
 
 Axes: TypeAlias = "Mapping[str | tuple[str, ...], Any]"
 
-UNITS = {
-    "width": "m",
-    "height": "m",
-    "mass": "kg",
-    "inertia": "kg m2",
-    "x": "m",
-    "z": "m",
-    "left": "m",
-    "right": "m",
-    "gap": "m",
-    "tilt": "rad",
-    "tilt_rate": "rad/s",
-    "slide": "m",
-    "slide_rate": "m/s",
-    "gravity": "m/s2",
-}
-"""Units by the last word of a path; other numbers have none."""
-
 OBJECT_PATHS: dict[str, tuple[type | tuple[type, ...], Callable[[Any], dict[str, float]]]] = {
     "body": (Body, body_fields),
     "room": (Room, room_fields),
@@ -60,11 +43,6 @@ OBJECT_PATHS: dict[str, tuple[type | tuple[type, ...], Callable[[Any], dict[str,
 """Paths whose values are objects: the types of these, and the function that returns an object's numbers."""
 
 
-def unit_of(path: str) -> str:
-    """Return the unit of a path's numbers, empty where they have none."""
-    return UNITS.get(path.rsplit(".", 1)[-1], "")
-
-
 def base_numbers(case: Case) -> dict[str, float]:
     """Return a case's numbers by path; its motion is the first in the grid's list of motions."""
     numbers = flat_fields(case.body, case.room, case.initial, case.gravity)
@@ -74,7 +52,7 @@ def base_numbers(case: Case) -> dict[str, float]:
 def make_grid(case: Case, axes: Axes) -> Grid:
     """Return the grid of all combinations of the axes' values.
 
-    A tuple of paths is one axis, along which their values go together.
+    A tuple of paths is one axis, along which their values change together.
 
     Raises
     ------
@@ -83,26 +61,26 @@ def make_grid(case: Case, axes: Axes) -> Grid:
     """
     base = base_numbers(case)
     motions: list[Motion] = [case.motion]
-    made: list[Axis] = []
+    grid_axes: list[Axis] = []
     for paths, values in axes.items():
         names = (paths,) if isinstance(paths, str) else tuple(paths)
-        given = (values,) if isinstance(paths, str) else tuple(values)
-        if len(names) != len(given) or not names:
-            raise InputError("simulation.axis_lists", "axes", names=str(names), count=len(given))
-        made.append(_axis(names, given, base, motions))
-    _refuse_repeats(made)
-    _refuse_missing_surfaces(base, made)
-    grid = Grid(base, tuple(made), tuple(motions), tuple(case.measures))
+        value_lists = (values,) if isinstance(paths, str) else tuple(values)
+        if len(names) != len(value_lists) or not names:
+            raise InputError("simulation.axis_lists", "axes", names=str(names), count=len(value_lists))
+        grid_axes.append(_axis(names, value_lists, base, motions))
+    _refuse_repeats(grid_axes)
+    _refuse_missing_surfaces(base, grid_axes)
+    grid = Grid(base, tuple(grid_axes), tuple(motions), tuple(case.measures))
     grid.refuse_bad_cases()
     return grid
 
 
 def _axis(
-    names: tuple[str, ...], given: tuple[Any, ...], base: dict[str, float], motions: list[Motion]
+    names: tuple[str, ...], value_lists: tuple[Any, ...], base: dict[str, float], motions: list[Motion]
 ) -> Axis:
     columns: Columns = {}
     labels: dict[str, Any] = {}
-    for name, values in zip(names, given, strict=True):
+    for name, values in zip(names, value_lists, strict=True):
         added, label = _columns(name, values, base, motions)
         repeated = columns.keys() & added.keys()
         if repeated:
@@ -177,7 +155,7 @@ def _refuse_repeats(axes: list[Axis]) -> None:
 def _refuse_missing_surfaces(base: dict[str, float], axes: list[Axis]) -> None:
     changed = {path for axis in axes for path in axis.columns}
     for name in WALLS_AND_CEILING:
-        distance = f"room.{name}.{'height' if name == 'ceiling' else 'gap'}"
+        distance = distance_to(name)
         touched = [path for path in changed if path.startswith(f"room.{name}.")]
         if touched and distance not in changed and np.isinf(base[distance]):
             raise InputError(

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     RunPoints: TypeAlias = (
         "Callable[[NDArray[np.intp], NDArray[np.float64]], tuple[NDArray[np.bool_], NDArray[np.int32]]]"
     )
-    """RunPoints points at amplitudes, shape (k,) each; returns whether the body falls, and its landings."""
+    """Runs points at amplitudes, shape (k,) each; returns whether the body falls, and its landings."""
 
 __all__ = ["Edge", "overturning_map", "trace_boundary"]
 
@@ -287,7 +287,7 @@ def hidden_crossings(
         same = landed == below[todo]
         lower[todo] = np.where(fallen & same, middle, lower[todo])
         upper[todo] = np.where(fallen & ~same, middle, upper[todo])
-    found = ~np.isnan(island)
-    up = np.ones(np.count_nonzero(found), np.int8)
-    back = Crossings(point[found], lower[found], island[found], -up)
-    return back.merged_with(Crossings(point[found], island[found], upper[found], up))
+    has_island = ~np.isnan(island)
+    up = np.ones(np.count_nonzero(has_island), np.int8)
+    back = Crossings(point[has_island], lower[has_island], island[has_island], -up)
+    return back.merged_with(Crossings(point[has_island], island[has_island], upper[has_island], up))

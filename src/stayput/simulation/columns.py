@@ -63,7 +63,7 @@ def run_columns(
     *,
     threads: int | None = None,
     progress: bool | None = None,
-    told: Callable[[int], None] | None = None,
+    on_progress: Callable[[int], None] | None = None,
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
     """Run cases on threads, each with its own devices and motion, under the "coulomb" contact law.
 
@@ -82,7 +82,7 @@ def run_columns(
         Threads; default one for each core that this process may use.
     progress : bool, optional
         Whether to draw a bar on standard error; default on a terminal.
-    told : callable, optional
+    on_progress : callable, optional
         Called on this thread with the number of cases just done; an exception that it raises stops the work.
 
     Returns
@@ -110,15 +110,15 @@ def run_columns(
     results, devices = np.zeros(len(cases), RESULT), np.zeros(rows.shape, DEVICE)
 
     def run(chunk: NDArray[np.intp]) -> int:
-        found = run_rows(cases[chunk], rows[chunk], prepared[int(indices[chunk[0]])])
-        results[chunk], devices[chunk] = found
+        motion = prepared[int(indices[chunk[0]])]
+        results[chunk], devices[chunk] = run_rows(cases[chunk], rows[chunk], motion)
         return len(chunk)
 
-    with bar(len(cases), "Simulating", progress) as tell, ThreadExecutor(threads) as executor:
+    with bar(len(cases), "Simulating", progress) as advance, ThreadExecutor(threads) as executor:
         for _, done in executor.as_completed(Call(run, chunk) for chunk in _chunks(indices)):
-            tell(done)
-            if told is not None:
-                told(done)
+            advance(done)
+            if on_progress is not None:
+                on_progress(done)
     return results, devices
 
 

@@ -3,76 +3,94 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from stayput.errors import within
 from stayput.mechanics.columns import CASE
 from stayput.model.body import Body
+from stayput.model.parameters import Parameter, parameters
 from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.model.state import State, refuse_bad_start
+from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from numpy.typing import NDArray
 
-Numbers: TypeAlias = "float | NDArray[np.float64]"
+NumberOrColumn: TypeAlias = "float | NDArray[np.float64]"
+
+
+PAIRS = {"cg_offset": ("x", "z"), "base_heights": ("left", "right")}
+"""Fields of two numbers, and the words that name each in its path."""
+
+KINDS: dict[str, type] = {
+    "body": Body,
+    "room.floor": Floor,
+    "room.left_wall": Wall,
+    "room.right_wall": Wall,
+    "room.ceiling": Ceiling,
+    "initial": State,
+}
+"""What numbers belong to, by the beginnings of their paths."""
+
+GRAVITY = Parameter("gravity", STANDARD_GRAVITY, "m/s²", 0.01, 1e3, ("Gravity", "重力加速度"))
+SCALE = Parameter("motion.scale", 1.0, "", -1e6, 1e6, ("Scale of the motion", "地震動の倍率"))
+
+
+def _paths(path: str, about: Parameter) -> list[str]:
+    """Return the paths of the numbers of a field: one, or two of a pair."""
+    name = f"{path}.{about.name}"
+    return [f"{name}.{word}" for word in PAIRS.get(about.name, ())] or [name]
+
+
+UNITS = {GRAVITY.name: GRAVITY.unit} | {
+    name: about.unit
+    for path, kind in KINDS.items()
+    for about in parameters(kind)
+    for name in _paths(path, about)
+}
+"""Units by path."""
+
+
+def unit_of(path: str) -> str:
+    """Return the unit of a path's numbers in ASCII, empty where they have none."""
+    return UNITS.get(path, "").replace("²", "2")
+
+
+def _numbers(path: str, value: Body | Floor | Wall | Ceiling | State) -> dict[str, float]:
+    """Return the numbers of a value by their paths; one that follows from others, None, is NaN."""
+    found: dict[str, float] = {}
+    for about in parameters(value):
+        given = getattr(value, about.name)
+        numbers = given if about.name in PAIRS else (math.nan if given is None else given,)
+        found |= zip(_paths(path, about), numbers, strict=True)
+    return found
 
 
 def body_fields(body: Body) -> dict[str, float]:
     """Return a body's numbers by their paths; an inertia that follows from the section is NaN."""
-    return {
-        "body.width": body.width,
-        "body.height": body.height,
-        "body.mass": body.mass,
-        "body.inertia": math.nan if body.inertia is None else body.inertia,
-        "body.cg_offset.x": body.cg_offset[0],
-        "body.cg_offset.z": body.cg_offset[1],
-        "body.base_heights.left": body.base_heights[0],
-        "body.base_heights.right": body.base_heights[1],
-    }
-
-
-OWN_FRICTION = tuple(
-    f"{side}_edge_{kind}_friction" for side in ("left", "right") for kind in ("static", "kinetic")
-)
-
-
-"""Names of the coefficients of one base corner alone."""
-
-
-def _nan_for_none(value: float | None) -> float:
-    return math.nan if value is None else value
+    return _numbers("body", body)
 
 
 def floor_fields(floor: Floor) -> dict[str, float]:
     """Return a floor's numbers by their paths; an edge's friction that is the base's is NaN."""
-    return {
-        "room.floor.static_friction": floor.static_friction,
-        "room.floor.kinetic_friction": floor.kinetic_friction,
-        "room.floor.edge_static_friction": _nan_for_none(floor.edge_static_friction),
-        "room.floor.edge_kinetic_friction": _nan_for_none(floor.edge_kinetic_friction),
-        **{f"room.floor.{name}": _nan_for_none(getattr(floor, name)) for name in OWN_FRICTION},
-        "room.floor.restitution": floor.restitution,
-        "room.floor.normal_restitution": floor.normal_restitution,
-    }
+    return _numbers("room.floor", floor)
 
 
 def surface_fields(name: str, surface: Wall | Ceiling | None) -> dict[str, float]:
     """Return the numbers of ``left_wall``, ``right_wall`` or ``ceiling``; far away where there is none."""
-    distance = "height" if name == "ceiling" else "gap"
-    if surface is None:
-        surface = Wall(0.0)
-        place = math.inf
-    else:
-        place = surface.height if isinstance(surface, Ceiling) else surface.gap
-    return {
-        f"room.{name}.{distance}": place,
-        f"room.{name}.restitution": surface.restitution,
-        f"room.{name}.friction": surface.friction,
-    }
+    path = f"room.{name}"
+    if surface is not None:
+        return _numbers(path, surface)
+    none = Ceiling(1.0) if name == "ceiling" else Wall(0.0)
+    return _numbers(path, none) | {distance_to(name): math.inf}
+
+
+def distance_to(name: str) -> str:
+    """Return the path of how far ``left_wall``, ``right_wall`` or ``ceiling`` is, infinite for none."""
+    return f"room.{name}.{'height' if name == 'ceiling' else 'gap'}"
 
 
 WALLS_AND_CEILING = ("left_wall", "right_wall", "ceiling")
@@ -80,10 +98,10 @@ WALLS_AND_CEILING = ("left_wall", "right_wall", "ceiling")
 
 def room_fields(room: Room) -> dict[str, float]:
     """Return a room's numbers by their paths."""
-    found = floor_fields(room.floor)
+    numbers = floor_fields(room.floor)
     for name in WALLS_AND_CEILING:
-        found |= surface_fields(name, getattr(room, name))
-    return found
+        numbers |= surface_fields(name, getattr(room, name))
+    return numbers
 
 
 def from_flat_fields(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
@@ -94,39 +112,28 @@ def from_flat_fields(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
     InputError
         Numbers that make no body, room or state, or a body that stands inside a wall or the ceiling.
     """
-
-    def given(path: str) -> float | None:
-        return None if math.isnan(numbers[path]) else numbers[path]
-
-    def part(prefix: str, *names: str) -> list[float]:
-        return [numbers[f"{prefix}.{name}"] for name in names]
-
-    def surface(name: str, kind: type[Wall] | type[Ceiling]) -> Wall | Ceiling | None:
-        distance = "height" if kind is Ceiling else "gap"
-        values = part(f"room.{name}", distance, "restitution", "friction")
-        return None if values[0] == math.inf else kind(*values)
-
-    body = Body(
-        *part("body", "width", "height", "mass"),
-        cg_offset=(numbers["body.cg_offset.x"], numbers["body.cg_offset.z"]),
-        inertia=given("body.inertia"),
-        base_heights=(numbers["body.base_heights.left"], numbers["body.base_heights.right"]),
+    left, right, ceiling = (
+        None if numbers[distance_to(name)] == math.inf else _made(f"room.{name}", numbers)
+        for name in WALLS_AND_CEILING
     )
-    floor = Floor(
-        *part("room.floor", "static_friction", "kinetic_friction"),
-        edge_static_friction=given("room.floor.edge_static_friction"),
-        edge_kinetic_friction=given("room.floor.edge_kinetic_friction"),
-        restitution=numbers["room.floor.restitution"],
-        normal_restitution=numbers["room.floor.normal_restitution"],
-        **{name: given(f"room.floor.{name}") for name in OWN_FRICTION},
-    )
-    left, right = surface("left_wall", Wall), surface("right_wall", Wall)
-    room = Room(floor, left, right, surface("ceiling", Ceiling))  # type: ignore[arg-type]
-    start = State(*part("initial", "tilt", "tilt_rate", "slide", "slide_rate"))
-    within("model.gravity", numbers["gravity"], 0.01, 1e3, "m/s²", "gravity")
-    within("model.motion_scale", numbers["motion.scale"], -1e6, 1e6, field="motion.scale")
+    body, start = _made("body", numbers), _made("initial", numbers)
+    room = Room(_made("room.floor", numbers), left, right, ceiling)
+    for about in (GRAVITY, SCALE):
+        about.check(numbers[about.name])
     refuse_bad_start(body, room, start)
     return body, room, start
+
+
+def _made(path: str, numbers: Mapping[str, float]) -> Any:
+    """Return the value that numbers belong to; the inverse of `_numbers`."""
+    given: dict[str, Any] = {}
+    for about in parameters(KINDS[path]):
+        values = tuple(numbers[name] for name in _paths(path, about))
+        if about.name in PAIRS:
+            given[about.name] = values
+        elif about.default is not None or not math.isnan(values[0]):
+            given[about.name] = values[0]
+    return KINDS[path](**given)
 
 
 def flat_fields(body: Body, room: Room, start: State, gravity: float) -> dict[str, float]:
@@ -134,21 +141,18 @@ def flat_fields(body: Body, room: Room, start: State, gravity: float) -> dict[st
     return {
         **body_fields(body),
         **room_fields(room),
-        "initial.tilt": start.tilt,
-        "initial.tilt_rate": start.tilt_rate,
-        "initial.slide": start.slide,
-        "initial.slide_rate": start.slide_rate,
+        **_numbers("initial", start),
         "gravity": gravity,
         "motion.scale": 1.0,
     }
 
 
-def case_rows(numbers: Mapping[str, Numbers], count: int) -> NDArray[np.void]:
+def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.void]:
     """Return ``count`` rows of `CASE` from numbers by path, each one value or ``count`` of them."""
     rows = np.zeros(count, CASE)
     b, h, m = numbers["body.width"], numbers["body.height"], numbers["body.mass"]
-    given = numbers["body.inertia"]
-    rows["inertia"] = np.where(np.isnan(given), m * (b**2 + h**2) / 12.0, given) / m
+    inertia = numbers["body.inertia"]
+    rows["inertia"] = np.where(np.isnan(inertia), m * (b**2 + h**2) / 12.0, inertia) / m
     x_g, z_g = numbers["body.cg_offset.x"], h / 2 + numbers["body.cg_offset.z"]
     left, right, top = -b / 2 - x_g, b / 2 - x_g, h - z_g
     for corner, (u, v) in enumerate(
@@ -160,19 +164,17 @@ def case_rows(numbers: Mapping[str, Numbers], count: int) -> NDArray[np.void]:
         )
     ):
         rows["u"][:, corner], rows["v"][:, corner] = u, v
-    for name in ("static_friction", "kinetic_friction", "restitution", "normal_restitution"):
-        rows[name] = numbers[f"room.floor.{name}"]
+    for about in parameters(Floor):
+        rows[about.name] = numbers[f"room.floor.{about.name}"]
     for name in ("static_friction", "kinetic_friction"):
         edge = numbers[f"room.floor.edge_{name}"]
         rows[f"edge_{name}"] = np.where(np.isnan(edge), numbers[f"room.floor.{name}"], edge)
-    for name in OWN_FRICTION:
-        rows[name] = numbers[f"room.floor.{name}"]
     for name, column in zip(WALLS_AND_CEILING, ("left", "right", "ceiling"), strict=True):
-        rows[f"{column}_distance"] = numbers[f"room.{name}.{'height' if name == 'ceiling' else 'gap'}"]
+        rows[f"{column}_distance"] = numbers[distance_to(name)]
         rows[f"{column}_restitution"] = numbers[f"room.{name}.restitution"]
         rows[f"{column}_friction"] = numbers[f"room.{name}.friction"]
-    for name in ("tilt", "tilt_rate", "slide", "slide_rate"):
-        rows[name] = numbers[f"initial.{name}"]
+    for about in parameters(State):
+        rows[about.name] = numbers[f"initial.{about.name}"]
     rows["gravity"], rows["scale"] = numbers["gravity"], numbers["motion.scale"]
     return rows
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from stayput.measures import Measure
     from stayput.motion import Motion
-    from stayput.simulation.flat_fields import Numbers
+    from stayput.simulation.flat_fields import NumberOrColumn
 
 Columns: TypeAlias = "dict[str, NDArray[np.float64] | NDArray[np.int64]]"
 
@@ -35,7 +35,7 @@ CHECKED_AT_ONCE = 2**15
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Axis:
-    """Cases along one dimension: columns of numbers by path, and how the user labels them."""
+    """Cases along one dimension: columns of numbers by path, with the user's labels."""
 
     name: str
     columns: Columns
@@ -189,7 +189,7 @@ def _initial_clearances(rows: NDArray[np.void]) -> list[NDArray[np.float64]]:
 
 
 def held_rows(
-    numbers: Mapping[str, Numbers], count: int, measures: tuple[Measure, ...]
+    numbers: Mapping[str, NumberOrColumn], count: int, measures: tuple[Measure, ...]
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
     """Return rows of cases with their measures in place: CASE, shape [count], and ELEMENT, shape [count, n].
 
@@ -240,7 +240,7 @@ def _distinct(table: NDArray[np.float64]) -> tuple[list[int], NDArray[np.intp]]:
     return first, which
 
 
-def _number(values: Numbers, row: int) -> float:
+def _number(values: NumberOrColumn, row: int) -> float:
     """Return the number of one row; a single number is that of all rows."""
     every = np.ravel(values)
     return float(every[row if every.size > 1 else 0])

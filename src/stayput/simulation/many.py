@@ -104,12 +104,12 @@ def run_grid(
         return Call(run_block, grid.block(start, min(start + chunk, count)), motions)
 
     with (
-        bar(count, "Simulating", progress) as tell,
+        bar(count, "Simulating", progress) as advance,
         ThreadExecutor(threads) if client is None else DaskExecutor(client) as executor,
     ):
         for number, results in executor.as_completed(map(call, starts)):
             fill_columns(columns, starts[number], results)
-            tell(len(results))
+            advance(len(results))
     return columns
 
 
@@ -119,8 +119,8 @@ def run_block(block: CaseBlock, motions: PreparedMotions) -> NDArray[np.void]:
     results = np.zeros(block.count, CASE_RESULT)
     for group in np.unique(groups):
         chosen = np.flatnonzero(groups == group)
-        found = run_rows(rows[chosen], elements[chosen], motions[int(group)])
-        results[chosen] = case_results(elements[chosen], *found)
+        outcome = run_rows(rows[chosen], elements[chosen], motions[int(group)])
+        results[chosen] = case_results(elements[chosen], *outcome)
     return results
 
 

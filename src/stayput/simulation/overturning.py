@@ -68,10 +68,10 @@ def overturning_map(
     >>> import stayput as sp
     >>> wave = sp.sine(9.81, 2.0, 0.5, quiet=10.0)
     >>> case = sp.Case(sp.Body(0.4, 1.8), sp.Room(sp.Floor(3.0, 3.0)), wave)
-    >>> found = overturning_map(case, [0.4, 0.5, 1.2, 1.33, 1.4, 1.5])
-    >>> found.overturned.values.tolist()
+    >>> result = overturning_map(case, [0.4, 0.5, 1.2, 1.33, 1.4, 1.5])
+    >>> result.overturned.values.tolist()
     [False, True, True, False, True, True]
-    >>> float(found["first"]), float(found["last"]), int(found["islands"])
+    >>> float(result["first"]), float(result["last"]), int(result["islands"])
     (0.5, 1.4, 1)
     """
     sampled = checked_amplitudes(amplitudes, axes)
@@ -92,10 +92,10 @@ def overturning_map(
         "fraction": (falls.mean(SCALE), "part of the amplitudes at which it falls"),
         "islands": (back - open_top, "number of ranges of standing between two of falling"),
     }
-    found = data[["overturned", "floor_impacts"]].assign(failed=failed)
+    result = data[["overturned", "floor_impacts"]].assign(failed=failed)
     for name, (values, meaning) in summaries.items():
-        found[name] = values.assign_attrs(long_name=meaning)
-    return found.assign_attrs(_resolution(sampled))
+        result[name] = values.assign_attrs(long_name=meaning)
+    return result.assign_attrs(_resolution(sampled))
 
 
 def checked_amplitudes(amplitudes: ArrayLike, axes: Axes | None) -> NDArray[np.float64]:

@@ -45,7 +45,7 @@ COUNTS: dict[str, str] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Quantity:
+class ResultColumn:
     """A column of results."""
 
     name: str
@@ -55,11 +55,11 @@ class Quantity:
 
 
 QUANTITIES = (
-    Quantity("outcome", "i1", "", "what became of the body: the flag's place in flag_meanings"),
-    Quantity("overturned", "?", "", "whether the tilt reached 90°"),
-    *(Quantity(name, "f8", unit, meaning) for name, (unit, meaning) in RESULTS.items()),
-    *(Quantity(name, "i4", "", meaning) for name, meaning in COUNTS.items()),
-    Quantity("events", "i4", "", "all events"),
+    ResultColumn("outcome", "i1", "", "what became of the body: the flag's place in flag_meanings"),
+    ResultColumn("overturned", "?", "", "whether the tilt reached 90°"),
+    *(ResultColumn(name, "f8", unit, meaning) for name, (unit, meaning) in RESULTS.items()),
+    *(ResultColumn(name, "i4", "", meaning) for name, meaning in COUNTS.items()),
+    ResultColumn("events", "i4", "", "all events"),
 )
 """The columns of results."""
 
@@ -94,7 +94,7 @@ OUTCOMES = tuple(outcome.value for outcome in Outcome)
 
 def empty_columns(count: int) -> dict[str, NDArray[np.generic]]:
     """Return columns for the results of ``count`` cases, by name, to be filled."""
-    return {q.name: np.zeros(count, q.dtype) for q in QUANTITIES}
+    return {column.name: np.zeros(count, column.dtype) for column in QUANTITIES}
 
 
 def fill_columns(columns: dict[str, NDArray[np.generic]], start: int, results: NDArray[np.void]) -> None:

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from stayput.errors import InputError, within
+from stayput.errors import InputError
 from stayput.measures.measure import Held, element_rows, hold
 from stayput.measures.results import DeviceResult, device_results
 from stayput.mechanics import columns as col
 from stayput.model.state import State, refuse_bad_start
 from stayput.motion.units import STANDARD_GRAVITY
-from stayput.simulation.flat_fields import case_columns
+from stayput.simulation.flat_fields import GRAVITY, case_columns
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -43,7 +43,7 @@ LAWS: tuple[Contact, ...] = ("coulomb", "paper")
 
 
 class Outcome(StrEnum):
-    """What became of the body."""
+    """Outcome of a run."""
 
     RESTED = "rested"
     SLID = "slid"
@@ -66,7 +66,7 @@ class Mode(StrEnum):
 
 
 class EventKind(StrEnum):
-    """What happens at an event."""
+    """Kind of an event."""
 
     SLIP = "slip"
     STICK = "stick"
@@ -114,7 +114,7 @@ class Event:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Run:
-    """What became of one body under one motion; made by `simulate`.
+    """Result of one body under one motion; made by `simulate`.
 
     Histories hold one value per sample of the record, shape [n], up to the end of the run: the record's
     last sample, or the last one before the body turned over.
@@ -228,11 +228,11 @@ class Run:
 
         return plot_run(self, path)
 
-    def animate(self, path: str | Path) -> Path:
+    def animate(self, path: str | Path, language: str = "en") -> Path:
         """Write an animation (GIF, MP4 or HTML); see `stayput.report.animation.animate_run`."""
         from stayput.report.animation import animate_run
 
-        return animate_run(self, path)
+        return animate_run(self, path, language=language)
 
 
 @dataclass(frozen=True, slots=True)
@@ -307,7 +307,7 @@ def simulate(
     from stayput.mechanics.runner import shaking
 
     start = State() if initial is None else initial
-    within("model.gravity", gravity, 0.01, 1e3, "m/s²", "gravity")
+    GRAVITY.check(gravity)
     if most_events is not None and most_events < 2:
         raise InputError("model.most_events", "most_events", value=most_events)
     refuse_bad_start(body, room, start)
@@ -340,8 +340,8 @@ def trace_held(
         return traced, np.zeros(0, DEVICE), np.zeros((len(traced.history), 0, FORCES))
     from stayput.mechanics.devices.runner import trace_with_devices
 
-    found = trace_with_devices(case, elements, motion)
-    return found.run, found.devices, found.forces
+    traced = trace_with_devices(case, elements, motion)
+    return traced.run, traced.devices, traced.forces
 
 
 def law_number(contact: str) -> int:
@@ -358,7 +358,7 @@ def run_of(
     devices: tuple[DeviceResult, ...],
     most_events: int | None = None,
 ) -> Run:
-    """Name what the mechanics returned in numbers."""
+    """Return the `Run` of the mechanics' numbers, with names of modes, events and outcome."""
     modes = np.array([mode.value for mode in Mode])
     history = traced.history.T.copy()
     first, cut, last = _split(traced.listed, most_events)

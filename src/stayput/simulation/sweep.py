@@ -10,7 +10,8 @@ import xarray as xr
 from stayput.errors import InputError
 from stayput.execution import Call, ThreadExecutor
 from stayput.mechanics import columns as col
-from stayput.simulation.axes import make_grid, unit_of
+from stayput.simulation.axes import make_grid
+from stayput.simulation.flat_fields import unit_of
 from stayput.simulation.many import groups_of, prepared_motions, run_grid
 from stayput.simulation.results import HISTORIES, OUTCOMES, QUANTITIES
 from stayput.simulation.run import trace_held
@@ -80,14 +81,14 @@ def sweep(
     columns = run_grid(grid, threads=threads, client=client, chunk=chunk, progress=progress)
     data = _frame(grid, case)
     dims = [axis.name for axis in grid.axes]
-    for quantity in QUANTITIES:
-        attributes: dict[str, Any] = {"long_name": quantity.meaning}
-        if quantity.unit:
-            attributes["units"] = quantity.unit
-        if quantity.name == "outcome":
+    for column in QUANTITIES:
+        attributes: dict[str, Any] = {"long_name": column.meaning}
+        if column.unit:
+            attributes["units"] = column.unit
+        if column.name == "outcome":
             attributes |= {"flag_values": np.arange(len(OUTCOMES), dtype=np.int8)}
             attributes |= {"flag_meanings": " ".join(OUTCOMES)}
-        data[quantity.name] = (dims, columns[quantity.name].reshape(grid.shape), attributes)
+        data[column.name] = (dims, columns[column.name].reshape(grid.shape), attributes)
     if times is not None:
         data = data.assign_coords(time=("time", times, {"units": "s"}))
         for name, (values, attributes) in traced.items():

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.body import Body
-    from stayput.studies.capacity_runs import Capacity, Shakings
+    from stayput.studies.capacity_runs import BodyCapacity, Shakings
 
 BAND = 0.2
 """How far a median may be from the formula's."""
@@ -71,12 +71,12 @@ MARKERS = ("o", "s", "^", "D", "v")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Row:
+class SettingResult:
     """All sizes in one setting under motions of one kind."""
 
     setting: str
     shakings: Shakings
-    capacities: list[Capacity]
+    capacities: list[BodyCapacity]
 
 
 def capacity(
@@ -132,15 +132,15 @@ def capacity(
                 name = f"{family} motions as drawn, {'x and vertical' if vertical else 'x alone'}"
                 shakings = as_drawn(family, count, seed, vertical=vertical)
                 work.append((Setting(name, STATED.room), shakings))
-    rows: list[_Row] = []
+    rows: list[SettingResult] = []
     with bar(len(work) * len(bodies) * count * len(factors), "Overturning") as advance:
         for setting, shakings in work:
-            capacities: list[Capacity] = []
+            capacities: list[BodyCapacity] = []
             for body in bodies.values():
                 capacities.append(overturning(body, setting.room, shakings, factors))
                 advance(count * len(factors))
-            rows.append(_Row(setting.name, shakings, capacities))
-    data = _together(rows, bodies, factors)
+            rows.append(SettingResult(setting.name, shakings, capacities))
+    data = _dataset(rows, bodies, factors)
     medians = "Median peak acceleration that overturns, A₅₀ [m/s²], by simulation and by the formula"
     tables = {medians: medians_table(data)}
     if variations:
@@ -155,27 +155,27 @@ def capacity(
     )
 
 
-def _together(rows: list[_Row], bodies: dict[str, Body], factors: NDArray[np.float64]) -> xr.Dataset:
+def _dataset(rows: list[SettingResult], bodies: dict[str, Body], factors: NDArray[np.float64]) -> xr.Dataset:
     """Return all results in one dataset."""
     sizes = [(body.width, body.height) for body in bodies.values()]
     frequency = np.array([np.median(row.shakings.frequencies) for row in rows])
     formula = np.array([[kaneko_hayashi_median(*size, float(fe)) for size in sizes] for fe in frequency])
 
-    def each(name: str) -> NDArray[np.float64]:
+    def values_of(name: str) -> NDArray[np.float64]:
         return np.array([[getattr(capacity, name) for capacity in row.capacities] for row in rows])
 
-    interval, first = each("interval"), each("first")
+    interval, first = values_of("interval"), values_of("first")
     pga, pgv = (np.array([row.shakings.peaks[place] for row in rows]) for place in (0, 1))
-    results = {name: each(name) for name in ("ratio", "dispersion", "islands")}
+    results = {name: values_of(name) for name in ("ratio", "dispersion", "islands")}
     results |= {"ratio_low": interval[..., 0], "ratio_high": interval[..., 1]}
-    results |= {"first_ratio": np.median(first, axis=-1), "given_up": each("given_up").astype(np.int64)}
+    results |= {"first_ratio": np.median(first, axis=-1), "given_up": values_of("given_up").astype(np.int64)}
     over = ("run", "body")
     share, lowest = "share of the motions that overturn", "first amplitude that overturns, over A50"
     return xr.Dataset(
         {
             **{name: (over, results[name], {"long_name": about}) for name, about in RESULTS.items()},
             "formula": (over, formula, {"units": "m/s2", "long_name": "A50 of the formula at the median Fe"}),
-            "share": ((*over, "amplitude"), each("shares"), {"long_name": share}),
+            "share": ((*over, "amplitude"), values_of("shares"), {"long_name": share}),
             "first": ((*over, "motion"), first, {"long_name": lowest}),
             "pga": (("run", "motion"), pga, {"units": "m/s2"}),
             "pgv": (("run", "motion"), pgv, {"units": "m/s"}),
@@ -259,15 +259,15 @@ def variations_table(data: xr.Dataset) -> pd.DataFrame:
     """Return a row for each setting: the ratios of each size over its spectra, and how many are within."""
     rows: list[dict[str, object]] = []
     for name in dict.fromkeys(data["setting"].to_numpy().tolist()):
-        mine = data.isel(run=np.flatnonzero(data["setting"].to_numpy() == name))
-        ratio = mine["ratio"].to_numpy()
-        spread = {str(size): _span(ratio[:, place]) for place, size in enumerate(mine["body"].to_numpy())}
+        runs = data.isel(run=np.flatnonzero(data["setting"].to_numpy() == name))
+        ratio = runs["ratio"].to_numpy()
+        spread = {str(size): _span(ratio[:, place]) for place, size in enumerate(runs["body"].to_numpy())}
         rows.append(
             {
                 "condition": name,
                 **spread,
                 "within ±20 %": f"{int(inside(ratio).sum())} of {ratio.size}",
-                "ζ": _span(mine["dispersion"].to_numpy().ravel()),
+                "ζ": _span(runs["dispersion"].to_numpy().ravel()),
             }
         )
     return pd.DataFrame(rows)

@@ -1,4 +1,4 @@
-"""The study of capacities: its motions, and what overturns when each is scaled to every amplitude."""
+"""Runs of the capacity study: its motions, each scaled to every amplitude, and what they overturn."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ SIZES = ("bookcase", "cupboard", "chest", "refrigerator")
 STICKING = 3.0
 """Friction of the floor: no body slips."""
 
-TAMED = 0.9
+LANDING_FACTOR = 0.9
 """Factor on Housner's rate after a landing, where landings are made to lose more."""
 
 BEHIND = Wall(0.02)
@@ -134,7 +134,7 @@ def as_drawn(family: str, count: int, seed: int, *, vertical: bool) -> Shakings:
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """Under what conditions the bodies stand.
+    """The floor and the walls of a series of runs.
 
     Parameters
     ----------
@@ -153,7 +153,8 @@ STATED = Setting("as stated", Room(Floor(STICKING, STICKING)))
 
 OTHERS = (
     Setting(
-        f"landings of {TAMED:g} times Housner's rate", Room(Floor(STICKING, STICKING, restitution=TAMED))
+        f"landings of {LANDING_FACTOR:g} times Housner's rate",
+        Room(Floor(STICKING, STICKING, restitution=LANDING_FACTOR)),
     ),
     Setting(f"a wall {100 * BEHIND.gap:g} cm behind", Room(Floor(STICKING, STICKING), left_wall=BEHIND)),
 )
@@ -175,8 +176,8 @@ def body_of(size: str) -> Body:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Capacity:
-    """What overturns one body under motions of one kind.
+class BodyCapacity:
+    """Simulated capacity of one body under motions of one kind, beside the formula's.
 
     Parameters
     ----------
@@ -203,7 +204,7 @@ class Capacity:
 
     @property
     def ratio(self) -> float:
-        """Where half fall by the simulation, over the formula's A₅₀; NaN where the curve does not say."""
+        """Simulated median capacity over the formula's A₅₀; NaN where the curve has none."""
         return self.curve.capacity(0.5).estimate
 
     @property
@@ -224,8 +225,8 @@ def amplitudes(step: float) -> NDArray[np.float64]:
     return np.geomspace(LOWEST, HIGHEST, count)
 
 
-def overturning(body: Body, room: Room, shakings: Shakings, factors: NDArray[np.float64]) -> Capacity:
-    """Scale every motion to every amplitude and see what overturns.
+def overturning(body: Body, room: Room, shakings: Shakings, factors: NDArray[np.float64]) -> BodyCapacity:
+    """Run a body under every motion at every amplitude, and return its capacity.
 
     Parameters
     ----------
@@ -248,7 +249,7 @@ def overturning(body: Body, room: Room, shakings: Shakings, factors: NDArray[np.
     fell, lost = outcome == OVERTURNED_OUTCOME, outcome == FAILED_OUTCOME
     trials = Trials.from_runs(AMPLITUDE, factors, fell.T[:, :, np.newaxis], lost.T[:, :, np.newaxis])
     any_fell = fell.any(axis=1)
-    return Capacity(
+    return BodyCapacity(
         formula=formula,
         curve=fragility_curve(trials),
         shares=fell.mean(axis=0),

@@ -199,8 +199,8 @@ def draw_critical(table: pd.DataFrame, fit: Fit) -> Figure:
     style(axis, zero=False)
     line = np.linspace(float(main["ratio"].min()), float(main["ratio"].max()), 50)
     for f, colour, marker in zip(frequencies, _shades(len(frequencies)), MARKERS * 9, strict=False):
-        mine = rows_of(main, frequency=f)
-        axis.plot(mine["ratio"], mine["critical"], marker, color=colour, markersize=6.0, label=f"{f:g} Hz")
+        rows = rows_of(main, frequency=f)
+        axis.plot(rows["ratio"], rows["critical"], marker, color=colour, markersize=6.0, label=f"{f:g} Hz")
         axis.plot(line, regression(fit.coefficients, line, np.full(50, f)), color=colour, linewidth=1.4)
         axis.plot(line, regression(EQUATION_4_1, line, np.full(50, f)), "--", color=colour, linewidth=1.4)
     axis.plot([], [], "o", color=INK, label="ours")
@@ -222,9 +222,9 @@ def draw_residuals(table: pd.DataFrame) -> Figure:
     for axis, against, name in zip(axes, ("fit", "eq_4_1"), ("our fit", "the paper's Eq. 4.1"), strict=True):
         style(axis)
         for f, colour, marker in zip(frequencies, _shades(len(frequencies)), MARKERS * 9, strict=False):
-            mine = rows_of(main, frequency=f)
-            off = 100.0 * (mine["critical"] / mine[against] - 1.0)
-            axis.plot(mine["ratio"], off, f"-{marker}", color=colour, linewidth=1.0, label=f"{f:g} Hz")
+            rows = rows_of(main, frequency=f)
+            off = 100.0 * (rows["critical"] / rows[against] - 1.0)
+            axis.plot(rows["ratio"], off, f"-{marker}", color=colour, linewidth=1.0, label=f"{f:g} Hz")
         axis.set_title(f"Against {name}", fontsize=FONT)
         axis.set_xlabel("Aspect ratio b/h [–]", fontsize=FONT)
     axes[0].set_ylabel("Our critical amplitude, deviation [%]", fontsize=FONT)
@@ -242,10 +242,10 @@ def draw_scale_free(table: pd.DataFrame) -> Figure:
         for height, marker, large in zip(
             sorted(sizes["height"].unique()), "ox^", (13.0, 8.0, 5.0), strict=True
         ):
-            mine = rows_of(sizes, ratio=ratio, height=height)
+            rows = rows_of(sizes, ratio=ratio, height=height)
             axis.plot(
-                mine["omega_over_p"],
-                mine["scaled"],
+                rows["omega_over_p"],
+                rows["scaled"],
                 marker=marker,
                 markersize=large,
                 fillstyle="none" if marker == "o" else "full",
@@ -297,10 +297,10 @@ def _influence(axis: Axes, part: pd.DataFrame, names: pd.Series[str]) -> None:
     for name, colour, dashes, marker in zip(
         sorted(set(names), key=list(names).index), COLOURS, DASHES, MARKERS, strict=False
     ):
-        mine = rows_of(part.assign(name=names), name=name)
-        label = f"{name}: never turns over" if mine["critical"].isna().all() else name
+        rows = rows_of(part.assign(name=names), name=name)
+        label = f"{name}: never turns over" if rows["critical"].isna().all() else name
         axis.plot(
-            mine["frequency"], mine["critical"], marker=marker, linestyle=dashes, color=colour, label=label
+            rows["frequency"], rows["critical"], marker=marker, linestyle=dashes, color=colour, label=label
         )
     once = part.drop_duplicates("frequency")
     axis.plot(once["frequency"], once["eq_4_1"], color=MUTED, linewidth=3.0, alpha=0.4, label="Eq. 4.1")

@@ -62,7 +62,7 @@ CONFIDENCE = 0.95
 
 @dataclass(frozen=True, slots=True)
 class Conditions:
-    """What one critical amplitude is found for; sizes in m, phase in degrees, duration in s.
+    """Conditions of one critical amplitude; sizes in m, phase in degrees, duration in s.
 
     ``part`` is what the case is for: ``main``, ``size``, ``restitution``, ``phase`` or ``sway``.
     """
@@ -90,7 +90,7 @@ def rows_of(table: pd.DataFrame, **wanted: float | str) -> pd.DataFrame:
 def all_conditions(
     base: Conditions, ratios: NDArray[np.float64], frequencies: NDArray[np.float64]
 ) -> Iterator[Conditions]:
-    """Give the conditions of all parts of the study.
+    """Yield the conditions of all parts of the study.
 
     The parts but the first are at the middle ratio; that of the sizes is at three ratios, at frequencies and
     durations that go with √(1/h), so that ωt and ω/p are those of the study's height.
@@ -161,7 +161,7 @@ def critical_amplitudes(conditions: list[Conditions], step: float) -> pd.DataFra
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Edges:
-    """Where cases turn over, over amplitude; each of shape [cases].
+    """Overturning amplitudes of cases; each of shape [cases].
 
     Attributes
     ----------
@@ -217,10 +217,10 @@ def first_overturning(case: Case, columns: Mapping[str, Any], scales: NDArray[np
 
 def _overturned(case: Case, columns: Mapping[str, Any], scales: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Return whether cases turn over at some scales each, shape [n, k]."""
-    count, each = scales.shape
-    repeated = {name: [v for v in values for _ in range(each)] for name, values in columns.items()}
+    count, per_case = scales.shape
+    repeated = {name: [v for v in values for _ in range(per_case)] for name, values in columns.items()}
     results = simulate_many(case, {**repeated, "motion.scale": scales.ravel()}, progress=False)
-    return results["overturned"].reshape(count, each)
+    return results["overturned"].reshape(count, per_case)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -234,7 +234,7 @@ class Fit:
     half_widths : ndarray, shape (4,)
         Half widths of their 95 % confidence intervals.
     residuals : ndarray, shape (n,)
-        What the values have above the fit, in parts of the value.
+        Values less the fit, relative to the value.
     """
 
     coefficients: NDArray[np.float64]

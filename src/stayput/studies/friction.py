@@ -170,8 +170,8 @@ def _tidy(searched: dict[str, xr.Dataset], maps: dict[str, xr.Dataset], chosen: 
     sine = {name: getattr(chosen, name) for name in ("phase", "frequency", "amplitude")}
     parts: list[pd.DataFrame] = []
     for name in searched:
-        for part, grid, given in (("search", searched[name], {}), ("map", maps[name], sine)):
-            table = grid.to_dataframe().reset_index().assign(**given)
+        for part, grid, settings in (("search", searched[name], {}), ("map", maps[name], sine)):
+            table = grid.to_dataframe().reset_index().assign(**settings)
             parts.append(table[columns].assign(part=part, body=name))
     table = pd.concat(parts).dropna(subset="overturned").reset_index(drop=True).rename_axis("case")
     data = xr.Dataset.from_dataframe(table.astype({"rocks": bool, "overturned": bool}))

@@ -1,4 +1,4 @@
-"""The runs of the friction study: sines by amplitude, frequency and phase, and the one nearest the paper."""
+"""Runs of the friction study: sines by amplitude, frequency and phase, and the one nearest the paper."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def unit_sine(frequency: float, duration: float, phase: float) -> Motion:
 def slides_under(
     case: Case, phases: Sequence[float], frequencies: NDArray[np.float64], amplitudes: NDArray[np.float64]
 ) -> xr.Dataset:
-    """Return what becomes of the body in the paper's three rows, over phase, frequency and amplitude.
+    """Return the outcomes of the paper's three rows, over phase, frequency and amplitude.
 
     Parameters
     ----------

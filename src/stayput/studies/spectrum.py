@@ -94,28 +94,28 @@ def spectrum(
     """
     record = near_fault().component("x") if motion is None else motion
     alpha = _increasing("studies.slenderness", slenderness, 0.01, 1.2, "rad")
-    given = np.geomspace(0.5, 5.0, 61) if periods is None else periods
-    period = _increasing("studies.period", given, 0.05, 20.0, "s")
+    sizes = np.geomspace(0.5, 5.0, 61) if periods is None else periods
+    period = _increasing("studies.period", sizes, 0.05, 20.0, "s")
     if len(alpha) < 1 or len(period) < 2:
         raise InputError("studies.spectrum_too_small", slendernesses=len(alpha), periods=len(period))
     step = within("studies.step", step, 1e-4, 0.2)
     pulse = pulse_spectrum(period, step)
-    under = record_spectrum(record, alpha, period, step)
-    known = reference_edges(step)
-    data = _together(pulse, under, record)
+    by_record = record_spectrum(record, alpha, period, step)
+    reference = reference_edges(step)
+    data = _merged(pulse, by_record, record)
     return Study(
         name="spectrum",
         title="Overturning and rocking spectra",
-        quantities=_quantities(under, _reference_table(known)),
+        quantities=_quantities(by_record, _reference_table(reference)),
         data=data,
         figures={
             "pulse": pulse_figure(pulse.isel(slenderness=0)),
-            "record": record_figure(under, record),
-            "rocking": rocking_figure(under, record),
+            "record": record_figure(by_record, record),
+            "rocking": rocking_figure(by_record, record),
         },
         tables={
-            f"Edges under one sine at ωp/p = {REFERENCE_RATIO:g}, a_p/(αg)": _reference_table(known),
-            f"Bodies under {record.name or 'the record'}, all sizes": _record_table(under),
+            f"Edges under one sine at ωp/p = {REFERENCE_RATIO:g}, a_p/(αg)": _reference_table(reference),
+            f"Bodies under {record.name or 'the record'}, all sizes": _record_table(by_record),
         },
     )
 
@@ -141,7 +141,7 @@ def _quantities(under: xr.Dataset, reference: pd.DataFrame) -> dict[str, Quantit
     return quantities
 
 
-def _together(pulse: xr.Dataset, under: xr.Dataset, record: Motion) -> xr.Dataset:
+def _merged(pulse: xr.Dataset, under: xr.Dataset, record: Motion) -> xr.Dataset:
     """Return one dataset over curve, period and edge: the pulse first."""
     edges = under.drop_vars(["peak_tilt", "overturned"])
     parts = [part.rename(slenderness="curve").drop_vars("curve") for part in (pulse, edges)]

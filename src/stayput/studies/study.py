@@ -1,4 +1,4 @@
-"""What every study returns, how it is written to files, and the checks that the studies share."""
+"""`Study`, the result of every study: its files and tables; and checks of the studies' settings."""
 
 from __future__ import annotations
 
@@ -235,5 +235,5 @@ def rising(name: str, values: ArrayLike) -> NDArray[np.float64]:
     InputError
         Fewer than two, or values that do not rise.
     """
-    each, several = phrase("studies.one_of", name=phrase(name)), phrase(name)
-    return increasing(each, values, least=2, refusal="studies.not_rising", several=several)
+    single, several = phrase("studies.one_of", name=phrase(name)), phrase(name)
+    return increasing(single, values, least=2, refusal="studies.not_rising", several=several)

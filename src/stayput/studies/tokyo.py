@@ -261,7 +261,7 @@ def variations_table(varied: xr.Dataset) -> pd.DataFrame:
 
 
 def devices_table() -> pd.DataFrame:
-    """Return what the devices are: each parameter with its values over the devices of a kind."""
+    """Return the devices' parameters, each with its values over the devices of a kind."""
     rows: list[dict[str, str]] = []
     for options in (MATS, STOPPERS, POLES):
         measures = [option.measures[0] for option in options]

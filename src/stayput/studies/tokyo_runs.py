@@ -1,4 +1,4 @@
-"""The Tokyo test of 2015: what is published of it, what has to be stated, and the runs of both.
+"""Runs of the Tokyo study: furniture, devices and motions as published in 2015, or as stated here.
 
 Tokyo Metropolitan Government, product test of devices against overturning, 2015: furniture on flooring on a
 shaking table under JMA Kobe of 1995, three components, at 100 % and at 60 %. Seven devices were tested alone,
@@ -70,7 +70,7 @@ def _both(stopper: Option, poles: Option) -> Option:
     return Option(f"{stopper.name} + {poles.name}", stopper.measures + poles.measures)
 
 
-NOTHING = Option("no device")
+NO_DEVICE = Option("no device")
 
 MATS = (_mats(0.03, 0.003), _mats(0.04, 0.004), _mats(0.05, 0.005))
 """Four pads each; 100 kPa in tension and 50 kPa in shear on the label, of which 0.7 are reached."""
@@ -87,14 +87,14 @@ ALONE = (*MATS, *STOPPERS, *POLES)
 TOGETHER = tuple(_both(stopper, poles) for stopper in STOPPERS for poles in POLES)
 """A stopper with poles."""
 
-OPTIONS = (NOTHING, *ALONE, *TOGETHER)
+OPTIONS = (NO_DEVICE, *ALONE, *TOGETHER)
 """All that is run."""
 
 PIECE = "cupboard"
 """The piece that is varied."""
 
 PROBES = (
-    NOTHING,
+    NO_DEVICE,
     MATS[1],
     STOPPERS[0],
     POLES[0],
@@ -105,10 +105,10 @@ PROBES = (
 
 def facings(motion: Motion) -> dict[str, Motion]:
     """Return the motion as a piece feels it that faces +x, −x and, where there is a y, +y and −y."""
-    felt = {"+x": motion, "−x": motion.flipped()}
+    by_facing = {"+x": motion, "−x": motion.flipped()}
     if motion.y is not None:
-        felt |= {"+y": motion.rotated(math.pi / 2.0), "−y": motion.rotated(-math.pi / 2.0)}
-    return felt
+        by_facing |= {"+y": motion.rotated(math.pi / 2.0), "−y": motion.rotated(-math.pi / 2.0)}
+    return by_facing
 
 
 def runs_of(
@@ -120,7 +120,7 @@ def runs_of(
     samples: int,
     seed: int,
 ) -> list[Runs]:
-    """Run all options at a level, under the same draws of what is not known."""
+    """Run all options at a level, under the same draws of the uncertain quantities."""
     drawn = draws(len(motions), samples, seed)
     rows = [rows_of(body, room, option.measures, drawn, STANDARD_GRAVITY) for option in options]
     return run_level(rows, FloorMotions(tuple(motions), np.full(len(motions), level), {}))
@@ -133,7 +133,7 @@ QUANTITIES: dict[str, tuple[Callable[[Runs], NDArray[np.generic]], dict[str, str
     "peak_slide": (lambda runs: runs.slide, {"units": "m", "long_name": "largest magnitude of the slide"}),
     "peak_tilt": (lambda runs: runs.tilt, {"units": "rad", "long_name": "largest magnitude of the tilt"}),
 }
-"""What is kept of the runs."""
+"""Results of the runs that the study keeps."""
 
 
 def tested(
@@ -146,25 +146,25 @@ def tested(
     xarray.Dataset
         Over ``body``, ``level``, ``device``, ``facing`` and ``sample``: `QUANTITIES`.
     """
-    felt = facings(motion)
+    by_facing = facings(motion)
     over = ("body", "level", "device", "facing", "sample")
     by_body: list[list[list[Runs]]] = []
     for body in BODIES.values():
         by_level: list[list[Runs]] = []
         for level in LEVELS:
-            by_level.append(runs_of(body, ROOM, options, tuple(felt.values()), level, samples, seed))
-            advance(len(options) * len(felt) * samples)
+            by_level.append(runs_of(body, ROOM, options, tuple(by_facing.values()), level, samples, seed))
+            advance(len(options) * len(by_facing) * samples)
         by_body.append(by_level)
     return xr.Dataset(
         {
-            name: (over, np.array([[[of(r) for r in row] for row in rows] for rows in by_body]), about)
-            for name, (of, about) in QUANTITIES.items()
+            name: (over, np.array([[[values_of(r) for r in row] for row in rows] for rows in by_body]), about)
+            for name, (values_of, about) in QUANTITIES.items()
         },
         {
             "body": list(BODIES),
             "level": ("level", list(LEVELS), {"long_name": "factor on the record"}),
             "device": [option.name for option in options],
-            "facing": list(felt),
+            "facing": list(by_facing),
         },
     )
 
@@ -198,7 +198,7 @@ def severest(outcomes: xr.Dataset, alone: Sequence[str]) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Variation:
-    """One change.
+    """A change of the stated conditions.
 
     Parameters
     ----------
@@ -286,10 +286,10 @@ def varied(
     xarray.Dataset
         ``overturned`` over ``variation``, ``level``, ``device`` and ``facing``.
     """
-    felt = facings(motion)
-    share = np.full((len(variations), len(LEVELS), len(PROBES), len(felt)), np.nan)
+    by_facing = facings(motion)
+    share = np.full((len(variations), len(LEVELS), len(PROBES), len(by_facing)), np.nan)
     for v, variation in enumerate(variations):
-        motions = [motion if variation.vertical else replace(motion, z=None) for motion in felt.values()]
+        motions = [motion if variation.vertical else replace(motion, z=None) for motion in by_facing.values()]
         touched = [p for p, option in enumerate(PROBES) if variation.touches(option)]
         options = [variation.of(PROBES[p]) for p in touched]
         for at, level in enumerate(LEVELS):
@@ -298,7 +298,7 @@ def varied(
                 known = ~of_probe.missing
                 counts = (of_probe.overturned & known).sum(axis=1)
                 share[v, at, p] = counts / np.maximum(known.sum(axis=1), 1)
-            advance(len(options) * len(felt) * samples)
+            advance(len(options) * len(by_facing) * samples)
     over = ("variation", "level", "probe", "facing")
     about = {"long_name": f"share of the draws in which the {PIECE} turns over"}
     return xr.Dataset(
@@ -307,6 +307,6 @@ def varied(
             "variation": [variation.name for variation in variations],
             "level": list(LEVELS),
             "probe": [option.name for option in PROBES],
-            "facing": list(felt),
+            "facing": list(by_facing),
         },
     )

@@ -115,9 +115,9 @@ def wall_gap(
     """
     b = increasing("studies.width", np.linspace(0.4, 1.6, 49) if widths is None else widths, 0.01, 10.0, "m")
     l_w = increasing("studies.wall_gap", np.linspace(0.0, 0.8, 81) if gaps is None else gaps, 0.0, 100.0, "m")
-    sizes = _some("studies.amplitude", (amplitude, *amplitudes), 0.1, 100.0, "m/s²")
-    speeds = _some("studies.frequency", (frequency, *frequencies), 0.05, 5.0, "Hz")
-    shapes = _some("studies.aspect_ratio", (RATIO, *ratios), 0.05, 2.0)
+    sizes = _checked_values("studies.amplitude", (amplitude, *amplitudes), 0.1, 100.0, "m/s²")
+    speeds = _checked_values("studies.frequency", (frequency, *frequencies), 0.05, 5.0, "Hz")
+    shapes = _checked_values("studies.aspect_ratio", (RATIO, *ratios), 0.05, 2.0)
     motion = sine_of(sizes[0], speeds[0])
     tested = rule_tested(sizes[1:], speeds[1:], shapes[1:])
     data = xr.merge([_map(motion, b, l_w), tested], combine_attrs="no_conflicts")
@@ -136,7 +136,9 @@ def wall_gap(
     )
 
 
-def _some(what: str, values: Sequence[float], low: float, high: float, unit: str = "") -> list[float]:
+def _checked_values(
+    what: str, values: Sequence[float], low: float, high: float, unit: str = ""
+) -> list[float]:
     """Return numbers within limits; the first is the map's, and one at least must follow it."""
     if len(values) < 2:
         raise InputError("studies.rule_without_values", name=phrase(what))
@@ -262,9 +264,9 @@ def by_input(data: xr.Dataset) -> pd.DataFrame:
     rows: list[dict[str, object]] = []
     for law in LAWS[::-1]:
         for ratio in data["aspect_ratio"].to_numpy():
-            mine = data.sel(contact=law, aspect_ratio=ratio)
-            broken = mine["broken_share"].to_numpy() > 0.0
-            stands = mine["free_share"].to_numpy() == 0.0
+            cases = data.sel(contact=law, aspect_ratio=ratio)
+            broken = cases["broken_share"].to_numpy() > 0.0
+            stands = cases["free_share"].to_numpy() == 0.0
             rows.append(
                 {
                     "law": law,
@@ -273,8 +275,8 @@ def by_input(data: xr.Dataset) -> pd.DataFrame:
                     "some turn over without a wall": int((~stands).sum()),
                     "rule broken": int(broken.sum()),
                     "of these, none turns over without a wall": int((broken & stands).sum()),
-                    "largest share that breaks it [%]": 100.0 * float(mine["broken_share"].max()),
-                    "nearest wall [% of b]": 100.0 * float(mine["nearest_wall"].min()),
+                    "largest share that breaks it [%]": 100.0 * float(cases["broken_share"].max()),
+                    "nearest wall [% of b]": 100.0 * float(cases["nearest_wall"].min()),
                 }
             )
     return pd.DataFrame(rows)
@@ -282,13 +284,13 @@ def by_input(data: xr.Dataset) -> pd.DataFrame:
 
 def of_inputs(data: xr.Dataset, law: str) -> pd.DataFrame:
     """Return the nearest wall for each sine and aspect ratio, and the share that breaks the rule."""
-    mine = data.sel(contact=law)
+    cases = data.sel(contact=law)
     rows: list[dict[str, object]] = []
     for ratio in data["aspect_ratio"].to_numpy():
         for frequency in data["frequency"].to_numpy():
             row: dict[str, object] = {"b/h": float(ratio), "f [Hz]": float(frequency)}
             for amplitude in data["amplitude"].to_numpy():
-                cell = mine.sel(aspect_ratio=ratio, frequency=frequency, amplitude=amplitude)
+                cell = cases.sel(aspect_ratio=ratio, frequency=frequency, amplitude=amplitude)
                 row[f"{amplitude:g} m/s²"] = cell_text(cell)
             rows.append(row)
     return pd.DataFrame(rows)

@@ -50,7 +50,7 @@ POLARITIES = (1.0, -1.0)
 Variant = tuple[str, float, str]
 """Contact law, polarity and side of the wall."""
 
-Row = tuple[float, list[Range], bool]
+WidthRow = tuple[float, list[Range], bool]
 """Width, ranges of distance at which it turns over, whether it does so without a wall."""
 
 WIDEST_STEP = 0.02
@@ -216,16 +216,16 @@ def words(spans: list[Range], free: bool) -> str:
 
 
 def polarity_name(polarity: float) -> str:
-    """Return what a factor of 1 or −1 on the motion is called."""
+    """Return the name of a factor of 1 or −1 on the motion."""
     return "as recorded" if polarity > 0.0 else "reversed"
 
 
-def rows_of(data: xr.Dataset, variant: Variant) -> list[Row]:
+def rows_of(data: xr.Dataset, variant: Variant) -> list[WidthRow]:
     """Return a variant's results, a row for each width."""
     law, polarity, wall = variant
-    mine = data.sel({"contact": law, "motion.scale": polarity, "wall": wall})
-    gaps, widths = mine["gap"].to_numpy(), mine["body.width"].to_numpy()
-    fallen, free = mine["overturned"].to_numpy(), mine["overturned_free"].to_numpy()
+    results = data.sel({"contact": law, "motion.scale": polarity, "wall": wall})
+    gaps, widths = results["gap"].to_numpy(), results["body.width"].to_numpy()
+    fallen, free = results["overturned"].to_numpy(), results["overturned_free"].to_numpy()
     return [
         (float(b), ranges(gaps, row), bool(alone)) for b, row, alone in zip(widths, fallen, free, strict=True)
     ]
@@ -261,30 +261,30 @@ def _agreeing(data: xr.Dataset, variant: Variant) -> tuple[int, int]:
 def _ends(data: xr.Dataset, variant: Variant) -> list[tuple[float, Range, Range]]:
     """Return width, the paper's range and our first and last, where both have one that ends."""
     ends: list[tuple[float, Range, Range]] = []
-    for b, mine, _ in rows_of(data, variant):
+    for b, spans, _ in rows_of(data, variant):
         paper = of_paper(b)[1]
-        if mine and paper is not None and math.isfinite(paper[1]):
-            ends.append((b, paper, (mine[0][0], mine[-1][1])))
+        if spans and paper is not None and math.isfinite(paper[1]):
+            ends.append((b, paper, (spans[0][0], spans[-1][1])))
     return ends
 
 
 def _distance(data: xr.Dataset, variant: Variant) -> float:
     ends = _ends(data, variant)
-    return sum(abs(p - m) for _, paper, mine in ends for p, m in zip(paper, mine, strict=True))
+    return sum(abs(p - end) for _, paper, ours in ends for p, end in zip(paper, ours, strict=True))
 
 
 def reach_of(data: xr.Dataset, variant: Variant) -> xr.DataArray:
     """Return how far bodies without a wall come to the side, or the farther side, of a variant's wall [m]."""
     law, polarity, wall = variant
-    mine = data.sel({"contact": law, "motion.scale": polarity})
+    results = data.sel({"contact": law, "motion.scale": polarity})
     if wall != "both":
-        return mine[f"reach_{wall}"]
+        return results[f"reach_{wall}"]
     return _farther(data, variant)
 
 
 def _farther(data: xr.Dataset, variant: Variant) -> xr.DataArray:
-    mine = data.sel({"contact": variant[0], "motion.scale": variant[1]})
-    return mine[["reach_left", "reach_right"]].to_array().max("variable")
+    results = data.sel({"contact": variant[0], "motion.scale": variant[1]})
+    return results[["reach_left", "reach_right"]].to_array().max("variable")
 
 
 def differences(data: xr.Dataset, variant: Variant) -> pd.DataFrame:
@@ -295,14 +295,14 @@ def differences(data: xr.Dataset, variant: Variant) -> pd.DataFrame:
             {
                 "b [m]": b,
                 "first, paper [m]": paper[0],
-                "first [m]": mine[0],
-                "difference of first [m]": round(mine[0] - paper[0], 9),
+                "first [m]": ours[0],
+                "difference of first [m]": round(ours[0] - paper[0], 9),
                 "last, paper [m]": paper[1],
-                "last [m]": mine[1],
-                "difference of last [m]": round(mine[1] - paper[1], 9),
+                "last [m]": ours[1],
+                "difference of last [m]": round(ours[1] - paper[1], 9),
                 "reach without a wall [m]": float(reach.sel({"body.width": b})),
             }
-            for b, paper, mine in _ends(data, variant)
+            for b, paper, ours in _ends(data, variant)
         ]
     )
 

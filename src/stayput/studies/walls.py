@@ -1,4 +1,4 @@
-"""What the studies of walls share (the paper, §4.4 and §4.5): Table 4.2, and turnover beside walls."""
+"""Shared by the studies of walls (the paper, §4.4 and §4.5): Table 4.2, and turnover beside walls."""
 
 from __future__ import annotations
 
@@ -109,11 +109,11 @@ def turnover(
     cell = ("body.width", "body.height", "room.left_wall", "room.right_wall")
     columns = (bodies, [width / ratio for width in bodies], *zip(*rooms, strict=True))
     data = sweep(case, {**others, cell: columns})
-    gone = data["outcome"].to_numpy() == GIVEN_UP
-    fallen, tilt = data["overturned"].to_numpy() | gone, data["peak_tilt"].to_numpy()
+    given_up = data["outcome"].to_numpy() == GIVEN_UP
+    fallen, tilt = data["overturned"].to_numpy() | given_up, data["peak_tilt"].to_numpy()
     fallen, tilt = (values.reshape(*values.shape[:-1], len(widths), -1) for values in (fallen, tilt))
     walled = fallen[..., 1:].reshape(*fallen.shape[:-1], len(walls), gaps.shape[-1])
-    return Turnover(fallen[..., 0], tilt[..., 0], np.moveaxis(walled, -2, -3), int(gone.sum()))
+    return Turnover(fallen[..., 0], tilt[..., 0], np.moveaxis(walled, -2, -3), int(given_up.sum()))
 
 
 def results_about(

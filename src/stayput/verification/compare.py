@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.measures import hold
@@ -25,7 +24,7 @@ from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
 from stayput.progress import bar
-from stayput.verification.options import compared
+from stayput.verification.options import compared_options, require_coulomb
 from stayput.verification.verdict import DeviceSummary, Estimates, Member, OptionVerdict, Verdict
 
 if TYPE_CHECKING:
@@ -48,10 +47,10 @@ LEVELS.setflags(write=False)
 CAPACITIES = (0.1, 0.5)
 """Shares of overturning for which the intensity is given."""
 
-ORDER = (OVERTURNED, SLID, DEVICE_FAILED, HIT_WALL)
+RANKING_ORDER = (OVERTURNED, SLID, DEVICE_FAILED, HIT_WALL)
 """Events by which options are ranked, the most important first."""
 
-EQUAL = 0.005
+RANKING_RESOLUTION = 0.005
 """Probabilities that differ by no more than this are equal in the ranking: half a per cent."""
 
 
@@ -63,7 +62,7 @@ class _Work:
     scenario: Scenario
     settings: Settings
     threads: int | None
-    tell: Callable[[int], None]
+    advance: Callable[[int], None]
     done: int = 0
 
     def rows(self, samples: int, start: int = 0) -> list[Rows]:
@@ -76,7 +75,7 @@ class _Work:
     def run(self, rows: list[Rows], floors: FloorMotions) -> list[Runs]:
         """Run every option at a level."""
         self.done += sum(len(option_rows.cases) for option_rows in rows)
-        return run_level(rows, floors, threads=self.threads, progress=self.tell)
+        return run_level(rows, floors, threads=self.threads, progress=self.advance)
 
 
 def verify(
@@ -86,13 +85,13 @@ def verify(
     slide_limit: float = SLIDE_LIMIT,
     threads: int | None = None,
     progress: bool | None = None,
-    told: Callable[[int, int], None] | None = None,
+    on_progress: Callable[[int, int], None] | None = None,
 ) -> Verdict:
     """Compare a scenario's measures over its motions and over draws of the uncertain quantities.
 
     Every option meets the same motions and the same draws. At the scenario's own shaking samples are added
-    until every probability is as precise as was asked, or as many as were allowed are done; then all are
-    run at every level for the fragility curves.
+    until every probability has the precision that the scenario asks for, or the most samples are done; then
+    all are run at every level for the fragility curves.
 
     Parameters
     ----------
@@ -106,8 +105,9 @@ def verify(
         As many as there are cores by default. The bits do not depend on them.
     progress : bool, optional
         Whether to draw a bar on standard error; default on a terminal.
-    told : callable, optional
-        Called with the runs done and the runs in all, for a bar of one's own; what it raises stops the work.
+    on_progress : callable, optional
+        Called with the runs done and the runs in all, for a bar of one's own; an exception that it raises
+        stops the work.
 
     Returns
     -------
@@ -121,30 +121,24 @@ def verify(
         that cannot be read.
     """
     began = time.perf_counter()
-    if scenario.contact != "coulomb":
-        raise InputError(
-            "verification.needs_coulomb",
-            "contact",
-            contact=scenario.contact,
-            what=phrase("verification.a_verification"),
-        )
+    require_coulomb(scenario, "verification.a_verification")
     rows = np.asarray(levels, np.float64)
     if np.any(np.diff(rows) <= 0.0):
         raise InputError("verification.levels_not_increasing", "levels")
-    (options, impossible), shaking = compared(scenario), scenario.shaking
+    (options, impossible), shaking = compared_options(scenario), scenario.shaking
     ground = shaking.ground(scenario.folder)
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, vertical=bool(shaking.vertical))
     settings = Settings.of(scenario, len(ground), slide_limit)
     total = len(options) * len(ground) * settings.samples * (1 + len(rows))
-    with bar(total, "Verifying", progress) as tell:
+    with bar(total, "Verifying", progress) as advance:
         seen = 0
 
         def count(runs: int) -> None:
             nonlocal seen
             seen += runs
-            tell(runs)
-            if told is not None:
-                told(seen, total)
+            advance(runs)
+            if on_progress is not None:
+                on_progress(seen, total)
 
         work = _Work(options, scenario, settings, threads, count)
         floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
@@ -208,16 +202,16 @@ def _curves(
 def _verdicts(
     options: tuple[Option, ...],
     held: list[Held],
-    here: list[Runs],
+    stated: list[Runs],
     by_level: list[list[Runs]],
     measures: list[FloorMotions],
     slide_limit: float,
 ) -> tuple[OptionVerdict, ...]:
-    chances = [runs.probabilities(slide_limit) for runs in here]
+    chances = [runs.probabilities(slide_limit) for runs in stated]
     order = sorted(range(len(options)), key=lambda i: (*severity(chances[i], len(options[i].measures)), i))
     verdicts: list[OptionVerdict] = []
     for rank, i in enumerate(order, start=1):
-        runs, option = here[i], options[i]
+        runs, option = stated[i], options[i]
         curves = _curves(i, option.name, by_level, measures)
         typical, worst = members(runs)
         verdicts.append(
@@ -225,7 +219,7 @@ def _verdicts(
                 option=option,
                 rank=rank,
                 probabilities=chances[i],
-                change=difference(runs.overturned, here[0].overturned, runs.missing | here[0].missing)
+                change=difference(runs.overturned, stated[0].overturned, runs.missing | stated[0].missing)
                 if option.measures
                 else None,
                 slide=Quantiles.of(runs.slide, runs.overturned),
@@ -272,16 +266,22 @@ def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:
 
 
 def severity(probabilities: Mapping[str, Probability], cost: int) -> tuple[float, ...]:
-    """Return what options are sorted by: the probabilities in `ORDER`, then the number of measures."""
-    shares = (probabilities[event].estimate for event in ORDER)
-    return (*(round(share / EQUAL) * EQUAL if np.isfinite(share) else 1.0 for share in shares), float(cost))
+    """Return the sort key of an option: its probabilities in `RANKING_ORDER`, then its number of measures."""
+    shares = (probabilities[event].estimate for event in RANKING_ORDER)
+    return (
+        *(
+            round(share / RANKING_RESOLUTION) * RANKING_RESOLUTION if np.isfinite(share) else 1.0
+            for share in shares
+        ),
+        float(cost),
+    )
 
 
 def members(runs: Runs) -> tuple[Member, Member]:
     """Return the run of median severity, and the worst: by overturning, then by tilt, then by slide."""
     order = np.lexsort((runs.slide.ravel(), runs.tilt.ravel(), runs.overturned.ravel()))
-    given = order[~runs.missing.ravel()[order]]
-    ranked = given if len(given) else order
+    completed = order[~runs.missing.ravel()[order]]
+    ranked = completed if len(completed) else order
     samples = runs.tilt.shape[1]
 
     def member(place: int) -> Member:

@@ -1,7 +1,7 @@
-"""How well founded the numbers of an option are: the inputs that decide it, and the grade of the weakest.
+"""Grades of options: how well founded are the inputs that decide the outcome, and which is the weakest.
 
-What each grade means, and which parameters of a measure decide, stands with the parameters:
-`stayput.measures.parameters`. The earthquakes are what is asked, so they have no grade.
+What each grade means stands in `stayput.measures.parameters`, and with the parameters whether they decide.
+The earthquakes are what is asked, so they have no grade.
 """
 
 from __future__ import annotations
@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.measures import hold
-from stayput.measures.parameters import GIVEN, GRADE_OF, Grade, parameters
+from stayput.measures.parameters import GRADE_OF, Grade
 from stayput.model.furniture import FURNITURE
+from stayput.model.parameters import GIVEN, parameters
 from stayput.uncertainty import Confidence
 from stayput.wording import inside
 
@@ -28,14 +29,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """Something that decides the outcome.
+    """An input that decides the outcome, and how well founded its value is.
 
     Parameters
     ----------
     label : Phrase
         What it is, in English and Japanese.
     tag : str
-        A `stayput.uncertainty.Confidence`, or `stayput.measures.parameters.GIVEN`.
+        A `stayput.uncertainty.Confidence`, or `stayput.model.parameters.GIVEN`.
     """
 
     label: Phrase
@@ -48,7 +49,7 @@ class Input:
 
 
 def inputs(option: Option, scenario: Scenario) -> tuple[Input, ...]:
-    """Return what decides the outcome of an option, the piece first.
+    """Return the inputs that decide the outcome of an option, the piece first.
 
     Parameters
     ----------
@@ -63,8 +64,8 @@ def inputs(option: Option, scenario: Scenario) -> tuple[Input, ...]:
 def weakest(option: Option, scenario: Scenario) -> tuple[Input, ...]:
     """Return the inputs of the worst grade among those of an option; see `inputs`."""
     deciding = inputs(option, scenario)
-    worst = max(each.grade for each in deciding)
-    return tuple(each for each in deciding if each.grade == worst)
+    worst = max(item.grade for item in deciding)
+    return tuple(item for item in deciding if item.grade == worst)
 
 
 def grade(option: Option, scenario: Scenario) -> Grade:
@@ -83,18 +84,18 @@ def _inputs(option: Option, scenario: Scenario) -> Iterator[Input]:
     if building is not None:
         yield Input(phrase("verification.the_building"), building_tag(building))
     for measure in option.measures:
-        for about in parameters(measure):
-            if about.decides:
+        for parameter in parameters(measure):
+            if parameter.decides:
                 label = phrase(
                     "verification.of_a_measure",
                     measure=(inside(measure.label[0]), measure.label[1]),
-                    parameter=about.label,
+                    parameter=parameter.label,
                 )
-                yield Input(label, about.tag(getattr(measure, about.name)))
+                yield Input(label, parameter.tag(getattr(measure, parameter.name)))
 
 
 def furniture_tag(table: FurnitureTable) -> str:
-    """Return how well founded size and mass of a piece are; what is a preset's own value is its default."""
+    """Return the tag of a piece's size and mass; a preset's own value is a default."""
     preset = FURNITURE.get(table.preset or "")
     if preset is None:
         return GIVEN
@@ -107,12 +108,12 @@ def furniture_tag(table: FurnitureTable) -> str:
 
 
 def floor_tag(scenario: Scenario) -> str:
-    """Return how well founded the friction of the floor is."""
+    """Return the tag of the floor's friction."""
     table = scenario.room.floor
     surface = table if isinstance(table, str) else table.surface
     return GIVEN if surface is None else Confidence.MEDIUM.value
 
 
 def building_tag(table: BuildingTable) -> str:
-    """Return how well founded a building is: its masses are the user's, or made of a kind of structure."""
+    """Return the tag of a building: its masses are the user's, or follow from the structure."""
     return GIVEN if table.masses is not None else Confidence.LOW.value

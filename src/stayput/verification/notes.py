@@ -33,7 +33,7 @@ _OFF_MIDDLE = 0.05
 
 
 def notes(verdict: Verdict) -> tuple[Phrase, ...]:
-    """Return what must be said beside the numbers of a verdict, each in English and Japanese.
+    """Return the notes beside the numbers of a verdict, each in English and Japanese.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def _left_out(verdict: Verdict) -> Iterator[Phrase]:
 def _grade(verdict: Verdict) -> Iterator[Phrase]:
     option, scenario = verdict.best.option, verdict.scenario
     deciding = weakest(option, scenario)
-    inputs = _listed(one.label for one in deciding[:LISTED])
+    inputs = _listed(item.label for item in deciding[:LISTED])
     if len(deciding) > LISTED:
         more = phrase("verification.and_more", more=len(deciding) - LISTED)
         inputs = inputs[0] + more[0], inputs[1] + more[1]
@@ -97,5 +97,5 @@ def _grade(verdict: Verdict) -> Iterator[Phrase]:
 
 
 def _far(verdict: Verdict) -> Iterator[Phrase]:
-    if any(slides_off(one, verdict) for one in verdict.options):
+    if any(slides_off(option, verdict) for option in verdict.options):
         yield phrase("verification.slides_off", far=FAR)

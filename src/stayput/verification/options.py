@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase
+from stayput.catalogue import phrase, say
 from stayput.errors import InputError
 from stayput.measures import MEASURES, hold
 
@@ -34,7 +34,7 @@ COMBINED = ("wedge_stopper", "tension_pole")
 YOURS = "yours"
 """Name of the set that is put together on the app's page; the user has not chosen it."""
 
-NOTHING = phrase("verification.no_measure")
+NO_MEASURE = phrase("verification.no_measure")
 """What the option without a measure is called, in English and Japanese."""
 
 
@@ -60,12 +60,11 @@ class Option:
         return bool(kinds) and self.name not in (" + ".join(kinds), "+".join(kinds), YOURS)
 
     def label(self, language: str) -> str:
-        """Return what it is called in "en" or "ja"."""
-        which = 0 if language == "en" else 1
+        """Return its label in "en" or "ja"."""
         if not self.measures:
-            return NOTHING[which]
+            return say(NO_MEASURE, language)
         joint = " + " if language == "en" else "+"
-        return joint.join(measure.label[which] for measure in self.measures)
+        return joint.join(say(measure.label, language) for measure in self.measures)
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +92,27 @@ class Impossible:
         return self.error.told("ja" if language == "ja" else "en")
 
 
-def parted(
+def require_coulomb(scenario: Scenario, purpose: str) -> None:
+    """Refuse a scenario with the paper's contact law, which knows no devices.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The scenario.
+    purpose : str
+        Id of the text for what needs the other law.
+
+    Raises
+    ------
+    InputError
+        The contact law is not "coulomb".
+    """
+    if scenario.contact != "coulomb":
+        what = phrase(purpose)
+        raise InputError("verification.needs_coulomb", "contact", contact=scenario.contact, what=what)
+
+
+def partition_options(
     options: Sequence[Option], body: Body, room: Room
 ) -> tuple[tuple[Option, ...], tuple[Impossible, ...]]:
     """Return those options that can be put in place, and those that cannot with the reason."""
@@ -116,10 +135,10 @@ def _usual() -> tuple[Option, ...]:
 
 def usual_options(body: Body, room: Room) -> tuple[Option, ...]:
     """Return the usual measures, each alone, and the usual pair: those that can be applied here."""
-    return parted(_usual(), body, room)[0]
+    return partition_options(_usual(), body, room)[0]
 
 
-def compared(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible, ...]]:
+def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible, ...]]:
     """Return the options that a verification compares, that without a measure first, and the impossible ones.
 
     Raises
@@ -127,10 +146,10 @@ def compared(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible, 
     InputError
         Measures of which none can be applied there, or two of one name.
     """
-    named = tuple(Option(one.name, one.measures) for one in scenario.measures)
+    named = tuple(Option(measure_set.name, measure_set.measures) for measure_set in scenario.measures)
     _refuse_twice((Option("none"), *named))
     body, room = scenario.furniture.body(), scenario.room.room()
-    possible, impossible = parted(named or _usual(), body, room)
+    possible, impossible = partition_options(named or _usual(), body, room)
     if named and not possible:
         raise impossible[0].error
     return (Option("none"), *possible), impossible
@@ -145,7 +164,7 @@ def options_of(scenario: Scenario) -> tuple[Option, ...]:
         A measure that cannot be applied there, or two of one name.
     """
     body, room = scenario.furniture.body(), scenario.room.room()
-    named = tuple(Option(one.name, one.measures) for one in scenario.measures)
+    named = tuple(Option(measure_set.name, measure_set.measures) for measure_set in scenario.measures)
     for option in named:
         hold(body, room, option.measures)
     options = (Option("none"), *(named or usual_options(body, room)))

@@ -87,7 +87,7 @@ class DeviceSummary:
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """One run that stands for many: its place among motions and samples."""
+    """A representative run: its place among motions and samples."""
 
     motion: int
     sample: int
@@ -181,7 +181,7 @@ class Verdict:
     @property
     def without(self) -> OptionVerdict:
         """The option without a measure."""
-        return next(one for one in self.options if not one.option.measures)
+        return next(option for option in self.options if not option.option.measures)
 
     @property
     def best(self) -> OptionVerdict:
@@ -194,18 +194,18 @@ class Verdict:
 
         return headline(self, language)
 
-    def grade(self, one: OptionVerdict) -> Grade:
-        """Return how well founded the numbers of an option are: the grade of its weakest input."""
+    def grade(self, option: OptionVerdict) -> Grade:
+        """Return the grade of an option: that of its weakest input; see `stayput.verification.grades`."""
         from stayput.verification.grades import grade
 
-        return grade(one.option, self.scenario)
+        return grade(option.option, self.scenario)
 
     def notes(self, language: str = "en") -> tuple[str, ...]:
-        """Return what must be said beside the numbers, in "en" or "ja"; see `stayput.verification.notes`."""
-        from stayput.catalogue import LANGUAGES
+        """Return the notes beside the numbers, in "en" or "ja"; see `stayput.verification.notes`."""
+        from stayput.catalogue import say
         from stayput.verification.notes import notes
 
-        return tuple(note[LANGUAGES.index(language)] for note in notes(self))
+        return tuple(say(note, language) for note in notes(self))
 
     def to_json(self) -> str:
         """Return the verdict as JSON; keys carry their units."""

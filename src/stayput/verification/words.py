@@ -1,4 +1,4 @@
-"""A verdict in plain sentences, English and Japanese: which ones apply, and what stands in them.
+"""The sentences of a verdict, in English and Japanese: which apply, and the values in them.
 
 The sentences themselves are in `stayput.catalogue.verification`.
 """
@@ -8,10 +8,10 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import LANGUAGES, phrase
+from stayput.catalogue import phrase, say
 from stayput.catalogue.names import INTENSITIES
 from stayput.fragility.probabilities import percent
-from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED, SLID
+from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.motion.intensity import intensity_class
 from stayput.wording import FAR, inside, is_open
 
@@ -26,9 +26,6 @@ ALIKE = 0.05
 SMALL = 0.005
 """A share below this is not mentioned."""
 
-EVENT_LABELS = {event: phrase(f"verification.event_{event}") for event in EVENTS}
-"""The events, in English and Japanese."""
-
 
 def _class(intensity: float) -> Phrase:
     return INTENSITIES[intensity_class(intensity)]
@@ -36,7 +33,7 @@ def _class(intensity: float) -> Phrase:
 
 def class_label(intensity: float, language: str) -> str:
     """Return the class of a JMA intensity: "6-upper", or "震度6強"."""
-    return _class(intensity)[LANGUAGES.index(language)]
+    return say(_class(intensity), language)
 
 
 def _percent(share: float) -> Phrase:
@@ -56,19 +53,19 @@ def _falls(share: float) -> Phrase:
 
 
 def title(option: Option, verdict: Verdict, language: str) -> str:
-    """Return what an option is called; with its name where that is the user's own or tells two apart."""
+    """Return an option's label; with its name where that is the user's own or two have the same label."""
     return option.label(language) + _aside(option, verdict, language)
 
 
 def _title_inside(option: Option, verdict: Verdict) -> Phrase:
-    """Return what an option is called within a sentence."""
+    """Return an option's label within a sentence."""
     english = inside(option.label("en")) + _aside(option, verdict, "en")
     return english, title(option, verdict, "ja")
 
 
 def _aside(option: Option, verdict: Verdict, language: str) -> str:
     label = option.label(language)
-    alone = sum(one.option.label(language) == label for one in verdict.options) == 1
+    alone = sum(other.option.label(language) == label for other in verdict.options) == 1
     if not option.measures or (alone and not option.own_name):
         return ""
     return f" ({option.name})" if language == "en" else f"（{option.name}）"
@@ -89,7 +86,7 @@ def slides_off(option: OptionVerdict, verdict: Verdict) -> bool:
 
 def headline(verdict: Verdict, language: str) -> str:
     """Return the verdict in one sentence."""
-    return _headline(verdict)[LANGUAGES.index(language)]
+    return say(_headline(verdict), language)
 
 
 def _headline(verdict: Verdict) -> Phrase:
@@ -119,8 +116,8 @@ def _headline(verdict: Verdict) -> Phrase:
 def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
     """Return why an option stands where it does, in one plain sentence."""
     if math.isnan(option.probabilities[OVERTURNED].estimate):
-        return phrase("verification.no_run")[LANGUAGES.index(language)]
-    parts = [part[LANGUAGES.index(language)] for part in _reasons(option, verdict)]
+        return say("verification.no_run", language)
+    parts = [say(part, language) for part in _reasons(option, verdict)]
     text = "; ".join(parts) if language == "en" else "。".join(parts)
     return f"{text[:1].upper()}{text[1:]}." if language == "en" else f"{text}。"
 

@@ -8,10 +8,10 @@ export function ticks(low, high, wanted) {
   const rough = (high - low) / wanted,
     power = 10 ** Math.floor(Math.log10(rough));
   const step = power * [1, 2, 5, 10].find((one) => one * power >= rough - 1e-12);
-  const found = [];
+  const ticks = [];
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++)
-    found.push(Number((k * step).toPrecision(10)));
-  return found;
+    ticks.push(Number((k * step).toPrecision(10)));
+  return ticks;
 }
 
 /** A class of the JMA scale, as short as the room for it asks. */

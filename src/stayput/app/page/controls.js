@@ -52,31 +52,31 @@ export function slider({ label, unit = "", range: reach, limits = reach, step, f
     const rounded = (value * factor).toFixed(decimals);
     return Math.abs(Number(rounded) - value * factor) < 1e-9 ? rounded : tidy(value * factor, 6);
   };
-  let given = low,
+  let current = low,
     outside = false,
     noted = null;
-  const told = (text, from) => {
+  const take = (text, from) => {
     const value = Number(text);
     if (text === "" || !Number.isFinite(value)) return;
-    given = Math.min(high, Math.max(low, value / factor));
-    outside = Math.abs(given * factor - value) > 1e-9 * Math.max(1, Math.abs(value));
+    current = Math.min(high, Math.max(low, value / factor));
+    outside = Math.abs(current * factor - value) > 1e-9 * Math.max(1, Math.abs(value));
     say();
-    if (from === range) field.value = written(given);
-    else range.value = tidy(given * factor);
+    if (from === range) field.value = written(current);
+    else range.value = tidy(current * factor);
     fit(field);
-    changed(given);
+    changed(current);
   };
   const say = () =>
     note(outside ? t("outside", { low: allowed.min, high: allowed.max, unit: unit ? ` ${unit}` : "" }) : noted);
-  range.addEventListener("input", () => told(range.value, range));
-  field.addEventListener("input", () => told(field.value, field));
+  range.addEventListener("input", () => take(range.value, range));
+  field.addEventListener("input", () => take(field.value, field));
   field.addEventListener("change", () => {
-    field.value = written(given);
+    field.value = written(current);
     fit(field);
   });
   const set = (value) => {
-    if (Math.abs(value - given) > 1e-12) {
-      given = value;
+    if (Math.abs(value - current) > 1e-12) {
+      current = value;
       outside = false;
       say();
     }

@@ -41,9 +41,9 @@ export const widthFor = (element) => Math.max(300, Math.min(640, element.clientW
 /** A function that waits until it has not been called for so many milliseconds. */
 export function settled(milliseconds, work) {
   let timer = 0;
-  return (...given) => {
+  return (...values) => {
     clearTimeout(timer);
-    timer = setTimeout(() => work(...given), milliseconds);
+    timer = setTimeout(() => work(...values), milliseconds);
   };
 }
 

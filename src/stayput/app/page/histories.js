@@ -188,8 +188,8 @@ function drawBeyond(pen, { above, below }, unit, top, width) {
   pen.fillStyle = ink.alarm;
   pen.font = "bold 12px system-ui, sans-serif";
   pen.textAlign = "right";
-  const told = (arrow, value) => `${arrow} ${say("beyond", { value: number(value), unit })}`;
-  if (above !== null) pen.fillText(told("▲", above), width - RIGHT, top - 8);
-  if (below !== null) pen.fillText(told("▼", below), width - RIGHT, top + BAND + 13);
+  const beyond = (arrow, value) => `${arrow} ${say("beyond", { value: number(value), unit })}`;
+  if (above !== null) pen.fillText(beyond("▲", above), width - RIGHT, top - 8);
+  if (below !== null) pen.fillText(beyond("▼", below), width - RIGHT, top + BAND + 13);
   pen.font = "12px system-ui, sans-serif";
 }

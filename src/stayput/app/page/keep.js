@@ -5,10 +5,10 @@ import { fill, offer, part } from "./dom.js";
 import { worded } from "./refusals.js";
 import { spoken, t } from "./words.js";
 
-const say = (...told) => fill(part("kept"), told);
+const say = (...content) => fill(part("kept"), content);
 
-/** Wires the buttons; "asked" gives what the server is asked now. */
-export function wire(asked) {
+/** Wires the buttons; "request" gives the scene and its measures. */
+export function wire(request) {
   const attempt = (work) => async () => {
     try {
       await work();
@@ -32,12 +32,12 @@ export function wire(asked) {
   part("address").addEventListener("focus", (event) => event.target.select());
   part("toml").addEventListener(
     "click",
-    attempt(async () => offer(await api.toml(asked()), "scenario.toml", "application/toml")),
+    attempt(async () => offer(await api.toml(request()), "scenario.toml", "application/toml")),
   );
   for (const which of ["without", "with"])
     part(`csv-${which}`).addEventListener(
       "click",
-      attempt(async () => offer(await api.runAsCsv(asked(), which), `run_${which}.csv`, "text/csv")),
+      attempt(async () => offer(await api.runAsCsv(request(), which), `run_${which}.csv`, "text/csv")),
     );
 }
 

@@ -1,6 +1,6 @@
 // The scene in the page's address, so that a link shows it again.
 
-import { clamp, plain, RANGES } from "./scene.js";
+import { clamp, limitsOf, plain } from "./scene.js";
 
 const round = (value) => String(Number(value.toPrecision(6)));
 const NUMBERS = [
@@ -31,14 +31,12 @@ export function toHash(scene) {
     pairs.set("name", scene.record.name);
     if (scene.record.shaking.component) pairs.set("component", scene.record.shaking.component);
   }
-  const measures = Object.entries(scene.measures).map(([type, given]) =>
-    [type, ...Object.entries(given).map(([name, value]) => `${name}:${value}`)].join(";"),
+  const measures = Object.entries(scene.measures).map(([type, settings]) =>
+    [type, ...Object.entries(settings).map(([name, value]) => `${name}:${value}`)].join(";"),
   );
   if (measures.length) pairs.set("measures", measures.join(","));
   return pairs.toString();
 }
-
-const within = (value, name) => clamp(value, RANGES[name]);
 
 /** The value of a measure's parameter, or nothing where it makes no sense. */
 function allowed(about, text) {
@@ -48,26 +46,27 @@ function allowed(about, text) {
 }
 
 function measured(text, presets) {
-  const found = {},
+  const measures = {},
     taken = new Set();
   for (const piece of text.split(",")) {
-    const [type, ...given] = piece.split(";");
+    const [type, ...settings] = piece.split(";");
     const preset = presets.measures.find((one) => one.type === type);
     if (!preset || taken.has(preset.place)) continue;
     if (preset.place) taken.add(preset.place);
-    found[type] = {};
-    for (const pair of given) {
+    measures[type] = {};
+    for (const pair of settings) {
       const [name, value] = pair.split(":");
       const about = preset.parameters.find((one) => one.name === name);
-      const kept = about && allowed(about, value);
-      if (kept !== undefined) found[type][name] = kept;
+      const checked = about && allowed(about, value);
+      if (checked !== undefined) measures[type][name] = checked;
     }
   }
-  return found;
+  return measures;
 }
 
 /** The scene of an address; what is missing or makes no sense there is as in the scene given. */
 export function fromHash(hash, presets, start) {
+  const within = (value, name) => clamp(value, limitsOf(presets, name));
   const pairs = new URLSearchParams(hash.replace(/^#/, ""));
   const scene = { ...structuredClone(plain), ...start };
   const lists = {

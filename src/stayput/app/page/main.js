@@ -37,7 +37,7 @@ let presets = null,
   edited = { keys: "", at: -Infinity };
 
 /** What the server is asked: the scene, and the measures that can be put there. */
-const asked = () => ({ scene: forServer(current()), measures: measures.inPlace(current()) });
+const request = () => ({ scene: forServer(current()), measures: measures.inPlace(current()) });
 
 /** Simulates the scene now; while one answer is awaited only the newest scene waits for the next. */
 async function simulate() {
@@ -51,7 +51,7 @@ async function simulate() {
   const slow = setTimeout(() => tellWait(shown ? "outdated" : "warming"), SLOW);
   const scene = current();
   try {
-    shown = { result: shake(await api.simulate(asked())), scene };
+    shown = { result: shake(await api.simulate(request())), scene };
     tellProblem(null);
     display();
   } catch (error) {
@@ -195,7 +195,7 @@ async function begin() {
   });
   see.wire();
   upload.wire();
-  keep.wire(asked);
+  keep.wire(request);
   part("sizes").addEventListener("rebuild", () => piece.build(presets));
   try {
     presets = await api.presets();
@@ -209,7 +209,7 @@ async function begin() {
   await take(location.hash);
   build();
   see.name(presets);
-  understand.build(presets, asked);
+  understand.build(presets, request);
   watch((keys) => {
     edit(keys);
     changed();

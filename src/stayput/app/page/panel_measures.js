@@ -60,18 +60,18 @@ function give(kind, name, value) {
 
 function field(kind, about) {
   const label = both(about.label),
-    given = current().measures[kind.type]?.[about.name] ?? about.default;
+    value = current().measures[kind.type]?.[about.name] ?? about.default;
   if (about.choices?.length) {
     const one = choice({
       label,
       options: about.choices.map((id) => ({ id, label: known(`choice_${id}`) ? t(`choice_${id}`) : id })),
       changed: (value) => give(kind, about.name, value),
     });
-    one.set(given);
+    one.set(value);
     return one.element;
   }
-  if (typeof given !== "number") return null;
-  const high = Math.min(about.high, Math.max(4 * given, about.low + 1e-3)),
+  if (typeof value !== "number") return null;
+  const high = Math.min(about.high, Math.max(4 * value, about.low + 1e-3)),
     low = Math.max(about.low, 0);
   const step = about.whole ? 1 : 10 ** Math.floor(Math.log10(high / 100));
   const one = slider({
@@ -83,7 +83,7 @@ function field(kind, about) {
     hint: t(`confidence_${about.confidence}`),
     changed: (value) => give(kind, about.name, about.whole ? Math.round(value) : value),
   });
-  one.set(given);
+  one.set(value);
   return one.element;
 }
 
@@ -103,7 +103,7 @@ export const leftOut = (scene) =>
 export const inPlace = (scene) =>
   Object.entries(scene.measures)
     .filter(([type]) => !lacking(measureOf(type), scene))
-    .map(([type, given]) => ({ type, ...given }));
+    .map(([type, value]) => ({ type, ...value }));
 
 /** Puts the scene's values into the switches; what cannot be put there says why. */
 export function update() {

@@ -3,7 +3,7 @@
 import { slider } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { details, pathOf } from "./canvas/furniture.js";
-import { balance, change, current, fromPreset, RANGES } from "./scene.js";
+import { balance, change, current, fromPreset, numberOf } from "./scene.js";
 import { both, length, number, t } from "./words.js";
 
 let fields = {},
@@ -31,37 +31,34 @@ export function build(presets) {
   fill(part("presets"), known.map(card));
   const scene = current();
   fields = {
-    height: size("height"),
-    width: size("width"),
+    height: size(presets, "height"),
+    width: size(presets, "width"),
     mass: slider({
       label: t(scene.shelves ? "carcass" : "mass"),
-      unit: "kg",
-      range: RANGES.mass,
+      ...numberOf(presets, "mass"),
       step: 1,
       changed: (mass) => change({ mass }),
     }),
   };
-  const loads = scene.shelves ? shelves(scene) : [centre()];
+  const loads = scene.shelves ? shelves(presets, scene) : [centre(presets)];
   fill(part("sizes"), fields.height.element, fields.width.element, fields.mass.element, ...loads);
   update();
 }
 
-const size = (key) =>
+const size = (presets, key) =>
   slider({
     label: t(key),
-    unit: "cm",
-    range: RANGES[key],
+    ...numberOf(presets, key),
     step: 0.01,
-    factor: 100,
     hint: key === "width" ? t("widthHint") : null,
     changed: (value) => change({ [key]: value }),
   });
 
-function centre() {
+function centre(presets) {
   fields.centre = slider({
     label: t("centre"),
+    ...numberOf(presets, "centre"),
     unit: "%",
-    range: RANGES.centre,
     step: 0.01,
     factor: 100,
     hint: t("centreHint"),
@@ -70,13 +67,12 @@ function centre() {
   return fields.centre.element;
 }
 
-function shelves(scene) {
+function shelves(presets, scene) {
   const n = scene.shelves.length;
   fields.shelves = scene.shelves.map((_, i) =>
     slider({
       label: t("shelf", { n: i + 1 }),
-      unit: "kg",
-      range: RANGES.load,
+      ...numberOf(presets, "load"),
       step: 1,
       changed: (load) => change({ shelves: current().shelves.map((old, j) => (i === j ? load : old)) }),
     }),

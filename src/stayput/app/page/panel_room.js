@@ -4,15 +4,16 @@ import { choice, oneOf, slider, toggle } from "./controls.js";
 import { fill, part } from "./dom.js";
 import { recalled, remember } from "./memory.js";
 import { ceilingTooLow, missing } from "./notices.js";
-import { change, current, RANGES } from "./scene.js";
+import { change, current, limitsOf, numberOf } from "./scene.js";
 import { both, number, t } from "./words.js";
 
-let fields = {};
+let fields = {},
+  most = 1;
 
 /** The storey and the building that the reader last had: "5/10" for storey 5 of 10. */
 const building = () => {
   const [storey, storeys] = (recalled("building") ?? "").split("/").map(Number);
-  return storeys >= 1 && storey >= 1 && storey <= storeys && storeys <= RANGES.storeys[1]
+  return storeys >= 1 && storey >= 1 && storey <= storeys && storeys <= most
     ? { storeys: Math.round(storeys), storey: Math.round(storey) }
     : { storeys: 10, storey: 5 };
 };
@@ -20,7 +21,7 @@ const building = () => {
 /** Builds the panel; called again for another language. */
 export function build(presets) {
   const named = (list) => list.map((one) => ({ id: one.id, label: both(one.label) }));
-  const most = Math.min(RANGES.storeys[1], presets.limits?.storeys ?? Infinity);
+  most = limitsOf(presets, "storeys")[1];
   fields = {
     floor: choice({
       label: t("floor"),
@@ -33,18 +34,14 @@ export function build(presets) {
     wall: toggle({ label: t("wall"), changed: (wall) => change({ wall }) }),
     gap: slider({
       label: t("gap"),
-      unit: "cm",
-      range: RANGES.gap,
+      ...numberOf(presets, "gap"),
       step: 0.005,
-      factor: 100,
       changed: (gap) => change({ gap }),
     }),
     ceiling: slider({
       label: t("ceiling"),
-      unit: "cm",
-      range: RANGES.ceiling,
+      ...numberOf(presets, "ceiling"),
       step: 0.05,
-      factor: 100,
       changed: (ceiling) => change({ ceiling }),
     }),
     inside: oneOf({
@@ -63,7 +60,7 @@ export function build(presets) {
     }),
     storey: slider({
       label: t("storey"),
-      range: [1, most],
+      ...numberOf(presets, "storey"),
       step: 1,
       changed: (storey) => change({ storey: Math.round(storey) }),
     }),

@@ -2,7 +2,7 @@
 
 import { choice, oneOf, slider, toggle } from "./controls.js";
 import { fill, part } from "./dom.js";
-import { change, current, RANGES } from "./scene.js";
+import { change, current, numberOf } from "./scene.js";
 import { both, number, t } from "./words.js";
 
 let fields = {},
@@ -21,7 +21,7 @@ export function build(presets) {
   fields = {
     intensity: slider({
       label: t("intensity"),
-      range: RANGES.intensity,
+      ...numberOf(presets, "intensity"),
       step: 0.05,
       changed: (intensity) => change({ intensity }),
     }),
@@ -32,7 +32,7 @@ export function build(presets) {
     }),
     member: slider({
       label: t("member"),
-      range: RANGES.member,
+      ...numberOf(presets, "member"),
       step: 1,
       hint: t("memberHint"),
       changed: (member) => change({ member: Math.round(member) }),

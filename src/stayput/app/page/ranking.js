@@ -57,8 +57,8 @@ export function show(verdict, take) {
 /** How well founded an option's number is: the grade of its weakest inputs, which are named where one points. */
 export function grade(one, text = t("grade", { grade: one.grade })) {
   const weakest = one.weakest.map(both).join(t("listed"));
-  const told = t("gradeOf", { grade: one.grade, inputs: weakest });
-  return el("span", { class: `tag grade${one.grade}`, title: told, text });
+  const meaning = t("gradeOf", { grade: one.grade, inputs: weakest });
+  return el("span", { class: `tag grade${one.grade}`, title: meaning, text });
 }
 
 function bar({ estimate, low, high }) {

@@ -24,8 +24,8 @@ export const plain = {
   measures: {},
 };
 
-/** What the fields allow: lengths in m, masses in kg. */
-export const RANGES = {
+/** How far the sliders reach: lengths in m, masses in kg. */
+const REACH = {
   width: [0.15, 1.2],
   height: [0.3, 2.6],
   mass: [1, 800],
@@ -33,11 +33,34 @@ export const RANGES = {
   centre: [0.2, 0.8],
   gap: [0, 0.5],
   ceiling: [1.8, 3.5],
-  storeys: [0, 60],
-  storey: [1, 60],
   intensity: [3.5, 7],
-  member: [1, 40],
 };
+
+/** What the server calls the numbers of which it knows more. */
+const NAMES = {
+  width: "furniture.width",
+  height: "furniture.height",
+  mass: "furniture.mass",
+  load: "furniture.shelves",
+  gap: "room.left_wall.gap",
+  ceiling: "room.ceiling.height",
+};
+
+/** The smallest and the largest value of a number of the scene. */
+export function limitsOf(presets, name) {
+  if (name === "storeys") return [0, presets.limits.storeys];
+  if (name === "storey") return [1, presets.limits.storeys];
+  if (name === "member") return [1, presets.numbers["shaking.suite.count"].default];
+  const about = presets.numbers[NAMES[name]];
+  return about ? [about.low, about.high] : REACH[name];
+}
+
+/** What the slider of a number of the scene is made with; lengths are shown in cm. */
+export function numberOf(presets, name) {
+  const limits = limitsOf(presets, name),
+    unit = presets.numbers[NAMES[name]]?.unit ?? "";
+  return { range: REACH[name] ?? limits, limits, ...(unit === "m" ? { unit: "cm", factor: 100 } : { unit }) };
+}
 
 /** A value within a range. */
 export const clamp = (value, [low, high]) => Math.min(high, Math.max(low, value));
@@ -52,11 +75,11 @@ export const current = () => scene;
 export function change(part) {
   scene = { ...scene, ...part };
   if (scene.storeys > 0) scene.storey = Math.min(Math.max(1, scene.storey), scene.storeys);
-  for (const told of listeners) told(Object.keys(part));
+  for (const listener of listeners) listener(Object.keys(part));
 }
 
 /** Calls a function with the keys that changed, after every change. */
-export const watch = (told) => listeners.add(told);
+export const watch = (listener) => listeners.add(listener);
 
 /** What a preset stands with: its size, and shelves loaded evenly where it has any. */
 export function fromPreset(preset) {
@@ -84,7 +107,7 @@ export function fromServer(presets) {
     intensity: middle ?? (Number(shaking.intensity) || plain.intensity),
     family: shaking.suite?.family ?? plain.family,
     member: shaking.member ?? plain.member,
-    measures: Object.fromEntries(presets.measures_shown.map(({ type, ...given }) => [type, given])),
+    measures: Object.fromEntries(presets.measures_shown.map(({ type, ...values }) => [type, values])),
   };
 }
 

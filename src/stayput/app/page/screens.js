@@ -3,7 +3,7 @@
 import { icon } from "./icons.js";
 import { fill, narrow, part } from "./dom.js";
 import { recalled, remember } from "./memory.js";
-import { asked, speak, spoken, t } from "./words.js";
+import { preferredLanguage, speak, spoken, t } from "./words.js";
 
 const SCREENS = ["scene", "see", "understand", "keep"];
 
@@ -68,7 +68,7 @@ export function wire(changed) {
 export function begin() {
   const theme = recalled("theme");
   if (theme === "light" || theme === "dark") document.documentElement.dataset.theme = theme;
-  speak(recalled("language") ?? asked());
+  speak(recalled("language") ?? preferredLanguage());
   const screen = history.state?.screen;
   mark(SCREENS.includes(screen) ? screen : SCREENS[1]);
   history.replaceState({ screen: document.body.dataset.screen }, "");

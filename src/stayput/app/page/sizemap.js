@@ -30,7 +30,7 @@ export function show(map) {
         y(ys[j + 1]),
         x(xs[i + 1]) - x(xs[i]),
         y(ys[j]) - y(ys[j + 1]),
-        `${number(map.intensity[i], 2)}, ${length(sizes[j])}: ${told(share, map.refused[j])}`,
+        `${number(map.intensity[i], 2)}, ${length(sizes[j])}: ${shareText(share, map.refused[j])}`,
         map.refused[j] !== null,
       ),
     ),
@@ -55,7 +55,7 @@ export function show(map) {
       "aria-label": t("mapAlt", {
         size: length(size),
         at: somewhere ? number(map.here.intensity, 2) : t("notKnown"),
-        share: told(own, map.refused[row]),
+        share: shareText(own, map.refused[row]),
       }),
     },
     hatching(),
@@ -102,7 +102,7 @@ const reason = ({ message, message_ja: japanese }) =>
   spoken() === "ja" ? (japanese ?? t("doesNotFit")) : message;
 
 /** What a cell stands for: a share, or why there is none. */
-const told = (share, refused) =>
+const shareText = (share, refused) =>
   refused ? `${t("impossible")}${t("colon")}${reason(refused)}` : percent(share);
 
 function edges(values) {

@@ -15,17 +15,17 @@ const TOLD = {
 
 /** The first event of each kind, in their order: {time, text}. */
 export function story(run) {
-  const found = [];
+  const events = [];
   const seen = new Set();
   for (const { time_s: time, kind } of run.events) {
     if (!(kind in TOLD) || seen.has(kind) || kind === "device failure") continue;
     seen.add(kind);
-    found.push({ time, text: t(TOLD[kind]) });
+    events.push({ time, text: t(TOLD[kind]) });
   }
   for (const device of run.devices)
     if (device.failed && device.failure_time_s !== null)
-      found.push({ time: device.failure_time_s, text: t("ev_device", { device: both(device.label) }) });
-  return found.sort((a, b) => a.time - b.time);
+      events.push({ time: device.failure_time_s, text: t("ev_device", { device: both(device.label) }) });
+  return events.sort((a, b) => a.time - b.time);
 }
 
 /** Writes both runs' stories; "seek" takes the time that the reader chose. */

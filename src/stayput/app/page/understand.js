@@ -22,16 +22,16 @@ const SETTLED = 900,
 const jobs = line();
 let question = null,
   problem = null,
-  found = null,
+  result = null,
   base = null,
   map = null,
   flight = null,
   round = 0,
   mapped = "without";
 
-/** Builds what is asked here; "asked" gives the scene and its measures. */
-export function build(presets, asked) {
-  question = asked;
+/** Builds the questions; "request" gives the scene and its measures. */
+export function build(presets, request) {
+  question = request;
   whatif.build(presets, elsewhere);
   choose();
   part("cancel").addEventListener("click", () => {
@@ -49,7 +49,7 @@ export function build(presets, asked) {
     if (event.persisted) soon(); // its jobs ended when it was left
   });
   const charts = settled(120, () => {
-    if (found) fragility.show(found);
+    if (result) fragility.show(result);
     if (map) showMap();
   });
   for (const name of ["resize", "shown"]) addEventListener(name, charts);
@@ -84,18 +84,18 @@ async function work() {
   stop();
   const mine = round,
     { scene, measures } = question();
-  const asked = { scene: { ...scene, uncertainty: { samples: samples() } }, measures };
+  const content = { scene: { ...scene, uncertainty: { samples: samples() } }, measures };
   state("running");
   progress(0);
   try {
-    const first = await jobs.run({ ...asked, compare_usual: false, curves: false }, () => {});
+    const first = await jobs.run({ ...content, compare_usual: false, curves: false }, () => {});
     if (!first || mine !== round) return;
     part("understand").dataset.old = "false";
     verdict.show(first.result);
     base = first.result;
-    const job = await jobs.run({ ...asked, compare_usual: true }, (told) => progress(told.progress));
+    const job = await jobs.run({ ...content, compare_usual: true }, (running) => progress(running.progress));
     if (!job || mine !== round) return;
-    found = job.result;
+    result = job.result;
     part("understand").dataset.job = job.id;
     state("done");
     keep.point(job.id);
@@ -152,10 +152,10 @@ function elsewhere() {
 }
 
 function display() {
-  verdict.show(found);
-  fragility.show(found);
-  ranking.show(found, (chosen) =>
-    change({ measures: Object.fromEntries(chosen.map(({ type, ...given }) => [type, given])) }),
+  verdict.show(result);
+  fragility.show(result);
+  ranking.show(result, (chosen) =>
+    change({ measures: Object.fromEntries(chosen.map(({ type, ...values }) => [type, values])) }),
   );
 }
 
@@ -163,7 +163,7 @@ function display() {
 export function again(presets) {
   whatif.build(presets, elsewhere);
   choose();
-  if (found) display();
+  if (result) display();
   if (base) verdict.show(base);
   if (map) showMap();
   state(part("understand").dataset.state);

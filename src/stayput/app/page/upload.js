@@ -71,11 +71,11 @@ const refusal = (words) => el("p", { class: "refusal", role: "alert" }, ...words
 function asking(file, said, field) {
   const unit = () =>
     el("select", { id: "unit" }, ...UNITS.map((one) => el("option", { value: one, text: one })));
-  const dt = () => el("input", { id: "step", type: "number", min: "0.0001", max: "1", step: "any" });
+  const dt = () => el("input", { id: "step", type: "number", step: "any" });
   const component = () => el("input", { id: "component", type: "text" });
-  const asked = { unit: { unit, dt }, dt: { dt }, component: { component } }[field];
-  if (!asked) return null;
-  const fields = Object.entries(asked).map(([name, make]) => [name, make()]);
+  const missing = { unit: { unit, dt }, dt: { dt }, component: { component } }[field];
+  if (!missing) return null;
+  const fields = Object.entries(missing).map(([name, make]) => [name, make()]);
   const values = () => Object.fromEntries(fields.map(([name, one]) => [name, one.value.trim()]));
   return el(
     "div",

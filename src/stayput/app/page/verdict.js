@@ -43,13 +43,15 @@ export function show(verdict) {
 
 /** What else is likely: sliding far, a device that fails. */
 function also(one, title, verdict) {
-  const told = [];
+  const sentences = [];
   if (one.slid.estimate >= LIKELY)
-    told.push(t("alsoSlides", { limit: length(verdict.slide_limit_m), share: percent(one.slid.estimate) }));
+    sentences.push(
+      t("alsoSlides", { limit: length(verdict.slide_limit_m), share: percent(one.slid.estimate) }),
+    );
   for (const device of one.devices)
     if (device.failed.estimate >= LIKELY)
-      told.push(t("alsoFails", { device: within(device.label), share: percent(device.failed.estimate) }));
-  return told.length ? el("li", { text: `${title}${t("colon")}${told.join(t("space"))}` }) : null;
+      sentences.push(t("alsoFails", { device: within(device.label), share: percent(device.failed.estimate) }));
+  return sentences.length ? el("li", { text: `${title}${t("colon")}${sentences.join(t("space"))}` }) : null;
 }
 
 function tens(share, title) {

@@ -26,8 +26,8 @@ export function line() {
     if (old) await api.cancel(old).catch(() => null);
   }
 
-  /** Runs a job to its end; "told" gets its progress. Returns it, or null where another took its place. */
-  async function run(content, told) {
+  /** Runs a job to its end; "onProgress" gets it as it goes. Returns it, or null where another took its place. */
+  async function run(content, onProgress) {
     await stop();
     const mine = turn,
       wanted = () => mine === turn;
@@ -41,7 +41,7 @@ export function line() {
       }
       id = begun.id;
       try {
-        const job = await ended(begun, told, wanted);
+        const job = await ended(begun, onProgress, wanted);
         if (job?.state !== "cancelled") return job;
       } catch (error) {
         lost = error.status === 404; // the server has been started anew and knows nothing of the job
@@ -52,11 +52,11 @@ export function line() {
   }
 
   /** Looks at a job until it has ended, and returns it; null where another took its place. */
-  async function ended(begun, told, wanted) {
+  async function ended(begun, onProgress, wanted) {
     for (let job = begun, wait = LOOK; wanted(); wait = Math.min(LONGEST, wait * 1.2)) {
       if (job.state === "done" || job.state === "cancelled") return job;
       if (job.state === "failed") throw new api.Refused(job.error ?? {}, 422);
-      told(job);
+      onProgress(job);
       await pause(wait);
       if (wanted()) job = await patiently(() => api.job(begun.id), wanted);
     }

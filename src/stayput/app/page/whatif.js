@@ -9,34 +9,34 @@ import { without, yours } from "./verdict.js";
 import { number, percent, t, within } from "./words.js";
 
 const jobs = line();
-let asked = Number(recalled("whatif")) || 20,
-  most = 60,
+let storey = Number(recalled("whatif")) || 20,
+  most = 1,
   answer = null,
   failed = null;
 
-/** Builds the question; "told" is asked for it again with a new floor. */
+/** Builds the question; "again" is called with each new floor. */
 export function build(presets, again) {
-  most = Math.min(60, presets.limits?.storeys ?? 60);
-  asked = Math.round(Math.min(most, Math.max(1, asked)));
+  most = presets.limits.storeys;
+  storey = Math.round(Math.min(most, Math.max(1, storey)));
   const field = el("input", {
     type: "number",
     id: "whatif-floor",
     min: 1,
     max: most,
     step: 1,
-    value: String(asked),
+    value: String(storey),
     inputmode: "numeric",
   });
   field.addEventListener("change", () => {
-    asked = Math.round(Math.min(most, Math.max(1, Number(field.value) || 20)));
-    field.value = String(asked);
+    storey = Math.round(Math.min(most, Math.max(1, Number(field.value) || 20)));
+    field.value = String(storey);
     remember("whatif", field.value);
     again();
   });
   const take = el("button", {
     type: "button",
     text: t("goThere"),
-    onclick: () => change({ storeys: tall(current()), storey: asked }),
+    onclick: () => change({ storeys: tall(current()), storey }),
   });
   fill(
     part("whatif-ask"),
@@ -48,7 +48,7 @@ export function build(presets, again) {
   say();
 }
 
-const tall = (scene) => Math.min(most, Math.max(scene.storeys, Math.round(asked * 1.25), asked));
+const tall = (scene) => Math.min(most, Math.max(scene.storeys, Math.round(storey * 1.25), storey));
 
 /** Asks the server, for the scene now; "base" is the verdict that it is compared to. */
 export async function ask(base, measures, samples) {
@@ -57,7 +57,7 @@ export async function ask(base, measures, samples) {
   answer = failed = null;
   part("whatif").textContent = t("thinking");
   part("whatif").dataset.state = "running";
-  const elsewhere = forServer({ ...scene, storeys, storey: asked });
+  const elsewhere = forServer({ ...scene, storeys, storey });
   const content = {
     scene: { ...elsewhere, uncertainty: { samples } },
     measures,
@@ -67,7 +67,7 @@ export async function ask(base, measures, samples) {
   try {
     const job = await jobs.run(content, () => {});
     if (!job) return;
-    answer = { there: job.result, here: base, storey: asked, storeys };
+    answer = { there: job.result, here: base, storey, storeys };
   } catch (error) {
     failed = error;
   }

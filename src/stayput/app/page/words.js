@@ -19,7 +19,7 @@ export function speak(wanted) {
 }
 
 /** The language that the reader's browser asks for, of those there are. */
-export const asked = () =>
+export const preferredLanguage = () =>
   (navigator.languages ?? []).map((tag) => tag.slice(0, 2)).find((tag) => LANGUAGES.includes(tag)) ?? "en";
 
 /** The words for a key; "{name}" in them is replaced by the value of that name. */

@@ -7,7 +7,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stayput.cli.options import Component, TimeStep, Unit  # noqa: TC001 - Typer reads them
+from stayput.cli.flags import (
+    ComponentOption,
+    TimeStepOption,
+    UnitOption,
+    band_of,
+    intensity_value,
+    one_of_two,
+    target_of,
+)
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
@@ -42,9 +50,9 @@ def suite(
     records: Annotated[
         Path | None, typer.Option(metavar="DIR", help="A folder of records to read, in place of making any.")
     ] = None,
-    component: Component = None,
-    unit: Unit = None,
-    dt: TimeStep = None,
+    component: ComponentOption = None,
+    unit: UnitOption = None,
+    dt: TimeStepOption = None,
     target: Annotated[
         str | None,
         typer.Option(
@@ -69,7 +77,6 @@ def suite(
     ] = None,
 ) -> None:
     """Make or read a suite of motions, scale it, and write it with a table and a figure."""
-    from stayput.cli.flags import band_of, intensity_value, one_of_two, target_of
     from stayput.errors import InputError, unknown
 
     if out.exists() and not out.is_dir():
@@ -86,18 +93,18 @@ def suite(
     from stayput.motion.suites import read_suite, synthetic_suite
 
     if records is not None:
-        made = read_suite(records, component, unit, dt=dt)
+        motions = read_suite(records, component, unit, dt=dt)
     else:
-        made = synthetic_suite(family, count, seed)
+        motions = synthetic_suite(family, count, seed)
     if wanted is not None:
         if select is not None:
-            made = made.selected(wanted, select, periods)
-        scaled = made.to_spectrum(wanted, periods)
-        made = scaled if fit == "scale" else scaled.matched(wanted, periods, together=fit == "together")
+            motions = motions.selected(wanted, select, periods)
+        scaled = motions.to_spectrum(wanted, periods)
+        motions = scaled if fit == "scale" else scaled.matched(wanted, periods, together=fit == "together")
     if intensity is not None:
-        made = made.to_intensity(intensity_value(intensity))
-    _write(made, out, wanted)
-    _print_end(made, wanted, periods, out)
+        motions = motions.to_intensity(intensity_value(intensity))
+    _write(motions, out, wanted)
+    _print_end(motions, wanted, periods, out)
 
 
 def _numbers(motion: Motion) -> list[float]:
@@ -111,7 +118,7 @@ def _numbers(motion: Motion) -> list[float]:
     ]
 
 
-def _write(made: Suite, out: Path, wanted: TargetSpectrum | None) -> None:
+def _write(motions: Suite, out: Path, target: TargetSpectrum | None) -> None:
     import csv
     import io
 
@@ -124,28 +131,30 @@ def _write(made: Suite, out: Path, wanted: TargetSpectrum | None) -> None:
     table = io.StringIO()
     rows = csv.writer(table, lineterminator="\n")
     rows.writerow(COLUMNS)
-    with bar(len(made), "Writing motions", unit="motions") as done:
-        for i, motion in enumerate(made, start=1):
-            file = f"{i:0{len(str(len(made)))}d}-{name_part(motion.name, 'motion')}.csv"
+    with bar(len(motions), "Writing motions", unit="motions") as advance:
+        for i, motion in enumerate(motions, start=1):
+            file = f"{i:0{len(str(len(motions)))}d}-{name_part(motion.name, 'motion')}.csv"
             motion.write(folder / file)
             names = file, text_cell(motion.name)
             rows.writerow([*names, motion.synthetic, *_numbers(motion), text_cell(motion.source)])
-            done(1)
+            advance(1)
     with draft(out / "suite.csv") as unfinished:
         unfinished.write_text(table.getvalue(), encoding="utf-8")
-    made.plot(out / "suite.png", target=wanted)
+    motions.plot(out / "suite.png", target=target)
 
 
-def _print_end(made: Suite, wanted: TargetSpectrum | None, periods: tuple[float, float], out: Path) -> None:
+def _print_end(
+    motions: Suite, target: TargetSpectrum | None, periods: tuple[float, float], out: Path
+) -> None:
     from stayput.wording import counted
 
-    intensities = made.intensities
-    told = counted(len(made), "synthetic motion" if made.synthetic else "motion")
-    typer.echo(f"{told}: JMA intensity {intensities.min():.2f} to {intensities.max():.2f}")
-    if wanted is not None:
-        off = made.deviation(wanted, periods)
+    intensities = motions.intensities
+    count = counted(len(motions), "synthetic motion" if motions.synthetic else "motion")
+    typer.echo(f"{count}: JMA intensity {intensities.min():.2f} to {intensities.max():.2f}")
+    if target is not None:
+        off = motions.deviation(target, periods)
         typer.echo(
-            f"Median spectrum against {wanted.name}, {periods[0]:g} to {periods[1]:g} s: "
+            f"Median spectrum against {target.name}, {periods[0]:g} to {periods[1]:g} s: "
             f"{100.0 * off.mean:.1f} % off on average, {100.0 * off.worst:.1f} % at most "
             f"(at {off.worst_period:.2g} s)"
         )

@@ -11,7 +11,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.mechanics import columns as col
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.records import HeldCases
+from stayput.mechanics.records import BatchDevices
 from stayput.mechanics.runner import DEVICE_TOLERANCE, MAX_EVENTS, Shaking, Traced, solve, traced
 
 if TYPE_CHECKING:
@@ -99,7 +99,7 @@ def _check(valid: NDArray[np.bool_], values: NDArray[np.float64], name: str, all
         raise InputError("mechanics.element_value", name=name, value=value, allowed=phrase(allowed))
 
 
-def _held(elements: NDArray[np.void], motion: Shaking) -> HeldCases:
+def _held(elements: NDArray[np.void], motion: Shaking) -> BatchDevices:
     """Return devices as the solver takes them, shape [m, n].
 
     Raises
@@ -111,7 +111,7 @@ def _held(elements: NDArray[np.void], motion: Shaking) -> HeldCases:
     if motion.law != col.COULOMB:
         raise InputError("mechanics.elements_need_coulomb", "contact")
     links = np.zeros(elements.shape[1], el.LINK)
-    return HeldCases(elements, links, np.zeros(elements.shape, el.DEVICE), np.zeros(2, el.WORK))
+    return BatchDevices(elements, links, np.zeros(elements.shape, el.DEVICE), np.zeros(2, el.WORK))
 
 
 def trace_with_devices(

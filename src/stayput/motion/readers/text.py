@@ -77,8 +77,9 @@ def chunks(text: str, start: int = 0) -> Iterator[str]:
         start = stop
 
 
-def lines(text: str, start: int = 0) -> Iterator[tuple[int, str]]:
-    """Yield the lines of a text from a place on: where each begins, and the line without its end."""
+def lines(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the lines of a text: where each begins, and the line without its end."""
+    start = 0
     for chunk in chunks(text, start):
         for line in chunk.removesuffix("\n").split("\n"):
             yield start, line

@@ -31,6 +31,9 @@ if TYPE_CHECKING:
 
     from stayput.motion.suites.families import BasinWaves, Family, Parameters, Pulse
 
+SEED_RANGE = (0, 2**32 - 1)
+"""Smallest and largest seed that is accepted."""
+
 TAPER = 1.5
 """Over which a motion fades in and out [s]."""
 
@@ -191,7 +194,7 @@ def synthetic_motion(family: str, number: int = 1, seed: int = 1) -> Motion:
         No such family; a number or a seed out of range.
     """
     chosen = family_named(family)
-    key = (whole("seed", seed, 0, 2**32 - 1), FAMILIES.index(family), whole("number", number, 1, 1_000_000))
+    key = (whole("seed", seed, *SEED_RANGE), FAMILIES.index(family), whole("number", number, 1, 1_000_000))
     params = draw_parameters(chosen, Draws(*key))
     n = step_count(chosen, params) + 1
     common = Draws(*key, 1).noise(len(_OCTAVES))

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 from cachetools import LRUCache, cached
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
+from stayput.model.parameters import arguments, quantity
 from stayput.motion.processing import whole
 from stayput.motion.suites.families import FAMILIES, KINDS, MIX
 from stayput.motion.suites.suite import Suite
-from stayput.motion.suites.synthesis import synthetic_motion
+from stayput.motion.suites.synthesis import SEED_RANGE, synthetic_motion
 from stayput.motion.suites.target import DEFAULT_BAND
 
 if TYPE_CHECKING:
@@ -22,6 +24,9 @@ if TYPE_CHECKING:
 
 MIXED = "mixed"
 """Name of the suite of all families."""
+
+COUNT_RANGE = (1, 1000)
+"""Fewest and most motions of a suite."""
 
 CACHE_SIZE = 128 * 1024 * 1024
 """Most bytes of samples in the cache: 40 mixed motions have 9 MB, 100 of the longest kind 60 MB."""
@@ -52,6 +57,10 @@ def mixed_order(count: int) -> list[str]:
     return order
 
 
+@arguments(
+    count=quantity("", *COUNT_RANGE, phrase("motion.name_count"), "Number of motions."),
+    seed=quantity("", *SEED_RANGE, phrase("motion.name_seed"), "The same seed gives the same motions."),
+)
 def synthetic_suite(
     family: str = MIXED,
     count: int = 40,
@@ -92,8 +101,7 @@ def synthetic_suite(
         raise InputError(
             "motion.unknown_family", "family", family=family, known=", ".join((MIXED, *FAMILIES))
         )
-    n = whole("count", count, 1, 1000)
-    number = whole("seed", seed, 0, 2**32 - 1)
+    n, number = whole("count", count, *COUNT_RANGE), whole("seed", seed, *SEED_RANGE)
     families = mixed_order(n) if family == MIXED else [family] * n
     counts = dict.fromkeys(FAMILIES, 0)
     motions: list[Motion] = []

@@ -1,26 +1,26 @@
 // The clock of the animation: play, pause, scrub, slow motion. It calls for a picture only when one is due.
 
 /** Whether the reader has asked the system for less motion. */
-export const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+export const prefersReducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /** A function that runs at most once before the next picture is drawn. */
 export function beforeNextFrame(work) {
-  let asked = false;
+  let due = false;
   return () => {
-    if (asked) return;
-    asked = true;
+    if (due) return;
+    due = true;
     requestAnimationFrame(() => {
-      asked = false;
+      due = false;
       work();
     });
   };
 }
 
 /**
- * A clock for a time span; "draw" is called with the time whenever the picture changes, "told" with whether it
- * plays. At the end it holds for so many seconds and starts again; with Infinity it stops there.
+ * A clock for a time span; "draw" is called with the time whenever the picture changes, "onPlaying" with
+ * whether it plays. At the end it holds for so many seconds and starts again; with Infinity it stops there.
  */
-export function player(draw, told, hold = 1.5) {
+export function player(draw, onPlaying, hold = 1.5) {
   let now = 0,
     start = 0,
     end = 0,
@@ -66,7 +66,7 @@ export function player(draw, told, hold = 1.5) {
     playing = on && end > 0;
     if (playing && now >= end) now = start;
     held = 0;
-    told(playing);
+    onPlaying(playing);
     begin();
     once();
   }
@@ -98,7 +98,7 @@ export function player(draw, told, hold = 1.5) {
       return playing;
     },
     /** Takes another span; the first one plays at once, unless it is to stand still at the time shown. */
-    span(from, until, shown, still = calm()) {
+    span(from, until, shown, still = prefersReducedMotion()) {
       const first = end === 0;
       start = from;
       end = until;

@@ -1,13 +1,13 @@
-"""What a verdict rests on, each with how well founded it is."""
+"""The assumptions of a verdict, each with how well founded it is."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import phrase
-from stayput.measures.parameters import GIVEN
-from stayput.report.verdict.words import named, place
+from stayput.catalogue import phrase, say
+from stayput.model.parameters import GIVEN
+from stayput.report.verdict.words import named
 from stayput.uncertainty import USUAL, Lognormal, Normal, Uniform
 from stayput.verification.grades import building_tag, floor_tag, furniture_tag
 
@@ -25,7 +25,7 @@ MODEL = "model"
 
 @dataclass(frozen=True, slots=True)
 class Assumption:
-    """One thing that a verdict rests on.
+    """An assumption of a verdict.
 
     Parameters
     ----------
@@ -39,12 +39,12 @@ class Assumption:
     confidence: str
 
     def what(self, language: str) -> str:
-        """Return what it is."""
-        return self.texts[0][place(language)]
+        """Return its label."""
+        return say(self.texts[0], language)
 
     def value(self, language: str) -> str:
         """Return its value."""
-        return self.texts[1][place(language)]
+        return say(self.texts[1], language)
 
 
 LIMITS = ("body", "contacts", "devices")
@@ -52,7 +52,7 @@ LIMITS = ("body", "contacts", "devices")
 
 
 def assumptions(verdict: Verdict) -> list[Assumption]:
-    """Return what a verdict rests on, apart from the parameters of the measures."""
+    """Return the assumptions of a verdict, apart from the parameters of the measures."""
     scenario = verdict.scenario
     return [
         _furniture(scenario),
@@ -61,7 +61,7 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
         _motions(scenario, verdict.motions),
         *([] if scenario.shaking.building is None else [_building(scenario)]),
         *(_drawn(name, marginal) for name, marginal in USUAL.items()),
-        *(Assumption((_text(f"limit_{key}"), _text(f"limit_{key}_told")), MODEL) for key in LIMITS),
+        *(Assumption((_text(f"limit_{key}"), _text(f"limit_{key}_text")), MODEL) for key in LIMITS),
     ]
 
 
@@ -77,7 +77,7 @@ def _furniture(scenario: Scenario) -> Assumption:
     table, body = scenario.furniture, scenario.furniture.body()
     x, z = body.centre_of_gravity
     forward = _text("forward", across=x) if x else ""
-    value = _text("piece_told", width=body.width, height=body.height, mass=body.mass, up=z, forward=forward)
+    value = _text("piece_text", width=body.width, height=body.height, mass=body.mass, up=z, forward=forward)
     return Assumption((_text("piece"), value), furniture_tag(table))
 
 
@@ -93,9 +93,9 @@ def _walls(scenario: Scenario) -> Iterator[Assumption]:
     room = scenario.room.room()
     for key, wall in (("wall", room.left_wall), ("front_wall", room.right_wall)):
         if wall is not None:
-            yield Assumption((_text(key), _text("gap_told", gap=100.0 * wall.gap)), GIVEN)
+            yield Assumption((_text(key), _text("gap_text", gap=100.0 * wall.gap)), GIVEN)
     if room.ceiling is not None:
-        yield Assumption((_text("ceiling"), _text("height_told", height=room.ceiling.height)), GIVEN)
+        yield Assumption((_text("ceiling"), _text("height_text", height=room.ceiling.height)), GIVEN)
 
 
 def _motions(scenario: Scenario, count: int) -> Assumption:
@@ -116,7 +116,7 @@ def _motions(scenario: Scenario, count: int) -> Assumption:
 def _building(scenario: Scenario) -> Assumption:
     table = scenario.shaking.building
     assert table is not None
-    value = _text("building_told", name=table.building().name, storey=scenario.shaking.storey)
+    value = _text("building_text", name=table.building().name, storey=scenario.shaking.storey)
     return Assumption((_text("building"), value), building_tag(table))
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from stayput.fragility import JMA_INTENSITY
-from stayput.fragility.curve import State
+from stayput.fragility.curve import CurveState
 from stayput.motion.intensity import CLASSES
 from stayput.report.verdict import svg
 from stayput.report.verdict.words import word
@@ -26,7 +26,7 @@ _POINTS = 191
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class LegendEntry:
     """One line of the legend: the look of the curve, what it is called, and whether there is a curve."""
 
     look: int
@@ -36,24 +36,26 @@ class Entry:
 
 def looks(verdict: Verdict) -> dict[str, int]:
     """Return the look of each option's line, by its name: 0 without a measure, the others as they rank."""
-    names = [one.option.name for one in verdict.options if one.option.measures]
+    names = [result.option.name for result in verdict.options if result.option.measures]
     by_name = {name: 1 if n == 0 else 2 + (n - 1) % (LOOKS - 2) for n, name in enumerate(names)}
     return by_name | {verdict.without.option.name: 0}
 
 
-def legend(verdict: Verdict, language: str) -> list[Entry]:
+def legend(verdict: Verdict, language: str) -> list[LegendEntry]:
     """Return the legend, the best option first."""
-    seen = looks(verdict)
+    look_of = looks(verdict)
     return [
-        Entry(seen[one.option.name], title(one.option, verdict, language), _note(one, language))
-        for one in verdict.options
-        if one.curves
+        LegendEntry(
+            look_of[result.option.name], title(result.option, verdict, language), _note(result, language)
+        )
+        for result in verdict.options
+        if result.curves
     ]
 
 
-def _note(one: OptionVerdict, language: str) -> str:
-    state = one.curves[JMA_INTENSITY].state
-    if state is State.FITTED:
+def _note(result: OptionVerdict, language: str) -> str:
+    state = result.curves[JMA_INTENSITY].state
+    if state is CurveState.FITTED:
         return ""
     return word("no_curve", language, state=word(state.value.replace(" ", "_"), language))
 
@@ -69,27 +71,26 @@ def curves_svg(verdict: Verdict, language: str) -> str:
         "en" or "ja".
     """
     levels = verdict.levels
-    x = svg.Axis(float(levels[0]) - 0.1, float(levels[-1]) + 0.1, LEFT, RIGHT)
-    y = svg.Axis(0.0, 1.0, BOTTOM, TOP)
+    x = svg.PixelAxis(float(levels[0]) - 0.1, float(levels[-1]) + 0.1, LEFT, RIGHT)
+    y = svg.PixelAxis(0.0, 1.0, BOTTOM, TOP)
     parts = [*_classes(x, language), *_frame(x, y, language)]
-    seen = looks(verdict)
+    look_of = looks(verdict)
     shown = [verdict.without, *([verdict.best] if verdict.best.option.measures else [])]
-    parts += [_band(x, y, one.curves[JMA_INTENSITY], seen[one.option.name]) for one in shown]
-    for one in reversed(verdict.options):
-        curve = one.curves[JMA_INTENSITY]
-        if curve.state is State.FITTED:
+    parts += [_band(x, y, result.curves[JMA_INTENSITY], look_of[result.option.name]) for result in shown]
+    for result in reversed(verdict.options):
+        curve = result.curves[JMA_INTENSITY]
+        if curve.state is CurveState.FITTED:
             grid = curve.grid(_POINTS)
-            parts.append(
-                svg.polyline(x.at(grid), y.at(curve.probability(grid)), f"curve look{seen[one.option.name]}")
-            )
-    for one in shown:
-        parts += _counts(x, y, one.curves[JMA_INTENSITY], seen[one.option.name])
+            style = f"curve look{look_of[result.option.name]}"
+            parts.append(svg.polyline(x.at(grid), y.at(curve.probability(grid)), style))
+    for result in shown:
+        parts += _counts(x, y, result.curves[JMA_INTENSITY], look_of[result.option.name])
     if x.low <= verdict.intensity <= x.high:
         parts += _here(x, verdict.intensity, language)
     return svg.drawing(WIDTH, HEIGHT, parts, word("fragility_alt", language), "chart")
 
 
-def _classes(x: svg.Axis, language: str) -> list[str]:
+def _classes(x: svg.PixelAxis, language: str) -> list[str]:
     """Return bands of every second class of JMA's intensity, and the classes' names along the top."""
     parts: list[str] = []
     ends = [start for _, start in CLASSES[1:]] + [math.inf]
@@ -106,7 +107,7 @@ def _classes(x: svg.Axis, language: str) -> list[str]:
     return parts
 
 
-def _frame(x: svg.Axis, y: svg.Axis, language: str) -> list[str]:
+def _frame(x: svg.PixelAxis, y: svg.PixelAxis, language: str) -> list[str]:
     parts: list[str] = []
     for share in (0.0, 0.2, 0.4, 0.6, 0.8, 1.0):
         level = y.place(share)
@@ -124,18 +125,18 @@ def _frame(x: svg.Axis, y: svg.Axis, language: str) -> list[str]:
     return parts
 
 
-def _band(x: svg.Axis, y: svg.Axis, curve: FragilityCurve, look: int) -> str:
-    if curve.state is not State.FITTED or curve.one_motion:
+def _band(x: svg.PixelAxis, y: svg.PixelAxis, curve: FragilityCurve, look: int) -> str:
+    if curve.state is not CurveState.FITTED or curve.one_motion:
         return ""
     grid = curve.grid(_POINTS)
     low, high = curve.band(grid)
-    there = zip(x.at(grid).tolist(), y.at(high).tolist(), strict=True)
-    back = zip(x.at(grid[::-1]).tolist(), y.at(low[::-1]).tolist(), strict=True)
-    return svg.polygon([*there, *back], f"band look{look}")
+    upper = zip(x.at(grid).tolist(), y.at(high).tolist(), strict=True)
+    lower = zip(x.at(grid[::-1]).tolist(), y.at(low[::-1]).tolist(), strict=True)
+    return svg.polygon([*upper, *lower], f"band look{look}")
 
 
-def _counts(x: svg.Axis, y: svg.Axis, curve: FragilityCurve, look: int) -> list[str]:
-    """Return what was counted: circles without a measure, squares with one."""
+def _counts(x: svg.PixelAxis, y: svg.PixelAxis, curve: FragilityCurve, look: int) -> list[str]:
+    """Return marks of the observed shares: circles without a measure, squares with one."""
     parts: list[str] = []
     for level in curve.levels:
         across, up = x.place(level.im), y.place(level.probability.estimate)
@@ -146,7 +147,7 @@ def _counts(x: svg.Axis, y: svg.Axis, curve: FragilityCurve, look: int) -> list[
     return parts
 
 
-def _here(x: svg.Axis, intensity: float, language: str) -> list[str]:
+def _here(x: svg.PixelAxis, intensity: float, language: str) -> list[str]:
     across = x.place(intensity)
     right = across < 0.5 * (LEFT + RIGHT)
     text = word("here", language, value=JMA_INTENSITY.text(intensity))

@@ -1,4 +1,4 @@
-"""A verdict as plain values: what the JSON file holds, and what the app's replies are made of."""
+"""A verdict as plain values, for the JSON file and the app's replies."""
 
 from __future__ import annotations
 
@@ -56,15 +56,15 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "precise": verdict.precise,
         "seconds": number(verdict.seconds),
         "grades": {grade.value: _texts(meaning) for grade, meaning in MEANINGS.items()},
-        "options": [_option(one, verdict) for one in verdict.options],
+        "options": [_option(result, verdict) for result in verdict.options],
         "not_possible": [
             {
-                "name": one.option.name,
-                "label": _texts((one.option.label("en"), one.option.label("ja"))),
-                "measures": [_measure(measure) for measure in one.option.measures],
-                "reason": _texts((one.why("en"), one.why("ja"))),
+                "name": impossible.option.name,
+                "label": _texts((impossible.option.label("en"), impossible.option.label("ja"))),
+                "measures": [_measure(measure) for measure in impossible.option.measures],
+                "reason": _texts((impossible.why("en"), impossible.why("ja"))),
             }
-            for one in verdict.impossible
+            for impossible in verdict.impossible
         ],
         "estimates": {
             "rocking_acceleration_m_s2": number(verdict.estimates.rocking_acceleration),
@@ -73,27 +73,27 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
             "overturning_ratio": number(verdict.estimates.overturning_ratio),
         },
         "assumptions": [
-            {"what": one.what("en"), "value": one.value("en"), "confidence": one.confidence}
-            for one in assumptions(verdict)
+            {"what": entry.what("en"), "value": entry.value("en"), "confidence": entry.confidence}
+            for entry in assumptions(verdict)
         ],
         "scenario_toml": verdict.scenario.to_toml(),
     }
 
 
-def _option(one: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
-    change = one.change
+def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
+    change = result.change
     return {
-        "rank": one.rank,
-        "name": one.option.name,
-        "label": _texts((one.option.label("en"), one.option.label("ja"))),
-        "reason": _texts((reason(one, verdict, "en"), reason(one, verdict, "ja"))),
-        "grade": verdict.grade(one).value,
+        "rank": result.rank,
+        "name": result.option.name,
+        "label": _texts((result.option.label("en"), result.option.label("ja"))),
+        "reason": _texts((reason(result, verdict, "en"), reason(result, verdict, "ja"))),
+        "grade": verdict.grade(result).value,
         "inputs": [
-            {**_texts(each.label), "grade": each.grade.value, "tag": each.tag}
-            for each in inputs(one.option, verdict.scenario)
+            {**_texts(item.label), "grade": item.grade.value, "tag": item.tag}
+            for item in inputs(result.option, verdict.scenario)
         ],
-        "measures": [_measure(measure) for measure in one.option.measures],
-        "probabilities": {event: _probability(value) for event, value in one.probabilities.items()},
+        "measures": [_measure(measure) for measure in result.option.measures],
+        "probabilities": {event: _probability(value) for event, value in result.probabilities.items()},
         "overturned_change": None
         if change is None
         else {
@@ -103,8 +103,8 @@ def _option(one: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
             "clear": change.clear,
             "pairs": change.pairs,
         },
-        "peak_slide_m": _quantiles(one.slide),
-        "peak_tilt_rad": _quantiles(one.tilt),
+        "peak_slide_m": _quantiles(result.slide),
+        "peak_tilt_rad": _quantiles(result.tilt),
         "devices": [
             {
                 "type": device.kind,
@@ -114,10 +114,10 @@ def _option(one: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
                 "peak_force_n": _quantiles(device.peak),
                 "utilisation": _quantiles(device.used),
             }
-            for device in one.devices
+            for device in result.devices
         ],
-        "capacities": [_capacity(value) for value in one.capacities.values()],
-        "curves": [_curve(curve) for curve in one.curves.values()],
+        "capacities": [_capacity(value) for value in result.capacities.values()],
+        "curves": [_curve(curve) for curve in result.curves.values()],
     }
 
 
@@ -127,7 +127,7 @@ def _texts(text: Phrase) -> dict[str, str]:
 
 
 def _measure(measure: Measure) -> dict[str, Any]:
-    values = {about.name: getattr(measure, about.name) for about in parameters(measure)}
+    values = {parameter.name: getattr(measure, parameter.name) for parameter in parameters(measure)}
     return {"type": measure.kind, **values}
 
 
@@ -161,7 +161,7 @@ def _capacity(capacity: Capacity) -> dict[str, Any]:
 
 
 def _curve(curve: FragilityCurve) -> dict[str, Any]:
-    """Return a curve at its levels and what was observed there, in SI units."""
+    """Return a curve and the observed shares at its levels, in SI units."""
     share = curve.probability([level.im for level in curve.levels])
     low, high = curve.band([level.im for level in curve.levels])
     lognormal = curve.lognormal

@@ -25,7 +25,7 @@ MARGIN = 30.0
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """What part of the room is drawn, and how large.
+    """Extent and scale of the drawing.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ class Sheet:
 
 
 def sheet_of(held: Held) -> Sheet:
-    """Return what is shown of a body and its room: walls and ceiling where they are near."""
+    """Return the extent of a body's drawing: with walls and ceiling where they are near."""
     body, room = held.body, held.room
     size = max(body.width, body.height)
     half, high = 0.5 * body.width, body.height

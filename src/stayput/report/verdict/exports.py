@@ -13,7 +13,7 @@ import numpy as np
 from stayput.catalogue import say
 from stayput.files import drafts
 from stayput.fragility import PFA, PFV
-from stayput.fragility.curve import METHOD, State
+from stayput.fragility.curve import METHOD, CurveState
 from stayput.fragility.labels import identifiers
 from stayput.fragility.nrml import nrml_xml
 from stayput.fragility.pelicun import pelicun_csv
@@ -58,12 +58,13 @@ def write_curves(verdict: Verdict, measure: IntensityMeasure, folder: Path) -> t
     InputError
         The folder does not let a file be written.
     """
-    curves = [one.curves[measure] for one in verdict.options]
-    fitted = [curve for curve in curves if curve.state is State.FITTED]
+    curves = [result.curves[measure] for result in verdict.options]
+    fitted = [curve for curve in curves if curve.state is CurveState.FITTED]
     texts = {"curves.csv": curves_csv(fitted, measure), "observed.csv": observed_csv(curves)}
     left_out = [reason for curve in curves if (reason := _left_out(curve))]
     left_out += [
-        say("report.in_no_file", option=one.option.name, reason=one.reason) for one in verdict.impossible
+        say("report.in_no_file", option=result.option.name, reason=result.reason)
+        for result in verdict.impossible
     ]
     several = [curve for curve in fitted if not curve.one_motion]
     left_out += [
@@ -83,7 +84,7 @@ def write_curves(verdict: Verdict, measure: IntensityMeasure, folder: Path) -> t
     names = list(texts)
     names.insert(2, "fragility.svg")
     files = [folder / name for name in names]
-    with _made(folder), drafts(files) as unfinished:
+    with _new_folder(folder), drafts(files) as unfinished:
         for name, path in zip(names, unfinished, strict=True):
             if name in texts:
                 path.write_text(texts[name], encoding="utf-8")
@@ -94,7 +95,7 @@ def write_curves(verdict: Verdict, measure: IntensityMeasure, folder: Path) -> t
 
 def _left_out(curve: FragilityCurve) -> str:
     """Return why a curve is not in the files for loss tools, or in one of them only; empty where it is."""
-    if curve.state is not State.FITTED:
+    if curve.state is not CurveState.FITTED:
         return say("report.left_out_state", option=curve.name, state=curve.state.value)
     if curve.one_motion:
         return say("report.left_out_one_motion", option=curve.name)
@@ -102,12 +103,12 @@ def _left_out(curve: FragilityCurve) -> str:
         return say("report.left_out_abrupt", option=curve.name)
     if curve.lognormal.fits:
         return ""
-    return say("report.left_out_misfit", option=curve.name, why=curve.lognormal.text)
+    return say("report.left_out_misfit", option=curve.name, why=curve.lognormal.texts)
 
 
 @contextmanager
-def _made(folder: Path) -> Generator[None]:
-    """Make a folder where it is not there; it goes again where nothing was written into it."""
+def _new_folder(folder: Path) -> Generator[None]:
+    """Make a folder where there is none; remove it if it is left empty."""
     fresh = not folder.exists()
     folder.mkdir(exist_ok=True)
     try:
@@ -132,7 +133,7 @@ def curves_csv(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> s
 
 
 def observed_csv(curves: Sequence[FragilityCurve]) -> str:
-    """Return what was counted at each level as the text of a CSV file."""
+    """Return the observed shares at each level as the text of a CSV file."""
     heading = ("option", key(curves[0].measure), "overturned", "runs", "probability", "low", "high")
     rows = [
         (
@@ -166,9 +167,9 @@ def _text(heading: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
 
 def _plot(verdict: Verdict, measure: IntensityMeasure, path: Path) -> None:
     bare = verdict.without
-    best = [one for one in verdict.options if one is not bare][: DRAWN - 1]
-    curves = [one.curves[measure] for one in (bare, *best)]
-    motions = next(one for one in assumptions(verdict) if one.what("en") == "Motions").value("en")
+    best = [result for result in verdict.options if result is not bare][: DRAWN - 1]
+    curves = [result.curves[measure] for result in (bare, *best)]
+    motions = next(entry for entry in assumptions(verdict) if entry.what("en") == "Motions").value("en")
     here = verdict.intensity if measure.is_logarithm else None
     plot_fragility(
         curves,

@@ -13,7 +13,7 @@ from stayput.report.verdict.words import word
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from stayput.report.verdict.pairs import Pair
+    from stayput.report.verdict.pairs import RunPair
 
 WIDTH, HEIGHT = 900.0, 430.0
 LEFT, RIGHT = 62.0, 890.0
@@ -24,7 +24,7 @@ _TILT_SHOWN = 3.0
 """Tilts beyond this are cut, in critical angles, so that the rocking before a fall is seen."""
 
 
-def histories_svg(pair: Pair, language: str, outcomes: str) -> str:
+def histories_svg(pair: RunPair, language: str, outcomes: str) -> str:
     """Return the picture of a pair's histories over the time that is shown.
 
     Parameters
@@ -36,12 +36,12 @@ def histories_svg(pair: Pair, language: str, outcomes: str) -> str:
     outcomes : str
         What became of them, for those who do not see it.
     """
-    x = svg.Axis(pair.start, pair.end, LEFT, RIGHT)
+    x = svg.PixelAxis(pair.start, pair.end, LEFT, RIGHT)
     motion = pair.motion
     inside = (motion.time >= pair.start) & (motion.time <= pair.end)
     floor = [(motion.time[inside], motion.x[inside], 0)]
-    tilts = [(side.shown.time, np.degrees(side.shown.tilt), n) for n, side in enumerate(pair.sides)]
-    slides = [(side.shown.time, 100.0 * side.shown.slide, n) for n, side in enumerate(pair.sides)]
+    tilts = [(side.history.time, np.degrees(side.history.tilt), n) for n, side in enumerate(pair.sides)]
+    slides = [(side.history.time, 100.0 * side.history.slide, n) for n, side in enumerate(pair.sides)]
     limit = _TILT_SHOWN * math.degrees(max(pair.sides[0].run.body.slenderness))
     parts = [
         *_panel(x, PANELS[0], floor, word("axis_acceleration", language), "floor", math.inf),
@@ -52,12 +52,12 @@ def histories_svg(pair: Pair, language: str, outcomes: str) -> str:
         svg.element("line", x1=LEFT, x2=LEFT, y1=PANELS[0][0], y2=PANELS[2][1], class_="now"),
     ]
     return svg.drawing(
-        WIDTH, HEIGHT, parts, word("histories_alt", language, told=outcomes), "chart histories"
+        WIDTH, HEIGHT, parts, word("histories_alt", language, outcomes=outcomes), "chart histories"
     )
 
 
 def _panel(
-    x: svg.Axis,
+    x: svg.PixelAxis,
     edges: tuple[float, float],
     lines: list[tuple[NDArray[np.float64], NDArray[np.float64], int]],
     name: str,
@@ -68,7 +68,7 @@ def _panel(
     shown = [(t[(t >= x.low) & (t <= x.high)], v[(t >= x.low) & (t <= x.high)], n) for t, v, n in lines]
     peak = max((float(np.abs(v).max(initial=0.0)) for _, v, _ in shown), default=0.0)
     most = 1.08 * (min(peak, limit) or 1.0)
-    y = svg.Axis(-most, most, bottom, top)
+    y = svg.PixelAxis(-most, most, bottom, top)
     parts = [svg.label(LEFT, top - 8.0, name, "name", "start")]
     for value in svg.ticks(-most, most, 5):  # one at least on each side of 0
         level = y.place(value)
@@ -84,7 +84,7 @@ def _panel(
     return [*parts, clip]
 
 
-def _times(x: svg.Axis, language: str) -> list[str]:
+def _times(x: svg.PixelAxis, language: str) -> list[str]:
     bottom = PANELS[-1][1]
     parts = [svg.line(LEFT, bottom, RIGHT, bottom, "axis")]
     for value in svg.ticks(x.low, x.high, 8):
@@ -94,7 +94,7 @@ def _times(x: svg.Axis, language: str) -> list[str]:
     return [*parts, svg.label(0.5 * (LEFT + RIGHT), bottom + 38.0, word("axis_time", language), "name")]
 
 
-def _failures(x: svg.Axis, pair: Pair, language: str) -> list[str]:
+def _failures(x: svg.PixelAxis, pair: RunPair, language: str) -> list[str]:
     """Return a line and a word where a device fails."""
     top, bottom = PANELS[1][0], PANELS[2][1]
     times = sorted({d.failure_time for side in pair.sides for d in side.run.devices if d.failed})

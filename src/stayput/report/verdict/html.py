@@ -1,8 +1,9 @@
-"""A verdict as one HTML page that needs nothing else."""
+"""A verdict as a self-contained HTML page."""
 
 from __future__ import annotations
 
 import shlex
+from functools import partial
 from importlib import resources
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +11,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 import stayput
+from stayput.catalogue import say
 from stayput.files import check_target, draft
 from stayput.measures import parameters
 from stayput.montecarlo.counting import OVERTURNED
@@ -28,14 +30,15 @@ from stayput.report.verdict.tables import (
     SHARES,
     device_rows,
     estimate_rows,
-    grades_told,
+    grades_text,
     impossible_rows,
     ranking,
     simulations,
     weakest_inputs,
 )
-from stayput.report.verdict.words import check_language, motion_named, place, word
+from stayput.report.verdict.words import motion_named, word
 from stayput.verification.words import class_label, headline, title
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -43,7 +46,7 @@ if TYPE_CHECKING:
 
     from stayput.measures import Measure
     from stayput.report.scene import Scene
-    from stayput.report.verdict.pairs import Pair
+    from stayput.report.verdict.pairs import RunPair
     from stayput.verification import OptionVerdict, Verdict
 
 SUFFIXES = (".html",)
@@ -110,9 +113,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     scenes = [pair.scene for pair in pairs]
     modes = mode_looks(language)
 
-    def text(key: str, **values: object) -> str:
-        return word(key, language, **values)
-
+    text = partial(word, language=language)
     return {
         "language": language,
         "text": text,
@@ -130,7 +131,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "limit": numbers.length(verdict.slide_limit, language),
         "shares": [f"{100.0 * share:g}" for share in SHARES],
         "notes": verdict.notes(language),
-        "grades": grades_told(language),
+        "grades": grades_text(language),
         "rows": ranking(verdict, language),
         "impossible": impossible_rows(verdict, language),
         "looks": looks(verdict),
@@ -154,7 +155,9 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
                 }
             )
         ),
-        "details": [_detail(one, verdict, language) for one in verdict.options if one.option.measures],
+        "details": [
+            _detail(result, verdict, language) for result in verdict.options if result.option.measures
+        ],
         "estimates": estimate_rows(verdict, language),
         "assumptions": [(a.what(language), a.value(language), a.confidence) for a in assumptions(verdict)],
         "toml": scenario.to_toml(),
@@ -180,28 +183,28 @@ def _file(name: str) -> str:
     return resources.files("stayput.report.verdict").joinpath(name).read_text(encoding="utf-8")
 
 
-def _drawn(verdict: Verdict, one: OptionVerdict, language: str) -> dict[str, Any]:
-    label = title(one.option, verdict, language)
+def _drawn(verdict: Verdict, result: OptionVerdict, language: str) -> dict[str, Any]:
+    label = title(result.option, verdict, language)
     return {
         "label": label,
-        "drawing": Markup(drawing_svg(verdict, one.option.measures, language, label)),
-        "share": numbers.probability(one.probabilities[OVERTURNED], language),
-        "interval": numbers.interval(one.probabilities[OVERTURNED], language),
-        "grade": verdict.grade(one).value,
-        "weakest": weakest_inputs(one, verdict, language),
+        "drawing": Markup(drawing_svg(verdict, result.option.measures, language, label)),
+        "share": numbers.probability(result.probabilities[OVERTURNED], language),
+        "interval": numbers.interval(result.probabilities[OVERTURNED], language),
+        "grade": verdict.grade(result).value,
+        "weakest": weakest_inputs(result, verdict, language),
     }
 
 
-def _pair(verdict: Verdict, pair: Pair, scene: Scene, count: int, language: str) -> dict[str, Any]:
+def _pair(verdict: Verdict, pair: RunPair, scene: Scene, count: int, language: str) -> dict[str, Any]:
     sides = [
         {"label": title(side.option, verdict, language), "outcome": side.outcome(language)}
         for side in pair.sides
     ]
     outcomes = [f"{side['label']}{word('colon', language)}{side['outcome']}" for side in sides]
-    said = f"{pair.kind}_told" if len(pair.sides) > 1 else f"{pair.kind}_bare_told"
+    about_key = f"{pair.kind}_text" if len(pair.sides) > 1 else f"{pair.kind}_bare_text"
     return {
         "title": word(pair.kind, language),
-        "about": word(said, language),
+        "about": word(about_key, language),
         "motion": word(
             "motion_shown",
             language,
@@ -221,23 +224,24 @@ def _pair(verdict: Verdict, pair: Pair, scene: Scene, count: int, language: str)
 
 def _moved(scene: Scene, language: str) -> str:
     """Return how the room moves in the scenes."""
-    text = word("watch_told", language, corner=f"{DRIFT_CORNER:g}", grid=f"{scene.view.grid:g}")
+    text = word("watch_text", language, corner=f"{DRIFT_CORNER:g}", grid=f"{scene.view.grid:g}")
     if scene.shift_scale >= 1.0:
         return text
     joint = " " if language == "en" else ""
     return text + joint + word("part_shown", language, part=f"{100.0 * scene.shift_scale:.0f}")
 
 
-def _detail(one: OptionVerdict, verdict: Verdict, language: str) -> dict[str, Any]:
-    which = place(language)
-    measures: Sequence[Measure] = one.option.measures
+def _detail(result: OptionVerdict, verdict: Verdict, language: str) -> dict[str, Any]:
+    measures: Sequence[Measure] = result.option.measures
     return {
-        **_drawn(verdict, one, language),
-        "rank": one.rank,
-        "about": [measure.about[which] for measure in measures],
-        "change": numbers.change(one.change, language),
-        "devices": device_rows(one, language),
-        "parameters": [(measure.label[which], _parameters(measure, language)) for measure in measures],
+        **_drawn(verdict, result, language),
+        "rank": result.rank,
+        "about": [say(measure.about, language) for measure in measures],
+        "change": numbers.change(result.change, language),
+        "devices": device_rows(result, language),
+        "parameters": [
+            (say(measure.label, language), _parameters(measure, language)) for measure in measures
+        ],
     }
 
 
@@ -247,6 +251,6 @@ def _parameters(measure: Measure, language: str) -> list[tuple[str, str, str]]:
     for about in parameters(measure):
         value = getattr(measure, about.name)
         shown = value if isinstance(value, str) else numbers.NO_NUMBER if value is None else f"{value:.6g}"
-        name = about.label[place(language)]
+        name = say(about.label, language)
         rows.append((name, f"{shown} {about.unit}".rstrip(), about.tag(value)))
     return rows

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 from typing import TYPE_CHECKING
 
 import stayput
@@ -13,7 +14,7 @@ from stayput.report.verdict.tables import (
     SHARES,
     device_rows,
     estimate_rows,
-    grades_told,
+    grades_text,
     impossible_rows,
     ranking,
     simulations,
@@ -24,7 +25,7 @@ from stayput.verification.words import headline, title
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from stayput.report.verdict.tables import Row
+    from stayput.report.verdict.tables import RankingRow
     from stayput.verification import Verdict
 
 
@@ -42,9 +43,7 @@ def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
 
 
 def _lines(verdict: Verdict, language: str) -> Iterator[str]:
-    def text(key: str, **values: object) -> str:
-        return word(key, language, **values)
-
+    text = partial(word, language=language)
     yield f"# {_plain(verdict.scenario.title or text('report'))}"
     yield f"\n**{_plain(headline(verdict, language))}**\n"
     for note in verdict.notes(language):
@@ -61,26 +60,26 @@ def _lines(verdict: Verdict, language: str) -> Iterator[str]:
         blank = (NO_NUMBER,) * (len(columns) - 4)
         rows.append((NO_NUMBER, label, text("not_possible"), *blank, reason))
     yield from _table(columns, rows)
-    yield f"\n{_plain(grades_told(language))}"
+    yield f"\n{_plain(grades_text(language))}"
     devices = [
-        (title(one.option, verdict, language), *row)
-        for one in verdict.options
-        for row in device_rows(one, language)
+        (title(result.option, verdict, language), *row)
+        for result in verdict.options
+        for row in device_rows(result, language)
     ]
     if devices:
         yield f"\n## {text('devices')}\n"
         yield from _table((text("measure"), *(text(key) for key in DEVICE_COLUMNS)), devices)
     yield f"\n## {text('estimates')}\n"
-    yield f"{text('estimates_told')}\n"
+    yield f"{text('estimates_text')}\n"
     yield from _table((text("formula"), text("says"), text("beside")), estimate_rows(verdict, language))
     yield f"\n## {text('assumptions')}\n"
     heading = (text("assumption"), text("value"), text("confidence"))
     yield from _table(
         heading,
-        ((one.what(language), one.value(language), text(one.confidence)) for one in assumptions(verdict)),
+        ((a.what(language), a.value(language), text(a.confidence)) for a in assumptions(verdict)),
     )
     yield f"\n## {text('again')}\n"
-    yield text("again_told", file="scenario.toml", version=stayput.__version__)
+    yield text("again_text", file="scenario.toml", version=stayput.__version__)
     yield "\n```toml"
     yield verdict.scenario.to_toml().rstrip()
     yield "```\n"
@@ -103,7 +102,7 @@ def _columns(verdict: Verdict, language: str) -> tuple[str, ...]:
     )
 
 
-def _cells(row: Row, language: str) -> tuple[str, ...]:
+def _cells(row: RankingRow, language: str) -> tuple[str, ...]:
     shares = tuple(
         NO_NUMBER if chance is None else with_interval(chance, language) for _, chance in row.shares
     )

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from stayput.verification import Quantiles
 
 NO_NUMBER = "–"
-"""What stands where there is nothing to tell."""
+"""What stands in place of a number that there is none of."""
 
 
 def share(value: float, language: str) -> str:
@@ -40,7 +40,7 @@ def interval(chance: Probability, language: str) -> str:
 def with_interval(chance: Probability, language: str) -> str:
     """Return a probability with its interval: "12 % (7 to 20 %)"."""
     text, ends = probability(chance, language), interval(chance, language)
-    return text + word("aside", language, told=ends) if ends else text
+    return text + word("aside", language, content=ends) if ends else text
 
 
 def change(difference: Difference | None, language: str) -> str:
@@ -50,7 +50,7 @@ def change(difference: Difference | None, language: str) -> str:
     ends = word("between", language, low=percent(difference.low), high=percent(difference.high))
     joint, sign = " " if language == "en" else "", "+" if difference.estimate > 0.0 else ""
     text = f"{sign}{percent(difference.estimate)}{joint}{word('points', language)}"
-    return text + word("aside", language, told=ends)
+    return text + word("aside", language, content=ends)
 
 
 def length(metres: float, language: str) -> str:
@@ -144,7 +144,7 @@ def capacity(reached: Capacity | None, language: str, *, brief: bool = False) ->
     else:
         text = f"> {show(reached.above)}" if above else f"< {show(reached.below)}"
     doubt = word("no_interval" if reached.one_motion else "unsure", language)
-    mark = "?" if brief else word("aside", language, told=doubt)
+    mark = "?" if brief else word("aside", language, content=doubt)
     return text if reached.sure else text + mark
 
 

@@ -1,4 +1,4 @@
-"""Pairs of runs shown side by side, run again: one motion and one draw, without and with a measure."""
+"""Pairs of runs shown side by side: one motion and one draw, without and with a measure, simulated again."""
 
 from __future__ import annotations
 
@@ -53,16 +53,16 @@ class Side:
         The measures, or none.
     run : Run
         The run.
-    shown : History
+    history : History
         Where the body is when, until it lies.
     """
 
     option: Option
     run: Run
-    shown: History
+    history: History
 
     def outcome(self, language: str) -> str:
-        """Return what became of it, as the end of a sentence."""
+        """Return the outcome, as the end of a sentence."""
         run = self.run
         still = run.outcome in (Outcome.SLID, Outcome.ROCKED)
         hardly = still and run.peak_tilt < _HARDLY_TILT and run.peak_slide < _HARDLY_SLIDE
@@ -77,7 +77,7 @@ class Side:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Pair:
+class RunPair:
     """Two runs of one member.
 
     Parameters
@@ -103,7 +103,7 @@ class Pair:
 
     @property
     def scene(self) -> Scene:
-        """What is drawn of the runs."""
+        """The scene of the two runs."""
         return scene_of([side.run for side in self.sides], self.start, self.end)
 
     @property
@@ -111,15 +111,15 @@ class Pair:
         """The most telling moment [s]: halfway through the first fall, else the largest tilt or slide."""
         for side in self.sides:
             if side.run.overturned:
-                far = np.abs(side.shown.tilt) > 0.5
-                return float(side.shown.time[int(far.argmax())])
-        bare = self.sides[0].shown
+                far = np.abs(side.history.tilt) > 0.5
+                return float(side.history.time[int(far.argmax())])
+        bare = self.sides[0].history
         largest = np.abs(bare.tilt) if np.abs(bare.tilt).max() > _MOVED else np.abs(bare.slide)
         return min(max(float(bare.time[int(largest.argmax())]), self.start), self.end)
 
 
-def scene_data(pair: Pair, scene: Scene, look: FurnitureTable) -> dict[str, Any]:
-    """Return what the report's script draws of a pair, as plain values.
+def scene_data(pair: RunPair, scene: Scene, look: FurnitureTable) -> dict[str, Any]:
+    """Return a pair's scene for the report's script, as plain values.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def scene_data(pair: Pair, scene: Scene, look: FurnitureTable) -> dict[str, Any]
     }
 
 
-def pairs_of(verdict: Verdict, ground: Suite) -> tuple[Pair, ...]:
+def pairs_of(verdict: Verdict, ground: Suite) -> tuple[RunPair, ...]:
     """Return the typical and the worst case, run again.
 
     The typical case is that without a measure, the worst one that of the best measure; without a best
@@ -166,28 +166,30 @@ def pairs_of(verdict: Verdict, ground: Suite) -> tuple[Pair, ...]:
     )
 
 
-def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite) -> Pair:
-    motion, scale = felt(verdict, ground, member)
+def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite) -> RunPair:
+    motion, scale = floor_motion(verdict, ground, member)
     options = [verdict.without.option]
     if verdict.best.option.measures:
         options.append(verdict.best.option)
     runs = [replay_under(verdict, option, member, motion, scale) for option in options]
     sides = tuple(Side(option, run, history(run)) for option, run in zip(options, runs, strict=True))
     start, end = _window(sides, motion)
-    return Pair(kind, member, motion.scaled(scale), sides, start, end)
+    return RunPair(kind, member, motion.scaled(scale), sides, start, end)
 
 
 def _window(sides: tuple[Side, ...], motion: Motion) -> tuple[float, float]:
-    """Return from when to when something happens."""
+    """Return the start and the end of the time in which something moves [s]."""
     first = motion.duration
     for side in sides:
-        shown = side.shown
-        moved = (np.abs(shown.tilt - shown.tilt[0]) > _MOVED) | (np.abs(shown.slide) > _MOVED)
+        history = side.history
+        moved = (np.abs(history.tilt - history.tilt[0]) > _MOVED) | (np.abs(history.slide) > _MOVED)
         if moved.any():
-            first = min(first, float(shown.time[int(moved.argmax())]))
+            first = min(first, float(history.time[int(moved.argmax())]))
     falls = [side.run.overturn_time for side in sides if side.run.overturned]
     peaks = [
-        float(s.shown.time[int(np.abs(v).argmax())]) for s in sides for v in (s.shown.tilt, s.shown.slide)
+        float(side.history.time[int(np.abs(values).argmax())])
+        for side in sides
+        for values in (side.history.tilt, side.history.slide)
     ]
     last = max(falls or peaks)
     if first >= last:  # nothing moves: show the strongest shaking
@@ -211,11 +213,11 @@ def replay(verdict: Verdict, option: Option, member: Member, ground: Suite) -> R
     ground : Suite
         The motions of the ground, as the verdict's scenario gives them.
     """
-    motion, scale = felt(verdict, ground, member)
+    motion, scale = floor_motion(verdict, ground, member)
     return replay_under(verdict, option, member, motion, scale)
 
 
-def felt(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motion, float]:
+def floor_motion(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motion, float]:
     """Return a member's motion under the furniture, and the factor on it.
 
     Parameters
@@ -228,8 +230,8 @@ def felt(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motion, float
         Which of them.
     """
     shaken = verdict.scenario.shaking
-    alone = Suite((ground[member.motion],))
-    hazard = Hazard(alone, shaken.building, shaken.storey or 1, vertical=bool(shaken.vertical))
+    one_motion = Suite((ground[member.motion],))
+    hazard = Hazard(one_motion, shaken.building, shaken.storey or 1, vertical=bool(shaken.vertical))
     floors = hazard.stated(shaken.wanted_intensity, shaken.scale)
     return floors.motions[0], float(floors.scales[0])
 
@@ -242,10 +244,10 @@ def replay_under(verdict: Verdict, option: Option, member: Member, motion: Motio
     stated = hold(body, scenario.room.room(), option.measures)
     held = replace(stated, room=drawn_room(stated.room, drawn))
     initial = scenario.initial.state()
-    case = case_columns(held.body, held.room, initial, scenario.gravity)
-    case["scale"] = scale
+    row = case_columns(held.body, held.room, initial, scenario.gravity)
+    row["scale"] = scale
     elements = element_rows(stated, drawn.strength)
-    traced, devices, forces = trace_held(case[0], elements, shaking(motion.x, motion.z, motion.dt, 0))
-    asked = Case(held.body, held.room, motion.scaled(scale), initial=initial, gravity=scenario.gravity)
+    traced, devices, forces = trace_held(row[0], elements, shaking(motion.x, motion.z, motion.dt, 0))
+    case = Case(held.body, held.room, motion.scaled(scale), initial=initial, gravity=scenario.gravity)
     results = device_results(held, elements, devices, forces)
-    return run_of(asked, traced, held, results, most_events=2)  # the pictures need the last one
+    return run_of(case, traced, held, results, most_events=2)  # the pictures need the last one

@@ -20,8 +20,8 @@ PAIRS = 400
 
 
 @dataclass(frozen=True, slots=True)
-class Axis:
-    """How values lie on the page: those between ``low`` and ``high`` from ``start`` to ``end`` [px]."""
+class PixelAxis:
+    """A linear axis: values from ``low`` to ``high`` lie from ``start`` to ``end`` [px]."""
 
     low: float
     high: float
@@ -96,15 +96,15 @@ def ticks(low: float, high: float, count: int) -> list[float]:
 
 
 def thinned(
-    x: NDArray[np.float64], y: NDArray[np.float64], pairs: int = PAIRS
+    x: NDArray[np.float64], y: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the least and the greatest value of each of many parts, in their order: no peak is lost."""
-    if len(x) <= 2 * pairs:
+    """Return a shorter line: the least and the greatest value of each of many intervals, in order."""
+    if len(x) <= 2 * PAIRS:
         return x, y
-    edges = np.linspace(0, len(x), pairs + 1).astype(np.intp)
+    edges = np.linspace(0, len(x), PAIRS + 1).astype(np.intp)
     places = {0, len(x) - 1}
     for first, last in itertools.pairwise(edges):
         part = y[first:last]
         places |= {int(first + part.argmin()), int(first + part.argmax())}
-    kept = np.array(sorted(places))
-    return x[kept], y[kept]
+    chosen = np.array(sorted(places))
+    return x[chosen], y[chosen]

@@ -5,14 +5,16 @@ from __future__ import annotations
 import csv
 import io
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
+from stayput.catalogue import say
 from stayput.fragility import JMA_INTENSITY
 from stayput.measures.parameters import MEANINGS
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED
 from stayput.report.summary import number
 from stayput.report.verdict import numbers
-from stayput.report.verdict.words import named, place, word
+from stayput.report.verdict.words import named, word
 from stayput.spreadsheets import text_cell
 from stayput.verification import EVENTS
 from stayput.verification.grades import weakest
@@ -27,7 +29,7 @@ SHARES = (0.1, 0.5)
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class RankingRow:
     """One option as it is read: texts in one language.
 
     Parameters
@@ -64,25 +66,20 @@ class Row:
     weakest: str
 
 
-def grade_meanings(language: str) -> list[tuple[str, str]]:
-    """Return each grade and what it means."""
-    return [(grade.value, meaning[place(language)]) for grade, meaning in MEANINGS.items()]
-
-
-def grades_told(language: str) -> str:
-    """Return what the grades mean, in a sentence."""
+def grades_text(language: str) -> str:
+    """Return the meanings of the grades in a sentence."""
     colon = word("colon", language)
-    meanings = [f"{letter}{colon}{meaning}" for letter, meaning in grade_meanings(language)]
-    return word("grade_told", language, meanings=word("listed", language).join(meanings))
+    meanings = [f"{grade.value}{colon}{say(meaning, language)}" for grade, meaning in MEANINGS.items()]
+    return word("grade_text", language, meanings=word("listed", language).join(meanings))
 
 
-def weakest_inputs(one: OptionVerdict, verdict: Verdict, language: str) -> str:
+def weakest_inputs(result: OptionVerdict, verdict: Verdict, language: str) -> str:
     """Return the inputs that give an option its grade, as a text."""
-    inputs = weakest(one.option, verdict.scenario)
-    return word("listed", language).join(each.label[place(language)] for each in inputs)
+    inputs = weakest(result.option, verdict.scenario)
+    return word("listed", language).join(say(item.label, language) for item in inputs)
 
 
-def ranking(verdict: Verdict, language: str) -> list[Row]:
+def ranking(verdict: Verdict, language: str) -> list[RankingRow]:
     """Return the options as they are read, the best first.
 
     Parameters
@@ -92,40 +89,40 @@ def ranking(verdict: Verdict, language: str) -> list[Row]:
     language : str
         "en" or "ja".
     """
-    return [_row(one, verdict, language) for one in verdict.options]
+    return [_row(result, verdict, language) for result in verdict.options]
 
 
-def _row(one: OptionVerdict, verdict: Verdict, language: str) -> Row:
-    option = one.option
-    capacities = [one.capacities.get(share) for share in SHARES]
-    return Row(
-        option=one,
+def _row(result: OptionVerdict, verdict: Verdict, language: str) -> RankingRow:
+    option = result.option
+    capacities = [result.capacities.get(share) for share in SHARES]
+    return RankingRow(
+        option=result,
         label=option.label(language),
         name=option.name if option.own_name else "",
         shares=tuple(
-            (event, one.probabilities[event] if event != DEVICE_FAILED or one.devices else None)
+            (event, result.probabilities[event] if event != DEVICE_FAILED or result.devices else None)
             for event in EVENTS
         ),
-        slide=numbers.slides(one.slide, verdict.scenario.room.room(), language),
-        tilt=numbers.angles(one.tilt, language),
-        reason=reason(one, verdict, language),
+        slide=numbers.slides(result.slide, verdict.scenario.room.room(), language),
+        tilt=numbers.angles(result.tilt, language),
+        reason=reason(result, verdict, language),
         capacities=tuple(
             (numbers.capacity(c, language), numbers.capacity_interval(c, language)) for c in capacities
         ),
-        grade=verdict.grade(one).value,
-        weakest=weakest_inputs(one, verdict, language),
+        grade=verdict.grade(result).value,
+        weakest=weakest_inputs(result, verdict, language),
     )
 
 
 def impossible_rows(verdict: Verdict, language: str) -> list[tuple[str, str]]:
-    """Return the options that cannot be put in place: what each is called, and why not."""
+    """Return label and reason of each option that cannot be put in place."""
     return [
         (
-            one.option.label(language)
-            + (word("aside", language, told=one.option.name) if one.option.own_name else ""),
-            one.why(language),
+            impossible.option.label(language)
+            + (word("aside", language, content=impossible.option.name) if impossible.option.own_name else ""),
+            impossible.why(language),
         )
-        for one in verdict.impossible
+        for impossible in verdict.impossible
     ]
 
 
@@ -133,12 +130,12 @@ DEVICE_COLUMNS = ("device", "failed", "failure_time", "peak_force", "used")
 """Keys of the headings of `device_rows`."""
 
 
-def device_rows(one: OptionVerdict, language: str) -> list[tuple[str, ...]]:
-    """Return what became of each device of an option, as texts.
+def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
+    """Return the results of each device of an option, as texts.
 
     Parameters
     ----------
-    one : OptionVerdict
+    result : OptionVerdict
         The option.
     language : str
         "en" or "ja".
@@ -149,7 +146,7 @@ def device_rows(one: OptionVerdict, language: str) -> list[tuple[str, ...]]:
         Name, share of failures with its interval, median time of failure, and median and 90 % of the peak
         force and of the part of the strength that was used.
     """
-    names = {measure.kind: measure.label[place(language)] for measure in one.option.measures}
+    names = {measure.kind: say(measure.label, language) for measure in result.option.measures}
     listed = word("listed", language)
     return [
         (
@@ -159,23 +156,23 @@ def device_rows(one: OptionVerdict, language: str) -> list[tuple[str, ...]]:
             listed.join(numbers.forces(device.peak, language)),
             listed.join(numbers.used(device.used, language)) or numbers.NO_NUMBER,
         )
-        for device in one.devices
+        for device in result.devices
     ]
 
 
 def _device_name(device: DeviceSummary, names: dict[str, str], language: str) -> str:
-    """Return what a device is called, with its place where its measure has several."""
+    """Return the name of a device, with its place where its measure has several."""
     name = names.get(device.kind, device.kind)
     if device.name in ("", device.kind):
         return name
     where = device.name.removeprefix(device.kind).strip()
-    return name + word("aside", language, told=named(where, language))
+    return name + word("aside", language, content=named(where, language))
 
 
 def simulations(verdict: Verdict, language: str) -> str:
-    """Return how many simulations there were, in words."""
+    """Return the number of simulations in words."""
     runs = f"{verdict.runs:,}"
-    return word("simulations_told", language, runs=runs, motions=verdict.motions, samples=verdict.samples)
+    return word("simulations_text", language, runs=runs, motions=verdict.motions, samples=verdict.samples)
 
 
 def verdict_csv(verdict: Verdict) -> str:
@@ -184,10 +181,10 @@ def verdict_csv(verdict: Verdict) -> str:
     What cannot be put in place comes last, without a rank and a number, and with the reason.
     """
     text = io.StringIO()
-    records = [_record(one, verdict) for one in verdict.options]
-    for other in verdict.impossible:
-        names = {"option": other.option.name, "measures": other.option.label("en")}
-        records.append({**dict.fromkeys(records[0]), **names, "not_possible": other.reason})
+    records = [_record(result, verdict) for result in verdict.options]
+    for impossible in verdict.impossible:
+        names = {"option": impossible.option.name, "measures": impossible.option.label("en")}
+        records.append({**dict.fromkeys(records[0]), **names, "not_possible": impossible.reason})
     writer = csv.DictWriter(text, list(records[0]), lineterminator="\n")
     writer.writeheader()
     writer.writerows(
@@ -197,22 +194,22 @@ def verdict_csv(verdict: Verdict) -> str:
     return text.getvalue()
 
 
-def _record(one: OptionVerdict, verdict: Verdict) -> dict[str, object]:
+def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
     record: dict[str, object] = {
-        "rank": one.rank,
-        "option": one.option.name,
-        "measures": one.option.label("en"),
+        "rank": result.rank,
+        "option": result.option.name,
+        "measures": result.option.label("en"),
     }
-    for event, chance in one.probabilities.items():
+    for event, chance in result.probabilities.items():
         ends = (("", chance.estimate), ("_low", chance.low), ("_high", chance.high))
         record |= {f"{event}{end}": number(value) for end, value in ends}
         record[f"{event}_count"] = chance.fell
-    shares = one.probabilities[EVENTS[0]]
+    shares = result.probabilities[EVENTS[0]]
     record |= {"runs": shares.runs, "missing": shares.missing}
-    for name, quantiles in (("slide_m", one.slide), ("tilt_rad", one.tilt)):
+    for name, quantiles in (("slide_m", result.slide), ("tilt_rad", result.tilt)):
         record |= {f"peak_{name}_median": number(quantiles.median), f"peak_{name}_p90": number(quantiles.p90)}
     for share in SHARES:
-        capacity = one.capacities.get(share)
+        capacity = result.capacities.get(share)
         key = f"jma_intensity_{100.0 * share:.0f}_percent"
         record |= {
             key: None if capacity is None else number(capacity.estimate),
@@ -220,14 +217,14 @@ def _record(one: OptionVerdict, verdict: Verdict) -> dict[str, object]:
             f"{key}_high": None if capacity is None else number(capacity.high),
             f"{key}_text": None if capacity is None else capacity.text,
         }
-    record["grade"] = verdict.grade(one).value
-    record["weakest_inputs"] = weakest_inputs(one, verdict, "en")
+    record["grade"] = verdict.grade(result).value
+    record["weakest_inputs"] = weakest_inputs(result, verdict, "en")
     record["not_possible"] = None
     return record
 
 
 def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]:
-    """Return each formula, what it says, and the simulation beside it, as texts.
+    """Return each formula, its result, and the simulation's beside it, as texts.
 
     Parameters
     ----------
@@ -241,22 +238,20 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
     capacity = verdict.without.curves[JMA_INTENSITY].capacity(0.5) if verdict.without.curves else None
     rocking, _ = numbers.angles(verdict.without.tilt, language)
 
-    def text(key: str, **values: object) -> str:
-        return word(key, language, **values)
-
+    text = partial(word, language=language)
     median = numbers.capacity(capacity, language)
     colon = text("colon")
     beside = f"{text('overturned')}{colon}{simulated}"
     return [
         (
             text("west"),
-            text("west_told", value=f"{estimates.rocking_acceleration:.2f}"),
+            text("west_text", value=f"{estimates.rocking_acceleration:.2f}"),
             f"{text('tilt')}{colon}{rocking}",
         ),
         (
             text("ishiyama"),
             text(
-                "ishiyama_told",
+                "ishiyama_text",
                 value=f"{100.0 * estimates.overturning_velocity:.0f}",
                 share=numbers.share(estimates.possible, language),
             ),
@@ -264,7 +259,7 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
         ),
         (
             text("kaneko"),
-            text("kaneko_told", share=numbers.share(estimates.overturning_ratio, language)),
+            text("kaneko_text", share=numbers.share(estimates.overturning_ratio, language)),
             f"{beside}{text('listed')}{text('capacity_short', share='50')}{colon}{median}",
         ),
     ]

@@ -1,4 +1,4 @@
-"""The scenarios of an assessment: events, stations, named buildings."""
+"""The scenario files of an assessment, with their stations and named buildings, and the events they make."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 
 from pydantic import ValidationError
 
-from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.fragility import JMA_INTENSITY
 from stayput.inventory.places import distances
@@ -20,6 +19,7 @@ from stayput.scenario import Scenario
 from stayput.scenario.fields import Table, Text, between
 from stayput.scenario.messages import refusal_of
 from stayput.scenario.toml import read_toml
+from stayput.verification.options import require_coulomb
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -29,14 +29,14 @@ if TYPE_CHECKING:
     from stayput.motion.suites import Suite
     from stayput.scenario.building import BuildingTable
 
-ANY: dict[str, Any] = {"preset": "chest"}
-"""Stands in for the furniture of a scenario that leaves it to the inventory."""
+ANY_FURNITURE: dict[str, Any] = {"preset": "chest"}
+"""Placeholder for the furniture of a scenario that leaves it to the inventory."""
 
 _STATED = re.compile(r"(\d{1,3})(?:\s*,\s*|\s+|\s*$)([A-Za-z-]*)", re.ASCII)
 
 
 class StationTable(Table):
-    """Where a scenario's shaking was recorded, and in which event."""
+    """Station and event of a scenario's shaking."""
 
     lat: Annotated[float, between(-90.0, 90.0, "°")]
     lon: Annotated[float, between(-180.0, 360.0, "°")]
@@ -44,7 +44,7 @@ class StationTable(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class City:
+class ScenarioFile:
     """One scenario file of an assessment.
 
     Parameters
@@ -72,15 +72,15 @@ class City:
     @cached_property
     def digest(self) -> str:
         """Digest of the scenario, its buildings and the samples of its motions."""
-        found = hashlib.sha256(self.scenario.to_toml().encode())
+        digest = hashlib.sha256(self.scenario.to_toml().encode())
         place = None if self.station is None else self.station.model_dump()
         tables = {name: table.model_dump() for name, table in sorted(self.buildings.items())}
-        found.update(json.dumps([self.name, place, tables]).encode())
+        digest.update(json.dumps([self.name, place, tables]).encode())
         for motion in self.ground:
-            found.update(json.dumps([motion.name, motion.dt]).encode())
+            digest.update(json.dumps([motion.name, motion.dt]).encode())
             for values in motion.components.values():
-                found.update(values.tobytes())
-        return found.hexdigest()
+                digest.update(values.tobytes())
+        return digest.hexdigest()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -104,10 +104,10 @@ class Earthquake:
 
 
 @dataclass(frozen=True, eq=False)
-class Cities:
+class Scenarios:
     """All scenarios of an assessment."""
 
-    all: tuple[City, ...]
+    all: tuple[ScenarioFile, ...]
     events: tuple[Earthquake, ...]
     shakemap: ShakeMap | None = None
 
@@ -120,16 +120,16 @@ class Cities:
         InputError
             One name for two buildings.
         """
-        found: dict[str, BuildingTable] = {}
-        for city in self.all:
-            for name, table in city.buildings.items():
-                if found.setdefault(name, table) != table:
-                    raise InputError("inventory.other_building", name=repr(name), scenario=city.name)
-        return found
+        buildings: dict[str, BuildingTable] = {}
+        for file in self.all:
+            for name, table in file.buildings.items():
+                if buildings.setdefault(name, table) != table:
+                    raise InputError("inventory.other_building", name=repr(name), scenario=file.name)
+        return buildings
 
     @property
     def measure(self) -> IntensityMeasure:
-        """What levels of the ground are of: the map's measure, else JMA's intensity."""
+        """Intensity measure of the ground's levels: the map's, else JMA's intensity."""
         return JMA_INTENSITY if self.shakemap is None else self.shakemap.measure
 
     @property
@@ -151,14 +151,14 @@ class Cities:
             name = "lat" if lat is None else "lon"
             raise InputError("inventory.place_missing", name, name=name)
         level = None if self.shakemap is None else self.shakemap.at(lat, lon)
-        found: list[tuple[Earthquake, int, float | None]] = []
+        here: list[tuple[Earthquake, int, float | None]] = []
         for event in self.events:
             near = int(distances(lat, lon, event.lats, event.lons).argmin()) if event.lats else 0
-            found.append((event, event.stations[near], level))
-        return found
+            here.append((event, event.stations[near], level))
+        return here
 
 
-def read_cities(path: str | Path, shakemap: ShakeMap | None = None) -> Cities:
+def read_scenarios(path: str | Path, shakemap: ShakeMap | None = None) -> Scenarios:
     """Read a scenario file, or a folder of them.
 
     In a folder, scenarios with a ``[station]`` are grouped by its ``event`` and joined to pieces by the
@@ -170,42 +170,42 @@ def read_cities(path: str | Path, shakemap: ShakeMap | None = None) -> Cities:
         A scenario that is not possible; stations beside scenarios without one; a map beside stations.
     """
     place = Path(path)
-    files = sorted(place.glob("*.toml")) if place.is_dir() else [place]
-    if not files:
+    paths = sorted(place.glob("*.toml")) if place.is_dir() else [place]
+    if not paths:
         raise InputError("inventory.no_scenarios", "scenario", path=repr(str(place)))
-    cities = tuple(read_city(file) for file in files)
-    located = [city for city in cities if city.station is not None]
-    if located and len(located) < len(cities):
-        other = next(city.name for city in cities if city.station is None)
+    scenarios = tuple(read_scenario_file(path) for path in paths)
+    located = [file for file in scenarios if file.station is not None]
+    if located and len(located) < len(scenarios):
+        other = next(file.name for file in scenarios if file.station is None)
         raise InputError("inventory.station_missing", "station", name=other)
     if shakemap is not None:
-        _check_map(cities)
-    return Cities(cities, _events(cities, place.stem), shakemap)
+        _check_map(scenarios)
+    return Scenarios(scenarios, _events(scenarios, place.stem), shakemap)
 
 
-def _check_map(cities: Sequence[City]) -> None:
-    if len(cities) > 1 or cities[0].station is not None:
+def _check_map(scenarios: Sequence[ScenarioFile]) -> None:
+    if len(scenarios) > 1 or scenarios[0].station is not None:
         raise InputError("inventory.map_beside_stations", "shakemap")
-    if cities[0].scenario.shaking.scale is not None:
+    if scenarios[0].scenario.shaking.scale is not None:
         raise InputError("inventory.scale_beside_map", "shaking.scale")
 
 
-def _events(cities: Sequence[City], folder: str) -> tuple[Earthquake, ...]:
-    if cities[0].station is None:
-        return tuple(Earthquake(city.name, (place,)) for place, city in enumerate(cities))
+def _events(scenarios: Sequence[ScenarioFile], folder: str) -> tuple[Earthquake, ...]:
+    if scenarios[0].station is None:
+        return tuple(Earthquake(file.name, (place,)) for place, file in enumerate(scenarios))
     groups: dict[str, list[int]] = {}
-    for place, city in enumerate(cities):
-        assert city.station is not None
-        groups.setdefault(city.station.event or folder, []).append(place)
-    found: list[Earthquake] = []
+    for place, file in enumerate(scenarios):
+        assert file.station is not None
+        groups.setdefault(file.station.event or folder, []).append(place)
+    events: list[Earthquake] = []
     for name, places in groups.items():
-        tables = [table for place in places if (table := cities[place].station) is not None]
-        lats, lons = tuple(one.lat for one in tables), tuple(one.lon for one in tables)
-        found.append(Earthquake(name, tuple(places), lats, lons))
-    return tuple(found)
+        tables = [table for place in places if (table := scenarios[place].station) is not None]
+        lats, lons = tuple(table.lat for table in tables), tuple(table.lon for table in tables)
+        events.append(Earthquake(name, tuple(places), lats, lons))
+    return tuple(events)
 
 
-def read_city(file: Path) -> City:
+def read_scenario_file(file: Path) -> ScenarioFile:
     """Read one scenario file, which may have ``[buildings.NAME]`` and ``[station]`` and no furniture.
 
     Raises
@@ -216,20 +216,14 @@ def read_city(file: Path) -> City:
     data = dict(read_toml(file))
     try:
         buildings, station = data.pop("buildings", {}), data.pop("station", None)
-        data.setdefault("furniture", ANY)
+        data.setdefault("furniture", ANY_FURNITURE)
         scenario = Scenario.parse(data, file.parent)
-        if scenario.contact != "coulomb":
-            raise InputError(
-                "verification.needs_coulomb",
-                "contact",
-                contact=scenario.contact,
-                what=phrase("verification.an_assessment"),
-            )
+        require_coulomb(scenario, "verification.an_assessment")
         if not isinstance(buildings, dict):
             raise InputError("inventory.buildings_not_a_table", "buildings")
         tables = cast("dict[str, object]", buildings)
-        named = {name: building_table(f"buildings.{name}", one) for name, one in tables.items()}
-        return City(file.stem, scenario, named, None if station is None else _station(station))
+        named = {name: building_table(f"buildings.{name}", table) for name, table in tables.items()}
+        return ScenarioFile(file.stem, scenario, named, None if station is None else _station(station))
     except InputError as error:
         raise error.at(file.name) from None
 
@@ -258,7 +252,7 @@ def building_table(name: str, table: object) -> BuildingTable:
     """
     shaking = {"builtin": "near-fault", "building": table, "storey": 1}
     try:
-        building = Scenario.parse({"furniture": ANY, "shaking": shaking}).shaking.building
+        building = Scenario.parse({"furniture": ANY_FURNITURE, "shaking": shaking}).shaking.building
     except InputError as error:
         raise error.renamed("shaking.building", name) from None
     assert building is not None
@@ -273,8 +267,8 @@ def stated_building(text: str) -> BuildingTable | None:
     InputError
         Storeys or a structure that cannot be.
     """
-    found = _STATED.fullmatch(text)
-    if found is None:
+    match = _STATED.fullmatch(text)
+    if match is None:
         return None
-    table: dict[str, Any] = {"storeys": int(found[1])}
-    return building_table("building", {**table, "structure": found[2]} if found[2] else table)
+    table: dict[str, Any] = {"storeys": int(match[1])}
+    return building_table("building", {**table, "structure": match[2]} if match[2] else table)

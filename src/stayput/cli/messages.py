@@ -1,16 +1,20 @@
-"""How every command warns, and how it ends when it cannot go on: one sentence on standard error."""
+"""Output that all commands share: warnings and errors in one sentence, exit codes, and JSON."""
 
 from __future__ import annotations
 
+import json
 import os
 import sys
-from contextlib import suppress
-from typing import Any
+from contextlib import contextmanager, suppress
+from typing import TYPE_CHECKING, Any
 
 import typer
 from typer.core import TyperGroup
 
 from stayput.errors import InputError, InputWarning, warnings_to
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
 
 REFUSED = 2
 """Exit code for input that is refused."""
@@ -22,11 +26,11 @@ INTERRUPTED = 130
 """Exit code after Ctrl-C."""
 
 
-class Plainly(TyperGroup):
-    """A group of commands that says in one sentence what is wrong with the input, or with the output."""
+class CommandGroup(TyperGroup):
+    """A group of commands that reports an error of the input or the output in one sentence."""
 
     def main(self, *args: Any, **kwargs: Any) -> Any:
-        """Run the command line, and bring to standard output what waits for it."""
+        """Run the command line, and flush standard output."""
         try:
             try:
                 return super().main(*args, **kwargs)
@@ -45,18 +49,18 @@ class Plainly(TyperGroup):
     def invoke(self, ctx: Any) -> Any:
         """Run the command; refused input ends it with `REFUSED`, Ctrl-C with `INTERRUPTED`.
 
-        What is doubtful in the input is told once, as it is met.
+        Each warning is printed once, when it arises.
         """
-        told: set[str] = set()
+        printed: set[str] = set()
 
-        def tell(warning: InputWarning) -> None:
+        def warn(warning: InputWarning) -> None:
             sentence = str(warning)
-            if sentence not in told:
-                told.add(sentence)
+            if sentence not in printed:
+                printed.add(sentence)
                 typer.echo(f"Warning: {sentence}", err=True)
 
         try:
-            with warnings_to(tell):
+            with warnings_to(warn):
                 return super().invoke(ctx)
         except InputError as error:
             typer.echo(str(error), err=True)
@@ -69,7 +73,7 @@ class Plainly(TyperGroup):
 
 
 def _unwritten(error: OSError) -> int:
-    """Say why standard output cannot be written, unless its reader has seen enough; return the exit code.
+    """Report a failure of standard output, unless its reader has closed it; return the exit code.
 
     An error that names a file is none of the output's.
     """
@@ -82,3 +86,20 @@ def _unwritten(error: OSError) -> int:
         # what still waits would fail again when the program ends
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return UNREAD if isinstance(error, BrokenPipeError) else REFUSED
+
+
+def print_json(values: object) -> None:
+    """Print values as one JSON object."""
+    typer.echo(json.dumps(values, allow_nan=False))
+
+
+@contextmanager
+def compiling() -> Generator[None]:
+    """Announce on standard error that the mechanics are being compiled, where they are."""
+    from stayput.compiled import on_compilation
+
+    def announce() -> None:
+        typer.echo("Compiling the mechanics once, which takes up to a minute ...", err=True)
+
+    with on_compilation(announce):
+        yield

@@ -1,0 +1,254 @@
+"""``stayput motion info``, ``plot``, ``spectrum`` and ``convert``: commands on one motion."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from stayput.cli.flags import (
+    ComponentOption,
+    MotionArgument,
+    TimeStepOption,
+    UnitOption,
+    intensity_value,
+    motion_of,
+    one_of_two,
+)
+from stayput.cli.messages import print_json
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from stayput.motion import Motion, Peaks
+    from stayput.motion.measures import Intensities, SpectralMeasures
+    from stayput.motion.spectrum import ResponseSpectrum
+
+TABLE_PERIODS = (0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0)
+"""Periods of the table that is printed [s]."""
+
+
+def info(
+    motion: MotionArgument,
+    component: ComponentOption = None,
+    unit: UnitOption = None,
+    dt: TimeStepOption = None,
+    json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
+) -> None:
+    """Say how long and how strong a motion is: its intensities, and its peaks by component."""
+    from stayput.motion.measures import Intensities, SpectralMeasures
+
+    record = motion_of(motion, component=component, unit=unit, dt=dt)
+    intensities = Intensities.of(record)
+    rows = {name: (peaks, SpectralMeasures.of(record, name)) for name, peaks in record.peaks().items()}
+    if json:
+        print_json(_info_record(record, intensities, rows))
+    else:
+        _print_info(record, intensities, rows)
+
+
+def _number(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def _info_record(
+    motion: Motion, intensities: Intensities, rows: dict[str, tuple[Peaks, SpectralMeasures]]
+) -> dict[str, Any]:
+    return {
+        "name": motion.name,
+        "source": motion.source,
+        "synthetic": motion.synthetic,
+        "dt_s": motion.dt,
+        "samples": len(motion),
+        "duration_s": motion.duration,
+        "jma_intensity": _number(intensities.intensity),
+        "jma_class": intensities.intensity_class,
+        "long_period_sva_m_s": intensities.long_period_response,
+        "long_period_class": intensities.long_period_class,
+        "modified_mercalli": intensities.mercalli,
+        "components": {
+            name: {
+                "pga_m_s2": peaks.pga,
+                "pgv_m_s": peaks.pgv,
+                "pgd_m": peaks.pgd,
+                "arias_m_s": peaks.arias,
+                "cav_m_s": peaks.cav,
+                "significant_duration_s": peaks.significant_duration,
+                "housner_intensity_m": spectral.housner_intensity,
+                "spectrum_intensity_m_s": spectral.spectrum_intensity,
+                "predominant_period_s": _number(spectral.predominant_period),
+                "mean_period_s": _number(spectral.mean_period),
+            }
+            for name, (peaks, spectral) in rows.items()
+        },
+    }
+
+
+def _print_info(
+    motion: Motion, intensities: Intensities, rows: dict[str, tuple[Peaks, SpectralMeasures]]
+) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    from stayput.report.summary import motion_label
+
+    console = Console(highlight=False, markup=False)
+    console.print(motion_label(motion), style="bold")
+    console.print(motion.source)
+    console.print(f"{len(motion)} samples every {motion.dt:g} s: {motion.duration:g} s")
+    console.print(
+        f"JMA intensity {intensities.published:.1f}, class {intensities.intensity_class}; "
+        f"long-period class {intensities.long_period_class} "
+        f"(Sva {100.0 * intensities.long_period_response:.3g} cm/s); "
+        f"modified Mercalli about {intensities.mercalli:.1f}"
+    )
+    names = {"x": "x (along)", "y": "y (across)", "z": "z (up)"}
+    table = Table(box=None, padding=(0, 2, 0, 0))
+    table.add_column("")
+    for name in rows:
+        table.add_column(names[name], justify="right")
+    lines = (
+        ("PGA [m/s²]", [peaks.pga for peaks, _ in rows.values()]),
+        ("PGV [cm/s]", [100.0 * peaks.pgv for peaks, _ in rows.values()]),
+        ("PGD [cm]", [100.0 * peaks.pgd for peaks, _ in rows.values()]),
+        ("Arias intensity [m/s]", [peaks.arias for peaks, _ in rows.values()]),
+        ("CAV [m/s]", [peaks.cav for peaks, _ in rows.values()]),
+        ("Duration D5-95 [s]", [peaks.significant_duration for peaks, _ in rows.values()]),
+        ("Housner intensity [m]", [spectral.housner_intensity for _, spectral in rows.values()]),
+        ("SI, 20 % [cm/s]", [100.0 * spectral.spectrum_intensity for _, spectral in rows.values()]),
+        ("Period of largest Sa [s]", [spectral.predominant_period for _, spectral in rows.values()]),
+        ("Mean period Tm [s]", [spectral.mean_period for _, spectral in rows.values()]),
+    )
+    for label, values in lines:
+        table.add_row(label, *(f"{value:.3g}" for value in values))
+    console.print(table)
+
+
+def plot(
+    motion: MotionArgument,
+    out: Annotated[Path, typer.Argument(metavar="OUT", help="Picture to write: .png, .svg or .pdf.")],
+    component: ComponentOption = None,
+    unit: UnitOption = None,
+    dt: TimeStepOption = None,
+) -> None:
+    """Plot acceleration, velocity and displacement of every component."""
+    from stayput.files import PLOT_SUFFIXES, check_target
+
+    check_target(out, PLOT_SUFFIXES)
+    record = motion_of(motion, component=component, unit=unit, dt=dt)
+
+    from stayput.report.plot import plot_motion  # Matplotlib takes its time to load
+
+    plot_motion(record, out)
+    typer.echo(f"Wrote {out}")
+
+
+def spectrum(
+    motion: MotionArgument,
+    component: ComponentOption = None,
+    unit: UnitOption = None,
+    dt: TimeStepOption = None,
+    damping: Annotated[float, typer.Option(help="Damping ratio of the oscillators, 0 to 0.95.")] = 0.05,
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write the spectra of all components: .csv.")
+    ] = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Plot them, and the Fourier spectra: .png, .svg, .pdf."),
+    ] = None,
+) -> None:
+    """Print the response spectra of a motion: what it does to oscillators of every period."""
+    from stayput.files import PLOT_SUFFIXES, check_target
+    from stayput.motion.spectrum import PERIODS, response_spectrum
+
+    if out is not None:
+        check_target(out, (".csv",))
+    if plot is not None:
+        check_target(plot, PLOT_SUFFIXES)
+    record = motion_of(motion, component=component, unit=unit, dt=dt)
+
+    def spectra(periods: ArrayLike) -> dict[str, ResponseSpectrum]:
+        return {name: response_spectrum(record, periods, damping, name) for name in record.components}
+
+    _print_spectra(record, spectra(TABLE_PERIODS))
+    if out is not None:
+        _write_spectra(out, spectra(PERIODS))
+        typer.echo(f"Wrote {out}")
+    if plot is not None:
+        from stayput.report.spectrum import plot_spectra
+
+        plot_spectra(record, plot, damping)
+        typer.echo(f"Wrote {plot}")
+
+
+def _write_spectra(out: Path, spectra: dict[str, ResponseSpectrum]) -> None:
+    from stayput.files import draft
+
+    columns = {"period_s": next(iter(spectra.values())).periods.tolist()}
+    for name, spectrum in spectra.items():
+        columns[f"sa_{name}_m_s2"] = spectrum.sa.tolist()
+        columns[f"psv_{name}_m_s"] = spectrum.psv.tolist()
+        columns[f"sva_{name}_m_s"] = spectrum.sva.tolist()
+        columns[f"sd_{name}_m"] = spectrum.sd.tolist()
+    rows = [",".join(map(repr, row)) for row in zip(*columns.values(), strict=True)]
+    with draft(out) as unfinished:
+        unfinished.write_text("\n".join([",".join(columns), *rows, ""]), encoding="utf-8")
+
+
+def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    from stayput.report.summary import motion_label
+
+    console = Console(highlight=False, markup=False)
+    damping = 100.0 * next(iter(spectra.values())).damping
+    console.print(f"{motion_label(motion)}: response spectra, {damping:g} % damping", style="bold")
+    table = Table(box=None, padding=(0, 2, 0, 0))
+    table.add_column("Period [s]", justify="right")
+    for name in spectra:
+        for label in (f"Sa {name} [m/s²]", f"ω·Sd {name} [cm/s]"):
+            table.add_column(label, justify="right")
+    for i, period in enumerate(TABLE_PERIODS):
+        values = [v for s in spectra.values() for v in (s.sa[i], 100.0 * s.psv[i])]
+        table.add_row(f"{period:g}", *(f"{value:.3g}" for value in values))
+    console.print(table)
+
+
+def convert(
+    motion: MotionArgument,
+    out: Annotated[Path, typer.Argument(metavar="OUT", help="File to write: .csv or .at2 (PEER).")],
+    component: ComponentOption = None,
+    unit: UnitOption = None,
+    dt: TimeStepOption = None,
+    only: Annotated[
+        str | None, typer.Option(metavar="x|y|z", help="Keep this component alone, as x; for .at2.")
+    ] = None,
+    step: Annotated[
+        float | None, typer.Option(help="New time step [s], a whole part or multiple of the record's.")
+    ] = None,
+    scale: Annotated[float | None, typer.Option(help="Factor on the motion.")] = None,
+    intensity: Annotated[
+        str | None, typer.Option(help="JMA intensity to scale to: a number, or a class such as 6-upper.")
+    ] = None,
+) -> None:
+    """Write a motion in another format, or changed."""
+    from stayput.files import check_target
+    from stayput.motion.writers import FORMATS
+
+    check_target(out, tuple(FORMATS))
+    if scale is not None and intensity is not None:
+        raise one_of_two("--scale", f"{scale:g}", "--intensity", repr(intensity))
+    record = motion_of(motion, component=component, unit=unit, dt=dt)
+    if intensity is not None:
+        record = record.to_intensity(intensity_value(intensity))
+    if scale is not None:
+        record = record.scaled(scale)
+    if step is not None:
+        record = record.resampled(step)
+    if only is not None:
+        record = record.component(only)
+    record.write(out)
+    typer.echo(f"Wrote {out}: {len(record)} samples every {record.dt:g} s, {', '.join(record.components)}")

@@ -1,0 +1,194 @@
+"""What is known of a field: its default, unit, range, label, meaning; beside the field, and nowhere else.
+
+A dataclass declares it with its fields (`parameter`; `quantity` for a number that must be given), a function
+with its arguments (`arguments`). Checks, scenario files and their schema, the app and the documentation read
+it: `parameters`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+from dataclasses import MISSING, dataclass
+from functools import cache
+from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, Unpack, cast
+
+from stayput.errors import InputError, within
+from stayput.uncertainty import Confidence
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Collection, Mapping
+
+    from stayput.catalogue import Phrase
+
+F = TypeVar("F", bound="Callable[..., Any]")
+
+GIVEN = "given"
+"""Tag of a value that the user has given himself, beside those of `stayput.uncertainty.Confidence`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """What is known of one field of a dataclass, or of one argument of a function.
+
+    Attributes
+    ----------
+    name : str
+        Its name in Python, and in a scenario.
+    default : object
+        Its default; None where it is taken from elsewhere, `dataclasses.MISSING` where it must be given.
+    unit : str
+        SI unit; "" for a plain number.
+    low, high : float
+        Smallest and largest value that is accepted; of a list, each item's.
+    label : Phrase
+        What it is called, in English and Japanese.
+    meaning : str
+        What it is, in one sentence for the documentation; "" where the label says it.
+    confidence : Confidence
+        How well founded the default is.
+    choices : tuple of str
+        The words that are accepted, where it is a word.
+    decides : bool
+        Whether the outcome hangs on it and only the product or the wall can tell it: strength, grip, slack.
+        How many there are and where is the user's choice; stiffness and damping change little beside these.
+    """
+
+    name: str
+    default: Any
+    unit: str
+    low: float
+    high: float
+    label: Phrase
+    meaning: str = ""
+    confidence: Confidence = Confidence.LOW
+    choices: tuple[str, ...] = ()
+    decides: bool = False
+
+    @property
+    def whole(self) -> bool:
+        """Whether it counts something: its default is an int."""
+        return isinstance(self.default, int)
+
+    def tag(self, value: object) -> str:
+        """Return how well founded a value is: its confidence if it is the default, else `GIVEN`."""
+        return self.confidence.value if value == self.default else GIVEN
+
+    def check(
+        self,
+        value: object,
+        *,
+        called: Phrase | None = None,
+        field: str | None = None,
+        bounds: tuple[float, float] | None = None,
+    ) -> float:
+        """Return a number as a float, or refuse what is none or out of range.
+
+        Parameters
+        ----------
+        value : object
+            What was given.
+        called : Phrase, optional
+            What it is called; default its label.
+        field : str, optional
+            Dotted name of the input; default its name.
+        bounds : tuple of float, optional
+            Smallest and largest value that other fields allow; default its own range.
+
+        Raises
+        ------
+        InputError
+            Not a number, out of range, or not whole where it counts something.
+        """
+        name, place = called or self.label, field or self.name
+        low, high = bounds or (self.low, self.high)
+        number = within(name, cast("float", value), low, high, self.unit, place)
+        if self.whole and not number.is_integer():
+            raise InputError("common.not_whole", place, name=name, value=number)
+        return number
+
+
+class _More(TypedDict, total=False):
+    confidence: Confidence
+    choices: tuple[str, ...]
+    decides: bool
+
+
+def quantity(
+    unit: str, low: float, high: float, label: Phrase, meaning: str = "", **more: Unpack[_More]
+) -> dict[str, Any]:
+    """Return what is known of a number, as the metadata of a field without a default; see `Parameter`."""
+    return {"unit": unit, "low": low, "high": high, "label": label, "meaning": meaning, **more}
+
+
+def parameter(
+    default: Any, unit: str, low: float, high: float, label: Phrase, meaning: str = "", **more: Unpack[_More]
+) -> Any:
+    """Return the field of a number with a default; an int takes whole numbers only. See `Parameter`."""
+    return dataclasses.field(default=default, metadata=quantity(unit, low, high, label, meaning, **more))
+
+
+def other_default(default: Any, kind: Any, name: str) -> Any:
+    """Return a field like that of another dataclass, with a default of its own."""
+    return dataclasses.field(default=default, metadata=kind.__dataclass_fields__[name].metadata)
+
+
+def arguments(**about: Mapping[str, Any]) -> Callable[[F], F]:
+    """Return a decorator that says what is known of a function's numbers; the signature has their defaults.
+
+    Parameters
+    ----------
+    **about
+        What `quantity` returns, by the names of the arguments.
+    """
+
+    def declare(function: F) -> F:
+        given = inspect.signature(function).parameters
+        defaults = {name: given[name].default for name in about}
+        function.__dict__["parameters"] = tuple(
+            Parameter(name, MISSING if default is inspect.Parameter.empty else default, **about[name])
+            for name, default in defaults.items()
+        )
+        return function
+
+    return declare
+
+
+def parameters(of: Any) -> tuple[Parameter, ...]:
+    """Return what is known of the numbers and words of a dataclass or of a function, in their order."""
+    if inspect.isfunction(of):
+        return of.__dict__["parameters"]
+    return _of_fields(of if isinstance(of, type) else type(of))
+
+
+@cache
+def _of_fields(kind: type[Any]) -> tuple[Parameter, ...]:
+    return tuple(Parameter(f.name, f.default, **f.metadata) for f in dataclasses.fields(kind) if f.metadata)
+
+
+def parameter_of(of: Any, name: str) -> Parameter:
+    """Return what is known of one field of a dataclass, or of one argument of a function."""
+    return next(about for about in parameters(of) if about.name == name)
+
+
+def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> None:
+    """Refuse a dataclass's value with a number out of its range.
+
+    Parameters
+    ----------
+    value : object
+        The value.
+    but : collection of str
+        Fields that the class checks by itself: lists, and what other fields bound more narrowly.
+    place : str
+        What the fields' names begin with in the input, such as "isolation.".
+
+    Raises
+    ------
+    InputError
+        The first number that is out of its range.
+    """
+    for about in parameters(value):
+        number = getattr(value, about.name)
+        if about.name not in but and not (number is None and about.default is None):
+            about.check(number, field=place + about.name)

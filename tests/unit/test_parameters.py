@@ -1,0 +1,274 @@
+"""What is known of a field stands beside it, and class, scenario, API and page say the same of it."""
+
+from __future__ import annotations
+
+import asyncio
+import inspect
+import math
+from dataclasses import MISSING
+from typing import TYPE_CHECKING, Any
+
+import httpx
+import pytest
+
+import stayput as sp
+from stayput.app.presets import NUMBERS
+from stayput.app.server import create_app
+from stayput.building import STRUCTURES, Building, Isolation, ShearModel
+from stayput.building.building import Structure
+from stayput.errors import InputError
+from stayput.model.body import Part
+from stayput.model.furniture import FURNITURE, Preset
+from stayput.model.parameters import Parameter, check_fields, parameter_of, parameters
+from stayput.motion.suites import synthetic_suite
+from stayput.scenario import Scenario
+from stayput.scenario.messages import kinds
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from fastapi import FastAPI
+
+NEEDED: dict[Any, dict[str, Any]] = {
+    Part: {"mass": 1.0, "x": 0.0, "z": 0.5},
+    sp.Body: {"width": 0.4, "height": 1.8},
+    sp.Floor: {},
+    sp.Wall: {"gap": 0.1},
+    sp.Ceiling: {"height": 2.4},
+    sp.State: {},
+    Isolation: {},
+    Building: {},
+    ShearModel: {"masses": [1.0], "stiffnesses": [1.0], "damping": 0.05},
+    sp.sine: {"amplitude": 1.0, "frequency": 1.0},
+    synthetic_suite: {},
+}
+"""What is refused by itself, and what must be given beside a field."""
+
+CONSTANTS: dict[Any, tuple[Any, ...]] = {
+    Preset: tuple(FURNITURE.values()),
+    Structure: tuple(STRUCTURES.values()),
+}
+"""What stayput alone makes, and all that there is."""
+
+TABLES: dict[str, tuple[Any, dict[str, Any]]] = {
+    "furniture": (sp.Body, {"preset": "bookcase"}),
+    "room.floor": (sp.Floor, {}),
+    "room.left_wall": (sp.Wall, {"gap": 0.1}),
+    "room.back_wall": (sp.Wall, {"gap": 0.1}),
+    "room.right_wall": (sp.Wall, {"gap": 0.1}),
+    "room.ceiling": (sp.Ceiling, {"height": 2.4}),
+    "initial": (sp.State, {}),
+    "shaking.sine": (sp.sine, {"amplitude": 1.0, "frequency": 1.0}),
+    "shaking.suite": (synthetic_suite, {}),
+    "shaking.building": (Building, {"storeys": 3}),
+}
+"""The tables of a scenario, what each makes, and what must be given beside one of its keys."""
+
+FROM_A_PRESET = {
+    *(f"furniture.{name}" for name in ("width", "height", "mass", "cg_offset", "base_heights")),
+    *(f"room.floor.{name}" for name in ("static_friction", "kinetic_friction")),
+    "shaking.building.storeys",
+}
+"""Keys without a default in a scenario: a preset, a surface or masses say it where they are left out."""
+
+NARROWED = {"Body.cg_offset", "Body.inertia", "Body.base_heights"}
+"""Fields that other fields of their class bound more narrowly."""
+
+OTHER_SENTENCE = {"Building.storeys", "synthetic_suite.count", "synthetic_suite.seed"}
+"""Whole numbers that are refused in a sentence of their own."""
+
+LIMITED = {
+    *(f"shaking.sine.{name}" for name in ("duration", "dt", "quiet")),
+    "shaking.suite.count",
+    "shaking.building.storeys",
+}
+"""Keys for which a server has limits of its own, and says these first."""
+
+DIMENSIONLESS = ("friction", "restitution", "damping", "post_yield", "yield_coefficient", "amplification")
+COUNTS = ("storeys", "count", "seed")
+
+
+NO_FIELD = {"synthetic_suite": "band"}
+"""Arguments that are numbers and stand in no scenario."""
+
+FIELDS = [
+    pytest.param(kind, about, id=f"{kind.__name__}.{about.name}")
+    for kind in (*NEEDED, *CONSTANTS)
+    for about in parameters(kind)
+]
+
+
+def keys() -> Iterator[tuple[str, Any, Parameter]]:
+    for table, (kind, _) in TABLES.items():
+        for about in parameters(kind):
+            yield f"{table}.{about.name}", kind, about
+    for name in ("masses", "stiffnesses"):
+        yield f"shaking.building.{name}", ShearModel, parameter_of(ShearModel, name)
+
+
+KEYS = [pytest.param(*key, id=key[0]) for key in keys()]
+SCHEMA = Scenario.schema()
+
+
+def node_of(dotted: str) -> dict[str, Any]:
+    node: dict[str, Any] = SCHEMA
+    for part in dotted.split("."):
+        node = next(
+            kind["properties"][part] for kind in kinds(node, SCHEMA) if part in kind.get("properties", {})
+        )
+    return node
+
+
+def number_of(node: dict[str, Any]) -> dict[str, Any]:
+    (kind,) = kinds(node, SCHEMA)
+    return number_of(kind["items"]) if kind["type"] == "array" else kind
+
+
+def outside(about: Parameter) -> tuple[float, float]:
+    """Return the largest number below the range, and the smallest above it."""
+    if about.whole:
+        return int(about.low) - 1, int(about.high) + 1
+    return math.nextafter(about.low, -math.inf), math.nextafter(about.high, math.inf)
+
+
+def allowed(about: Parameter) -> str:
+    unit = f" {about.unit}" if about.unit else ""
+    return f"between {about.low:g} and {about.high:g}{unit}."
+
+
+def scene(dotted: str, value: object) -> dict[str, Any]:
+    table, _, name = dotted.rpartition(".")
+    given: dict[str, Any] = {**TABLES[table][1], name: value}
+    if name in ("masses", "stiffnesses"):
+        given = {"masses": [1.0], "stiffnesses": [1.0], name: [value]}
+    elif name in ("cg_offset", "base_heights"):
+        given[name] = [0.0, value]
+    for part in reversed(table.split(".")):
+        given = {part: given}
+    if table == "shaking.building":
+        given["shaking"]["storey"] = 1
+    return {"furniture": {"preset": "bookcase"}, **given}
+
+
+@pytest.mark.parametrize("kind", [*NEEDED, *CONSTANTS])
+def test_every_number_has_its_parameter(kind: Any) -> None:
+    of_numbers = [
+        name
+        for name, given in inspect.signature(kind).parameters.items()
+        if str(given.annotation).startswith(("float", "int", "Sequence[float]", "tuple[float"))
+        and name != NO_FIELD.get(kind.__name__)
+    ]
+    assert [about.name for about in parameters(kind)] == of_numbers
+
+
+@pytest.mark.parametrize(("kind", "about"), FIELDS)
+def test_a_parameter_has_unit_label_and_range(kind: Any, about: Parameter) -> None:
+    english, japanese = about.label
+    assert english.isascii()
+    assert not japanese.isascii()
+    assert math.isfinite(about.low)
+    assert math.isfinite(about.high)
+    assert about.low < about.high
+    assert bool(about.unit) != (about.name in COUNTS or any(word in about.name for word in DIMENSIONLESS))
+    assert about.default == inspect.signature(kind).parameters[about.name].default or about.default is MISSING
+    if isinstance(about.default, float | int):
+        assert about.check(about.default) == about.default
+
+
+@pytest.mark.parametrize("kind", CONSTANTS)
+def test_presets_are_within_their_ranges(kind: Any) -> None:
+    for value in CONSTANTS[kind]:
+        check_fields(value)
+
+
+@pytest.mark.parametrize(("dotted", "kind", "about"), KEYS)
+def test_the_schema_of_a_scenario_says_the_same(dotted: str, kind: Any, about: Parameter) -> None:
+    node = node_of(dotted)
+    number = number_of(node)
+    assert (number["minimum"], number["maximum"]) == (about.low, about.high)
+    assert number.get("unit", "") == about.unit
+    assert number["type"] == ("integer" if about.whole else "number")
+    assert node["description"]
+    if dotted in FROM_A_PRESET or kind is ShearModel:
+        assert node["default"] is None
+    else:
+        assert node.get("default", MISSING) == about.default
+
+
+@pytest.mark.parametrize(
+    ("kind", "about"),
+    [one for one in FIELDS if one.values[0] in NEEDED and one.id not in NARROWED | OTHER_SENTENCE],
+)
+def test_a_value_just_outside_is_refused(kind: Any, about: Parameter) -> None:
+    for value in outside(about):
+        given = [value] if kind is ShearModel and about.name != "vertical_amplification" else value
+        with pytest.raises(InputError, match=r"; it must be between .*\.$") as refused:
+            kind(**{**NEEDED[kind], about.name: given})
+        error = refused.value
+        assert (error.field or "").removeprefix("isolation.") == about.name
+        assert (error.values["low"], error.values["high"]) == (about.low, about.high)
+        assert str(error).startswith(about.label[0])
+        assert str(error).endswith(allowed(about))
+        assert error.told("ja").startswith(about.label[1])
+
+
+@pytest.mark.parametrize("value", [0, 200])
+def test_storeys_just_outside_are_refused(value: int) -> None:
+    about = parameter_of(Building, "storeys")
+    assert value in outside(about)
+    with pytest.raises(InputError, match=f"whole number from {about.low} to {about.high}"):
+        Building(value)
+
+
+@pytest.mark.parametrize("name", ["count", "seed"])
+def test_numbers_of_a_suite_just_outside_are_refused(name: str) -> None:
+    about = parameter_of(synthetic_suite, name)
+    for value in outside(about):
+        with pytest.raises(InputError, match=f"whole number from {about.low} to {about.high}"):
+            synthetic_suite(**{name: int(value)})
+
+
+@pytest.fixture(scope="module")
+def app() -> Iterator[FastAPI]:
+    made = create_app(warming=False)
+    yield made
+    made.state.service.close()
+
+
+def asked(app: FastAPI, method: str, route: str, content: object = None) -> httpx.Response:
+    """Ask the API within this process."""
+
+    async def ask() -> httpx.Response:
+        transport = httpx.ASGITransport(app=app)
+        async with httpx.AsyncClient(transport=transport, base_url="http://127.0.0.1") as client:
+            return await client.request(method, f"/api/v1/{route}", json=content)
+
+    return asyncio.run(ask())
+
+
+@pytest.mark.parametrize(("dotted", "kind", "about"), KEYS)
+def test_scenario_and_api_refuse_what_is_just_outside(
+    dotted: str, kind: Any, about: Parameter, app: FastAPI
+) -> None:
+    for value in outside(about):
+        data = scene(dotted, value)
+        with pytest.raises(InputError) as refused:
+            Scenario.parse(data)
+        said = str(refused.value)
+        assert said.startswith(dotted)
+        assert said.endswith(allowed(about))
+        answer = asked(app, "POST", "simulate", {"scene": data})
+        assert answer.status_code == 422
+        if dotted not in LIMITED:
+            assert answer.json()["message"] == said
+            assert answer.json()["message_ja"] == refused.value.told("ja")
+
+
+@pytest.mark.parametrize("dotted", NUMBERS)
+def test_the_page_is_told_the_same(dotted: str, app: FastAPI) -> None:
+    found = asked(app, "GET", "presets").json()["numbers"][dotted]
+    number = number_of(node_of(dotted))
+    assert (found["low"], found["high"]) == (number["minimum"], number["maximum"])
+    assert found["unit"] == number.get("unit", "")
+    assert found["label"]["en"]
+    assert found["label"]["ja"]
