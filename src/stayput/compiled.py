@@ -26,6 +26,8 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
+    from stayput.machine_code import MachineCode
+
 P = ParamSpec("P")
 T = TypeVar("T")
 
@@ -108,7 +110,7 @@ class Entry:
         TypeError
             An argument of another kind, or an array that is not contiguous.
         """
-        kinds = tuple(map(_kind_of, arguments))
+        kinds = tuple(map(kind_of, arguments))
         call = self._loaded.get(kinds)
         if call is None:
             with _compiling:
@@ -120,10 +122,8 @@ class Entry:
             raise RuntimeError(f"{self.__name__} ended with the status {status}.")
 
     def _load(self, kinds: tuple[Any, ...]) -> Callable[..., int]:
-        from stayput.machine_code import MachineCode
-
-        code = MachineCode(f"{self.__module__}.{self.__name__}", kinds, self._folders())
-        address = code.load() or code.add(self.intermediate_code(kinds))
+        code = self._machine_code(kinds)
+        address = code.load() or code.add(self._compile(kinds))
         values: list[Any] = []
         for kind in kinds:
             _append_types(kind, values)
@@ -131,13 +131,21 @@ class Entry:
         self._loaded[kinds] = call
         return call
 
-    def _folders(self) -> tuple[Path, ...]:
-        """Return the folders whose sources are compiled into it: those of all functions that it names."""
+    def _machine_code(self, kinds: tuple[Any, ...]) -> MachineCode:
+        from stayput.machine_code import MachineCode
+
+        # it is made of the sources in the folders of all functions that it names
         named = [value for value in self.py_func.__globals__.values() if isinstance(value, _Inner)]
-        return tuple(sorted({Path(f.__code__.co_filename).parent for f in (self.py_func, *named)}))
+        folders = sorted({Path(f.__code__.co_filename).parent for f in (self.py_func, *named)})
+        return MachineCode(f"{self.__module__}.{self.__name__}", kinds, tuple(folders))
 
     def intermediate_code(self, kinds: tuple[Any, ...]) -> str:
-        """Compile it by Numba.
+        """Return what it is compiled to, for another target than this machine.
+
+        Parameters
+        ----------
+        kinds : tuple
+            What `kind_of` tells of the arguments.
 
         Returns
         -------
@@ -146,6 +154,9 @@ class Entry:
             a returned value and one for an exception, neither of them used, then the arguments; of each array
             two null pointers, the number of items, the size of one, the address, the shape and the strides.
         """
+        return self._machine_code(kinds).intermediate_code() or self._compile(kinds)
+
+    def _compile(self, kinds: tuple[Any, ...]) -> str:
         for announce in _announcements:
             announce()
         _announcements.clear()
@@ -171,7 +182,7 @@ def _njit(function: Callable[..., Any], *, forceinline: bool = False) -> Any:
     return _numba().njit(**SETTINGS, forceinline=forceinline)(function)
 
 
-def _kind_of(argument: Any) -> Any:
+def kind_of(argument: Any) -> Any:
     """Return what a compiled function depends on in an argument.
 
     That is "f" or "i" for a number, "none", an array's dtype and number of dimensions, or the class of a
@@ -183,7 +194,7 @@ def _kind_of(argument: Any) -> Any:
         return argument.dtype, argument.ndim
     if isinstance(argument, tuple):
         parts = cast("tuple[Any, ...]", argument)
-        return type(parts), *map(_kind_of, parts)
+        return type(parts), *map(kind_of, parts)
     if isinstance(argument, float):
         return "f"
     if isinstance(argument, int | np.integer):

@@ -15,6 +15,7 @@ import secrets
 import stat
 import sys
 import tempfile
+import zlib
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -52,10 +53,21 @@ class MachineCode:
         versions = (version("numba"), version("llvmlite"), sys.version)
         how = Path(__file__), Path(__file__).with_name("compiled.py")
         sources = [_digest_of(how), *(_digest_of(folder.glob("*.py")) for folder in folders)]
-        self._stamp = repr((name, kinds, processor, versions, sources)).encode()
+        stamp = repr((name, kinds, processor, versions, sources))
+        self._stamp = hashlib.sha256(stamp.encode()).hexdigest()
 
     def load(self) -> int | None:
         """Load it from disk; return its address, or None where there is none that is whole and up to date."""
+        parts = self._read()
+        return None if parts is None else _address(parts[0], parts[1].decode())
+
+    def intermediate_code(self) -> str | None:
+        """Return the intermediate code that it was made of, if it is on disk."""
+        parts = self._read()
+        return None if parts is None else zlib.decompress(parts[2]).decode()
+
+    def _read(self) -> tuple[bytes, bytes, bytes] | None:
+        """Read the machine code, its function's name, and the compressed intermediate code."""
         for folder in _folders(self._folder):
             try:
                 content = (folder / self._file).read_bytes()
@@ -63,13 +75,13 @@ class MachineCode:
                 continue
             if hashlib.sha256(content[_DIGEST:]).digest() != content[:_DIGEST]:
                 continue
-            stamp, symbol, code = content[_DIGEST:].split(b"\0", 2)
-            if stamp == hashlib.sha256(self._stamp).hexdigest().encode():
-                return _address(code, symbol.decode())
+            stamp, symbol, size, rest = content[_DIGEST:].split(b"\0", 3)
+            if stamp.decode() == self._stamp:
+                return rest[: int(size)], symbol, rest[int(size) :]
         return None
 
     def add(self, text: str) -> int:
-        """Make machine code of intermediate code, keep it on disk if that is possible, and load it.
+        """Make machine code of intermediate code, keep both on disk if that is possible, and load it.
 
         Parameters
         ----------
@@ -84,8 +96,8 @@ class MachineCode:
         module = llvm.parse_assembly(text)
         symbol = _optimize(module)
         code = _machine().emit_object(module)
-        stamp = hashlib.sha256(self._stamp).hexdigest()
-        packed = b"\0".join((stamp.encode(), symbol.encode(), code))
+        head = b"\0".join((self._stamp.encode(), symbol.encode(), str(len(code)).encode(), code))
+        packed = head + zlib.compress(text.encode())
         self._save(hashlib.sha256(packed).digest() + packed)
         return _address(code, symbol)
 

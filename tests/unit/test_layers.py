@@ -18,7 +18,7 @@ LAYERS = (
     {"progress", "execution", "uncertainty", "compiled"},
     {"mechanics", "model"},
     {"motion"},
-    {"building", "measures", "estimates"},
+    {"building", "measures", "estimates", "webassembly"},
     {"simulation", "fragility"},
     {"montecarlo", "scenario"},
     {"verification"},

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -100,7 +100,20 @@ def shaking(along: NDArray[np.float64], up: NDArray[np.float64] | None, dt: floa
     return Shaking(Excitation(along, up, dt, (*extremes(along), *extremes(up))), law)
 
 
-def solve(
+class BatchArguments(NamedTuple):
+    """The arguments of `engine.run_batch`."""
+
+    cases: NDArray[np.void]
+    held: BatchDevices | None
+    motion: Excitation
+    settings: SolverSettings
+    scratch: Scratch
+    states: NDArray[np.void]
+    output: Output
+    results: NDArray[np.void]
+
+
+def arguments(
     cases: NDArray[np.void],
     held: BatchDevices | None,
     motion: Shaking,
@@ -110,8 +123,8 @@ def solve(
     max_step: float = np.inf,
     max_events: int = MAX_EVENTS,
     records: bool = False,
-) -> tuple[NDArray[np.void], Output]:
-    """Run cases under one motion on this thread.
+) -> BatchArguments:
+    """Return what `engine.run_batch` takes.
 
     Parameters
     ----------
@@ -131,24 +144,38 @@ def solve(
         Events after which a case is stopped and reported as failed.
     records : bool
         Whether history, forces and events are kept.
+    """
+    samples, listed = (len(motion.floor.ax), MAX_EVENTS) if records else (0, 0)
+    devices = 0 if held is None else len(held.links)
+    return BatchArguments(
+        cases=cases,
+        held=held,
+        motion=motion.floor,
+        settings=SolverSettings(motion.law, tolerance, error, max_step, max_events),
+        scratch=Scratch(np.zeros(col.CONTACTS, col.CONTACT), np.zeros(col.CONTACTS, col.ROW)),
+        states=np.zeros(1, col.STATE),
+        output=Output(
+            history=np.zeros((samples, col.HISTORY)),
+            forces=np.zeros((samples, devices, FORCES)),
+            events=np.zeros((listed, col.EVENT)),  # pages that are not written take no memory
+        ),
+        results=np.zeros(len(cases), col.RESULT),
+    )
+
+
+def solve(
+    cases: NDArray[np.void], held: BatchDevices | None, motion: Shaking, **settings: Any
+) -> tuple[NDArray[np.void], Output]:
+    """Run cases under one motion on this thread; arguments as for `arguments`.
 
     Returns
     -------
     tuple
         A column of `columns.RESULT`, and what was recorded.
     """
-    samples, listed = (len(motion.floor.ax), MAX_EVENTS) if records else (0, 0)
-    devices = 0 if held is None else len(held.links)
-    output = Output(
-        history=np.zeros((samples, col.HISTORY)),
-        forces=np.zeros((samples, devices, FORCES)),
-        events=np.zeros((listed, col.EVENT)),  # pages that are not written take no memory
-    )
-    settings = SolverSettings(motion.law, tolerance, error, max_step, max_events)
-    scratch = Scratch(np.zeros(col.CONTACTS, col.CONTACT), np.zeros(col.CONTACTS, col.ROW))
-    results = np.zeros(len(cases), col.RESULT)
-    run_batch(cases, held, motion.floor, settings, scratch, np.zeros(1, col.STATE), output, results)
-    return results, output
+    batch = arguments(cases, held, motion, **settings)
+    run_batch(*batch)
+    return batch.results, batch.output
 
 
 def trace(

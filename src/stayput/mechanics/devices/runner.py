@@ -99,7 +99,7 @@ def _check(valid: NDArray[np.bool_], values: NDArray[np.float64], name: str, all
         raise InputError("mechanics.element_value", name=name, value=value, allowed=phrase(allowed))
 
 
-def _held(elements: NDArray[np.void], motion: Shaking) -> BatchDevices:
+def devices_of(elements: NDArray[np.void], motion: Shaking) -> BatchDevices:
     """Return devices as the solver takes them, shape [m, n].
 
     Raises
@@ -140,7 +140,7 @@ def trace_with_devices(
     InputError
         Elements out of range, or another contact law.
     """
-    held = _held(np.ascontiguousarray(elements)[np.newaxis], motion)
+    held = devices_of(np.ascontiguousarray(elements)[np.newaxis], motion)
     results, output = solve(np.array([case]), held, motion, error=tolerance, max_step=max_step, records=True)
     run = traced(results[0], output)
     return TracedDevices(run, held.devices[0], output.forces[: len(run.history)])
@@ -174,6 +174,6 @@ def run_cases_with_devices(
     """
     if elements.shape[:1] != cases.shape:
         raise InputError("mechanics.element_rows", given=len(elements), cases=len(cases))
-    held = _held(elements, motion)
+    held = devices_of(elements, motion)
     results, _ = solve(cases, held, motion, error=tolerance, max_step=max_step, max_events=max_events)
     return results, held.devices
