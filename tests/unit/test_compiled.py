@@ -2,14 +2,19 @@
 
 import os
 import pickle
+import runpy
 import shutil
 import stat
-import subprocess
 import sys
+import tempfile
+from contextlib import redirect_stderr, redirect_stdout
+from io import StringIO
 from pathlib import Path
 
 import pytest
+from forks import start
 from numba import njit
+from numba.core.config import reload_config
 
 import stayput.compiled as compiled
 
@@ -41,16 +46,22 @@ class Program:
         (self.package / "callee.py").write_text(callee(2.0))
 
     def __call__(self, **environment: str) -> str:
-        done = subprocess.run(
-            [sys.executable, "-m", "small.caller"],
-            cwd=self.folder,
-            env=os.environ | (environment or {"NUMBA_CACHE_DIR": str(self.code)}),
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert done.returncode == 0, done.stderr
-        return (done.stdout + done.stderr).strip()
+        """Run it in a new process, which has none of its code; return what it says, warnings last."""
+        said = self.folder / "said"
+        process = start(run_program, self.folder, said, environment or {"NUMBA_CACHE_DIR": str(self.code)})
+        process.join()
+        assert process.exitcode == 0
+        return said.read_text().strip()
+
+
+def run_program(folder: Path, said: Path, environment: dict[str, str]) -> None:
+    os.environ.update(environment)
+    reload_config()
+    tempfile.tempdir = None
+    sys.path.insert(0, str(folder))
+    with redirect_stdout(StringIO()) as output, redirect_stderr(StringIO()) as warnings:
+        runpy.run_module("small.caller", run_name="__main__")
+    said.write_text(output.getvalue() + warnings.getvalue())
 
 
 @pytest.fixture

@@ -2,11 +2,14 @@
 
 import re
 import shlex
+from functools import partial
 from pathlib import Path
 
+import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+from stayput import studies
 from stayput.cli import app
 
 ROOT = Path(__file__).parents[2]
@@ -24,6 +27,14 @@ SERVES = [["app"]]
 
 WRITES = ("--plot", "--animate", "--report", "--out")
 
+COARSE = {
+    "widths": np.linspace(0.4, 1.6, 13),
+    "gaps": np.linspace(0.0, 0.8, 17),
+    "amplitudes": (5.0,),
+    "frequencies": (0.8,),
+}
+"""A grid for ``study wall-gap``; its own takes ten seconds, and is run as the documentation is built."""
+
 
 def test_the_commands_are_found():
     assert len(TOLD) >= 8
@@ -34,6 +45,7 @@ def test_the_commands_are_found():
 def test_a_command_of_the_readme_runs(words, tmp_path, monkeypatch):
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(studies, "wall_gap", partial(studies.wall_gap, **COARSE))
     result = CliRunner().invoke(app, words)
     assert result.exit_code == 0, result.output
     assert result.output.strip()
