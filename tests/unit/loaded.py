@@ -3,6 +3,8 @@
 It assesses nothing itself: that would start threads, which a child does not get.
 """
 
+from contextlib import suppress
+
 import rich.console  # noqa: F401
 import scipy.stats  # noqa: F401
 
@@ -10,6 +12,9 @@ import stayput as sp
 from conftest import load_solvers
 from stayput.inventory.arrow import dataset, parquet
 from stayput.inventory.assess import assess  # noqa: F401
+
+with suppress(ImportError):  # for the workers of a cluster
+    pass
 
 dataset()
 parquet()
