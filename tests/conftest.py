@@ -1,20 +1,28 @@
-"""The solvers are compiled once, before the first test of any run.
+"""The solvers are compiled once for all tests, and tests that depend on the machine are tried twice.
 
-Compiling takes about a minute, which no test with a time limit, and no example with a deadline, should pay.
+Compiling takes a minute or two, which no test with a time limit, and no example with a deadline, should pay.
+Run as a program, this file compiles.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
 
-import numpy as np
+import pytest
 
-if TYPE_CHECKING:
-    import pytest
+APP = Path(__file__).parent / "app"
+
+compiling = pytest.StashKey[subprocess.Popen[bytes]]()
+"""The process that compiles, of a run whose tests are run by others (pytest-xdist)."""
 
 
 def load_solvers() -> None:
     """Run each compiled entry point of the mechanics once: from the cache on disk, or compiled into it."""
+    import numpy as np
+
     from stayput import Body, Room, State
     from stayput.mechanics.devices.runner import no_elements, trace_with_devices
     from stayput.mechanics.runner import shaking, trace
@@ -26,11 +34,48 @@ def load_solvers() -> None:
     trace_with_devices(case, no_elements(1), motion)
 
 
-def pytest_sessionstart(session: pytest.Session) -> None:
-    """Load the solvers in each process of a run.
+@pytest.fixture(scope="session", autouse=True)
+def solvers() -> None:
+    """Load the solvers before the first test of each process."""
+    load_solvers()
 
-    Under pytest-xdist the controller comes here before it starts its workers (its own hook is the last): it
-    alone compiles, and the workers load from the disk.
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Compile while pytest-xdist's workers import the tests, which takes them about half as long.
+
+    One process compiles all: the solver with devices contains the one without, so a second process would
+    compile that again and save no time.
     """
-    if not session.config.option.collectonly:
-        load_solvers()
+    config = session.config
+    if config.pluginmanager.hasplugin("dsession") and not config.option.collectonly:
+        config.stash[compiling] = subprocess.Popen([sys.executable, __file__])
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_node_collection_finished(node: Any) -> None:
+    """Send no tests to the workers before everything is compiled; they load it from the disk."""
+    node.config.stash[compiling].wait()
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    if compiling in session.config.stash:  # and still at work, where the run ends early
+        session.config.stash[compiling].kill()
+        session.config.stash[compiling].wait()
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Try a test of the app, or one that starts clusters or ends processes, a second time when it fails.
+
+    They have servers, browsers and clusters beside them, whose start and answers depend on what else the
+    machine does; what is wrong fails twice. No other test is tried again: numbers are right the first time.
+    The summary lists every second attempt, with the failure of the first.
+    """
+    if config.option.usepdb:  # which is to stop at the first failure
+        return
+    for item in items:
+        if item.path.is_relative_to(APP) or item.get_closest_marker("processes"):
+            item.add_marker(pytest.mark.flaky(reruns=1))
+
+
+if __name__ == "__main__":
+    load_solvers()

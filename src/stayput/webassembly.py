@@ -44,8 +44,8 @@ _TRIPLE = "wasm32-unknown-unknown"
 _STACK = 1 << 20  # bytes; a call needs some kilobytes
 
 
-# The product of two whole numbers of 128 bits: optimized loops can need it, WebAssembly has none, and it comes
-# from a compiler's library. Optimized itself, it would be recognized as such a product, and call itself.
+# The product of two whole numbers of 128 bits: optimized loops can need it, and WebAssembly lacks it; it is
+# part of compilers' libraries. Optimized itself, it would be recognized as such a product, and call itself.
 _MULTIPLY = """
 define void @__multi3(ptr %result, i64 %al, i64 %ah, i64 %bl, i64 %bh) noinline optnone {
   %a0 = and i64 %al, 4294967295

@@ -22,8 +22,12 @@ PHONE = {"width": 390, "height": 844}
 DESK = {"width": 1280, "height": 900}
 FLAGS = ["--no-sandbox", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"]
 LOCALES = {"en": "en-GB", "ja": "ja-JP"}
-WAIT = 15_000
+WAIT = 60_000
+"""How long the page may take for anything, on a machine that has much else to do [ms]."""
+
 COMPILING = 300_000
+"""How long what is compiled first may take [ms]."""
+
 FEW = 8
 
 
@@ -49,7 +53,8 @@ class Opened:
     asked: list[str] = field(default_factory=list)
 
     def simulated(self, act: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Do something and return what the next simulation was asked and what it answered."""
+        """Do something and return what the simulation that follows was asked and what it answered."""
+        self.settle()
         with self.page.expect_response(
             lambda answer: answer.url.endswith("/simulate"), timeout=WAIT
         ) as found:
@@ -61,6 +66,20 @@ class Opened:
         """Wait until the newest scene is drawn; the server's first one is compiled before."""
         self.page.wait_for_selector("html[data-drawn]", state="attached", timeout=COMPILING)
         self.page.wait_for_selector("#see:not([aria-busy])", state="attached", timeout=WAIT)
+        self.draw()
+
+    def draw(self) -> None:
+        """Wait until the page has drawn what it was going to: it draws once before the next frame."""
+        self.page.evaluate("new Promise(requestAnimationFrame)")
+
+    def wait(self, so: str, value: Any = None) -> Any:
+        """Wait until an expression of JavaScript is true, or a function of a value."""
+        return self.page.wait_for_function(so, arg=value)
+
+    def kept(self, *parts: str) -> None:
+        """Wait until the page's address has these parts of the scene."""
+        self.wait("parts => parts.every(part => location.hash.slice(1).split('&').includes(part))", parts)
+        self.wait("document.getElementById('address').value === location.href")
 
     def go(self, screen: str) -> None:
         """Choose a step."""

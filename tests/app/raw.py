@@ -12,8 +12,8 @@ if TYPE_CHECKING:
 
     from serving import Running
 
-WAIT = 15.0
-"""How long an answer may take [s]."""
+WAIT = 60.0
+"""How long an answer may take, on a machine that has much else to do [s]."""
 
 PING = b"GET /api/v1/ping HTTP/1.1\r\nHost: localhost\r\n\r\n"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 import time
 from contextlib import contextmanager
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import httpx
@@ -12,9 +13,11 @@ import httpx
 from stayput.app import api
 from stayput.app.addresses import address_of, bind
 from stayput.app.server import create_app, server_of
+from waiting import wait_until
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
+    from types import ModuleType
 
     import pytest
     from fastapi import FastAPI
@@ -47,9 +50,8 @@ def running(limits: Limits | None = None, *, warming: bool = False) -> Generator
     server = server_of(app)
     thread = threading.Thread(target=lambda: server.run(sockets=[bound]), daemon=True)
     thread.start()
-    while not server.started:
-        assert thread.is_alive()
-        time.sleep(0.01)
+    wait_until(lambda: server.started or not thread.is_alive())
+    assert thread.is_alive()
     try:
         yield Running(address_of(bound).rstrip("/"), app)
     finally:
@@ -62,14 +64,32 @@ def client_of(server: Running) -> httpx.Client:
     return httpx.Client(base_url=server.address, timeout=COMPILING, trust_env=False)
 
 
-def hold_verifications(patched: pytest.MonkeyPatch) -> threading.Event:
-    """Keep verifications at their first simulation until the event is set, however fast the machine is."""
+def hold_verifications(patched: pytest.MonkeyPatch, least: int = 0) -> threading.Event:
+    """Keep verifications at their first simulation until the event is set, however fast the machine is.
+
+    Those of fewer options than ``least`` go on.
+    """
     go_on, verify = threading.Event(), api.verify
 
     def held(scenario: Any, *, on_progress: Callable[[int, int], None], **more: Any) -> Any:
-        while not go_on.wait(0.01):
+        while len(scenario.measures) >= least and not go_on.wait(0.01):
             on_progress(1, 1000)
         return verify(scenario, on_progress=on_progress, **more)
 
     patched.setattr(api, "verify", held)
     return go_on
+
+
+class Clock:
+    """The time that modules of the server see, which a test moves on without waiting.
+
+    What is made gets the real time, so it is made before the clock is moved.
+    """
+
+    def __init__(self, patched: pytest.MonkeyPatch, *modules: ModuleType) -> None:
+        self.ahead = 0.0
+        for module in modules:
+            patched.setattr(module, "time", SimpleNamespace(monotonic=self))
+
+    def __call__(self) -> float:
+        return time.monotonic() + self.ahead

@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import math
-import time
 import tomllib
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +16,7 @@ from stayput.measures import MEASURES
 from stayput.motion.intensity import CLASSES
 from stayput.report.history import history
 from stayput.report.scene import ground_displacement
+from waiting import wait_until
 
 if TYPE_CHECKING:
     import httpx
@@ -34,14 +34,14 @@ def finished(client: httpx.Client, asked: dict[str, Any]) -> Any:
     """Start a verification and wait for its end."""
     answer = client.post("/api/v1/verify", json=asked)
     assert answer.status_code == 202, answer.text
-    place = answer.headers["location"]
-    deadline = time.monotonic() + 60.0
-    while True:
-        job = client.get(place).json()
-        if job["state"] not in ("waiting", "running"):
-            return job
-        assert time.monotonic() < deadline
-        time.sleep(0.05)
+    job: dict[str, Any] = {}
+
+    def ended() -> bool:
+        job.update(client.get(answer.headers["location"]).json())
+        return job["state"] not in ("waiting", "running")
+
+    wait_until(ended)
+    return job
 
 
 def test_ping(client: httpx.Client) -> None:

@@ -12,12 +12,18 @@ from typing import TYPE_CHECKING, Any
 
 import httpx
 import pytest
-from serving import SCENE, Running, client_of, hold_verifications, running
+from raw import WAIT, answer, connected, request
+from serving import SCENE, Clock, Running, client_of, hold_verifications, running
 
+from stayput.app import api, jobs
 from stayput.app.limits import Limits
+from stayput.app.running import simulated
+from stayput.app.size_map import INTENSITIES, size_map
+from stayput.montecarlo.runs import run_level
+from waiting import PATIENCE, wait_until
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from stayput.app.service import Service
 
@@ -151,8 +157,8 @@ def test_every_answer_has_its_headers(client: httpx.Client) -> None:
         client.get("/", headers={"host": "evil.example"}),
         client.options("/api/v1/simulate", headers={"access-control-request-method": "POST"}),
     ]
-    for answer in answers:
-        headers = answer.headers
+    for one in answers:
+        headers = one.headers
         assert "default-src 'self'" in headers["content-security-policy"]
         assert "frame-ancestors 'none'" in headers["content-security-policy"]
         assert headers["x-content-type-options"] == "nosniff"
@@ -161,31 +167,38 @@ def test_every_answer_has_its_headers(client: httpx.Client) -> None:
         assert "server" not in headers
 
 
-def test_jobs_are_bounded_and_cancelled_ones_stop_computing() -> None:
+def test_jobs_are_bounded_and_cancelled_ones_stop_computing(monkeypatch: pytest.MonkeyPatch) -> None:
+    verify = api.verify
+
+    def endless(scenario: Any, **more: Any) -> Any:
+        while scenario.uncertainty.samples > 1:
+            verify(scenario, **more)
+        return verify(scenario, **more)
+
+    monkeypatch.setattr(api, "verify", endless)
     limits = replace(Limits(), jobs_running=1, jobs_waiting=1, threads=1, samples=20_000)
-    scene = {**SCENE, "uncertainty": {"samples": 20_000}}  # seconds on any machine
+    scene = {**SCENE, "uncertainty": {"samples": 20_000}}
     asked = {"scene": scene, "measures": [{"type": "anti_slip_sheet"}], "compare_usual": False}
     with running(limits) as server, client_of(server) as client:
+
+        def job(known: dict[str, Any]) -> Any:
+            return client.get(f"/api/v1/jobs/{known['id']}").json()
+
         first, second = (client.post("/api/v1/verify", json=asked).json() for _ in range(2))
         assert second["state"] == "waiting"
         third = client.post("/api/v1/verify", json=asked)
         refused(third, 429)
         assert int(third.headers["retry-after"]) > 0
-        deadline = time.monotonic() + 30.0
-        while client.get(f"/api/v1/jobs/{first['id']}").json()["done"] == 0:
-            assert time.monotonic() < deadline
-            time.sleep(0.05)
+        wait_until(lambda: job(first)["done"] > 0)
         refused(client.get(f"/api/v1/jobs/{first['id']}/report"), 409)
-        for job in (second, first):
-            assert client.delete(f"/api/v1/jobs/{job['id']}").json()["state"] == "cancelled"
-        # the only thread for jobs is free again long before the first could have ended
+        for one in (second, first):
+            assert client.delete(f"/api/v1/jobs/{one['id']}").json()["state"] == "cancelled"
+        # the only thread for jobs is free again, though the first would never have ended
         few = {**asked, "scene": {**SCENE, "uncertainty": {"samples": 1}}}
         third = client.post("/api/v1/verify", json=few).json()
-        while (job := client.get(f"/api/v1/jobs/{third['id']}").json())["state"] != "done":
-            assert job["state"] in ("waiting", "running")
-            assert time.monotonic() < deadline
-            time.sleep(0.05)
-        gone = client.get(f"/api/v1/jobs/{first['id']}").json()
+        wait_until(lambda: job(third)["state"] not in ("waiting", "running"))
+        assert job(third)["state"] == "done"
+        gone = job(first)
         assert gone["state"] == "cancelled"
         assert gone["done"] < gone["total"]
 
@@ -193,7 +206,7 @@ def test_jobs_are_bounded_and_cancelled_ones_stop_computing() -> None:
 def test_a_job_that_nobody_asks_for_gives_way(monkeypatch: pytest.MonkeyPatch) -> None:
     limits = replace(Limits(), jobs_running=1, jobs_waiting=2, threads=1)
     asked = {"scene": SCENE, "measures": [{"type": "anti_slip_sheet"}], "compare_usual": False}
-    go_on = hold_verifications(monkeypatch)
+    go_on, clock = hold_verifications(monkeypatch), Clock(monkeypatch, jobs)
     with running(limits) as server, client_of(server) as client:
 
         def post(**more: float) -> str:
@@ -202,42 +215,44 @@ def test_a_job_that_nobody_asks_for_gives_way(monkeypatch: pytest.MonkeyPatch) -
         def state(name: str) -> str:
             return client.get(f"/api/v1/jobs/{name}").json()["state"]
 
-        left, unasked, awaited = post(lease_s=1.0), post(lease_s=1.0), post(lease_s=3.0)
+        left, unasked, awaited = post(lease_s=300.0), post(lease_s=300.0), post(lease_s=3000.0)
         refused(client.post("/api/v1/verify", json=asked), 429)
-        deadline = time.monotonic() + 60.0
-        while state(awaited) != "running":
-            assert state(awaited) == "waiting"
-            assert time.monotonic() < deadline
-            time.sleep(0.2)
+        assert state(awaited) == "waiting"
+        clock.ahead += 1000.0
+        wait_until(lambda: state(awaited) == "running")
         service: Service = server.app.state.service
         assert {service.jobs.get(name).state for name in (left, unasked)} == {"cancelled"}
-        until = time.monotonic() + 4.0
-        while time.monotonic() < until:  # it goes on for as long as it is asked for
+        for _ in range(3):  # it goes on for as long as it is asked for
+            clock.ahead += 2000.0
             assert state(awaited) == "running"
-            time.sleep(0.2)
         refused(client.post("/api/v1/verify", json={**asked, "lease_s": 0.0}), 422, "lease_s")
         go_on.set()
-        while state(awaited) != "done":
-            assert time.monotonic() < deadline + 60.0
-            time.sleep(0.2)
+        wait_until(lambda: state(awaited) == "done")
 
 
-def test_a_map_whose_client_has_left_gives_way() -> None:
-    slow = {"suite": {"count": 12}, "building": {"storeys": 8}, "storey": 7}
-    asked = {"scene": {**SCENE, "shaking": {**slow, "intensity": 6.0}}, "measures": []}
-    quick = {"scene": {**SCENE, "shaking": {"suite": {"count": 1}, "intensity": 6.0}}, "measures": []}
+def test_a_map_whose_client_has_left_gives_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = {"scene": {**SCENE, "shaking": {"suite": {"count": 1}, "intensity": 6.0}}, "measures": []}
+    left, runs = threading.Event(), []
+
+    def held(scenario: Any, axis: str, threads: int, awaited: Callable[[], bool]) -> Any:
+        if not left.is_set():
+            wait_until(lambda: not awaited())
+            left.set()
+        return size_map(scenario, axis, threads, awaited)
+
+    def counted(*given: Any, **more: Any) -> Any:
+        runs.append(given)
+        return run_level(*given, **more)
+
+    monkeypatch.setattr("stayput.app.api.size_map", held)
+    monkeypatch.setattr("stayput.app.size_map.run_level", counted)
     limits = replace(Limits(), slow_workers=1, threads=1)
     with running(limits) as server, client_of(server) as client:
-        client.post("/api/v1/size-map", json=quick)  # what is compiled, and the suite, are there
-        start = time.monotonic()
-        client.post("/api/v1/size-map", json=asked)
-        whole = time.monotonic() - start
-        changed = {**asked, "scene": {**asked["scene"], "shaking": {**slow, "storey": 6, "intensity": 6.0}}}
-        with pytest.raises(httpx.ReadTimeout):
-            client.post("/api/v1/size-map", json=changed, timeout=0.3)
-        start = time.monotonic()
-        assert client.post("/api/v1/size-map", json=quick).status_code == 200
-        assert time.monotonic() - start < 0.7 * whole
+        with pytest.raises(httpx.ReadTimeout):  # and the client leaves
+            client.post("/api/v1/size-map", json=asked, timeout=httpx.Timeout(WAIT, read=0.1))
+        assert client.post("/api/v1/size-map", json=asked).status_code == 200
+        assert left.is_set()
+        assert len(runs) == len(INTENSITIES)  # those of the second
 
 
 def test_too_many_simulations_are_refused_before_any() -> None:
@@ -246,29 +261,35 @@ def test_too_many_simulations_are_refused_before_any() -> None:
         assert "simulations" in refused(answer, 422, "scene.uncertainty.samples")
 
 
-def test_a_busy_server_says_so() -> None:
+def test_a_busy_server_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    go_on = threading.Event()
+
+    def held(*given: Any) -> Any:
+        assert go_on.wait(PATIENCE)
+        return simulated(*given)
+
+    monkeypatch.setattr("stayput.app.api.simulated", held)
     limits = replace(Limits(), workers=1, waiting=1)
     with running(limits) as server, client_of(server) as client:
         with ThreadPoolExecutor(12) as pool:
             asked = [pool.submit(simulate, client, SCENE, [{"type": "belt"}]) for _ in range(12)]
+            wait_until(lambda: sum(one.done() for one in asked) == 10)
+            go_on.set()
             found = [one.result().status_code for one in asked]
-        assert set(found) == {200, 503}
+        assert sorted(found) == [200] * 2 + [503] * 10
         assert simulate(client, SCENE).status_code == 200
 
 
 def test_slow_bodies_are_given_up() -> None:
-    def slowly() -> Iterator[bytes]:
-        yield b"{"
-        time.sleep(1.5)
-        yield b"}"
-
-    with running(replace(Limits(), seconds=0.3)) as server, client_of(server) as client:
-        answer = client.post("/api/v1/simulate", content=slowly(), headers=JSON)
-        refused(answer, 408)
+    with running(replace(Limits(), seconds=0.3)) as server, connected(server) as connection:
+        connection.sendall(request("/api/v1/simulate", b"{", "Content-Type: application/json", length=2))
+        status, body = answer(connection)
+        assert status == 408
+        assert set(json.loads(body)) == {"message", "message_ja", "field"}
 
 
 def test_pings_are_answered_while_others_compute(client: httpx.Client) -> None:
-    """A lenient bound: `benchmarks/app.py` measures it."""
+    """A lenient bound, in one of three attempts: `benchmarks/app.py` measures it."""
     stop = threading.Event()
     scene = {**SCENE, "uncertainty": {"samples": 200}}
     job = client.post("/api/v1/verify", json={"scene": scene, "measures": [{"type": "belt"}]}).json()
@@ -277,16 +298,20 @@ def test_pings_are_answered_while_others_compute(client: httpx.Client) -> None:
         while not stop.is_set():
             simulate(client, SCENE, [{"type": "l_bracket"}])
 
-    loader = threading.Thread(target=load)
-    loader.start()
-    try:
+    def usual() -> float:
+        """How long nine of ten pings take at most [s]."""
         times = []
-        for _ in range(100):
+        for _ in range(50):
             start = time.perf_counter()
             assert client.get("/api/v1/ping").status_code == 200
             times.append(time.perf_counter() - start)
+        return sorted(times)[45]
+
+    loader = threading.Thread(target=load)
+    loader.start()
+    try:
+        assert any(usual() < 0.25 for _ in range(3))
     finally:
         stop.set()
         loader.join()
         client.delete(f"/api/v1/jobs/{job['id']}")
-    assert sorted(times)[90] < 0.25

@@ -7,7 +7,6 @@ import signal
 import socket
 import subprocess
 import sys
-import time
 import zipfile
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -24,6 +23,7 @@ from stayput.app.addresses import address_of, bind
 from stayput.app.pages import WORDS
 from stayput.cli import app
 from stayput.errors import InputError
+from waiting import PATIENCE, wait_until
 
 if TYPE_CHECKING:
     from collections.abc import Generator
@@ -69,24 +69,21 @@ def test_it_prints_its_address_and_ends_quietly_on_an_interrupt() -> None:
     with process() as (address, started):
         with client_at(address) as client:
             place = client.post("/api/v1/verify", json={"scene": scene}).headers["location"]
-            while client.get(place).json()["state"] == "waiting":
-                time.sleep(0.01)
-            time.sleep(0.5)  # within its runs, or still compiling
+            wait_until(lambda: client.get(place).json()["done"] > 0)
         started.send_signal(signal.SIGINT)
-        _, told = started.communicate(timeout=120.0)
+        _, told = started.communicate(timeout=PATIENCE)
     assert started.returncode in (0, -signal.SIGINT)
     assert "Traceback" not in told
 
 
 @pytest.mark.skipif(not STATUS.exists(), reason="this system does not tell memory in /proc")
 def test_memory_stays_flat() -> None:
-    """Over a thousand requests of all kinds, from four clients at once."""
+    """Over hundreds of requests of all kinds, from four clients at once; it may grow by 20 kB for each."""
     with (
         process() as (address, started),
         httpx.Client(base_url=address, trust_env=False, timeout=COMPILING) as client,
     ):
-        while not client.get("/api/v1/ping").json()["ready"]:
-            pass
+        wait_until(lambda: client.get("/api/v1/ping").json()["ready"], every=0.1)
 
         def ask(number: int) -> None:
             shaking = {"builtin": "near-fault", "scale": 0.3 + 0.0001 * number}
@@ -111,9 +108,9 @@ def test_memory_stays_flat() -> None:
                 list(pool.map(ask, numbers))
             return memory(started.pid)
 
-        before = some(range(200))
-        after = some(range(200, 1200))
-    assert after - before < 20.0
+        before = some(range(100))
+        after = some(range(100, 600))  # a thousand would say no more, and take 3 s longer
+    assert after - before < 10.0
 
 
 def test_an_address_that_is_taken_is_refused() -> None:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import io
-import time
 import zipfile
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from serving import SCENE, Running, client_of, running
+from serving import SCENE, Clock, Running, client_of, hold_verifications, running
+from test_api import finished
 
+from stayput.app import motions
 from stayput.app.limits import Limits
 from stayput.app.motions import safe_label
 
@@ -131,14 +132,15 @@ def test_names_are_made_harmless() -> None:
     assert len(safe_label("x" * 1000)) == 60
 
 
-def test_motions_are_few_and_expire() -> None:
-    limits = replace(Limits(), motions=2, keep=1.0)
+def test_motions_are_few_and_expire(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch, motions)
+    limits = replace(Limits(), motions=2, keep=1000.0)
     with running(limits) as server, client_of(server) as client:
         names = [upload(client, RECORD, unit="m/s²").json()["id"] for _ in range(3)]
         assert client.get(f"/api/v1/motions/{names[0]}").status_code == 404
         assert client.get(f"/api/v1/motions/{names[2]}").status_code == 200
         assert len(list(folder_of(server).iterdir())) == 2
-        time.sleep(1.1)
+        clock.ahead += 2000.0
         assert client.get(f"/api/v1/motions/{names[2]}").status_code == 404
         assert not list(folder_of(server).iterdir())
 
@@ -168,12 +170,13 @@ def test_what_is_doubtful_about_a_file_is_told_in_both_languages(client: httpx.C
     assert client.get(f"/api/v1/motions/{answer['id']}").json()["warnings"] == answer["warnings"]
 
 
-def test_a_motion_that_a_job_reads_stays() -> None:
+def test_a_motion_that_a_job_reads_stays(monkeypatch: pytest.MonkeyPatch) -> None:
     """Newer uploads do not push it out; it goes once the job has ended."""
+    hold_verifications(monkeypatch)
     limits = replace(Limits(), motions=1, threads=1)
     with running(limits) as server, client_of(server) as client:
         found = upload(client, RECORD, unit="m/s²").json()
-        scene = {**SCENE, "shaking": found["shaking"], "uncertainty": {"samples": 2000}}
+        scene = {**SCENE, "shaking": found["shaking"]}
         job = client.post("/api/v1/verify", json={"scene": scene}).json()
         names = [upload(client, RECORD, unit="m/s²").json()["id"] for _ in range(3)]
         assert client.get(f"/api/v1/motions/{found['id']}").status_code == 200
@@ -194,9 +197,7 @@ def test_errors_name_the_user_s_file_and_no_folder_of_the_server() -> None:
         found = upload(client, RECORD, "mine.csv", unit="m/s²").json()
         scene = {**SCENE, "shaking": found["shaking"], "uncertainty": {"samples": 8}}
         (folder / found["id"]).write_text("damaged")  # as a disk may do
-        job = client.post("/api/v1/verify", json={"scene": scene}).json()
-        while (told := client.get(f"/api/v1/jobs/{job['id']}").json())["state"] in ("waiting", "running"):
-            time.sleep(0.05)
+        told = finished(client, {"scene": scene})
         assert told["state"] == "failed"
         (folder / found["id"]).unlink()
         answers = [

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import browser  # noqa: F401
+from browsing import WAIT, browser  # noqa: F401
 from playwright.sync_api import expect
 
 import stayput as sp
@@ -22,7 +22,7 @@ NAMES = ["<!--<script>", "</script><script>document.title = 1</script>", "{{data
 
 def opened(browser: Browser, path: Path) -> tuple[Page, list[str]]:  # noqa: F811
     page = browser.new_page()
-    page.set_default_timeout(15_000)
+    page.set_default_timeout(WAIT)
     said: list[str] = []
     page.on("pageerror", lambda error: said.append(str(error)))
     page.goto(path.as_uri())
@@ -59,7 +59,7 @@ def test_the_report_draws_its_scenes_under_any_name(browser: Browser, tmp_path: 
     assert page.title() == NAMES[0]
     page.wait_for_selector("canvas", state="attached")
     for state in page.locator(".pair .state").all():
-        expect(state).to_contain_text("°")
+        expect(state).to_contain_text("°", timeout=WAIT)
     assert page.locator(".pair canvas").count() >= 1
     assert not said
     page.close()
@@ -103,8 +103,8 @@ def test_the_report_plays_a_pair_from_its_start_to_its_end(browser: Browser, tmp
     poster = pair.locator(".clock").inner_text()
     pair.locator(".play").click()
     assert pair.locator(".play").inner_text() == "Pause"
-    expect(pair.locator(".clock")).not_to_have_text(poster)
-    expect(pair.locator(".play")).to_have_text("Play", timeout=15_000)
+    expect(pair.locator(".clock")).not_to_have_text(poster, timeout=WAIT)
+    expect(pair.locator(".play")).to_have_text("Play", timeout=WAIT)
     assert float(pair.locator(".time").input_value()) == 1000.0
     assert not said
     page.close()

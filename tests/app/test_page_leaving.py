@@ -3,11 +3,13 @@
 # ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
-import time
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import pytest
 from browsing import COMPILING, PHONE, browser, opened  # noqa: F401
+from serving import hold_verifications
+
+from waiting import wait_until
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Route
@@ -16,17 +18,13 @@ if TYPE_CHECKING:
     from stayput.app.service import Service
 
 
-def _long(route: Route) -> None:
-    asked: dict[str, Any] = route.request.post_data_json
-    asked["scene"]["uncertainty"]["samples"] = 2000
-    route.continue_(post_data=asked)
-
-
-def test_a_page_that_is_left_takes_its_verification_along(browser: Browser, server: Running) -> None:
+def test_a_page_that_is_left_takes_its_verification_along(
+    browser: Browser, server: Running, monkeypatch: pytest.MonkeyPatch
+) -> None:
     service: Service = server.app.state.service
+    hold_verifications(monkeypatch)
     with opened(browser, server) as it:
         it.page.unroute("**/api/v1/verify")
-        it.page.route("**/api/v1/verify", _long)
         with it.page.expect_response(
             lambda answer: "/jobs/" in answer.url and answer.json()["done"] > 0, timeout=COMPILING
         ) as found:
@@ -34,11 +32,8 @@ def test_a_page_that_is_left_takes_its_verification_along(browser: Browser, serv
         job = found.value.json()
         it.page.goto("about:blank")
         it.asked.remove("about:blank") if "about:blank" in it.asked else None
-        until = time.monotonic() + 10.0
-        while (left := service.jobs.get(job["id"])).state == "running":
-            assert time.monotonic() < until
-            time.sleep(0.05)
-        assert left.state == "cancelled"
+        wait_until(lambda: service.jobs.get(job["id"]).state != "running")
+        assert service.jobs.get(job["id"]).state == "cancelled"
 
 
 def test_what_was_asked_for_comes_before_what_was_not(browser: Browser, server: Running) -> None:
@@ -86,10 +81,9 @@ def test_the_page_goes_on_by_itself_when_the_server_is_back(browser: Browser, se
         assert "does not answer" in it.text("#problem")
         assert it.page.locator("#away").is_visible()
         assert it.page.get_attribute("#see", "data-old") == "true"
-        it.page.unroute("**/api/v1/**")
-        it.page.route("**/api/v1/verify", lambda route: None)
-        with it.page.expect_response("**/simulate") as found:
-            pass  # nobody clicks
+        with it.page.expect_response("**/simulate") as found:  # nobody clicks
+            it.page.unroute("**/api/v1/**")
+            it.page.route("**/api/v1/verify", lambda route: None)
         assert found.value.json()["without"]["body"]["height_m"] == pytest.approx(1.5)
         it.page.wait_for_selector("#problem", state="hidden")
         assert not it.page.locator("#away").is_visible()
@@ -101,11 +95,13 @@ def test_back_takes_a_change_back(browser: Browser, server: Running) -> None:
         height = it.page.get_by_label("Height (cm)")
         first = height.input_value()
         it.simulated(lambda: it.page.click("#presets button:has-text('Chest')"))
-        it.page.wait_for_timeout(400)
+        it.kept("piece=chest")
+        # what goes on with the same field, and soon, has one place: here as soon as can be
+        it.page.evaluate("(now => { performance.now = () => now; })(performance.now())")
         it.simulated(lambda: height.fill("150"))
-        it.page.wait_for_timeout(400)
-        height.fill("151")  # goes on with the same field: one place for both
-        it.page.wait_for_timeout(400)
+        it.kept("height=1.5")
+        height.fill("151")
+        it.kept("height=1.51")
         it.simulated(lambda: it.page.go_back())
         assert it.text("#presets [aria-pressed=true]") == "Chest of drawers"
         assert height.input_value() not in ("150", "151")
@@ -120,10 +116,10 @@ def test_back_shows_the_screen_before_on_a_phone(browser: Browser, server: Runni
     with opened(browser, server, size=PHONE) as it:
         it.go("scene")
         it.go("understand")
-        it.page.go_back()
-        assert it.page.locator(".screen:visible").get_attribute("id") == "scene"
-        it.page.go_back()
-        assert it.page.locator(".screen:visible").get_attribute("id") == "see"
+        for screen in ("scene", "see"):
+            it.page.go_back()
+            it.page.wait_for_selector(f"body[data-screen={screen}]")
+            assert it.page.locator(".screen:visible").get_attribute("id") == screen
         assert it.page.get_attribute("#steps [aria-current]", "data-screen") == "see"
 
 
@@ -137,7 +133,7 @@ def test_care_speed_building_and_floor_are_remembered(browser: Browser, server: 
         it.simulated(lambda: it.page.get_by_role("slider", name="Storeys of the building").fill("14"))
         it.simulated(lambda: it.page.get_by_role("slider", name="On storey").fill("9"))
         it.simulated(lambda: it.page.get_by_label("On the ground").check())
-        it.page.wait_for_timeout(350)
+        it.kept("storeys=0")
         it.page.reload()
         it.settle()
         assert it.page.input_value("#samples") == "400"

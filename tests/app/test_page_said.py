@@ -148,7 +148,7 @@ def test_the_component_of_a_record_is_said_and_chosen(
         assert answer["motion"]["pga_m_s2"] == pytest.approx(0.5 * peak, rel=1e-6)
         it.simulated(lambda: choice.select_option("z"))
         assert choice.locator("option:checked").inner_text() == "z (vertical)"
-        it.page.wait_for_timeout(350)
+        it.kept("component=z")
         it.page.reload()
         it.settle()
         assert it.page.locator("#uploaded select").input_value() == "z"
@@ -185,7 +185,7 @@ def test_nothing_lies_over_the_picture_of_a_phone_on_its_side(browser: Browser, 
     with opened(browser, server, size=SIDEWAYS) as it:
         for down in (0, 40, 120, 240):
             it.page.evaluate(f"scrollTo(0, {down})")
-            it.page.wait_for_timeout(30)
+            it.draw()
             assert not it.page.evaluate(overlap), down
         # the picture and its buttons are on the screen together
         it.page.evaluate("document.querySelector('.theatre').scrollIntoView()")
@@ -202,16 +202,15 @@ def test_nothing_lies_over_the_picture_of_a_phone_on_its_side(browser: Browser, 
 def test_an_event_is_jumped_to_with_the_picture_in_sight(
     browser: Browser, server: Running, size: dict[str, int]
 ) -> None:
-    seen = """one => {
-      const box = one.getBoundingClientRect();
-      return Math.min(box.bottom, innerHeight) - Math.max(box.top, 0);
+    seen = """() => {
+      const box = document.getElementById("stage-with").getBoundingClientRect();
+      return Math.min(box.bottom, innerHeight) - Math.max(box.top, 0) > 100;
     }"""
     with opened(browser, server, size=size) as it:
         jump = it.page.locator("#story .jump").last
         jump.scroll_into_view_if_needed()
         jump.click()
-        it.page.wait_for_timeout(100)
-        assert it.page.eval_on_selector("#stage-with", seen) > 100
+        it.wait(seen)
 
 
 def test_lines_of_devices_have_their_names(browser: Browser, server: Running) -> None:
@@ -240,7 +239,6 @@ def test_a_tilt_beyond_its_picture_is_marked(browser: Browser, server: Running) 
         it.page.add_init_script(spy)
         it.page.reload()
         it.settle()
-        it.page.wait_for_timeout(100)
         assert "▲ up to 90 °" in it.page.evaluate("written")
 
 
@@ -248,7 +246,7 @@ def test_the_slider_of_the_time_and_the_title_speak_the_language(browser: Browse
     with opened(browser, server, language="ja") as it:
         assert it.page.title().startswith("stayput：地震のとき")
         it.page.fill("#time", "500")
-        it.page.wait_for_timeout(50)
+        it.draw()
         said = it.page.get_attribute("#time", "aria-valuetext")
         assert said is not None
         assert re.fullmatch(r"\d+秒のうち\d+\.\d秒", said)

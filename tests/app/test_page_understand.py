@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 from browsing import COMPILING, browser, opened  # noqa: F401
+from serving import hold_verifications
 
 from stayput.scenario import Scenario
 
@@ -91,8 +92,7 @@ def test_the_map_has_the_users_piece(verified: tuple[Opened, dict]) -> None:
     before = it.page.inner_html("#map")
     with it.page.expect_response("**/size-map"):
         it.page.locator("#map-which").get_by_label("With the measures").check()
-    it.page.wait_for_timeout(100)
-    assert it.page.inner_html("#map") != before
+    it.wait("before => document.getElementById('map').innerHTML !== before", before)
 
 
 def test_another_language_keeps_everything(verified: tuple[Opened, dict]) -> None:
@@ -137,13 +137,15 @@ def test_what_is_kept(verified: tuple[Opened, dict]) -> None:
     assert abs(float(runs[1][-1]["tilt_rad"])) < 0.1
     it.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     it.page.click("#copy")
+    it.page.wait_for_selector("#kept:not(:empty)")
     assert it.page.evaluate("navigator.clipboard.readText()") == it.page.input_value("#address")
 
 
 def test_a_measure_is_taken_from_the_ranking_and_the_new_verification_stopped(
-    verified: tuple[Opened, dict],
+    verified: tuple[Opened, dict], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     it, _ = verified
+    hold_verifications(monkeypatch, least=3)  # the new ranking, and not the verdict before it
     row = it.page.locator("#ranking .option", has_text="Belts").first
     asked, _ = it.simulated(lambda: row.get_by_role("button").click())
     assert [one["type"] for one in asked["measures"]] == ["belt"]
@@ -151,7 +153,7 @@ def test_a_measure_is_taken_from_the_ranking_and_the_new_verification_stopped(
     assert it.page.get_attribute("#understand", "data-old") == "true"
     assert it.page.get_attribute("#report", "href") is None
     it.page.wait_for_selector("#understand[data-state=running][data-old=false]")
-    it.page.wait_for_timeout(300)
+    it.wait("document.getElementById('progress').value > 0")
     with it.page.expect_request(lambda one: one.method == "DELETE" and "/jobs/" in one.url):
         it.page.click("#cancel")
     assert it.text("#state") == "Stopped."

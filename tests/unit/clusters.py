@@ -5,30 +5,38 @@ from __future__ import annotations
 import contextlib
 import os
 import signal
-import time
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
+import forks
+
+from waiting import PATIENCE, wait_until
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
-    from concurrent.futures import Future
 
 WORKERS = 2
-
-WAIT = 180.0
-"""So long may a worker take to come back, on a machine that has much else to do [s]."""
 
 _KILLER = ThreadPoolExecutor(1)
 
 
 @contextlib.contextmanager
 def two_processes() -> Generator[Any]:
-    """A client of a cluster of two worker processes of one thread, each watched by a nanny."""
+    """A client of a cluster of two worker processes of one thread, each watched by a nanny.
+
+    The processes are forked, for speed, by a server that has the package loaded.
+    """
     import dask
     from dask.distributed import Client, LocalCluster
 
+    forks.context()
+    settings = {
+        "distributed.deploy.lost-worker-timeout": PATIENCE,  # else given up after 15 s
+        "distributed.worker.multiprocessing-method": forks.METHOD,
+    }
     with (
-        dask.config.set({"distributed.deploy.lost-worker-timeout": WAIT}),  # else given up after 15 s
+        dask.config.set(settings),
         LocalCluster(
             n_workers=WORKERS, threads_per_worker=1, dashboard_address=None, host="127.0.0.1"
         ) as cluster,
@@ -61,23 +69,23 @@ def workers(client: Any) -> dict[str, int]:
         found = _alive(client)
         return len(found) == WORKERS and set(client.scheduler_info(n_workers=-1)["workers"]) == set(found)
 
-    _wait_for(there)
+    wait_until(there)
     return _alive(client)
 
 
-def killed_when(client: Any, victim: int, ready: Callable[[], bool]) -> Future[None]:
-    """Kill a worker as soon as something is so; the result is there when its nanny has seen it."""
+@contextlib.contextmanager
+def killed_when(client: Any, victim: int, ready: Callable[[], bool]) -> Generator[None]:
+    """Kill a worker as soon as something is so, at the latest as the block ends, and wait for its death."""
+    over = threading.Event()
 
     def kill() -> None:
-        _wait_for(ready)
+        wait_until(lambda: over.is_set() or ready(), every=0.005)
         os.kill(victim, signal.SIGKILL)
-        _wait_for(lambda: victim not in _alive(client).values())
+        wait_until(lambda: victim not in _alive(client).values())
 
-    return _KILLER.submit(kill)
-
-
-def _wait_for(there: Callable[[], bool]) -> None:
-    until = time.monotonic() + WAIT
-    while not there():
-        assert time.monotonic() < until
-        time.sleep(0.005)
+    death = _KILLER.submit(kill)
+    try:
+        yield
+    finally:
+        over.set()
+        death.result()  # its nanny has seen it

@@ -3,10 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
-import os
-import subprocess
-import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -39,13 +35,6 @@ type = "anti_slip_sheet"
 
 HEADER = "id,preset,width,height,mass,floor,gap,building,storey,measures,costs,count,value"
 
-RUN = """
-import sys, json
-from stayput.inventory import assess
-a = json.loads(sys.argv[1])
-assess(**a, progress=False)
-"""
-
 
 def city(folder: Path, text: str = CITY, name: str = "city.toml") -> Path:
     file = folder / name
@@ -68,17 +57,6 @@ def pieces(count: int, different: int = 10) -> list[str]:
 def rows_of_results(done: Assessment) -> list[dict[str, Any]]:
     """All rows of the results."""
     return done.pieces.to_table().to_pylist()
-
-
-def command(inventory: Path, scenario: Path, out: Path, **more: object) -> list[str]:
-    """The command line of a process that assesses."""
-    said = {"inventory": str(inventory), "scenario": str(scenario), "out": str(out), **more}
-    return [sys.executable, "-c", RUN, json.dumps(said)]
-
-
-def started(arguments: list[str]) -> subprocess.Popen[bytes]:
-    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
-    return subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=environment)
 
 
 def digests(folder: Path) -> dict[str, str]:

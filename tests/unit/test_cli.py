@@ -17,6 +17,7 @@ import stayput
 from stayput.cli import app
 from stayput.compiled import entry
 from stayput.simulation.run import Case
+from waiting import PATIENCE, wait_until
 
 PROGRAM = [sys.executable, "-c", "from stayput.cli import main; main()"]
 RECORD = "\n".join(f"{k * 0.01:.2f} {300 * ((k // 40) % 2 * 2 - 1)}" for k in range(400))
@@ -288,13 +289,19 @@ def test_help_is_quick_and_loads_nothing_heavy():
     look = "import sys; from stayput.cli import main\ntry: main()\nexcept SystemExit: pass\n"
     heavy = {"numba", "numpy", "obspy", "matplotlib", "pydantic", "xarray"}
     look += f"print({heavy} & set(sys.modules))"
-    started = time.perf_counter()
-    result = subprocess.run(
-        [sys.executable, "-c", look, "--help"], capture_output=True, text=True, check=True
-    )
-    assert time.perf_counter() - started < 2.0  # about 0.2 s; a busy machine is given room
-    assert result.stdout.rstrip().endswith("set()")
-    assert "simulate" in result.stdout
+
+    def seconds():
+        started = time.perf_counter()
+        result = subprocess.run(
+            [sys.executable, "-c", look, "--help"], capture_output=True, text=True, check=True
+        )
+        took = time.perf_counter() - started
+        assert result.stdout.rstrip().endswith("set()")
+        assert "simulate" in result.stdout
+        return took
+
+    # about 0.2 s; a busy machine is given room, and three attempts
+    assert any(seconds() < 2.0 for _ in range(3))
 
 
 def test_a_real_process_prints_json_and_exits_with_0():
@@ -314,6 +321,7 @@ def test_a_real_process_refuses_with_2_and_leaves_nothing(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["room.toml"]
 
 
+@pytest.mark.processes
 @pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
 def test_ctrl_c_exits_with_130_and_leaves_nothing(tmp_path):
     file = tmp_path / "a.gif"
@@ -321,12 +329,10 @@ def test_ctrl_c_exits_with_130_and_leaves_nothing(tmp_path):
         [*PROGRAM, "simulate", "--animate", str(file), "--speed", "0.02"],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=hears_interrupts,
     )  # fmt: skip
-    deadline = time.monotonic() + 90.0
-    while not list(tmp_path.iterdir()) and time.monotonic() < deadline:
-        time.sleep(0.05)
+    wait_until(lambda: list(tmp_path.iterdir()))
     assert [path.name.startswith(".a-") for path in tmp_path.iterdir()] == [True]  # the draft, being written
     running.send_signal(signal.SIGINT)
-    _, said = running.communicate(timeout=60)
+    _, said = running.communicate(timeout=PATIENCE)
     assert running.returncode == 130
     assert said.endswith("Interrupted.\n")
     assert "Traceback" not in said

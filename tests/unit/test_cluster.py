@@ -11,6 +11,7 @@ from stayput import execution
 from stayput.execution import Call, DaskExecutor, Shared
 
 pytest.importorskip("dask.distributed", reason="Dask is not installed")
+pytestmark = pytest.mark.processes
 
 CASE = sp.Case(sp.Body(0.4, 1.8), sp.Room(right_wall=sp.Wall(0.1)), sp.near_fault())
 AXES = {
@@ -39,9 +40,8 @@ def test_a_cluster_gives_the_same_bits(client, expected):
 
 def test_a_killed_worker_loses_nothing(client, expected):
     address, victim = next(iter(workers(client).items()))
-    death = killed_when(client, victim, lambda: bool(client.processing([address])[address]))
-    found = sp.sweep(CASE, AXES, client=client, chunk=40)
-    death.result()
+    with killed_when(client, victim, lambda: bool(client.processing([address])[address])):
+        found = sp.sweep(CASE, AXES, client=client, chunk=40)
     assert found.identical(expected)
 
 

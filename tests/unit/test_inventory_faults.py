@@ -1,23 +1,19 @@
-"""Assessments that are killed, that meet a full disk, or whose files are broken: same bytes in the end.
-
-Processes are children of a server that has everything loaded, so that a run takes a moment.
-"""
+"""Assessments that are killed, that meet a full disk, or whose files are broken: same bytes in the end."""
 
 from __future__ import annotations
 
 import contextlib
 import errno
-import multiprocessing
 import os
 import random
 import shutil
 import signal
-import sys
 import time
 from pathlib import Path
 
 import pyarrow.parquet as pq
 import pytest
+from forks import start
 from inventories import city, digests, pieces, table
 
 import stayput as sp
@@ -44,37 +40,42 @@ def inputs(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def children(inputs, tmp_path_factory):
-    sys.path.insert(0, str(Path(__file__).parent))
-    context = multiprocessing.get_context("forkserver")
-    context.set_forkserver_preload(
-        ["test_inventory_faults", "stayput.verification", "stayput.inventory.units"]
-    )
-    started = time.monotonic()
-    first = context.Process(target=slowly, args=(*inputs, tmp_path_factory.mktemp("first") / "out"))
-    first.start()
-    first.join()
-    assert first.exitcode == 0
-    started = time.monotonic()
-    second = context.Process(target=slowly, args=(*inputs, tmp_path_factory.mktemp("second") / "out"))
-    second.start()
-    second.join()
-    return context, time.monotonic() - started
+def seconds(inputs, tmp_path_factory):
+    """How long a child takes that nobody kills."""
+    child = start(slowly, *inputs, tmp_path_factory.mktemp("whole") / "out")
+    began = time.monotonic()
+    child.join()
+    assert child.exitcode == 0
+    return time.monotonic() - began
+
+
+def in_small_parts(patch):
+    patch.setattr("stayput.inventory.plan.ROWS_PER_PART", 20)
+    patch.setattr("stayput.inventory.work.SECONDS", 0.05)
+    patch.setattr("stayput.inventory.work.SAVE_AFTER", 0.0)
 
 
 @pytest.fixture
 def small_parts(monkeypatch):
-    monkeypatch.setattr("stayput.inventory.plan.ROWS_PER_PART", 20)
-    monkeypatch.setattr("stayput.inventory.work.SECONDS", 0.05)
-    monkeypatch.setattr("stayput.inventory.work.SAVE_AFTER", 0.0)
+    in_small_parts(monkeypatch)
 
 
 @pytest.fixture(scope="module")
-def expected(inputs, tmp_path_factory):
+def finished(inputs, tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("stayput.inventory.plan.ROWS_PER_PART", 20)
-        done = assess(*inputs, tmp_path_factory.mktemp("expected") / "out", progress=False)
-    return digests(done.folder)
+        in_small_parts(patch)
+        return assess(*inputs, tmp_path_factory.mktemp("finished") / "out", progress=False)
+
+
+@pytest.fixture(scope="module")
+def expected(finished):
+    return digests(finished.folder)
+
+
+@pytest.fixture
+def done(finished, small_parts, tmp_path):
+    """A copy of the folder of an assessment that is complete."""
+    return shutil.copytree(finished.folder, tmp_path / "out")
 
 
 def check(out: Path, expected: dict[str, str]) -> None:
@@ -88,16 +89,16 @@ def check(out: Path, expected: dict[str, str]) -> None:
     assert all(OWN.fullmatch(entry) for entry in entries(out, OWN))
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize("seed", range(10))
-def test_a_killed_command_goes_on(inputs, children, expected, small_parts, tmp_path, seed):
-    context, whole = children
+def test_a_killed_command_goes_on(inputs, seconds, expected, small_parts, tmp_path, seed):
+    """Killed at any time; one that happens to be done by then is no harm."""
     rng = random.Random(seed)
     out = tmp_path / "out"
     for _ in range(2):
-        child = context.Process(target=slowly, args=(*inputs, out))
-        child.start()
-        time.sleep(rng.uniform(0.05, 0.9) * whole)
-        with contextlib.suppress(ProcessLookupError):  # it was done in time
+        child = start(slowly, *inputs, out)
+        child.join(rng.uniform(0.05, 0.9) * seconds)
+        with contextlib.suppress(ProcessLookupError):
             os.kill(child.pid, rng.choice([signal.SIGKILL, signal.SIGKILL, signal.SIGINT]))
         child.join()
     assess(*inputs, out, progress=False)
@@ -185,14 +186,12 @@ def _of_another(path: Path) -> None:
 
 @pytest.mark.parametrize("breaks", [_cut, _flip, _empty, _of_another, Path.unlink])
 @pytest.mark.parametrize("what", ["pieces/part-000001.parquet", "work/units/*.units"])
-def test_a_broken_part_is_made_again(inputs, expected, small_parts, tmp_path, breaks, what):
-    out = tmp_path / "out"
-    first = assess(*inputs, out, progress=False)
-    breaks(sorted(out.glob(what))[0])
-    again = assess(*inputs, out, progress=False)
-    check(out, expected)
+def test_a_broken_part_is_made_again(inputs, expected, finished, done, breaks, what):
+    breaks(sorted(done.glob(what))[0])
+    again = assess(*inputs, done, progress=False)
+    check(done, expected)
     assert again.runs == 0 or "units" in what
-    assert again.runs <= first.runs
+    assert again.runs <= finished.runs
 
 
 PLAN = ["plan.sqlite", "rows/part-000001.parquet", "rejects.parquet", "rejects.csv", "sums.json"]
@@ -200,20 +199,16 @@ PLAN = ["plan.sqlite", "rows/part-000001.parquet", "rejects.parquet", "rejects.c
 
 @pytest.mark.parametrize("breaks", [_cut, _flip, _empty, Path.unlink])
 @pytest.mark.parametrize("what", PLAN)
-def test_a_broken_plan_is_made_again(inputs, expected, small_parts, tmp_path, breaks, what):
-    out = tmp_path / "out"
-    assess(*inputs, out, progress=False)
-    breaks(out / "work" / "plan" / what)
-    assert assess(*inputs, out, progress=False).runs == 0
-    check(out, expected)
+def test_a_broken_plan_is_made_again(inputs, expected, done, breaks, what):
+    breaks(done / "work" / "plan" / what)
+    assert assess(*inputs, done, progress=False).runs == 0
+    check(done, expected)
 
 
-def test_two_commands_are_not_in_one_folder(inputs, tmp_path):
+def test_two_commands_are_not_in_one_folder(inputs, done):
     import fcntl
 
-    out = tmp_path / "out"
-    assess(*inputs, out, progress=False)
-    with (out / ".lock").open("ab") as file:
+    with (done / ".lock").open("ab") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         with pytest.raises(sp.InputError, match="Another command"):
-            assess(*inputs, out, progress=False)
+            assess(*inputs, done, progress=False)

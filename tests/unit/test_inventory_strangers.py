@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 import os
 import shutil
-import subprocess
 import sys
 
 import pytest
+from forks import start
 from inventories import CITY, city, digests, pieces, table
 
 import stayput as sp
@@ -190,34 +190,34 @@ def test_a_plan_is_removed_with_all_that_it_consists_of(finished, tmp_path):
     assert not (tmp_path / "work" / "plan").exists()
 
 
-KILLED = """
-import json, os, sys
-from stayput.inventory import assess
-
-calls = [int(sys.argv[2])]
-
-def counted(event, arguments):
-    if event in ("open", "os.rename", "os.mkdir", "os.remove", "os.rmdir") and out in str(arguments[0]):
-        calls[0] -= 1
-        if calls[0] < 0:
-            os._exit(9)
-
-given = json.loads(sys.argv[1])
-out = given["out"]
-sys.addaudithook(counted)
-assess(**given, progress=False, threads=1)
-"""
+TOUCHES = ("open", "os.rename", "os.mkdir", "os.remove", "os.rmdir")
 
 
+def killed_at(step, out, *inputs):
+    """Assess up to the next file after so many that are touched in the folder."""
+    left = step
+
+    def count(event, arguments):
+        nonlocal left
+        if event in TOUCHES and str(out) in str(arguments[0]):
+            left -= 1
+            if left < 0:
+                os._exit(9)
+
+    sys.addaudithook(count)
+    assess(*inputs, out, progress=False, threads=1)
+
+
+@pytest.mark.processes
 def test_killed_at_any_file_it_goes_on_and_leaves_others_alone(finished, tmp_path):
     """Each child ends at the next file that it touches in the folder: opens, makes, renames or removes."""
-    (inventory, scenario), complete = finished
+    inputs, complete = finished
     expected = digests(complete)
     out, step, ended = tmp_path / "out", 0, 9
     while ended == 9:
-        given = {"inventory": str(inventory), "scenario": str(scenario), "out": str(out)}
-        line = [sys.executable, "-c", KILLED, json.dumps(given), str(step)]
-        ended = subprocess.run(line, env=os.environ, check=False).returncode
+        child = start(killed_at, step, out, *inputs)
+        child.join()
+        ended = child.exitcode
         assert ended in (0, 9)
         if (out / "manifest.json").exists():
             (out / ".mine-12345678").write_text("mine")

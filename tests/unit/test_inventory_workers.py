@@ -4,23 +4,25 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
 import time
 from typing import TYPE_CHECKING
 
 import pytest
-from inventories import city, command, digests, pieces, started, table
+from forks import start
+from inventories import city, digests, pieces, table
 
-from stayput.inventory import assess
+import stayput as sp
+from stayput.inventory import assess, work
+from waiting import wait_until
 
 if TYPE_CHECKING:
     from pathlib import Path
 
 pytest.importorskip("dask.distributed", reason="Dask is not installed")
-
-WAIT = 180.0
-"""Processes may take so long to start on a machine that has much else to do [s]."""
+pytestmark = pytest.mark.processes
 
 
 @pytest.fixture(scope="module")
@@ -35,18 +37,18 @@ def expected(inputs, tmp_path_factory):
     return digests(done.folder)
 
 
-KILLS = """
-import json, os, signal, sys
-from stayput.inventory import assess, work
+def kill_the_scheduler(pid: int, said: Path, *inputs: Path, **given: object) -> None:
+    """Kill it as soon as the first outcomes are kept, when most of the work is still to do."""
 
-def keep_and_kill(*arguments, write=work.write_records):
-    write(*arguments)
-    os.kill(int(sys.argv[1]), signal.SIGKILL)
+    def keep_and_kill(*arguments, write=work.write_records):
+        write(*arguments)
+        os.kill(pid, signal.SIGKILL)
 
-work.SECONDS, work.SAVE_AFTER, work.write_records = 0.005, 0.0, keep_and_kill
-assess(**json.loads(sys.argv[2]))
-"""
-"""Kills the scheduler as soon as the first outcomes are kept, when most of the work is still to do."""
+    work.SECONDS, work.SAVE_AFTER, work.write_records = 0.005, 0.0, keep_and_kill
+    try:
+        assess(*inputs, **given)
+    except sp.InputError as error:
+        said.write_text(str(error))
 
 
 class CommandLine:
@@ -57,10 +59,7 @@ class CommandLine:
         self.scheduler = self.start(
             "scheduler", "--port", "0", "--no-dashboard", "--scheduler-file", str(self.file)
         )
-        until = time.monotonic() + WAIT
-        while not self.address:
-            assert time.monotonic() < until
-            time.sleep(0.05)
+        wait_until(lambda: self.address)
 
     @property
     def address(self) -> str | None:
@@ -95,12 +94,13 @@ def command_line(tmp_path):
 
 def test_workers_of_the_command_line_come_and_go(inputs, expected, command_line, tmp_path):
     first = command_line.worker()
-    child = started(command(*inputs, tmp_path / "out", scheduler=command_line.address))
-    _wait_for(lambda: (tmp_path / "out" / "work" / "plan").exists(), child)
+    child = start(assess, *inputs, tmp_path / "out", scheduler=command_line.address, progress=False)
+    wait_until(lambda: (tmp_path / "out" / "work" / "plan").exists() or not child.is_alive())
     command_line.worker()
-    time.sleep(1.0)
+    time.sleep(1.0)  # the second takes about so long to come; the first may go before or after
     first.kill()
-    assert child.wait(WAIT) == 0, child.stderr.read()
+    child.join()
+    assert child.exitcode == 0
     assert digests(tmp_path / "out") == expected
 
 
@@ -123,18 +123,10 @@ def test_a_cluster_without_workers_is_said_and_waited_for(
 
 def test_a_killed_scheduler_is_said_and_gone_on_from(inputs, expected, command_line, tmp_path):
     command_line.worker()
-    said = {"inventory": str(inputs[0]), "scenario": str(inputs[1]), "out": str(tmp_path / "out")}
-    said |= {"scheduler": command_line.address, "progress": False}
-    child = started([sys.executable, "-c", KILLS, str(command_line.scheduler.pid), json.dumps(said)])
-    assert child.wait(WAIT) != 0
-    assert "the same command goes on from it" in " ".join(child.stderr.read().decode().split())
+    said, pid = tmp_path / "said", command_line.scheduler.pid
+    given = {"scheduler": command_line.address, "progress": False}
+    child = start(kill_the_scheduler, pid, said, *inputs, tmp_path / "out", **given)
+    child.join()
+    assert "the same command goes on from it" in said.read_text()
     assess(*inputs, tmp_path / "out", progress=False)
     assert digests(tmp_path / "out") == expected
-
-
-def _wait_for(there, child) -> None:
-    until = time.monotonic() + WAIT
-    while not there():
-        assert child.poll() is None, child.stderr.read()
-        assert time.monotonic() < until
-        time.sleep(0.01)

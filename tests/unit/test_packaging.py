@@ -139,8 +139,10 @@ def test_tests_of_the_source_distribution_can_be_collected(tmp_path: Path) -> No
     with tarfile.open(packed) as archive:
         archive.extractall(tmp_path, filter="data")
     source = next(path for path in tmp_path.iterdir() if path.is_dir())
+    # assertions as they are: to rewrite those of all tests takes as long as all else
+    quickly = ["-q", "-p", "no:cacheprovider", "--assert=plain"]
     done = subprocess.run(
-        [sys.executable, "-m", "pytest", "--collect-only", "-q", "-p", "no:cacheprovider"],
+        [sys.executable, "-m", "pytest", "--collect-only", *quickly],
         cwd=source,
         env={**os.environ, "PYTHONPATH": str(source / "src"), "PYTHONDONTWRITEBYTECODE": "1"},
         capture_output=True,

@@ -69,14 +69,14 @@ FILES = {  # a part of the file that is repeated as often as is asked
 
 
 def seconds(file, text) -> float:
-    """Return the shortest of three times in which a file is read or refused."""
+    """Return the shortest of three times of the processor in which a file is read or refused."""
     file.write_text(text)
     times = []
     for _ in range(3):
-        start = time.perf_counter()
+        start = time.process_time()
         with suppress(InputError):
             read_motion(file, unit="g")
-        times.append(time.perf_counter() - start)
+        times.append(time.process_time() - start)
     return min(times)
 
 
