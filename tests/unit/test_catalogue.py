@@ -9,8 +9,11 @@ from pathlib import Path
 import pytest
 
 import stayput
-from stayput.catalogue import TEXTS, phrase, say
+from stayput.building.building import STRUCTURES
+from stayput.catalogue import TEXTS, names, phrase, say
 from stayput.errors import InputError, InputWarning, within
+from stayput.model.furniture import FURNITURE
+from stayput.model.room import SURFACES
 
 SOURCES = sorted(Path(stayput.__file__).parent.rglob("*.py"))
 SILENT = {"page.state_refused"}  # the refusal itself stands in its place
@@ -75,3 +78,13 @@ def test_a_value_may_itself_be_in_two_languages():
         "すき間がwideになっています。数値を指定してください。",
     )
     assert say("common.colon", "ja") == "："
+
+
+@pytest.mark.parametrize(
+    ("presets", "called"),
+    [(SURFACES, names.SURFACES), (FURNITURE, names.FURNITURE), (STRUCTURES, names.STRUCTURES)],
+    ids=["surfaces", "furniture", "structures"],
+)
+def test_every_preset_has_a_name_in_both_languages(presets, called):
+    assert set(presets) == set(called)
+    assert all(english and japanese for english, japanese in called.values())

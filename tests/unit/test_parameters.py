@@ -17,9 +17,12 @@ from stayput.app.server import create_app
 from stayput.building import STRUCTURES, Building, Isolation, ShearModel
 from stayput.building.building import Structure
 from stayput.errors import InputError
+from stayput.mechanics.columns import CASE
 from stayput.model.body import Part
 from stayput.model.furniture import FURNITURE, Preset
 from stayput.model.parameters import Parameter, check_fields, parameter_of, parameters
+from stayput.model.room import Floor
+from stayput.model.state import State
 from stayput.motion.suites import synthetic_suite
 from stayput.scenario import Scenario
 from stayput.scenario.messages import kinds
@@ -272,3 +275,8 @@ def test_the_page_is_told_the_same(dotted: str, app: FastAPI) -> None:
     assert found["unit"] == number.get("unit", "")
     assert found["label"]["en"]
     assert found["label"]["ja"]
+
+
+def test_the_mechanics_read_every_number_of_a_floor_and_of_an_initial_state():
+    missing = {about.name for kind in (Floor, State) for about in parameters(kind)} - set(CASE.names)
+    assert not missing, f"not a column of CASE: {missing}"

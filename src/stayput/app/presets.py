@@ -85,7 +85,7 @@ def presets(limits: Limits) -> PresetsReply:
         surfaces=[
             SurfaceReply(
                 id=name,
-                label=Words.of(SURFACES.get(name, (name, name))),
+                label=Words.of(SURFACES[name]),
                 static_friction=static,
                 kinetic_friction=kinetic,
             )
@@ -94,7 +94,7 @@ def presets(limits: Limits) -> PresetsReply:
         structures=[
             StructureReply(
                 id=name,
-                label=Words.of(STRUCTURES.get(name, (name, name))),
+                label=Words.of(STRUCTURES[name]),
                 storey_height_m=STOREY_HEIGHT,
                 damping=structure.damping,
                 most_storeys=limits.storeys,
@@ -124,7 +124,7 @@ def _furniture(name: str, preset: Preset) -> FurnitureReply:
     body = Body(preset.width, preset.height, preset.mass)
     return FurnitureReply(
         id=name,
-        label=Words.of(FURNITURE.get(name, (name, name))),
+        label=Words.of(FURNITURE[name]),
         width_m=preset.width,
         height_m=preset.height,
         mass_kg=preset.mass,

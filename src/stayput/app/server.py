@@ -58,6 +58,12 @@ SWITCH_SECONDS = 0.0005
 
 _log = logging.getLogger("stayput.app")
 
+INVALID = {"missing": "app.field_missing", "extra_forbidden": "app.field_unknown"}
+"""What is said of a body by the type of pydantic's error; of other types its own words, which are English."""
+
+REFUSED_BY_STARLETTE = {404: "app.no_such_address", 405: "app.wrong_method"}
+"""What is said of a request that no function answers, by its status."""
+
 
 def create_app(host: str = "127.0.0.1", limits: Limits | None = None, *, warming: bool = True) -> FastAPI:
     """Make the app.
@@ -150,13 +156,17 @@ def _add_refusals(app: FastAPI, with_file_names: Callable[[str], str]) -> None:
         place = [str(part) for part in first["loc"] if part not in ("body", "path", "query")]
         if first["type"] == "json_invalid":
             return error_response(400, InputError("app.not_json"))
+        if first["loc"][0] == "path":  # of no id that this server gave
+            return error_response(404, InputError("app.no_such_id"))
         field = ".".join(place) or None
         name = field or phrase("app.the_body")
-        return error_response(422, InputError("app.not_valid", field, name=name, message=first["msg"]))
+        code = INVALID.get(first["type"], "app.not_valid")
+        return error_response(422, InputError(code, field, name=name, message=first["msg"]))
 
     async def http(_request: Request, error: Exception) -> Response:
         exception = cast("HTTPException", error)
-        error = InputError("app.http", message=str(exception.detail).rstrip("."))
+        code = REFUSED_BY_STARLETTE.get(exception.status_code, "app.http")
+        error = InputError(code, message=str(exception.detail).rstrip("."))
         return error_response(exception.status_code, error, exception.headers)
 
     app.add_exception_handler(RefusedError, refused)

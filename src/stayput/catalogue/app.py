@@ -20,6 +20,17 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "not_json": ("The body is not JSON.", "送信されたデータがJSONではありません。"),
     "not_valid": ("{name}: {message}.", "{name}：{message}"),
+    "field_missing": ("{name} is missing; it must be given.", "{name}がありません。指定してください。"),
+    "field_unknown": (
+        "{name} is not known here; it must be left out.",
+        "{name}という項目はありません。取り除いてください。",
+    ),
+    "no_such_id": ("There is nothing of this id on this server.", "このIDのものはサーバーにありません。"),
+    "no_such_address": ("There is nothing at this address.", "このアドレスには何もありません。"),
+    "wrong_method": (
+        "This address does not take this method.",
+        "このアドレスではそのメソッドは使えません。",
+    ),
     "the_body": ("The body", "送信されたデータ"),
     "http": ("{message}.", "{message}."),
     "half_character": (

@@ -102,9 +102,10 @@ def _face(body: Body, room: Room) -> float:
 
 
 def _tie(n: int, element: Element, body: Body, room: Room) -> list[Shape]:
-    assert element.to_anchor is not None
+    """Return a line from the body to the anchor, for any device that has no picture of its own."""
+    right, up = element.to_anchor or (0.0, 0.0)
     x, z = at_rest(body, element.point)
-    return _between(n, body, element.point, (x + element.to_anchor[0], z + element.to_anchor[1]), "tie")
+    return _between(n, body, element.point, (x + right, z + up), "tie")
 
 
 def _pole(n: int, element: Element, body: Body, room: Room) -> list[Shape]:
@@ -150,8 +151,6 @@ _OF_ELEMENT: dict[str, Callable[[int, Element, Body, Room], list[Shape]]] = {
     "gel_mats": _gel,
     "l_bracket": _to_wall,
     "l_bracket_board": _to_wall,
-    "belt": _tie,
-    "chain": _tie,
     "tension_pole": _pole,
     "base_isolator": _stops,
 }
@@ -199,7 +198,7 @@ def sketch(held: Held) -> list[Shape]:
     """Return the shapes of all measures of a body, some of which only show when a device is broken."""
     drawn = [shape for measure in held.measures for shape in _of_measure(measure, held.body)]
     for n, element in enumerate(held.elements):
-        drawn += _OF_ELEMENT[element.kind](n, element, held.body, held.room)
+        drawn += _OF_ELEMENT.get(element.kind, _tie)(n, element, held.body, held.room)
     return drawn
 
 

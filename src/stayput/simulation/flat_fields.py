@@ -164,8 +164,10 @@ def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.v
         )
     ):
         rows["u"][:, corner], rows["v"][:, corner] = u, v
-    for about in parameters(Floor):
-        rows[about.name] = numbers[f"room.floor.{about.name}"]
+    for kind, path in ((Floor, "room.floor"), (State, "initial")):
+        for about in parameters(kind):
+            if about.name in (CASE.names or ()):
+                rows[about.name] = numbers[f"{path}.{about.name}"]
     for name in ("static_friction", "kinetic_friction"):
         edge = numbers[f"room.floor.edge_{name}"]
         rows[f"edge_{name}"] = np.where(np.isnan(edge), numbers[f"room.floor.{name}"], edge)
@@ -173,8 +175,6 @@ def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.v
         rows[f"{column}_distance"] = numbers[distance_to(name)]
         rows[f"{column}_restitution"] = numbers[f"room.{name}.restitution"]
         rows[f"{column}_friction"] = numbers[f"room.{name}.friction"]
-    for about in parameters(State):
-        rows[about.name] = numbers[f"initial.{about.name}"]
     rows["gravity"], rows["scale"] = numbers["gravity"], numbers["motion.scale"]
     return rows
 
