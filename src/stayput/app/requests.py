@@ -6,6 +6,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema
 
+from stayput.montecarlo.counting import SLIDE_LIMIT
+
 STANDS_FOR = "x-stands-for"
 """Mark, in a schema, of what stands in the description of the API under a name of its own."""
 
@@ -49,7 +51,9 @@ class VerifyRequest(Request):
     scene: SceneData
     measures: Measures
     compare_usual: bool = Field(default=True, description="Whether the usual measures are compared too.")
-    slide_limit_m: float = Field(default=0.10, ge=0.0, le=100.0, description="Slide that counts as too far.")
+    slide_limit_m: float = Field(
+        default=SLIDE_LIMIT, ge=0.0, le=100.0, description="Slide that counts as too far."
+    )
     curves: bool = Field(default=True, description="Whether fragility curves are made, which takes longer.")
     lease_s: float | None = Field(
         default=None,

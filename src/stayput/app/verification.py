@@ -20,6 +20,7 @@ from stayput.fragility.curve import METHOD, CurveState
 from stayput.measures import MEASURES
 from stayput.report.verdict.data import verdict_data
 from stayput.scenario import Scenario
+from stayput.scenario.shaking import SuiteTable
 from stayput.verification.grades import weakest
 from stayput.verification.options import YOURS, options_of, usual_options
 
@@ -100,9 +101,8 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
     options, shaking = len(options_of(scenario)), scenario.shaking
     motions = 1
     if shaking.of_a_suite:
-        motions = (
-            shaking.suite.count if shaking.suite is not None and not isinstance(shaking.suite, str) else 40
-        )
+        made = SuiteTable() if shaking.suite is None or isinstance(shaking.suite, str) else shaking.suite
+        motions = made.count
     most = max(1, -(-scenario.uncertainty.samples // motions))
     runs = options * motions * most * (1 + levels)
     if runs > limits.runs:

@@ -17,6 +17,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "--out is {out}; it must come with one --storey, whose motion is written.",
         "--outが{out}になっています。揺れを書き出す階を1つ、--storeyで指定してください。",
     ),
+    "target": (
+        "--target is {value}; it must be japan[:LEVEL[,SOIL]], asce7:SDS,SD1[,TL] or a file that exists.",
+        (
+            "--targetが{value}になっています。"
+            "japan[:LEVEL[,SOIL]]、asce7:SDS,SD1[,TL]、または存在するファイルを指定してください。"
+        ),
+    ),
     "folder_is_file": (
         "The folder is {folder}; it must be a folder, and that is a file.",
         "{folder}はファイルです。フォルダーを指定してください。",

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from stayput.cli.flags import ThreadsOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.messages import print_json
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ def assess(
         typer.Option(metavar="FILE", help="CSV of lat, lon and intensity (JMA), or sa_0.3 (at 0.3 s) [g]."),
     ] = None,
     slide_limit: Annotated[float, typer.Option(help="Slide that counts as too far [m].")] = 0.10,
-    threads: Annotated[int | None, typer.Option(help="Threads; default one for each core.")] = None,
+    threads: ThreadsOption = None,
     scheduler: Annotated[
         str | None,
         typer.Option(metavar="ADDRESS", help="A Dask scheduler whose workers simulate: tcp://host:8786."),

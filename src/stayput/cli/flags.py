@@ -30,7 +30,7 @@ TimeStepOption: TypeAlias = Annotated[
     float | None, typer.Option("--dt", help="The record's time step [s], where its file does not state it.")
 ]
 ThreadsOption: TypeAlias = Annotated[
-    int | None, typer.Option("--threads", min=1, help="Threads; as many as there are cores by default.")
+    int | None, typer.Option("--threads", help="Threads; as many as there are cores by default.")
 ]
 
 EXAMPLE: dict[str, Any] = {
@@ -174,6 +174,8 @@ def target_of(text: str) -> TargetSpectrum:
         level, _, soil = (rest or "very-rare,2").partition(",")
         number = _numbers("--target", text, [soil or "2"], (1,), "japan:very-rare,2")[0]
         return japanese_design(level.replace("-", " "), round(number))
+    if not Path(text).exists():
+        raise InputError("cli.target", "--target", value=repr(text))
     return read_target(text)
 
 

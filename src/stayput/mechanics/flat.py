@@ -9,7 +9,7 @@ from stayput.mechanics.columns import A_FLOOR, B_FLOOR, CLOSED, ENDED, LIMIT, PL
 from stayput.mechanics.contact import STICK_RATE, base_friction, cross, is_single_ray
 from stayput.mechanics.geometry import arm, gap, own_friction, to_plane_axes, value_or
 from stayput.mechanics.roots import closed_level, first_zero
-from stayput.mechanics.sampling import advance_clock, loads, record_sample
+from stayput.mechanics.sampling import advance_clock, loads, lowest_product, record_sample
 
 BLOCK = 16
 """Samples per block of load extremes, by which rest is skipped."""
@@ -33,12 +33,6 @@ def block_extremes(values, low, high):
 
 
 @inner
-def _lowest(p, low, high):
-    """Minimum of p × value over values between low and high."""
-    return p * low if p >= 0.0 else p * high
-
-
-@inner
 def _block_stays_at_rest(case, s, block, a_low, a_high, z_low, z_high):
     """Whether the body stays at rest throughout a block of the record, by the extremes of its loads."""
     k = case.scale
@@ -48,12 +42,12 @@ def _block_stays_at_rest(case, s, block, a_low, a_high, z_low, z_high):
     z0, z1 = case.gravity + z0, case.gravity + z1
     if (
         is_single_ray(s.low, s.low_up, s.high, s.high_up)
-        and _lowest(s.low, a0, a1) + _lowest(s.low_up, z0, z1) < 0.0
+        and lowest_product(s.low, a0, a1) + lowest_product(s.low_up, z0, z1) < 0.0
     ):
         return False
     return (
-        _lowest(s.low_up, a0, a1) + _lowest(-s.low, z0, z1) >= 0.0
-        and _lowest(-s.high_up, a0, a1) + _lowest(s.high, z0, z1) >= 0.0
+        lowest_product(s.low_up, a0, a1) + lowest_product(-s.low, z0, z1) >= 0.0
+        and lowest_product(-s.high_up, a0, a1) + lowest_product(s.high, z0, z1) >= 0.0
     )
 
 

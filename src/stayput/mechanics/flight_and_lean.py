@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inner
-from stayput.mechanics.columns import CLOSED, ENDED, LIMIT, TURNED_OVER
+from stayput.mechanics.columns import CLOSED, ENDED, TURNED_OVER
 from stayput.mechanics.contact import fill_rows, forces_of_slipping_pair
 from stayput.mechanics.elementary import sine_and_cosine
 from stayput.mechanics.geometry import (
     RIGHT_ANGLE,
     arm_at,
     gap,
+    reason_of_end,
     slip_rate,
     to_plane_axes,
     turn_to,
@@ -226,13 +227,6 @@ def _least_of(margins, ends):
 
 
 @inner
-def _reason(s):
-    if s.hit:
-        return CLOSED
-    return TURNED_OVER if abs(s.theta) >= RIGHT_ANGLE else LIMIT
-
-
-@inner
 def advance_lean(rows, contacts, case, s, motion, settings, history):
     """Advance a body that slides on two planes at once, to its next event.
 
@@ -277,7 +271,7 @@ def advance_lean(rows, contacts, case, s, motion, settings, history):
             h = bracket[2]
             _lean(rows, contacts, case, s, start, load, h)
             _lean_margins(rows, contacts, case, s, load, h)
-            outcome = _reason(s)
+            outcome = reason_of_end(s)
         s.steps += 1
         update_peaks(case, s)
         if advance_clock(s, h, dt):

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.columns import A_FLOOR, CONTACTS, CORNER, FLOOR_BITS, PLANE
+from stayput.mechanics.columns import A_FLOOR, CLOSED, CONTACTS, CORNER, FLOOR_BITS, LIMIT, PLANE, TURNED_OVER
 from stayput.mechanics.elementary import sine_and_cosine, slope_angle
 
 GAP_TOLERANCE = 1e-10
@@ -177,6 +177,14 @@ def touching(contacts, s):
             bits |= 1 << c
         c += 1
     return bits
+
+
+@inline
+def reason_of_end(s):
+    """Why a step ended in an event: a contact closed (s.hit), the body overturned, or a limit was reached."""
+    if s.hit:
+        return CLOSED
+    return TURNED_OVER if abs(s.theta) >= RIGHT_ANGLE else LIMIT
 
 
 @inner

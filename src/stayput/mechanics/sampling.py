@@ -39,6 +39,12 @@ def loads(case, ax, az, per_second, k, tau):
     return case.scale * ax[k] + a_rate * tau, a_rate, case.gravity + case.scale * az[k] + G_rate * tau, G_rate
 
 
+@inline
+def lowest_product(p, low, high):
+    """Minimum of p × value over values between low and high, as of a load within a block of the record."""
+    return p * low if p >= 0.0 else p * high
+
+
 @inner
 def public_mode(s):
     """Public mode (`stayput.Mode`) of the state."""

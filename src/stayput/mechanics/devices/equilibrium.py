@@ -15,7 +15,7 @@ from stayput.mechanics.columns import ENDED, LIMIT, PLANE
 from stayput.mechanics.devices.columns import MAX_FACETS
 from stayput.mechanics.devices.elements import note_forces_of_links
 from stayput.mechanics.flat import BLOCK
-from stayput.mechanics.sampling import loads, record_sample
+from stayput.mechanics.sampling import loads, lowest_product, record_sample
 
 PARALLEL_SINE = 1e-9
 """Sine of the angle below which two edges of a cone are taken as parallel."""
@@ -159,12 +159,6 @@ def add_wrench(work, wrench):
         f[0] -= f[1] * fx + f[2] * fz + f[3] * fl
 
 
-@inline
-def _lowest(p, low, high):
-    """Minimum of p × value over values between low and high."""
-    return p * low if p >= 0.0 else p * high
-
-
 @inner
 def _block_stays_at_rest(case, work, block, extremes):
     """Whether the body stays at rest throughout a block of the record, by the extremes of its loads."""
@@ -176,7 +170,7 @@ def _block_stays_at_rest(case, work, block, extremes):
     z0, z1 = case.gravity + z0, case.gravity + z1
     for j in range(work.facets):
         f = work.facet[j]
-        if f[0] + _lowest(f[1], a0, a1) + _lowest(f[2], z0, z1) < 0.0:
+        if f[0] + lowest_product(f[1], a0, a1) + lowest_product(f[2], z0, z1) < 0.0:
             return False
     return True
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.columns import CLOSED, ENDED, FLIGHT, LIMIT, ROCK, TURNED_OVER
+from stayput.mechanics.columns import ENDED, FLIGHT, LIMIT, ROCK
 from stayput.mechanics.devices.active_elements import (
     SLACK_FORCE,
     begin_step,
@@ -30,7 +30,7 @@ from stayput.mechanics.devices.step import (
     take_step,
 )
 from stayput.mechanics.elementary import fifth_root
-from stayput.mechanics.geometry import RIGHT_ANGLE, update_peaks
+from stayput.mechanics.geometry import reason_of_end, update_peaks
 from stayput.mechanics.roots import hermite, horner
 from stayput.mechanics.sampling import advance_clock, loads, record_sample
 
@@ -66,13 +66,6 @@ def _next_length(h, error, tolerance):
     if 2048.0 * error <= tolerance:  # the factor would be over 4; also where the error is zero
         return 4.0 * h
     return h * min(4.0, max(0.2, 0.9 * fifth_root(tolerance / error)))
-
-
-@inline
-def _reason(s):
-    if s.hit:
-        return CLOSED
-    return TURNED_OVER if abs(s.theta) >= RIGHT_ANGLE else LIMIT
 
 
 @inner
@@ -166,7 +159,7 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
             )
             y1 = state_of(s)
             if least < 0.0:
-                why = _reason(s)
+                why = reason_of_end(s)
             no_line_event(work, h)
         elif looked:
             set_state(s, y1, base)
