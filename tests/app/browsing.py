@@ -72,14 +72,15 @@ class Opened:
         """Wait until the page has drawn what it was going to: it draws once before the next frame."""
         self.page.evaluate("new Promise(requestAnimationFrame)")
 
-    def wait(self, so: str, value: Any = None) -> Any:
-        """Wait until an expression of JavaScript is true, or a function of a value."""
-        return self.page.wait_for_function(so, arg=value)
+    def wait(self, so: str, value: Any = None) -> None:
+        """Wait until a function of JavaScript returns true; the page's policy forbids mere expressions."""
+        assert "=>" in so
+        self.page.wait_for_function(so, arg=value)
 
     def kept(self, *parts: str) -> None:
         """Wait until the page's address has these parts of the scene."""
         self.wait("parts => parts.every(part => location.hash.slice(1).split('&').includes(part))", parts)
-        self.wait("document.getElementById('address').value === location.href")
+        self.wait("() => document.getElementById('address').value === location.href")
 
     def go(self, screen: str) -> None:
         """Choose a step."""

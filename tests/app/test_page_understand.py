@@ -153,7 +153,7 @@ def test_a_measure_is_taken_from_the_ranking_and_the_new_verification_stopped(
     assert it.page.get_attribute("#understand", "data-old") == "true"
     assert it.page.get_attribute("#report", "href") is None
     it.page.wait_for_selector("#understand[data-state=running][data-old=false]")
-    it.wait("document.getElementById('progress').value > 0")
+    it.wait("() => document.getElementById('progress').value > 0")
     with it.page.expect_request(lambda one: one.method == "DELETE" and "/jobs/" in one.url):
         it.page.click("#cancel")
     assert it.text("#state") == "Stopped."

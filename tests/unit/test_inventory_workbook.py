@@ -131,8 +131,8 @@ BOMBS = {
     "one cell": (SHEET, repeated(f"{HEAD}<row><c><v>", "a" * 10, 8000, ""), "goes beyond"),
     "one tag": (SHEET, repeated(f"{HEAD}<row ", "a" * 10, 8000, ""), "a tag"),
     "rows": (SHEET, repeated(HEAD, "<row/>", 1100, "</sheetData></worksheet>"), "beyond 1048576"),
-    # four million elements are enough: a tree of them would take 400 MB
-    "others": (SHEET, repeated(HEAD, "<a><b/></a>", 2000, "</sheetData></worksheet>"), None),
+    # two million elements are enough: a tree of them would take 200 MB
+    "others": (SHEET, repeated(HEAD, "<a><b/></a>", 1000, "</sheetData></worksheet>"), None),
 }  # fmt: skip
 READS = """
 import json, resource, sys
