@@ -2,6 +2,17 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     "colon": (": ", "："),
+    "listed": ("; ", "、"),
+    "stop": (". ", "。"),
+    "not_possible": ("not possible", "設置不可"),
+    "without": ("Without measures", "対策なし"),
+    # Controls of an animation
+    "play": ("Play", "再生"),
+    "pause": ("Pause", "一時停止"),
+    "time": ("Time", "時刻"),
+    "speed": ("Speed", "速さ"),
+    # Refusals
+    "aside": (" ({content})", "（{content}）"),
     "did_you_mean": (" (did you mean {name}?)", "（{name}ではありませんか）"),
     "not_one_of": (
         "{name} is {value}{hint}; it must be one of {known}.",

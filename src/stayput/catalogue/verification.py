@@ -26,7 +26,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "event_overturned": ("overturns", "転倒"),
     "event_slid": ("slides too far", "大きく移動"),
     "event_hit_wall": ("hits a wall", "壁に衝突"),
-    "event_device_failed": ("a device fails", "器具が破損"),
+    "event_device_failed": ("a device fails", "器具が破損または脱落"),
     # classes of JMA's intensity
     # the verdict in a sentence
     "falls": ("in {share} of the cases", "{share}の場合に転倒します"),
@@ -142,7 +142,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "draws": ("Draws", "サンプル数"),
     "start": ("Start", "開始番号"),
     "motions": ("Motions", "地震動の数"),
-    "seed": ("Seed", "乱数の種"),
+    "seed": ("Seed", "乱数のシード"),
     "not_above_zero": (
         "{name} is {value:g}; it must be larger than 0.",
         "{name}が{value:g}になっています。0より大きい値にしてください。",

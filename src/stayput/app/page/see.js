@@ -67,7 +67,7 @@ export function show(shaken, scene) {
   shaken.runs.forEach((run, i) =>
     part(i ? "stage-with" : "stage-without").setAttribute(
       "aria-label",
-      `${t(i ? "with" : "without")}: ${both(run.sentence)}`,
+      `${t(i ? "with" : "without")}${t("colon")}${both(run.sentence)}`,
     ),
   );
   setHistories(part("histories"), shaken, end);

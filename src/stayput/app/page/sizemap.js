@@ -4,7 +4,7 @@
 import { label, shortClass, ticks, titles } from "./axes.js";
 import { el, fill, part, svg, widthFor } from "./dom.js";
 import { classesKnown } from "./panel_shaking.js";
-import { both, length, number, percent, spoken, t } from "./words.js";
+import { both, length, number, perCent, percent, spoken, t } from "./words.js";
 
 let W = 560;
 const H = 320,
@@ -30,7 +30,7 @@ export function show(map) {
         y(ys[j + 1]),
         x(xs[i + 1]) - x(xs[i]),
         y(ys[j]) - y(ys[j + 1]),
-        `${number(map.intensity[i], 2)}, ${length(sizes[j])}: ${shareText(share, map.refused[j])}`,
+        `${number(map.intensity[i], 2)}${t("listed")}${length(sizes[j])}${t("colon")}${shareText(share, map.refused[j])}`,
         map.refused[j] !== null,
       ),
     ),
@@ -185,7 +185,7 @@ function classNames(x, xs) {
 }
 
 function key(impossible, unknown) {
-  const kinds = ["0", "1–25", "26–50", "51–75", "76–100"].map((text, n) => [n, `${text} %`]);
+  const kinds = ["0", "1–25", "26–50", "51–75", "76–100"].map((text, n) => [n, perCent(text)]);
   if (impossible) kinds.push(["impossible", t("impossible")]);
   if (unknown) kinds.push(["unknown", t("notKnown")]);
   return el(

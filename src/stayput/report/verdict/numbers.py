@@ -34,7 +34,7 @@ def interval(chance: Probability, language: str) -> str:
     if chance.runs == 0:
         return ""
     low, high = percent(chance.low), share(chance.high, language)
-    return f"{low} to {high}" if language == "en" else f"{low}〜{high}"
+    return f"{low} to {high}" if language == "en" else f"{low}～{high}"
 
 
 def with_interval(chance: Probability, language: str) -> str:

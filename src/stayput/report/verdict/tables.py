@@ -18,7 +18,8 @@ from stayput.report.verdict.words import named, word
 from stayput.spreadsheets import text_cell
 from stayput.verification import EVENTS
 from stayput.verification.grades import weakest
-from stayput.verification.words import reason
+from stayput.verification.words import reason, title
+from stayput.wording import with_aside
 
 if TYPE_CHECKING:
     from stayput.fragility import Probability
@@ -117,11 +118,7 @@ def _row(result: OptionVerdict, verdict: Verdict, language: str) -> RankingRow:
 def impossible_rows(verdict: Verdict, language: str) -> list[tuple[str, str]]:
     """Return label and reason of each option that cannot be put in place."""
     return [
-        (
-            impossible.option.label(language)
-            + (word("aside", language, content=impossible.option.name) if impossible.option.own_name else ""),
-            impossible.why(language),
-        )
+        (title(impossible.option, verdict, language), impossible.why(language))
         for impossible in verdict.impossible
     ]
 
@@ -166,7 +163,7 @@ def _device_name(device: DeviceSummary, names: dict[str, str], language: str) ->
     if device.name in ("", device.kind):
         return name
     where = device.name.removeprefix(device.kind).strip()
-    return name + word("aside", language, content=named(where, language))
+    return with_aside(name, named(where, language), language)
 
 
 def simulations(verdict: Verdict, language: str) -> str:
