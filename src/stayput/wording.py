@@ -1,4 +1,4 @@
-"""Helpers for sentences: their language, names and counts within them, and slides beyond a room."""
+"""Helpers for sentences: language check, labels, counts and brackets, and the limit of stated slides."""
 
 from __future__ import annotations
 

@@ -6,6 +6,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "stop": (". ", "。"),
     "not_possible": ("not possible", "設置不可"),
     "without": ("Without measures", "対策なし"),
+    "under": ("under {share}", "{share}未満"),
+    "over": ("over {share}", "{share}超"),
     # Controls of an animation
     "play": ("Play", "再生"),
     "pause": ("Pause", "一時停止"),

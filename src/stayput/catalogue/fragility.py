@@ -55,7 +55,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "probability_unknown": ("unknown (no run)", "不明（計算なし）"),
     "difference": ("{estimate} points ({low} to {high})", "{estimate}ポイント（{low}～{high}）"),
     "difference_unknown": ("unknown (no pair of runs)", "不明（対になる計算なし）"),
-    "capacity": ("{value} ({low} to {high})", "{value}（{low}～{high}）"),
+    "capacity": ("{value} ({ends})", "{value}（{ends}）"),
     "capacity_one_motion": (
         "{value} (one motion: no interval)",
         "{value}（地震動が1つのため区間なし）",
@@ -64,8 +64,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "capacity_above": ("> {above}{doubt}", "{above}超{doubt}"),
     "capacity_below": ("< {below}{doubt}", "{below}未満{doubt}"),
     "capacity_unknown": ("unknown", "不明"),
-    "below_runs": ("below what was run", "計算した範囲より下"),
-    "beyond_runs": ("beyond what was run", "計算した範囲より上"),
+    "ends": ("{low} to {high}", "{low}～{high}"),
+    "at_most": ("at most {high}", "{high}以下"),
+    "more_than": ("more than {low}", "{low}超"),
     "doubt_unsure": (" (unsure)", "（不確実）"),
     "doubt_one_motion": (" (one motion)", "（地震動が1つ）"),
     # curves in words

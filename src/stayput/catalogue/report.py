@@ -10,10 +10,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
     "simulations_text": (
-        (
-            "{runs} in all: motions × draws of what is not known, {motions} × {samples} for "
-            "each measure and level"
-        ),
+        ("{runs} in all; motions × Monte Carlo samples: {motions} × {samples} for each measure and level"),
         "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各対策・各レベルで計算",
     ),
     "motions": ("Motions", "地震動"),
@@ -31,7 +28,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "には当てはまりません。"
         ),
     ),
-    "before": ("Without a measure", "対策なし"),
     "after": ("With the best of those compared", "比較した中で最良の対策"),
     "ranking": ("The measures, best first", "対策の順位"),
     "ranking_text": (
@@ -53,8 +49,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Grade: that of the weakest of the inputs that decide a number ({meanings}).",
         "根拠：数値を左右する入力のうち、最も不確かなものの区分（{meanings}）。",
     ),
-    "weakest": ("weakest inputs: {inputs}", "最も不確かな入力：{inputs}"),
-    "stop": (". ", "。"),
+    "weakest": ("Weakest inputs: {inputs}", "最も不確かな入力：{inputs}"),
     "rank": ("Rank", "順位"),
     "measure": ("Measure", "対策"),
     "overturned": ("Overturns", "転倒"),
@@ -86,17 +81,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "capacity_short": ("{share} % overturn at intensity", "{share}%転倒の計測震度"),
-    "change": ("Against no measure", "対策なしとの差"),
+    "change": ("Change from “Without measures”", "対策なしとの差"),
     "points": ("points", "ポイント"),
     "why": ("Why", "理由"),
     "falls": ("overturned", "転倒"),
     "none": ("none", "なし"),
-    "not_possible": ("not possible", "設置不可"),
     "no_device": ("no device", "器具なし"),
     "unknown": ("unknown", "不明"),
     "unsure": ("unsure", "不確実"),
-    "at_least": ("at least {low}", "{low}以上"),
-    "at_most": ("at most {high}", "{high}以下"),
     "up_to": ("up to {value}", "最大{value}"),
     "less_than": ("less than {value}", "{value}未満"),
     "more_than": ("more than {value} (no wall to stop it)", "{value}を超えて（止める壁なし）"),
@@ -170,10 +162,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The run that went worst without a measure.",
         "対策なしで最も悪い結果になった計算です。",
     ),
-    "play": ("Play", "再生"),
-    "pause": ("Pause", "一時停止"),
-    "time": ("Time", "時刻"),
-    "speed": ("Speed", "速さ"),
     "scene_alt": (
         "Animation of the piece in its room, seen from its side: {content}",
         "家具と部屋を横から見た動画：{content}",

@@ -75,10 +75,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "body": ("body", "物体"),
     "player_tilt": ("tilt", "傾き"),
     "player_slide": ("slide", "移動量"),
-    "player_play": ("Play", "再生"),
-    "player_pause": ("Pause", "一時停止"),
-    "player_time": ("Time", "時刻"),
-    "player_speed": ("Speed", "速さ"),
     "player_theme": ("Light / dark", "明るい配色／暗い配色"),
     "player_strip": ("Floor acceleration and tilt over time", "床の加速度と傾きの時刻歴"),
     "player_keys": (

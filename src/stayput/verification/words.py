@@ -37,7 +37,12 @@ def class_label(intensity: float, language: str) -> str:
 
 
 def _percent(share: float) -> Phrase:
-    return f"{percent(share)} %", f"{percent(share)}%"
+    """Return a share in per cent, with a word where only a bound is told: "12 %", "under 0.1 %"."""
+    shown = percent(share)
+    number = shown.lstrip("<>")
+    both = (f"{number} %", f"{number}%")
+    bound = {"<": "common.under", ">": "common.over"}.get(shown[0])
+    return both if bound is None else phrase(bound, share=both)
 
 
 def _of_the_cases(share: float) -> str:

@@ -59,7 +59,7 @@ export function show(shaken, scene) {
   result = shaken;
   look = scene;
   const { start, end } = shownSpan(shaken);
-  part("figure-with").hidden = shaken.runs.length < 2;
+  part("figure-with").hidden = part("key-with").hidden = shaken.runs.length < 2;
   part("stages").dataset.count = String(shaken.runs.length);
   part("tower-box").hidden = !shaken.building;
   part("says-without").textContent = both(shaken.runs[0].sentence);

@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 SHARES = (0.1, 0.5)
 """Shares of overturning whose intensities stand in the tables."""
 
+_NO_MEASURE = "No measure"
+"""The option without measures in the CSV file, whose values stay what they are."""
+
 
 @dataclass(frozen=True, slots=True)
 class RankingRow:
@@ -195,7 +198,7 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
     record: dict[str, object] = {
         "rank": result.rank,
         "option": result.option.name,
-        "measures": result.option.label("en"),
+        "measures": result.option.label("en") if result.option.measures else _NO_MEASURE,
     }
     for event, chance in result.probabilities.items():
         ends = (("", chance.estimate), ("_low", chance.low), ("_high", chance.high))
