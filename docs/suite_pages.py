@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import validation_run
 
+from stayput.catalogue.names import FAMILIES as NAMES
 from stayput.motion.frequency import mean_period
 from stayput.motion.intensity import long_period_response
 from stayput.motion.suites import FAMILIES, MIX, Suite, japanese_design, synthetic_suite
@@ -35,7 +36,7 @@ def families() -> str:
     rows = [
         [
             f"`{name}`",
-            kind.about,
+            NAMES[name][1][0],
             _range(kind.magnitudes),
             _range(kind.distances),
             _range(kind.lengths),

@@ -176,7 +176,12 @@ def unknown(name: str | Phrase, value: str, known: Iterable[str], field: str | N
     names = list(known)
     hint = near_miss(value, names)
     return InputError(
-        "common.not_one_of", field, name=_called(name), value=repr(value), hint=hint, known=", ".join(names)
+        "common.not_one_of",
+        field,
+        name=_called(name),
+        value=repr(value),
+        hint=hint,
+        known=", ".join(map(repr, names)),
     )
 
 

@@ -1,4 +1,4 @@
-"""What stayput needs only for a part of what it does, and where it comes from."""
+"""Refusal of what needs an optional library that is not installed."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ from stayput.errors import InputError
 
 
 def absent(what: str, module: str, extra: str) -> InputError:
-    """Return the refusal of something whose library is not installed.
+    """Return the error for a feature whose optional library is not installed.
 
     Parameters
     ----------
     what : str
-        What needs it.
+        The feature.
     module : str
-        The library.
+        Import name of the library.
     extra : str
-        Name of the extra that holds it.
+        Extra of the package that installs it.
     """
     return InputError("model.not_installed", what=what, module=module, extra=extra)

@@ -1,4 +1,4 @@
-"""Writing a picture's file: whole, or not at all."""
+"""Checks of output paths, and atomic file writes."""
 
 from __future__ import annotations
 

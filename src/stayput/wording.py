@@ -1,10 +1,10 @@
-"""Helpers for sentences: their language, names and counts within them, and slides beyond a room."""
+"""Helpers for sentences: language check, labels, counts and brackets, and the limit of stated slides."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import LANGUAGES
+from stayput.catalogue import LANGUAGES, say
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
@@ -53,6 +53,19 @@ def counted(number: int, noun: str, plural: str | None = None) -> str:
     ('1 earthquake', '1,200 runs', '2 pieces that fell')
     """
     return f"{number:,} {noun if number == 1 else plural or f'{noun}s'}"
+
+
+def with_aside(text: str, content: str, language: str) -> str:
+    """Return a text with an addition in brackets; a Japanese text that ends in a bracket takes it in there.
+
+    Examples
+    --------
+    >>> with_aside("Gel mats", "front", "en"), with_aside("ゲルマット（粘着式）", "前面側", "ja")
+    ('Gel mats (front)', 'ゲルマット（粘着式、前面側）')
+    """
+    if language == "ja" and text.endswith("）"):
+        return f"{text[:-1]}{say('common.listed', language)}{content}）"
+    return text + say("common.aside", language, content=content)
 
 
 def is_open(room: Room) -> bool:

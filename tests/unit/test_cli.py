@@ -133,7 +133,7 @@ def test_plot_and_animation_are_written(tmp_path):
         (["simulate", "--friction", "0.1", "--floor", "carpet"], "--floor is 'carpet' beside"),
         (["simulate", "--floor", "carpt"], "did you mean 'carpet'"),
         (["simulate", "--wall", "-1"], "room.left_wall.gap is -1"),
-        (["simulate", "--contact", "glue"], 'contact is "glue"'),
+        (["simulate", "--contact", "glue"], "contact is 'glue'"),
         (["simulate", "nowhere.toml"], "could not be read"),
         (["simulate", "."], "could not be read"),
         (["simulate", "--unit", "gal"], "shaking.unit is given without"),
@@ -316,7 +316,7 @@ def test_a_real_process_refuses_with_2_and_leaves_nothing(tmp_path):
     result = process("simulate", "room.toml", "--plot", "a.png", "--animate", "a.gif", cwd=tmp_path)
     assert result.returncode == 2
     assert result.stdout == ""
-    assert result.stderr.startswith("furniture.preset is \"bokcase\" (did you mean 'bookcase'?)")
+    assert result.stderr.startswith("furniture.preset is 'bokcase' (did you mean 'bookcase'?)")
     assert "Traceback" not in result.stderr
     assert [path.name for path in tmp_path.iterdir()] == ["room.toml"]
 

@@ -62,7 +62,7 @@ def test_the_plot_shows_the_histories_the_events_and_the_modes(tmp_path):
     assert "wall impact" in labels
     assert max(slide.lines[1].get_ydata()) == pytest.approx(6.0)
     shown = [text.get_text() for text in modes.get_legend().get_texts()]
-    assert shown == ["rest", "slide", "rock", "overturned"]
+    assert shown == ["stands still", "slides", "rocks", "overturned"]
     colours = Image.open(tmp_path / "a.png").convert("RGB").getcolors(1 << 24)
     assert {rgb(MODE_COLOURS[mode]) for mode in (Mode.REST, Mode.SLIDE, Mode.ROCK)} <= {c for _, c in colours}
 

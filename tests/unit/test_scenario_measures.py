@@ -111,7 +111,7 @@ def test_names_that_are_not_given_are_the_types():
         ),
         (
             {"type": "l_bracket", "screws": "left"},
-            r"^measures\[0\].screws is \"left\"; it must be one of \"down\"",
+            r"^measures\[0\].screws is 'left'; it must be one of 'down'",
         ),
         ({"type": "tension_pole", "preload": 900.0}, r"^In \[measures\]: Tension poles preload is 900 N"),
         (

@@ -124,7 +124,7 @@ def test_without_the_vertical(tmp_path):
             {"building": {"masses": [1e5], "stiffnesses": [1e8], "storeys": 1}, "storey": 1},
             r"storeys is given beside shaking\.building\.masses",
         ),
-        ({"intensity": "6-middle"}, r'shaking\.intensity is "6-middle"'),
+        ({"intensity": "6-middle"}, r"shaking\.intensity is '6-middle'"),
     ],
 )
 def test_what_contradicts_itself(keys, message):

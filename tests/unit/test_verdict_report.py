@@ -142,7 +142,7 @@ def test_motions_of_suites_have_names_in_both_languages():
     for family in FAMILIES:
         name = synthetic_suite(family, 1)[0].name
         assert words.motion_named(name, "en") == name
-        assert words.motion_named(name, "ja").startswith("合成地震動（")
+        assert words.motion_named(name, "ja").startswith("模擬地震動（")
         assert "synthetic" not in words.motion_named(name, "ja")
         assert not set(words.motion_named(name, "ja")) & set(string.ascii_letters)
     assert words.motion_named("El Centro 1940", "ja") == "El Centro 1940"
@@ -227,7 +227,7 @@ def test_numbers_in_words():
     assert capacity(bare.capacities[0.5], "en") == bare.capacities[0.5].text.split(" (")[0]
     low, high = (f"{end:.2f}" for end in (bare.capacities[0.5].low, bare.capacities[0.5].high))
     assert capacity_interval(bare.capacities[0.5], "en") == f"{low} to {high}"
-    assert capacity_interval(bare.capacities[0.5], "ja") == f"{low}〜{high}"
+    assert capacity_interval(bare.capacities[0.5], "ja") == f"{low}～{high}"
     assert capacity(None, "en") == "–"
 
 

@@ -22,6 +22,7 @@ from stayput.report.verdict.data import verdict_data
 from stayput.scenario import Scenario
 from stayput.scenario.shaking import SuiteTable
 from stayput.verification.grades import weakest
+from stayput.verification.notes import notes
 from stayput.verification.options import YOURS, options_of, usual_options
 
 if TYPE_CHECKING:
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve
     from stayput.measures import Measure
     from stayput.verification import Verdict
+    from stayput.verification.options import Option
     from stayput.verification.verdict import OptionVerdict
 
 CURVE_POINTS = 96
@@ -139,11 +141,18 @@ def verdict_reply(verdict: Verdict) -> VerdictReply:
     pairs = zip(verdict.options, data["options"], strict=True)
     data |= {
         "headline": data["verdict"],
+        "notes": [Words.of(note) for note in notes(verdict, _looked_at(verdict))],
         "intensity": data["jma_intensity"],
         "seconds": round(verdict.seconds, 3),
         "options": [_option_data(result, option, verdict) for result, option in pairs],
     }
     return VerdictReply.model_validate(data)
+
+
+def _looked_at(verdict: Verdict) -> Option:
+    """Return the option that the page's reader has put together: without measures where there is none."""
+    options = [result.option for result in verdict.options]
+    return next((one for one in options if one.name == YOURS and one.measures), verdict.without.option)
 
 
 def _option_data(result: OptionVerdict, data: dict[str, Any], verdict: Verdict) -> dict[str, Any]:

@@ -2,6 +2,19 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     "colon": (": ", "："),
+    "listed": ("; ", "、"),
+    "stop": (". ", "。"),
+    "not_possible": ("not possible", "設置不可"),
+    "without": ("Without measures", "対策なし"),
+    "under": ("under {share}", "{share}未満"),
+    "over": ("over {share}", "{share}超"),
+    # Controls of an animation
+    "play": ("Play", "再生"),
+    "pause": ("Pause", "一時停止"),
+    "time": ("Time", "時刻"),
+    "speed": ("Speed", "速さ"),
+    # Refusals
+    "aside": (" ({content})", "（{content}）"),
     "did_you_mean": (" (did you mean {name}?)", "（{name}ではありませんか）"),
     "not_one_of": (
         "{name} is {value}{hint}; it must be one of {known}.",

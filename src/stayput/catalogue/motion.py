@@ -185,13 +185,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         (
             "ヘッダーの最大加速度（{stated:g} m/s²）とデータの最大加速度（{peak:g} m/s²）が"
-            "1 %以内で合いません。"
+            "1%以内で合いません。"
             "ファイルが壊れています。"
         ),
     ),
     "lengths_differ": (
         "The components have {listing} samples; their lengths must agree within 1 %.",
-        "成分のデータの数が合いません（{listing}）。長さの違いは1 %以内でなければなりません。",
+        "成分のデータの数が合いません（{listing}）。長さの違いは1%以内でなければなりません。",
     ),
     "channel_dt_differs": (
         "The channels' dt are {dt:g} s and {other:g} s; they must be the same.",

@@ -97,7 +97,7 @@ FAMILIES: dict[str, tuple[tuple[str, str], tuple[str, str]]] = {
 
 MOTIONS: dict[str, tuple[str, str]] = {
     "long-period basin": FAMILIES["basin"][0],
-    "synthetic near-fault motion": ("Near-fault, synthetic", "断層近傍の合成地震動"),
+    "synthetic near-fault motion": ("Near-fault, synthetic", "断層近傍の模擬地震動"),
     "sine": ("Sine", "正弦波"),
 }
 """Synthetic motions, by what their names say."""
@@ -141,7 +141,7 @@ EVENTS: dict[str, tuple[str, str]] = {
     "rest": ("comes to rest", "静止"),
     "overturned": ("overturns", "転倒"),
     "failed": ("could not be followed", "計算打ち切り"),
-    "device failure": ("a device fails", "器具が破損・脱落"),
+    "device failure": ("a device fails", "器具が破損または脱落"),
 }
 """What happens at an event."""
 

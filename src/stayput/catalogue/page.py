@@ -1,9 +1,22 @@
 """Texts of the app's page; its script fills in what stands in braces."""
 
+SHARED = (
+    "app.busy",
+    "common.colon",
+    "common.listed",
+    "common.not_possible",
+    "common.over",
+    "common.pause",
+    "common.play",
+    "common.speed",
+    "common.time",
+    "common.under",
+    "common.without",
+)
+"""Texts of other modules that the page says too; their keys there are their keys on the page."""
+
 TEXTS: dict[str, tuple[str, str]] = {
     "space": (" ", ""),
-    "colon": (": ", "："),
-    "listed": ("; ", "、"),
     "title": (
         "stayput: will my furniture stay put in an earthquake?",
         "stayput：地震のとき、家具は倒れずにいられるか",
@@ -19,14 +32,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "understood": ("Understood", "閉じる"),
     "notKnown": ("not known", "不明"),
     "away": (
-        "The server does not answer. The page asks again until it is back; then everything goes on.",
-        "サーバーから応答がありません。応答があるまで自動で問い合わせ、戻れば続きを行います。",
+        "The server does not answer. Is stayput app still running? The page asks again until it is back, then goes on.",
+        "サーバーから応答がありません。stayput app は動いていますか。応答があるまで自動で問い合わせ、戻れば続きを行います。",
     ),
     "toLight": ("Light theme", "明るい表示にする"),
     "toDark": ("Dark theme", "暗い表示にする"),
     "toSee": ("See it shake", "揺らしてみる"),
     "toUnderstand": ("How likely is that?", "どのくらい起こりやすいか"),
-    "toKeep": ("Keep it", "結果を保存する"),
     "whichPiece": ("Which piece?", "どの家具ですか"),
     "height": ("Height", "高さ"),
     "width": ("Depth, from the wall to the front", "奥行き（壁から前面まで）"),
@@ -101,13 +113,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The record “{name}” was made on an upper floor, by its name, and here goes through a building once more. Put the room on the ground.",
         "記録「{name}」は、名前によると建物の上の階で得られたものです。ここではさらに建物を通した揺れになります。部屋は「地面の上」にしてください。",
     ),
-    "recordMissing": (
-        "The record “{name}” is no longer on the server. What you see is another earthquake, a computed one; drop the record again under “Set the scene”.",
-        "記録「{name}」はサーバーに残っていません。今の図は別の地震（計算で作った揺れ）によるものです。「条件を決める」で記録をもう一度ドロップしてください。",
+    "recordGone": (
+        "The record{name} is no longer on the server; drop it again under “Set the scene”.",
+        "記録{name}はサーバーに残っていません。「条件を決める」でもう一度ドロップしてください。",
     ),
-    "recordMissingUnnamed": (
-        "The record of this link is no longer on the server. What you see is another earthquake, a computed one; drop the record again under “Set the scene”.",
-        "このリンクの記録はサーバーに残っていません。今の図は別の地震（計算で作った揺れ）によるものです。「条件を決める」で記録をもう一度ドロップしてください。",
+    "recordName": (" “{name}”", "「{name}」"),
+    "recordReplaced": (
+        "What you see is another earthquake, a computed one.",
+        "今の図は別の地震（計算で作った揺れ）によるものです。",
     ),
     "whatHolds": ("What holds it?", "どんな対策をしますか"),
     "moreMeasures": ("More measures", "ほかの対策"),
@@ -136,39 +149,28 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "choice_down": ("down", "下向き"),
     "choice_up": ("up", "上向き"),
-    "without": ("Without measures", "対策なし"),
     "with": ("With the measures", "対策あり"),
     "tower": ("The building, its sway drawn larger", "建物（揺れは拡大表示）"),
     "towerAlt": (
         "The building from outside; the storey of the furniture is marked",
         "外から見た建物。家具のある階に印が付いています",
     ),
-    "play": ("Play", "再生"),
-    "pause": ("Pause", "一時停止"),
     "again": ("From the beginning", "最初から"),
-    "time": ("Time", "時刻"),
-    "speed": ("Speed", "速さ"),
     "seeNote": (
         "To scale. The room moves with the shaking; the dotted lines stand still, as far apart as the scale is long. The round mark is the centre of gravity. Space plays and pauses, the arrow keys step.",
-        "実際の縮尺です。部屋は地震とともに動き、点線は動かない基準線で、間隔は右上の目盛りの長さです。丸い印は重心です。スペースキーで再生・停止、矢印キーでこま送りできます。",
+        "実際の縮尺です。部屋は地震とともに動き、点線は動かない基準線で、間隔は右上の目盛りの長さです。丸い印は重心です。スペースキーで再生・停止、矢印キーでコマ送りできます。",
     ),
     "placeGround": ("On the ground,", "地面の上、"),
     "placeStorey": ("On storey {storey} of {storeys},", "{storeys}階建ての{storey}階、"),
     "strength": ("JMA intensity {class} ({at}).", "{class}（計測震度{at}）。"),
-    "felt": ("On this floor it is felt like {at}.", "この階の揺れは震度{at}相当です。"),
+    "felt": ("This floor feels an intensity of {at}.", "この階の揺れは震度{at}相当です。"),
     "synthetic": (
         "The earthquake is a computed one, not a real record.",
         "計算で作った地震の揺れで、実際の記録ではありません。",
     ),
     "recorded": ("Record: {name}.", "記録：{name}。"),
     "firstThing": ("What happens first", "最初に何が起こるか"),
-    "ev_slip": ("it begins to slide", "滑り始める"),
-    "ev_uplift": ("an edge lifts: it begins to rock", "端が浮き、ロッキングを始める"),
-    "ev_wall": ("it hits the wall", "壁にぶつかる"),
-    "ev_ceiling": ("it hits the ceiling", "天井にぶつかる"),
-    "ev_device": ("{device}: fails", "{device}が外れる、または壊れる"),
-    "ev_overturned": ("it has fallen over", "倒れる"),
-    "ev_failed": ("the computation could not go on", "計算を続けられなかった"),
+    "deviceFails": ("{device}: fails", "{device}が破損または脱落する"),
     "timeText": ("{now} of {end} seconds", "{end}秒のうち{now}秒"),
     "beyond": ("up to {value} {unit}", "最大{value} {unit}"),
     "moreDevices": ("and {n} more", "ほか{n}個"),
@@ -195,12 +197,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "howLikely": ("How likely is it?", "どのくらい起こりやすいか"),
     "chanceWithout": (
-        "Without any measure it falls over in {share} of such earthquakes (between {low} and {high}).",
-        "対策をしないと、このような地震の{share}で倒れます（{low}～{high}の範囲）。",
+        "Without any measure it falls over in {share} of such earthquakes ({low} to {high}).",
+        "対策をしないと、このような地震の{share}で倒れます（{low}から{high}の範囲）。",
     ),
     "chanceOfRecord": (
-        "Without any measure it falls over in {share} of the cases under this record (between {low} and {high}).",
-        "対策をしないと、この記録の揺れでは{share}の場合に倒れます（{low}～{high}の範囲）。",
+        "Without any measure it falls over in {share} of the cases under this record ({low} to {high}).",
+        "対策をしないと、この記録の揺れでは{share}の場合に倒れます（{low}から{high}の範囲）。",
     ),
     "basisOfRecord": (
         "Simulations with this record: {runs}; friction, weight and strength of the devices were varied. {seconds} s of computing.",
@@ -211,8 +213,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{measures}：最後まで計算できた例がないため、分かりません。",
     ),
     "chanceWith": (
-        "With {measures} it falls over in {share} (between {low} and {high}).",
-        "「{measures}」があると、倒れるのは{share}です（{low}～{high}の範囲）。",
+        "With {measures} it falls over in {share} ({low} to {high}).",
+        "「{measures}」があると、倒れるのは{share}です（{low}から{high}の範囲）。",
     ),
     "tens": ("{title}: falling, about {n} of 10", "{title}：10台のうち約{n}台が倒れる"),
     "tensAlt": ("{title}: fallen, about {n} of 10 pieces", "{title}：10台のうち約{n}台が倒れている図"),
@@ -221,11 +223,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{motions}種類の地震による{runs}回の計算から求めました。摩擦、重さ、器具の強さのばらつきも考えています。計算時間は{seconds}秒です。",
     ),
     "alsoSlides": ("slides by more than {limit} in {share}.", "{share}の場合に{limit}より大きく移動します。"),
-    "alsoFails": ("a device fails in {share} ({device}).", "{share}の場合に{device}が外れるか壊れます。"),
+    "alsoFails": ("a device fails in {share} ({device}).", "{share}の場合に{device}が破損または脱落します。"),
     "verify": ("Work it out again", "もう一度計算する"),
     "cancel": ("Stop", "中止"),
     "progress": ("Progress", "進み具合"),
-    "care": ("Care", "細かさ"),
+    "care": ("Accuracy", "細かさ"),
     "care_quick": ("quick", "速い"),
     "care_usual": ("usual", "標準"),
     "care_fine": ("fine", "細かい"),
@@ -242,10 +244,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "state_refused": ("", ""),
     "whatHelps": ("What helps most?", "どの対策が最も効くか"),
     "rankingNote": (
-        "The bar is the chance of falling over, the thin line is how sure that is. Best first. The letter grades the inputs:",
-        "棒は倒れる確率、細い線はその確かさを表します。効果の高い順です。「根拠」は入力の区分です：",
+        "The bar is the chance of falling over, the thin line is how sure that is. Best first. The letter is the grade of the inputs.",
+        "棒は倒れる確率、細い線はその確かさを表します。効果の高い順です。「根拠」は入力の区分です。",
     ),
-    "notPossible": ("not possible", "設置不可"),
     "grade": ("inputs: {grade}", "根拠：{grade}"),
     "gradeOf": (
         "Grade {grade}, that of the weakest inputs that this number rests on: {inputs}",
@@ -259,8 +260,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "intensityAxis": ("JMA intensity of the ground", "地面の計測震度（気象庁）"),
     "chanceAxis": ("falls over [%]", "倒れる確率 [%]"),
     "half": ("half of them fall at {at}", "半数が倒れる震度は{at}"),
-    "above": ("more than {at}", "{at}より上"),
-    "below": ("less than {at}", "{at}より下"),
+    "above": ("more than {at}", "{at}超"),
+    "below": ("at most {at}", "{at}以下"),
     "between": ("{at} (between {low} and {high})", "{at}（{low}～{high}）"),
     "within": ("something between {low} and {high}", "{low}～{high}のあいだ"),
     "alone": (
@@ -305,9 +306,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Share of the earthquakes in which the piece falls, by its height and the intensity. Yours: {size} at {at}, {share}.",
         "家具の高さと震度ごとの、倒れる地震の割合。この家具は{size}、震度{at}で{share}。",
     ),
-    "impossible": ("not possible", "設置不可"),
     "doesNotFit": ("the piece or a measure does not fit there", "家具または対策がその寸法では収まりません"),
-    "mapWhich": ("The piece stands", "家具の状態"),
+    "mapWhich": ("The map is for the piece", "図の条件"),
     "mapNote": (
         "How often such a piece falls over, by its height and the strength of the shaking (earthquakes tried: {motions}). The mark is your piece.",
         "家具の高さと揺れの強さごとに、{motions}種類の地震のうち倒れる割合を示します。印はこの家具です。",
@@ -337,14 +337,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The server is still getting ready; the first picture comes in a moment.",
         "サーバーが準備をしています。まもなく最初の図が出ます。",
     ),
-    "noServer": (
-        "The server does not answer. Is stayput app still running? The page tries again by itself.",
-        "サーバーから応答がありません。stayput app は動いていますか。自動でもう一度試します。",
-    ),
-    "recordGone": (
-        "The record is no longer on the server; please drop it here again.",
-        "記録はサーバーに残っていません。もう一度ここにドロップしてください。",
-    ),
     "gone": (
         "The server no longer has this; please work it out again.",
         "結果はサーバーに残っていません。もう一度計算してください。",
@@ -356,10 +348,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "broken": ("Something went wrong; please try again.", "うまくいきませんでした。もう一度お試しください。"),
     "unreadable": ("This file cannot be used:", "このファイルは使えません。"),
     "tooLarge": ("The file is too large.", "ファイルが大きすぎます。"),
-    "busy": (
-        "The server is busy; please try again in a moment.",
-        "サーバーが混み合っています。少し待ってからもう一度お試しください。",
-    ),
     "refused": ("This cannot be computed:", "この条件では計算できません。"),
 }
 """Texts by their keys: English, Japanese."""

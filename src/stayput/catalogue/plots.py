@@ -83,8 +83,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     # A suite.
     "suite": ("{name} ({count}{kind})", "{name}（{count}{kind}）"),
     "suite_unnamed": ("suite", "地震動群"),
-    "suite_whole": (", synthetic", "、合成"),
-    "suite_part": (", partly synthetic", "、一部合成"),
+    "suite_whole": (", synthetic", "、模擬"),
+    "suite_part": (", partly synthetic", "、一部模擬"),
     "each_motion": ("each motion", "各地震動"),
     "median": ("median (geometric mean)", "中央値（幾何平均）"),
     "spread": ("median × exp(±σ)", "中央値 × exp(±σ)"),

@@ -10,10 +10,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
     "simulations_text": (
-        (
-            "{runs} in all: motions × draws of what is not known, {motions} × {samples} for "
-            "each measure and level"
-        ),
+        ("{runs} in all; motions × Monte Carlo samples: {motions} × {samples} for each measure and level"),
         "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各対策・各レベルで計算",
     ),
     "motions": ("Motions", "地震動"),
@@ -31,7 +28,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "には当てはまりません。"
         ),
     ),
-    "before": ("Without a measure", "対策なし"),
     "after": ("With the best of those compared", "比較した中で最良の対策"),
     "ranking": ("The measures, best first", "対策の順位"),
     "ranking_text": (
@@ -43,7 +39,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         (
             "全計算に対する割合と95%区間です。どの対策にも同じ地震動と同じ標本を用いています"
-            "。順位は転倒の少なさで決め、同じなら移動、器具の破損、壁への衝突の順に比べます。"
+            "。順位は転倒の少なさで決め、同じなら移動、器具の破損・脱落、壁への衝突の順に比べます。"
             "「不確実」は、計算数が少なく95%の信頼度では言えないものです。"
         ),
     ),
@@ -53,11 +49,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Grade: that of the weakest of the inputs that decide a number ({meanings}).",
         "根拠：数値を左右する入力のうち、最も不確かなものの区分（{meanings}）。",
     ),
-    "weakest": ("weakest inputs: {inputs}", "最も不確かな入力：{inputs}"),
-    "colon": (": ", "："),
-    "stop": (". ", "。"),
-    "listed": ("; ", "、"),
-    "aside": (" ({content})", "（{content}）"),
+    "weakest": ("Weakest inputs: {inputs}", "最も不確かな入力：{inputs}"),
     "rank": ("Rank", "順位"),
     "measure": ("Measure", "対策"),
     "overturned": ("Overturns", "転倒"),
@@ -72,7 +64,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "brief_overturned": ("Overturns", "転倒"),
     "brief_slid": ("Slides\n> {limit}", "移動\n> {limit}"),
     "brief_hit_wall": ("Hits\na wall", "壁に\n衝突"),
-    "brief_device_failed": ("Device\nfails", "器具\n破損"),
+    "brief_device_failed": ("Device\nfails", "破損・\n脱落"),
     "brief_not_possible": ("not\npossible", "設置\n不可"),
     "brief_slide": ("Slide", "移動量"),
     "brief_falls": ("falls", "転倒"),
@@ -89,21 +81,18 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "capacity_short": ("{share} % overturn at intensity", "{share}%転倒の計測震度"),
-    "change": ("Against no measure", "対策なしとの差"),
+    "change": ("Change from “Without measures”", "対策なしとの差"),
     "points": ("points", "ポイント"),
     "why": ("Why", "理由"),
     "falls": ("overturned", "転倒"),
     "none": ("none", "なし"),
-    "not_possible": ("not possible", "設置不可"),
     "no_device": ("no device", "器具なし"),
     "unknown": ("unknown", "不明"),
     "unsure": ("unsure", "不確実"),
-    "at_least": ("at least {low}", "{low}以上"),
-    "at_most": ("at most {high}", "{high}以下"),
     "up_to": ("up to {value}", "最大{value}"),
     "less_than": ("less than {value}", "{value}未満"),
     "more_than": ("more than {value} (no wall to stop it)", "{value}を超えて（止める壁なし）"),
-    "between": ("{low} to {high}", "{low}〜{high}"),
+    "between": ("{low} to {high}", "{low}～{high}"),
     "interval": ("95 % interval", "95%区間"),
     "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
     "fragility_text": (
@@ -149,7 +138,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         (
             "部屋は地盤とともに動きます（{corner} Hz未満のゆっくりした動きは除外）。点線は動"
-            "かない目印で、間隔は{grid} mです。"
+            "かない基準線で、間隔は{grid} mです。"
         ),
     ),
     "part_shown": (
@@ -173,10 +162,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The run that went worst without a measure.",
         "対策なしで最も悪い結果になった計算です。",
     ),
-    "play": ("Play", "再生"),
-    "pause": ("Pause", "一時停止"),
-    "time": ("Time", "時刻"),
-    "speed": ("Speed", "速さ"),
     "scene_alt": (
         "Animation of the piece in its room, seen from its side: {content}",
         "家具と部屋を横から見た動画：{content}",
@@ -194,7 +179,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "対策なしで、結果がちょうど中程度だった計算です。",
     ),
     "axis_time": ("Time [s]", "時刻 [s]"),
-    "device_failure": ("device fails", "器具の破損"),
+    "device_failure": ("device fails", "器具の破損・脱落"),
     "motion_shown": (
         (
             "Motion {number} of {count}: {name}; peak acceleration of the floor {peak} m/s². "
@@ -203,7 +188,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         (
             "地震動 {number}/{count}：{name}、床の最大加速度 {peak} m/s²。全{duration}秒のう"
-            "ち{start}〜{end}秒を表示。傾きは限界角の3倍までを表示します。"
+            "ち{start}～{end}秒を表示。傾きは限界角の3倍までを表示します。"
         ),
     ),
     "estimates": ("Quick estimates, to compare", "簡易式による目安"),
@@ -243,7 +228,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "scale_text": ("Drawn to scale, seen from the side", "縮尺どおり、横から見た図"),
     "device": ("Device", "器具"),
     "failed": ("Failed", "破損・脱落"),
-    "failure_time": ("Fails at, median", "破損の時刻（中央値）"),
+    "failure_time": ("Fails at, median", "破損・脱落の時刻（中央値）"),
     "seconds": ("{value} s", "{value} 秒"),
     "peak_force": ("Peak force: median, 90 %", "最大の力：中央値、90%値"),
     "used": ("Of its strength: median, 90 %", "強度に対する割合：中央値、90%値"),
@@ -276,13 +261,15 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Save this as {file}, and run the command with stayput {version}. The same seed "
             "gives the same numbers."
         ),
-        ("これを{file}に保存し、stayput {version}でコマンドを実行します。同じシードなら同じ数値になります。"),
+        (
+            "これを{file}に保存し、stayput {version}でコマンドを実行します。同じ乱数のシードなら同じ数値になります。"
+        ),
     ),
     "record_text": (
         "It names files of records; they are needed too, in the same place relative to it.",
         "記録ファイルの名前を含みます。それらも同じ相対位置に必要です。",
     ),
-    "seed": ("Seed", "シード"),
+    "seed": ("Seed", "乱数のシード"),
     "command": ("Command", "コマンド"),
     "took": ("{seconds} s of computing", "計算時間 {seconds} 秒"),
     "version": ("Version", "版"),
@@ -321,7 +308,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}, synthetic: computed, not recorded",
         "{name}（模擬）：観測記録ではありません",
     ),
-    "suite_member": ("synthetic {family} {number}", "合成地震動（{family}）{number}"),
+    "suite_member": ("synthetic {family} {number}", "模擬地震動（{family}）{number}"),
     "building_text": (
         "{name}, floor of storey {storey}, as a shear model",
         "{name}、{storey}階の床（せん断質点系モデル）",
@@ -334,7 +321,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "normal, mean {mean:g}, standard deviation {deviation:g}",
         "正規分布、平均 {mean:g}、標準偏差 {deviation:g}",
     ),
-    "uniform": ("uniform, {low:g} to {high:g}", "一様分布、{low:g}〜{high:g}"),
+    "uniform": ("uniform, {low:g} to {high:g}", "一様分布、{low:g}～{high:g}"),
     "limit_body": ("Rigid body in a plane", "平面内の剛体"),
     "limit_body_text": (
         (

@@ -32,7 +32,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "first_to_fail": (
         "{outcome} First to fail: {device}, after {time:.1f} s.",
-        "{outcome}最初に壊れた対策：{device}（{time:.1f}秒後）。",
+        "{outcome}最初に破損または脱落した器具：{device}（{time:.1f}秒後）。",
     ),
     "side_left": ("left", "左"),
     "side_right": ("right", "右"),
@@ -67,18 +67,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "row_walls": ("Wall impacts", "壁への衝突"),
     "row_walls_and_ceiling": ("Wall and ceiling impacts", "壁と天井への衝突"),
     "row_used": (", {share:.0f} % of its strength", "、強度の{share:.0f}%"),
-    "row_failed": ("; {cause} at {time:.2f} s", "、{time:.2f}秒に破損（{cause}）"),
-    "row_holds": ("; holds", "、破損なし"),
+    "row_failed": ("; {cause} at {time:.2f} s", "、{time:.2f}秒に破損・脱落（{cause}）"),
+    "row_holds": ("; holds", "、破損・脱落なし"),
     "open_side": (" (there is no wall to stop it)", "（止める壁がありません）"),
-    "synthetic": ("{name} (synthetic)", "{name}（合成）"),
+    "synthetic": ("{name} (synthetic)", "{name}（模擬）"),
     # Animations.
     "body": ("body", "物体"),
     "player_tilt": ("tilt", "傾き"),
     "player_slide": ("slide", "移動量"),
-    "player_play": ("Play", "再生"),
-    "player_pause": ("Pause", "一時停止"),
-    "player_time": ("Time", "時刻"),
-    "player_speed": ("Speed", "速さ"),
     "player_theme": ("Light / dark", "明るい配色／暗い配色"),
     "player_strip": ("Floor acceleration and tilt over time", "床の加速度と傾きの時刻歴"),
     "player_keys": (
@@ -94,7 +90,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         (
             "部屋は地盤とともに動きます（記録を2回積分し、{corner:g}\u00a0Hz未満のゆっくりした動き"
-            "を除いたもの{part}）。点線は動かない目印で、間隔は{grid:g}\u00a0mです。"
+            "を除いたもの{part}）。点線は動かない基準線で、間隔は{grid:g}\u00a0mです。"
         ),
     ),
     "floor_acceleration": ("Floor acceleration: {motion}", "床の加速度：{motion}"),

@@ -33,7 +33,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "rule_without_values": (
         "{name} has no values to test the rule with; there must be at least one.",
-        "15 %の規則を調べるための{name}がありません。1個以上を指定してください。",
+        "15%の規則を調べるための{name}がありません。1個以上を指定してください。",
     ),
     "spectrum_too_small": (
         (

@@ -3,7 +3,7 @@
 TEXTS: dict[str, tuple[str, str]] = {
     # verification
     "needs_coulomb": (
-        'The contact is "{contact}"; {what} needs "coulomb".',
+        "The contact is '{contact}'; {what} needs 'coulomb'.",
         "接触モデル（contact）が「{contact}」になっています。{what}には「coulomb」を指定してください。",
     ),
     "a_verification": ("a verification", "対策の検証"),
@@ -21,13 +21,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The {component} component of {motion} is still; it cannot have an Sa.",
         "{motion}の{component}成分は揺れていません。加速度応答スペクトルSaを求められません。",
     ),
-    "no_measure": ("No measure", "対策なし"),
-    # events
-    "event_overturned": ("overturns", "転倒"),
-    "event_slid": ("slides too far", "大きく移動"),
-    "event_hit_wall": ("hits a wall", "壁に衝突"),
-    "event_device_failed": ("a device fails", "器具が破損"),
-    # classes of JMA's intensity
     # the verdict in a sentence
     "falls": ("in {share} of the cases", "{share}の場合に転倒します"),
     "never_falls": ("in none of the cases", "計算した場合のいずれでも転倒しません"),
@@ -87,7 +80,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "estimate_differs": (
         (
             "The quick estimate (Kaneko and Hayashi) lets {formula} % overturn without a measure, the "
-            "simulation {simulated} %. The formula knows nothing of: {left_out}."
+            "simulation {simulated} %. The formula leaves out: {left_out}."
         ),
         (
             "対策なしの転倒は、簡易式（金子・林）では{formula}%、シミュレーションでは{simulated}%です。"
@@ -142,7 +135,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "draws": ("Draws", "サンプル数"),
     "start": ("Start", "開始番号"),
     "motions": ("Motions", "地震動の数"),
-    "seed": ("Seed", "乱数の種"),
+    "seed": ("Seed", "乱数のシード"),
     "not_above_zero": (
         "{name} is {value:g}; it must be larger than 0.",
         "{name}が{value:g}になっています。0より大きい値にしてください。",

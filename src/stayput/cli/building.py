@@ -44,7 +44,7 @@ def building(
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
-    """Say how the floors of a building move: the peaks of every storey, and the motion of one."""
+    """Floor motions of a building: the peaks of every storey, and the motion of one."""
     from stayput.building import Building
     from stayput.errors import InputError
     from stayput.files import PLOT_SUFFIXES, check_target
@@ -133,11 +133,13 @@ def _print_table(response: FloorResponse, written: list[Path]) -> None:
         table.add_row(label, *(f"{value:.3g}" for value in values))
     console.print(table)
     for name, energy in response.energy.items():
+        if not energy.input[-1] > 0.0:
+            console.print(f"Energy, {name}: none.")
+            continue
+        yielding = 100.0 * energy.plastic[-1] / energy.input[-1]
         console.print(
-            f"Energy, {name}: {energy.plastic[-1] / energy.input[-1]:.0%} of the input went into yielding; "
+            f"Energy, {name}: {yielding:.0f} % of the input went into yielding; "
             f"the balance closes to {energy.imbalance:.1e}."
-            if energy.input[-1] > 0.0
-            else f"Energy, {name}: none."
         )
     for file in written:
         console.print(f"Wrote {file}", soft_wrap=True)

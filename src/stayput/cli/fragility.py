@@ -20,7 +20,10 @@ def fragility(
     out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the files; it is made.")],
     im: Annotated[
         str,
-        typer.Option(metavar="JMA|PGA|PGV|PFA|PFV", help="What the curves are over; F is the floor's peak."),
+        typer.Option(
+            metavar="JMA|PGA|PGV|PFA|PFV",
+            help="Intensity measure of the curves; PFA, PFV: the floor's peaks.",
+        ),
     ] = "JMA",
     measure: Annotated[
         list[str] | None,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any
@@ -86,6 +87,30 @@ def _unwritten(error: OSError) -> int:
         # what still waits would fail again when the program ends
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return UNREAD if isinstance(error, BrokenPipeError) else REFUSED
+
+
+_UNBROKEN = re.compile(r"[（「]*(?:[!-~]+ ?|\S| )[、。，：）」～％・]*")
+"""What stays on one line of a Japanese text: a word in Latin letters or a character, with its marks."""
+
+
+def folded(text: str, width: int) -> str:
+    """Return a Japanese text, which has no spaces to break at, in lines that fit a width [cells].
+
+    No line begins with a mark that ends a clause or closes a bracket.
+
+    Examples
+    --------
+    >>> folded("順位は、転倒の少なさ。", 8).splitlines()
+    ['順位は、', '転倒の少', 'なさ。']
+    """
+    from rich.cells import cell_len
+
+    lines = [""]
+    for part in _UNBROKEN.findall(text):
+        if lines[-1] and cell_len(lines[-1] + part) > width:
+            lines.append("")
+        lines[-1] += part
+    return "\n".join(lines)
 
 
 def print_json(values: object) -> None:

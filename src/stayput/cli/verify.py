@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from stayput.cli.flags import ThreadsOption  # noqa: TC001 - Typer reads the annotations
-from stayput.cli.messages import compiling
+from stayput.cli.messages import compiling, folded
 
 if TYPE_CHECKING:
     from stayput.verification import Verdict
@@ -98,20 +98,25 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     from stayput.report.verdict.words import word
     from stayput.verification import EVENTS
     from stayput.verification.words import headline, title
+    from stayput.wording import with_aside
 
     text = partial(word, language=lang)
     console = Console(highlight=False, markup=False)
+
+    def paragraph(sentences: str) -> None:
+        console.print(folded(sentences, console.width) if lang == "ja" else sentences)
+
     if verdict.scenario.title is not None:
         console.print(verdict.scenario.title, style="bold")
-    console.print(headline(verdict, lang))
+    paragraph(headline(verdict, lang))
     table = Table(box=None, padding=(0, 1, 0, 0))
     table.add_column("", justify="right")
-    table.add_column(text("measure"), min_width=12)
+    table.add_column(text("measure"), min_width=12, overflow="fold")
     limit = numbers.length(verdict.slide_limit, lang)
     events = (text(f"brief_{event}", limit=limit) for event in EVENTS)
     capacities = (text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
     for heading in (*events, text("brief_slide"), *capacities):
-        table.add_column(heading, justify="right", no_wrap=True)
+        table.add_column(heading, justify="right", no_wrap=True, overflow="fold")
     rows = ranking(verdict, lang)
     for row in rows:
         falls, *others = (
@@ -128,12 +133,13 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
         name = rejected.option.name if rejected.option.own_name else label
         table.add_row(numbers.NO_NUMBER, name, text("brief_not_possible"))
     console.print(table)
-    console.print(text("brief_text"))
-    console.print(grades_text(lang))
+    paragraph(text("brief_text"))
+    paragraph(grades_text(lang))
     colon = text("colon")
     for row in rows:
         ends = numbers.interval(row.option.probabilities[OVERTURNED], lang)
-        label = title(row.option.option, verdict, lang) + (text("aside", content=ends) if ends else "")
+        label = title(row.option.option, verdict, lang)
+        label = with_aside(label, ends, lang) if ends else label
         console.print(f"{row.option.rank}. {label}{colon}{row.reason}", soft_wrap=True)
     for label, why in impossible:
         console.print(
@@ -142,9 +148,9 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     for note in verdict.notes(lang):
         console.print(note, soft_wrap=True)
     if verdict.motions == 1:
-        console.print(text("one_motion"))
+        paragraph(text("one_motion"))
     if not verdict.precise:
-        console.print(text("not_precise"))
-    console.print(simulations(verdict, lang))
+        paragraph(text("not_precise"))
+    paragraph(simulations(verdict, lang))
     for path in written:
         console.print(f"Wrote {path}", soft_wrap=True)

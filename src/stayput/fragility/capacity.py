@@ -50,15 +50,24 @@ class Capacity:
         return self.low >= self.above and self.high <= self.below
 
     @property
+    def ends(self) -> Phrase:
+        """The interval in both languages: "5.95 to 6.33"; "at most 6.33" where its low end was not run."""
+        low = None if self.low <= self.measure.least else self.measure.text(self.low, unit=False)
+        high = None if math.isinf(self.high) else self.measure.text(self.high, unit=False)
+        if low is None and high is None:
+            return phrase("fragility.capacity_unknown")
+        if low is None:
+            return phrase("fragility.at_most", high=high)
+        return phrase("fragility.more_than" if high is None else "fragility.ends", low=low, high=high)
+
+    @property
     def texts(self) -> Phrase:
         """The capacity in both languages: "6.12 (5.95 to 6.33)", "> 6.90", "between 5.50 and 5.75"."""
         show, least = self.measure.text, self.measure.least
         if not math.isnan(self.estimate):
             if self.one_motion:
                 return phrase("fragility.capacity_one_motion", value=show(self.estimate))
-            low = phrase("fragility.below_runs") if self.low <= least else show(self.low, unit=False)
-            high = phrase("fragility.beyond_runs") if math.isinf(self.high) else show(self.high, unit=False)
-            return phrase("fragility.capacity", value=show(self.estimate), low=low, high=high)
+            return phrase("fragility.capacity", value=show(self.estimate), ends=self.ends)
         bounds = (self.above > least, math.isfinite(self.below))
         if not any(bounds):
             return phrase("fragility.capacity_unknown")

@@ -95,8 +95,9 @@ def percent(share: float) -> str:
         return f"{'−' if value < 0.0 else ''}>99.9"
     fine = 0.0 < abs(value) < 0.95 or 99.05 < abs(value) < 100.0
     # halves away from zero, as the page rounds: 62.5 is 63, where Python's own rounding gives 62
-    rounded = f"{value:.1f}" if fine else f"{math.copysign(math.floor(abs(value) + 0.5), value):.0f}"
-    return rounded.replace("-", "−")
+    steps = 10.0 if fine else 1.0
+    rounded = math.copysign(math.floor(steps * abs(value) + 0.5) / steps, value)
+    return (f"{rounded:.1f}" if fine else f"{rounded:.0f}").replace("-", "−")
 
 
 def probability(fallen: ArrayLike, missing: ArrayLike | None = None) -> Probability:

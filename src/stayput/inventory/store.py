@@ -212,7 +212,7 @@ def piece_spec(body: Body, room: Room) -> str:
 
 
 def piece_of(spec: str) -> tuple[Body, Room]:
-    """Return the body and the room of a spec; the inverse of `thing_spec`."""
+    """Return the body and the room of a spec; the inverse of `piece_spec`."""
     body, room, _ = from_flat_fields(json.loads(spec))
     return body, room
 

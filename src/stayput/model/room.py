@@ -191,7 +191,7 @@ class Ceiling:
 class Room:
     """Floor, walls and ceiling around the body.
 
-    A body hits ``right_wall`` when it tilts or slides to +x; its back stands to ``left_wall``.
+    A body hits ``right_wall`` when it tilts or slides to +x; its back faces ``left_wall``.
     """
 
     floor: Floor = Floor()

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from PIL import Image
 
-from stayput.catalogue import phrase
+from stayput.catalogue import phrase, say
 from stayput.errors import InputError, within
 from stayput.files import check_animation, draft
 from stayput.report.embedding import inks_css, script_json, script_module
@@ -34,8 +34,11 @@ if TYPE_CHECKING:
 Progress: TypeAlias = Callable[[int, int], None]
 """Called with the number of frames drawn and the number of all frames."""
 
-PLAYER_TEXTS = ["tilt", "slide", "play", "pause", "time", "speed", "theme", "strip", "keys", "tilt_shown"]
-"""Texts of the HTML player, by their keys in `stayput.catalogue.runs` after "player_"."""
+PLAYER_TEXTS = {
+    **{key: f"runs.player_{key}" for key in ("tilt", "slide", "theme", "strip", "keys", "tilt_shown")},
+    **{key: f"common.{key}" for key in ("play", "pause", "time", "speed")},
+}
+"""Texts of the HTML player: their ids by what the player calls them."""
 
 _SHORTEST = 2  # hundredths of a second between a GIF's frames: browsers slow down what is shorter
 _COLOURS = 64  # colours of a GIF
@@ -179,7 +182,7 @@ def player_page(film: Film, speed: float, hold: float) -> str:
         How long the last pose is held before the film starts again [s].
     """
     files = resources.files("stayput.report")
-    texts = {key: film.say(f"player_{key}") for key in PLAYER_TEXTS}
+    texts = {key: say(name, film.language) for key, name in PLAYER_TEXTS.items()}
     data = {
         **film.scene.data(),
         "title": film.title,

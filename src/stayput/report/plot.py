@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.patches import Patch
 
 from stayput.catalogue import say
+from stayput.catalogue.names import MODES
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.figures import FONT, new_figure, saved, style
 from stayput.report.fonts import drawable
@@ -257,7 +258,7 @@ def _draw_modes(strip: Axes, bands: tuple[Axes, ...], run: Run) -> None:
     strip.set_ylim(0.0, 1.0)
     strip.set_ylabel(say("plots.mode"), fontsize=FONT, rotation=0, ha="right", va="center")
     strip.tick_params(labelsize=FONT - 1.0, colors=INK)
-    handles = [Patch(facecolor=MODE_COLOURS[mode], label=mode.value) for mode in present]
+    handles = [Patch(facecolor=MODE_COLOURS[mode], label=say(MODES[mode])) for mode in present]
     strip.legend(
         handles=handles,
         loc="upper center",

@@ -73,6 +73,8 @@ def _is_tag(part: str | int) -> bool:
 def _shown(value: object) -> str | Phrase:
     if isinstance(value, dict):
         return phrase("scenario.table")
+    if isinstance(value, str):
+        return _cut(repr(value))
     try:
         shown = json.dumps(value, ensure_ascii=False)
     except (TypeError, ValueError):
@@ -134,10 +136,10 @@ def _allowed(node: dict[str, Any], schema: dict[str, Any]) -> Phrase:
 def _in_words(kind: dict[str, Any], schema: dict[str, Any]) -> Phrase:
     unit = f" {kind['unit']}" if "unit" in kind else ""
     if "const" in kind:
-        value = json.dumps(kind["const"])
+        value = repr(kind["const"])
         return value, value
     if "enum" in kind:
-        return phrase("scenario.one_of", names=", ".join(map(json.dumps, kind["enum"])))
+        return phrase("scenario.one_of", names=", ".join(map(repr, kind["enum"])))
     match kind.get("type"):
         case "integer":
             low, high = kind["minimum"], kind["maximum"]

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from stayput.catalogue import Phrase
+    from stayput.verification.options import Option
     from stayput.verification.verdict import Verdict
 
 APART = 0.20
@@ -32,15 +33,21 @@ _OFF_MIDDLE = 0.05
 """From so far off half the height, in heights, the centre of gravity is not the formula's."""
 
 
-def notes(verdict: Verdict) -> tuple[Phrase, ...]:
+def notes(verdict: Verdict, graded: Option | None = None) -> tuple[Phrase, ...]:
     """Return the notes beside the numbers of a verdict, each in English and Japanese.
 
     Parameters
     ----------
     verdict : Verdict
         The verdict.
+    graded : Option, optional
+        The option whose grade is explained, by default the best.
     """
-    return (*_estimate(verdict), *_grade(verdict), *_far(verdict))
+    return (
+        *_estimate(verdict),
+        *_grade(verdict.best.option if graded is None else graded, verdict),
+        *_far(verdict),
+    )
 
 
 def _listed(phrases: Iterable[Phrase]) -> Phrase:
@@ -80,8 +87,8 @@ def _left_out(verdict: Verdict) -> Iterator[Phrase]:
     yield phrase("verification.of_their_own")
 
 
-def _grade(verdict: Verdict) -> Iterator[Phrase]:
-    option, scenario = verdict.best.option, verdict.scenario
+def _grade(option: Option, verdict: Verdict) -> Iterator[Phrase]:
+    scenario = verdict.scenario
     deciding = weakest(option, scenario)
     inputs = _listed(item.label for item in deciding[:LISTED])
     if len(deciding) > LISTED:

@@ -34,9 +34,6 @@ COMBINED = ("wedge_stopper", "tension_pole")
 YOURS = "yours"
 """Name of the set that is put together on the app's page; the user has not chosen it."""
 
-NO_MEASURE = phrase("verification.no_measure")
-"""What the option without a measure is called, in English and Japanese."""
-
 
 @dataclass(frozen=True, slots=True)
 class Option:
@@ -62,7 +59,7 @@ class Option:
     def label(self, language: str) -> str:
         """Return its label in "en" or "ja"."""
         if not self.measures:
-            return say(NO_MEASURE, language)
+            return say("common.without", language)
         joint = " + " if language == "en" else "+"
         return joint.join(say(measure.label, language) for measure in self.measures)
 

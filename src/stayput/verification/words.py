@@ -13,7 +13,7 @@ from stayput.catalogue.names import INTENSITIES
 from stayput.fragility.probabilities import percent
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.motion.intensity import intensity_class
-from stayput.wording import FAR, inside, is_open
+from stayput.wording import FAR, inside, is_open, with_aside
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
@@ -37,7 +37,12 @@ def class_label(intensity: float, language: str) -> str:
 
 
 def _percent(share: float) -> Phrase:
-    return f"{percent(share)} %", f"{percent(share)}%"
+    """Return a share in per cent, with a word where only a bound is told: "12 %", "under 0.1 %"."""
+    shown = percent(share)
+    number = shown.lstrip("<>")
+    both = (f"{number} %", f"{number}%")
+    bound = {"<": "common.under", ">": "common.over"}.get(shown[0])
+    return both if bound is None else phrase(bound, share=both)
 
 
 def _of_the_cases(share: float) -> str:
@@ -54,21 +59,21 @@ def _falls(share: float) -> Phrase:
 
 def title(option: Option, verdict: Verdict, language: str) -> str:
     """Return an option's label; with its name where that is the user's own or two have the same label."""
-    return option.label(language) + _aside(option, verdict, language)
+    return _titled(option.label(language), option, verdict, language)
 
 
 def _title_inside(option: Option, verdict: Verdict) -> Phrase:
     """Return an option's label within a sentence."""
-    english = inside(option.label("en")) + _aside(option, verdict, "en")
+    english = _titled(inside(option.label("en")), option, verdict, "en")
     return english, title(option, verdict, "ja")
 
 
-def _aside(option: Option, verdict: Verdict, language: str) -> str:
-    label = option.label(language)
-    alone = sum(other.option.label(language) == label for other in verdict.options) == 1
+def _titled(label: str, option: Option, verdict: Verdict, language: str) -> str:
+    options = (result.option for result in (*verdict.options, *verdict.impossible))
+    alone = sum(other.label(language) == option.label(language) for other in options) == 1
     if not option.measures or (alone and not option.own_name):
-        return ""
-    return f" ({option.name})" if language == "en" else f"（{option.name}）"
+        return label
+    return with_aside(label, option.name, language)
 
 
 def length(metres: float) -> str:

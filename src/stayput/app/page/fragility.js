@@ -62,7 +62,9 @@ export function show(verdict) {
           svg("path", { class: `dot c${i}`, d: MARKS[i](20, 6) }),
         ),
         el("span", {
-          text: `${name(one)}: ${one.capacity ? t("half", { at: capacity(one.capacity.p50) }) : ""}`,
+          text: [name(one), one.capacity && t("half", { at: capacity(one.capacity.p50) })]
+            .filter(Boolean)
+            .join(t("colon")),
         }),
       ),
     ),
@@ -147,7 +149,7 @@ function curve({ curve: { intensity, probability, observed } }, i) {
       svg(
         "path",
         { class: `dot c${i}`, d: MARKS[i](x(one.intensity), y(one.estimate)) },
-        svg("title", { text: `${number(one.intensity, 2)}: ${percent(one.estimate)}` }),
+        svg("title", { text: `${number(one.intensity, 2)}${t("colon")}${percent(one.estimate)}` }),
       ),
     );
   return svg(

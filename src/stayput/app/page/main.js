@@ -106,7 +106,7 @@ function tellOld() {
 function display() {
   const { result, scene } = shown;
   see.show(result, scene);
-  tell(result, [t("without"), t("with")], (time) => {
+  tell(result, [t("without"), t("with")], presets.events, (time) => {
     see.clock.seek(time);
     if (part("see").clientWidth === 0) screens.goTo("see");
     see.lookAt();

@@ -35,7 +35,9 @@ export function update() {
     twiceUp(scene),
   ].filter(Boolean);
   const gone = scene.gone && [
-    t(scene.gone.name ? "recordMissing" : "recordMissingUnnamed", { name: scene.gone.name }),
+    t("recordGone", { name: scene.gone.name ? t("recordName", { name: scene.gone.name }) : "" }),
+    t("space"),
+    t("recordReplaced"),
     " ",
     el("button", { type: "button", text: t("understood"), onclick: () => change({ gone: null }) }),
   ];

@@ -43,7 +43,7 @@ export function show(verdict, take) {
           "div",
           { class: "optionhead" },
           el("strong", { text: both(one.label) }),
-          el("span", { class: "tag", text: t("notPossible") }),
+          el("span", { class: "tag", text: t("not_possible") }),
         ),
         el("p", { class: "hint", text: both(one.reason) }),
       ),

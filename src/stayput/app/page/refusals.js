@@ -5,7 +5,7 @@ import { el } from "./dom.js";
 import { spoken, t } from "./words.js";
 
 const BY_STATUS = {
-  0: "noServer",
+  0: "away",
   404: "gone",
   408: "tooSlow",
   413: "tooLarge",
@@ -27,7 +27,7 @@ export function worded(error, lead = "refused") {
     return [t("broken")];
   }
   const { status, message, japanese } = error;
-  if (lacksRecord(error)) return [t("recordGone")];
+  if (lacksRecord(error)) return [t("recordGone", { name: "" })];
   if (status in BY_STATUS) return [t(BY_STATUS[status])];
   if (spoken() === "en") return [`${t(lead)} ${message}`];
   if (japanese) return [japanese];

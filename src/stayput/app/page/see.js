@@ -59,7 +59,7 @@ export function show(shaken, scene) {
   result = shaken;
   look = scene;
   const { start, end } = shownSpan(shaken);
-  part("figure-with").hidden = shaken.runs.length < 2;
+  part("figure-with").hidden = part("key-with").hidden = shaken.runs.length < 2;
   part("stages").dataset.count = String(shaken.runs.length);
   part("tower-box").hidden = !shaken.building;
   part("says-without").textContent = both(shaken.runs[0].sentence);
@@ -67,7 +67,7 @@ export function show(shaken, scene) {
   shaken.runs.forEach((run, i) =>
     part(i ? "stage-with" : "stage-without").setAttribute(
       "aria-label",
-      `${t(i ? "with" : "without")}: ${both(run.sentence)}`,
+      `${t(i ? "with" : "without")}${t("colon")}${both(run.sentence)}`,
     ),
   );
   setHistories(part("histories"), shaken, end);

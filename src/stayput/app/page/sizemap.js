@@ -4,7 +4,7 @@
 import { label, shortClass, ticks, titles } from "./axes.js";
 import { el, fill, part, svg, widthFor } from "./dom.js";
 import { classesKnown } from "./panel_shaking.js";
-import { both, length, number, percent, spoken, t } from "./words.js";
+import { both, length, number, perCent, percent, spoken, t, within } from "./words.js";
 
 let W = 560;
 const H = 320,
@@ -30,7 +30,7 @@ export function show(map) {
         y(ys[j + 1]),
         x(xs[i + 1]) - x(xs[i]),
         y(ys[j]) - y(ys[j + 1]),
-        `${number(map.intensity[i], 2)}, ${length(sizes[j])}: ${shareText(share, map.refused[j])}`,
+        `${number(map.intensity[i], 2)}${t("listed")}${length(sizes[j])}${t("colon")}${shareText(share, map.refused[j])}`,
         map.refused[j] !== null,
       ),
     ),
@@ -80,7 +80,7 @@ export function show(map) {
     part("map"),
     picture,
     key(impossible !== null, unknown),
-    impossible ? el("p", { class: "hint", text: `${t("impossible")}${t("colon")}${reason(impossible)}` }) : [],
+    impossible ? el("p", { class: "hint", text: notPossible(impossible) }) : [],
     el("p", { class: "hint", text: t("mapNote", { motions: number(map.motions) }) }),
   );
 }
@@ -99,11 +99,13 @@ const mark = (x, y) => [
 
 /** Why a piece of a size is not possible, in the reader's language as far as the server has it. */
 const reason = ({ message, message_ja: japanese }) =>
-  spoken() === "ja" ? (japanese ?? t("doesNotFit")) : message;
+  spoken() === "ja" ? (japanese ?? t("doesNotFit")) : within(message);
+
+const notPossible = (refused) => `${t("not_possible")}${t("colon")}${reason(refused)}`;
 
 /** What a cell stands for: a share, or why there is none. */
 const shareText = (share, refused) =>
-  refused ? `${t("impossible")}${t("colon")}${reason(refused)}` : percent(share);
+  refused ? notPossible(refused) : percent(share);
 
 function edges(values) {
   const middles = values.slice(1).map((value, i) => (value + values[i]) / 2);
@@ -185,8 +187,8 @@ function classNames(x, xs) {
 }
 
 function key(impossible, unknown) {
-  const kinds = ["0", "1–25", "26–50", "51–75", "76–100"].map((text, n) => [n, `${text} %`]);
-  if (impossible) kinds.push(["impossible", t("impossible")]);
+  const kinds = ["0", "1–25", "26–50", "51–75", "76–100"].map((text, n) => [n, perCent(text)]);
+  if (impossible) kinds.push(["impossible", t("not_possible")]);
   if (unknown) kinds.push(["unknown", t("notKnown")]);
   return el(
     "ul",

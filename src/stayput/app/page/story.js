@@ -3,37 +3,30 @@
 import { el, fill, part } from "./dom.js";
 import { both, length, number, t } from "./words.js";
 
-const TOLD = {
-  slip: "ev_slip",
-  uplift: "ev_uplift",
-  "wall impact": "ev_wall",
-  "ceiling impact": "ev_ceiling",
-  "device failure": "ev_device",
-  overturned: "ev_overturned",
-  failed: "ev_failed",
-};
+const TOLD = ["slip", "uplift", "wall impact", "ceiling impact", "overturned", "failed"];
 
-/** The first event of each kind, in their order: {time, text}. */
-export function story(run) {
+/** The first event of each kind, in their order: {time, text}; "labels" are the server's names of the kinds. */
+function story(run, labels) {
   const events = [];
   const seen = new Set();
   for (const { time_s: time, kind } of run.events) {
-    if (!(kind in TOLD) || seen.has(kind) || kind === "device failure") continue;
+    if (!TOLD.includes(kind) || seen.has(kind)) continue;
     seen.add(kind);
-    events.push({ time, text: t(TOLD[kind]) });
+    events.push({ time, text: both(labels[kind]) });
   }
   for (const device of run.devices)
     if (device.failed && device.failure_time_s !== null)
-      events.push({ time: device.failure_time_s, text: t("ev_device", { device: both(device.label) }) });
+      events.push({ time: device.failure_time_s, text: t("deviceFails", { device: both(device.label) }) });
   return events.sort((a, b) => a.time - b.time);
 }
 
-/** Writes both runs' stories; "seek" takes the time that the reader chose. */
-export function tell(result, titles, seek) {
+/** Writes both runs' stories with the names of events; "seek" takes the time that the reader chose. */
+export function tell(result, titles, events, seek) {
+  const labels = Object.fromEntries(events.map((one) => [one.id, one.label]));
   fill(
     part("story"),
     result.runs.map((run, i) => {
-      const events = story(run);
+      const events = story(run, labels);
       return el(
         "div",
         {},
@@ -49,7 +42,7 @@ export function tell(result, titles, seek) {
                   el(
                     "button",
                     { type: "button", class: "jump", onclick: () => seek(time) },
-                    el("span", { class: "when", text: `${number(time, 1)} s` }),
+                    el("span", { class: "when", text: `${number(time, 1)}\u00a0s` }),
                     ` ${text}`,
                   ),
                 ),

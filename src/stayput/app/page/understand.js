@@ -15,7 +15,7 @@ import * as sizemap from "./sizemap.js";
 import { line } from "./verification.js";
 import * as verdict from "./verdict.js";
 import * as whatif from "./whatif.js";
-import { number, t } from "./words.js";
+import { number, perCent, t } from "./words.js";
 
 const SETTLED = 900,
   REST = ["ranking", "fragility", "map"];
@@ -180,5 +180,5 @@ function state(name) {
 
 function progress(share) {
   part("progress").value = share;
-  part("progress").setAttribute("aria-valuetext", `${number(100 * share)} %`);
+  part("progress").setAttribute("aria-valuetext", perCent(number(100 * share)));
 }

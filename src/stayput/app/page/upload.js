@@ -90,7 +90,7 @@ function asking(file, said, field) {
 }
 
 /** Says that the server no longer has the record. */
-export const lost = () => tell(() => [refusal([t("recordGone")])]);
+export const lost = () => tell(() => [refusal([t("recordGone", { name: "" })])]);
 
 /** Takes a record that is on the server into the scene, as it is. */
 export async function use(motion) {

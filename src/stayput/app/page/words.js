@@ -25,14 +25,17 @@ export const preferredLanguage = () =>
 /** The words for a key; "{name}" in them is replaced by the value of that name. */
 export function t(key, values = {}) {
   const text = TABLES[language][key] ?? TABLES.en[key] ?? key;
-  return text.replace(/\{(\w+)\}/g, (whole, name) => (name in values ? values[name] : whole));
+  return tight(text.replace(/\{(\w+)\}/g, (whole, name) => (name in values ? values[name] : whole)));
 }
 
 /** Whether there are words for a key. */
 export const known = (key) => key in TABLES[language];
 
 /** Of a text in both languages, as the server sends them, the one that is spoken. */
-export const both = (pair) => (typeof pair === "string" ? pair : (pair?.[language] ?? pair?.en ?? ""));
+export const both = (pair) => tight(typeof pair === "string" ? pair : (pair?.[language] ?? pair?.en ?? ""));
+
+/** A text whose lines do not end between a number and its unit. */
+const tight = (text) => text.replace(/(\d) (?=(?:%|[ck]?m|kg|k?N|Hz|s|m\/s²|cm\/s)(?![\w/]))/g, "$1\u00a0");
 
 /** The same of a measure's label as it stands within a sentence: English begins it small, "L-brackets" apart. */
 export const within = (pair) =>
@@ -57,10 +60,18 @@ export const length = (metres) =>
     ? `${number(metres, 2)}\u00a0m`
     : `${number(100 * metres, Math.abs(metres) < 0.1 ? 1 : 0)}\u00a0cm`;
 
-/** A share as a whole percentage, never 0 or 100 where it is not quite that; words where it is not known. */
+/** A number as a percentage. */
+export const perCent = (text) => (language === "ja" ? `${text}%` : `${text}\u00a0%`);
+
+/**
+ * A share as a percentage, finer below 1 and above 99 as in the server's sentences; never 0 or 100 where it is not
+ * quite that; words where it is not known.
+ */
 export function percent(share) {
   if (share === null || share === undefined) return t("notKnown");
-  if (share > 0 && share < 0.01) return language === "ja" ? "1%未満" : "under 1\u00a0%";
-  if (share < 1 && share > 0.99) return language === "ja" ? "99%超" : "over 99\u00a0%";
-  return language === "ja" ? `${Math.round(100 * share)}%` : `${Math.round(100 * share)}\u00a0%`;
+  const value = 100 * share;
+  if (value > 0 && value < 0.05) return t("under", { share: perCent("0.1") });
+  if (value > 99.95 && value < 100) return t("over", { share: perCent("99.9") });
+  const fine = (value > 0 && value < 0.95) || (value > 99.05 && value < 100);
+  return perCent(number(value, fine ? 1 : 0));
 }

@@ -77,8 +77,6 @@ class Family:
     ----------
     label : str
         What it is called in a motion's name.
-    about : str
-        What it stands for, in one sentence.
     magnitudes : (float, float)
         Moment magnitudes, all equally likely.
     distances : (float, float)
@@ -98,7 +96,6 @@ class Family:
     """
 
     label: str
-    about: str
     magnitudes: tuple[float, float]
     distances: tuple[float, float]
     stress_drop: float
@@ -112,7 +109,6 @@ class Family:
 KINDS: dict[str, Family] = {
     "near-fault": Family(
         label="near-fault",
-        about="a shallow earthquake next to its fault, with a velocity pulse like that of Kobe 1995",
         magnitudes=(6.5, 7.2),
         distances=(2.0, 12.0),
         stress_drop=10.0,
@@ -123,7 +119,6 @@ KINDS: dict[str, Family] = {
     ),
     "crustal": Family(
         label="crustal",
-        about="a shallow earthquake in the crust, some tens of kilometres away",
         magnitudes=(6.2, 7.3),
         distances=(10.0, 60.0),
         stress_drop=10.0,
@@ -133,7 +128,6 @@ KINDS: dict[str, Family] = {
     ),
     "subduction": Family(
         label="subduction",
-        about="a great earthquake at a plate boundary: long shaking, in one or more bursts",
         magnitudes=(7.8, 8.8),
         distances=(40.0, 120.0),
         stress_drop=10.0,
@@ -143,7 +137,6 @@ KINDS: dict[str, Family] = {
     ),
     "basin": Family(
         label="long-period basin",
-        about="a great earthquake felt in a deep basin, whose late surface waves have periods of 3 to 8 s",
         magnitudes=(7.6, 8.8),
         distances=(50.0, 160.0),
         stress_drop=10.0,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import CurveState
 from stayput.motion.intensity import CLASSES
-from stayput.report.verdict import svg
+from stayput.report.verdict import numbers, svg
 from stayput.report.verdict.words import word
 from stayput.verification.words import class_label, title
 
@@ -112,7 +112,7 @@ def _frame(x: svg.PixelAxis, y: svg.PixelAxis, language: str) -> list[str]:
     for share in (0.0, 0.2, 0.4, 0.6, 0.8, 1.0):
         level = y.place(share)
         parts += [svg.line(LEFT, level, RIGHT, level, "grid")]
-        parts += [svg.label(LEFT - 7.0, level + 4.5, f"{100.0 * share:.0f} %", anchor="end")]
+        parts += [svg.label(LEFT - 7.0, level + 4.5, numbers.share(share, language), anchor="end")]
     for value in svg.ticks(x.low, x.high, 7):
         across = x.place(value)
         parts += [svg.line(across, BOTTOM, across, BOTTOM + 5.0, "axis")]

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 from functools import partial
 from importlib import resources
 from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 import stayput
 from stayput.catalogue import say
@@ -48,6 +49,8 @@ if TYPE_CHECKING:
     from stayput.report.scene import Scene
     from stayput.report.verdict.pairs import RunPair
     from stayput.verification import OptionVerdict, Verdict
+
+_BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:%|[ck]?m|kg|k?N|Hz|s|m/s²|cm/s|秒)(?![\w/]))")
 
 SUFFIXES = (".html",)
 """The kind of file that a report is written as."""
@@ -101,8 +104,8 @@ def report_html(verdict: Verdict, language: str = "en") -> str:
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
+        finalize=_tight,
     )
-    pages.filters["tight"] = _tight
     return pages.get_template("report.html").render(_content(verdict, language))
 
 
@@ -160,9 +163,9 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         ],
         "estimates": estimate_rows(verdict, language),
         "assumptions": [(a.what(language), a.value(language), a.confidence) for a in assumptions(verdict)],
-        "toml": scenario.to_toml(),
+        "toml": escape(scenario.to_toml()),
         "reads_files": scenario.shaking.record is not None or isinstance(scenario.shaking.suite, str),
-        "command": command(verdict, language),
+        "command": escape(command(verdict, language)),
         "style": Markup(inks_css() + _file("report.css")),
         "script": Markup(script_module(_file("report.js"))),
     }
@@ -174,9 +177,11 @@ def command(verdict: Verdict, language: str, file: str = "scenario.toml") -> str
     return shlex.join([*words, "--report", "report.html"])
 
 
-def _tight(text: str) -> str:
-    """Return a text whose lines do not end between a number and its sign of per cent."""
-    return text.replace(" %", "\N{NO-BREAK SPACE}%")
+def _tight(value: object) -> object:
+    """Return a text whose lines do not end between a number and its unit; anything else as it is."""
+    if not isinstance(value, str) or isinstance(value, Markup):
+        return value
+    return _BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", value)
 
 
 def _file(name: str) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from stayput.catalogue import say
 from stayput.fragility.probabilities import percent
 from stayput.report.verdict.words import word
 from stayput.verification.words import length as length_of
@@ -34,7 +35,7 @@ def interval(chance: Probability, language: str) -> str:
     if chance.runs == 0:
         return ""
     low, high = percent(chance.low), share(chance.high, language)
-    return f"{low} to {high}" if language == "en" else f"{low}〜{high}"
+    return f"{low} to {high}" if language == "en" else f"{low}～{high}"
 
 
 def with_interval(chance: Probability, language: str) -> str:
@@ -154,14 +155,4 @@ def capacity_interval(reached: Capacity | None, language: str) -> str:
         return ""
     if reached.one_motion:
         return word("no_interval", language)
-    show = reached.measure.text
-    first, last = show(reached.low, unit=False), show(reached.high, unit=False)
-    if math.isinf(reached.high):
-        return (
-            word("unknown", language)
-            if reached.low <= reached.measure.least
-            else word("at_least", language, low=first)
-        )
-    if reached.low <= reached.measure.least:
-        return word("at_most", language, high=last)
-    return word("between", language, low=first, high=last)
+    return say(reached.ends, language)

@@ -18,7 +18,8 @@ from stayput.report.verdict.words import named, word
 from stayput.spreadsheets import text_cell
 from stayput.verification import EVENTS
 from stayput.verification.grades import weakest
-from stayput.verification.words import reason
+from stayput.verification.words import reason, title
+from stayput.wording import with_aside
 
 if TYPE_CHECKING:
     from stayput.fragility import Probability
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
 
 SHARES = (0.1, 0.5)
 """Shares of overturning whose intensities stand in the tables."""
+
+_NO_MEASURE = "No measure"
+"""The option without measures in the CSV file, whose values stay what they are."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,11 +121,7 @@ def _row(result: OptionVerdict, verdict: Verdict, language: str) -> RankingRow:
 def impossible_rows(verdict: Verdict, language: str) -> list[tuple[str, str]]:
     """Return label and reason of each option that cannot be put in place."""
     return [
-        (
-            impossible.option.label(language)
-            + (word("aside", language, content=impossible.option.name) if impossible.option.own_name else ""),
-            impossible.why(language),
-        )
+        (title(impossible.option, verdict, language), impossible.why(language))
         for impossible in verdict.impossible
     ]
 
@@ -166,7 +166,7 @@ def _device_name(device: DeviceSummary, names: dict[str, str], language: str) ->
     if device.name in ("", device.kind):
         return name
     where = device.name.removeprefix(device.kind).strip()
-    return name + word("aside", language, content=named(where, language))
+    return with_aside(name, named(where, language), language)
 
 
 def simulations(verdict: Verdict, language: str) -> str:
@@ -198,7 +198,7 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
     record: dict[str, object] = {
         "rank": result.rank,
         "option": result.option.name,
-        "measures": result.option.label("en"),
+        "measures": result.option.label("en") if result.option.measures else _NO_MEASURE,
     }
     for event, chance in result.probabilities.items():
         ends = (("", chance.estimate), ("_low", chance.low), ("_high", chance.high))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from stayput.catalogue import say
+from stayput.catalogue import TEXTS, say
 from stayput.catalogue.names import FAMILIES, MOTIONS, PIECES, PLACES, SURFACES
 
 _NAMES = {
@@ -25,13 +25,14 @@ def word(key: str, language: str, **values: object) -> str:
     Parameters
     ----------
     key : str
-        Its key in `stayput.catalogue.report`.
+        Its key in `stayput.catalogue.report`, or in `stayput.catalogue.common`.
     language : str
         "en" or "ja".
     **values
         What stands in its braces.
     """
-    return say(f"report.{key}", language, **values)
+    module = "report" if f"report.{key}" in TEXTS else "common"
+    return say(f"{module}.{key}", language, **values)
 
 
 def named(name: str, language: str) -> str:
