@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -65,6 +66,7 @@ def test_intervals_of_few_and_of_many_motions_hold_the_truth(
         assert found.median["I50"] == pytest.approx(true["I50"], abs=0.02)
 
 
+@cache
 def _changes(family: Mixture, motions: int, samples: int, studies: int) -> np.ndarray:
     """Return lower end, estimate and upper end of the difference of each study."""
     bits = random_bits(7, motions, samples)
