@@ -212,7 +212,7 @@ class Uncertainty:
             int(within("verification.start", start, 0, 2**20)),
         )
         streams = 1 if motions is None else int(within("verification.motions", motions, 1, 100_000))
-        within("verification.seed", seed, 0, 2**63)
+        within("common.seed", seed, 0, 2**63)
         if method not in ("sobol", "latin hypercube"):
             raise InputError("verification.sampling_method", "method", method=repr(method))
         if method != "sobol" and first:

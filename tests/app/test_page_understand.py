@@ -65,7 +65,7 @@ def test_the_ranking_is_the_verdicts(verified: tuple[Opened, dict]) -> None:
     assert rows.count() == len(verdict["options"])
     for i, option in enumerate(verdict["options"]):
         text = rows.nth(i).inner_text()
-        assert option["reason"]["en"] in text
+        assert option["reason"]["en"] in text.replace("\xa0", " ")
         if option["measures"]:
             assert option["label"]["en"] in text
     assert "yours" in it.text("#ranking .yours")

@@ -24,6 +24,7 @@ from stayput.report.summary import piece_sentences, rows, sentence
 from stayput.report.verdict import numbers
 from stayput.report.verdict.words import word
 from stayput.simulation.run import Outcome
+from stayput.verification.notes import notes
 from stayput.verification.options import Option
 from stayput.verification.words import headline, reason, title
 from stayput.wording import FAR, counted, inside
@@ -193,6 +194,25 @@ def test_outcomes_of_the_report(tilt, slide):
             assert "up to less" not in text
             assert not re.search(r"最大[^、]*未満", text)
             assert "0.0" not in text
+
+
+def test_the_note_on_grades_is_about_the_option_that_is_asked_for():
+    verdict = verdict_cases.made()
+    best, bare = (
+        " ".join(english for english, _ in notes(verdict, graded))
+        for graded in (None, verdict.without.option)
+    )
+    assert "The numbers of “Belts” rest on" in best
+    assert "The numbers of “Without measures” rest on" in bare
+    assert "Belts" not in bare
+
+
+def test_an_addition_stands_in_the_brackets_that_a_japanese_name_ends_in():
+    verdict = held("gel_mats")
+    mine = replace(verdict.best, option=Option("うちのマット", verdict.best.option.measures))
+    named = replace(verdict, options=(mine, *verdict.options[1:]))
+    assert title(mine.option, named, "ja") == "耐震ゲルマット（粘着マット式、うちのマット）"
+    assert title(mine.option, named, "en") == "Adhesive gel mats (うちのマット)"
 
 
 def test_counts():

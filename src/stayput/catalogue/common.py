@@ -5,6 +5,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "listed": ("; ", "、"),
     "stop": (". ", "。"),
     "not_possible": ("not possible", "設置不可"),
+    "unknown": ("unknown", "不明"),
+    "seed": ("Seed", "乱数のシード"),
     "without": ("Without measures", "対策なし"),
     "under": ("under {share}", "{share}未満"),
     "over": ("over {share}", "{share}超"),

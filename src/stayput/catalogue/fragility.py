@@ -63,7 +63,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "capacity_between": ("between {above} and {below}{doubt}", "{above}～{below}{doubt}"),
     "capacity_above": ("> {above}{doubt}", "{above}超{doubt}"),
     "capacity_below": ("< {below}{doubt}", "{below}未満{doubt}"),
-    "capacity_unknown": ("unknown", "不明"),
     "ends": ("{low} to {high}", "{low}～{high}"),
     "at_most": ("at most {high}", "{high}以下"),
     "more_than": ("more than {low}", "{low}超"),

@@ -87,12 +87,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "falls": ("overturned", "転倒"),
     "none": ("none", "なし"),
     "no_device": ("no device", "器具なし"),
-    "unknown": ("unknown", "不明"),
     "unsure": ("unsure", "不確実"),
     "up_to": ("up to {value}", "最大{value}"),
     "less_than": ("less than {value}", "{value}未満"),
     "more_than": ("more than {value} (no wall to stop it)", "{value}を超えて（止める壁なし）"),
-    "between": ("{low} to {high}", "{low}～{high}"),
     "interval": ("95 % interval", "95%区間"),
     "fragility": ("How strong may the shaking be?", "どの強さの揺れまで耐えるか"),
     "fragility_text": (
@@ -269,7 +267,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "It names files of records; they are needed too, in the same place relative to it.",
         "記録ファイルの名前を含みます。それらも同じ相対位置に必要です。",
     ),
-    "seed": ("Seed", "乱数のシード"),
     "command": ("Command", "コマンド"),
     "took": ("{seconds} s of computing", "計算時間 {seconds} 秒"),
     "version": ("Version", "版"),
@@ -289,7 +286,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     # What a verdict rests on.
     "piece_text": (
         "{width:g} m × {height:g} m, {mass:.4g} kg, centre of gravity {up:.3g} m up{forward}",
-        "{width:g} m × {height:g} m, {mass:.4g} kg、重心の高さ {up:.3g} m{forward}",
+        "{width:g} m × {height:g} m、{mass:.4g} kg、重心の高さ {up:.3g} m{forward}",
     ),
     "forward": (", {across:+.3g} m forward", "、前方へ {across:+.3g} m"),
     "surface": ("{name}: ", "{name}："),

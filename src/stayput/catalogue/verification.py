@@ -135,7 +135,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "draws": ("Draws", "サンプル数"),
     "start": ("Start", "開始番号"),
     "motions": ("Motions", "地震動の数"),
-    "seed": ("Seed", "乱数のシード"),
     "not_above_zero": (
         "{name} is {value:g}; it must be larger than 0.",
         "{name}が{value:g}になっています。0より大きい値にしてください。",

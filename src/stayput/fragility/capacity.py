@@ -55,7 +55,7 @@ class Capacity:
         low = None if self.low <= self.measure.least else self.measure.text(self.low, unit=False)
         high = None if math.isinf(self.high) else self.measure.text(self.high, unit=False)
         if low is None and high is None:
-            return phrase("fragility.capacity_unknown")
+            return phrase("common.unknown")
         if low is None:
             return phrase("fragility.at_most", high=high)
         return phrase("fragility.more_than" if high is None else "fragility.ends", low=low, high=high)
@@ -70,7 +70,7 @@ class Capacity:
             return phrase("fragility.capacity", value=show(self.estimate), ends=self.ends)
         bounds = (self.above > least, math.isfinite(self.below))
         if not any(bounds):
-            return phrase("fragility.capacity_unknown")
+            return phrase("common.unknown")
         key = "between" if all(bounds) else "above" if bounds[0] else "below"
         doubt = "one_motion" if self.one_motion else "unsure"
         return phrase(

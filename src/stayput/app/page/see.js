@@ -42,7 +42,7 @@ function draw(now) {
     "aria-valuetext",
     t("timeText", { now: number(now, 1), end: number(clock.end, 0) }),
   );
-  part("clock").textContent = `${number(now, 1)} / ${number(clock.end, 0)} s`;
+  part("clock").textContent = `${number(now, 1)} / ${number(clock.end, 0)}\u00a0s`;
 }
 
 /** Reads what the server calls the modes, and their colours. */

@@ -166,7 +166,7 @@ function about(record) {
       "p",
       {},
       el("strong", { text: record.name }),
-      ` ${number(motion.duration_s, 0)} s, ${number(motion.pga_m_s2, 2)} m/s²${strength}`,
+      ` ${number(motion.duration_s, 0)}\u00a0s, ${number(motion.pga_m_s2, 2)}\u00a0m/s²${strength}`,
     ),
     channels(motion) ?? [],
     ...warnings(motion),

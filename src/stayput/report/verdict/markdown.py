@@ -21,6 +21,7 @@ from stayput.report.verdict.tables import (
 )
 from stayput.report.verdict.words import word
 from stayput.verification.words import headline, title
+from stayput.wording import with_aside
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -106,9 +107,10 @@ def _cells(row: RankingRow, language: str) -> tuple[str, ...]:
     shares = tuple(
         NO_NUMBER if chance is None else with_interval(chance, language) for _, chance in row.shares
     )
-    label = f"{row.label} ({row.name})" if row.name else row.label
-    capacities = (f"{middle} ({ends})" if ends else middle for middle, ends in row.capacities)
-    return str(row.option.rank), label, *shares, ", ".join(row.slide), *capacities, row.grade, row.reason
+    label = with_aside(row.label, row.name, language) if row.name else row.label
+    capacities = (with_aside(middle, ends, language) if ends else middle for middle, ends in row.capacities)
+    slide = word("listed", language).join(row.slide)
+    return str(row.option.rank), label, *shares, slide, *capacities, row.grade, row.reason
 
 
 def _table(heading: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:

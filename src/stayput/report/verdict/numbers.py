@@ -48,7 +48,7 @@ def change(difference: Difference | None, language: str) -> str:
     """Return a difference of probabilities: "−35 points (−48 to −20)"."""
     if difference is None or difference.pairs == 0:
         return NO_NUMBER
-    ends = word("between", language, low=percent(difference.low), high=percent(difference.high))
+    ends = say("fragility.ends", language, low=percent(difference.low), high=percent(difference.high))
     joint, sign = " " if language == "en" else "", "+" if difference.estimate > 0.0 else ""
     text = f"{sign}{percent(difference.estimate)}{joint}{word('points', language)}"
     return text + word("aside", language, content=ends)
@@ -141,7 +141,7 @@ def capacity(reached: Capacity | None, language: str, *, brief: bool = False) ->
     if not above and not below:
         return word("unknown", language)
     if above and below:
-        text = word("between", language, low=show(reached.above, unit=False), high=show(reached.below))
+        text = say("fragility.ends", language, low=show(reached.above, unit=False), high=show(reached.below))
     else:
         text = f"> {show(reached.above)}" if above else f"< {show(reached.below)}"
     doubt = word("no_interval" if reached.one_motion else "unsure", language)
