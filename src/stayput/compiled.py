@@ -14,7 +14,6 @@ only public interfaces of Numba and llvmlite are used.
 from __future__ import annotations
 
 import ctypes
-import os
 import threading
 from contextlib import contextmanager
 from functools import cached_property
@@ -26,6 +25,8 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
+    from numpy.typing import NDArray
+
     from stayput.machine_code import MachineCode
 
 P = ParamSpec("P")
@@ -35,9 +36,6 @@ SETTINGS = {"error_model": "numpy", "_nrt": False, "no_cpython_wrapper": True, "
 """Division by zero gives infinity or NaN, as in IEEE arithmetic, not an exception; no reference counting. No
 Python wrappers, which would take most of a cold compile.
 """
-
-INTERPRETED = os.environ.get("NUMBA_DISABLE_JIT", "0") != "0"
-"""Whether everything runs as Python, as Numba's own variable asks for: slow, but a debugger sees it."""
 
 _compiling = threading.RLock()
 _announcements: list[Callable[[], None]] = []
@@ -76,12 +74,12 @@ class _Inner:
 
 def inner(function: Callable[P, T]) -> Callable[P, T]:
     """Compile a function that only compiled functions call."""
-    return function if INTERPRETED else _Inner(function, forceinline=False)  # type: ignore[return-value]
+    return _Inner(function, forceinline=False)  # type: ignore[return-value]
 
 
 def inline(function: Callable[P, T]) -> Callable[P, T]:
     """Compile a small function into its callers: one that every step of every case calls."""
-    return function if INTERPRETED else _Inner(function, forceinline=True)  # type: ignore[return-value]
+    return _Inner(function, forceinline=True)  # type: ignore[return-value]
 
 
 class Entry:
@@ -116,10 +114,14 @@ class Entry:
             with _compiling:
                 call = self._loaded.get(kinds) or self._load(kinds)
         values: list[Any] = []
+        copies: list[tuple[NDArray[Any], NDArray[Any]]] = []
         for argument in arguments:
-            _append_values(argument, values)
+            _append_values(argument, values, copies)
         if status := call(ctypes.byref(ctypes.c_void_p()), ctypes.byref(ctypes.c_void_p()), *values):
             raise RuntimeError(f"{self.__name__} ended with the status {status}.")
+        for array, copy in copies:
+            if array.flags.writeable:
+                array[...] = copy
 
     def _load(self, kinds: tuple[Any, ...]) -> Callable[..., int]:
         code = self._machine_code(kinds)
@@ -168,7 +170,7 @@ class Entry:
 
 def entry(function: Callable[P, None]) -> Callable[P, None]:
     """Compile a function that Python calls."""
-    return function if INTERPRETED else Entry(function)  # type: ignore[return-value]
+    return Entry(function)  # type: ignore[return-value]
 
 
 def _numba() -> Any:
@@ -179,6 +181,8 @@ def _numba() -> Any:
 
 
 def _njit(function: Callable[..., Any], *, forceinline: bool = False) -> Any:
+    if _numba().config.DISABLE_JIT:
+        raise RuntimeError("NUMBA_DISABLE_JIT is set; the mechanics run as compiled code only.")
     return _numba().njit(**SETTINGS, forceinline=forceinline)(function)
 
 
@@ -189,7 +193,7 @@ def kind_of(argument: Any) -> Any:
     tuple and what it holds.
     """
     if isinstance(argument, np.ndarray):
-        if not argument.flags.c_contiguous or not argument.flags.aligned:
+        if not argument.flags.c_contiguous:
             raise TypeError("An array is not contiguous; compiled functions take contiguous arrays.")
         return argument.dtype, argument.ndim
     if isinstance(argument, tuple):
@@ -238,14 +242,22 @@ def _append_types(kind: Any, types: list[Any]) -> None:
                 _append_types(part, types)
 
 
-def _append_values(argument: Any, values: list[Any]) -> None:
-    """Append the C values of an argument."""
+def _append_values(argument: Any, values: list[Any], copies: list[tuple[NDArray[Any], NDArray[Any]]]) -> None:
+    """Append the C values of an argument.
+
+    An array that is not aligned, as one that has come from another process may be, is appended to ``copies``
+    with its aligned copy.
+    """
     if isinstance(argument, np.ndarray):
+        if not argument.flags.aligned:
+            original: NDArray[Any] = argument
+            argument = original.copy()
+            copies.append((original, argument))
         values += (None, None, argument.size, argument.itemsize, argument.ctypes.data)
         values += (*argument.shape, *argument.strides)
     elif isinstance(argument, tuple):
         for part in argument:  # pyright: ignore[reportUnknownVariableType]
-            _append_values(part, values)
+            _append_values(part, values, copies)
     else:
         values.append(argument)
 

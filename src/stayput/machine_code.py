@@ -16,6 +16,7 @@ import stat
 import sys
 import tempfile
 import zlib
+from contextlib import suppress
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -75,8 +76,9 @@ class MachineCode:
                 continue
             if hashlib.sha256(content[_DIGEST:]).digest() != content[:_DIGEST]:
                 continue
-            stamp, symbol, size, rest = content[_DIGEST:].split(b"\0", 3)
+            stamp, _, content = content[_DIGEST:].partition(b"\0")
             if stamp.decode() == self._stamp:
+                symbol, size, rest = content.split(b"\0", 2)
                 return rest[: int(size)], symbol, rest[int(size) :]
         return None
 
@@ -149,8 +151,9 @@ def _folders(beside: Path) -> Generator[Path]:
     home = {"win32": os.environ.get("LOCALAPPDATA"), "darwin": "~/Library/Caches"}.get(
         sys.platform, os.environ.get("XDG_CACHE_HOME", "~/.cache")
     )
-    if home:
-        yield Path(home).expanduser() / "stayput"
+    with suppress(RuntimeError):  # a user without a home
+        if home:
+            yield Path(home).expanduser() / "stayput"
     if folder := _temporary_folder():
         yield folder
 

@@ -17,6 +17,7 @@ from forks import start
 from numba import njit
 
 import stayput.compiled as compiled
+from stayput.mechanics.flat import block_extremes
 
 CALLER = """
 import numpy as np
@@ -211,3 +212,18 @@ def test_constants_do_not_compile_a_function_anew():
 
     assert both(2.0) == 16.0
     assert len(raised.dispatcher.signatures) == 1
+
+
+def test_an_array_that_is_not_aligned_is_read_and_written():
+    low, high = (np.frombuffer(bytearray(8 * 1 + 1), np.uint8)[1:].view(float) for _ in range(2))
+    values = np.frombuffer(bytes(1) + np.arange(5.0).tobytes(), np.uint8)[1:].view(float)
+    assert not (low.flags.aligned or values.flags.aligned)
+    block_extremes(values, low, high)
+    assert (low[0], high[0]) == (0.0, 4.0)
+
+
+def test_an_array_with_gaps_and_another_type_are_refused():
+    with pytest.raises(TypeError, match="contiguous"):
+        block_extremes(np.arange(8.0)[::2], *np.zeros((2, 1)))
+    with pytest.raises(TypeError, match="cannot take a str"):
+        block_extremes("values", *np.zeros((2, 1)))

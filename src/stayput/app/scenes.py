@@ -158,5 +158,5 @@ def _number(value: object) -> float:
     try:
         number = float(value)
     except OverflowError:  # a whole number of hundreds of digits
-        return math.copysign(1e300, value)
+        return 1e300 if value > 0 else -1e300
     return number if math.isfinite(number) else 0.0
