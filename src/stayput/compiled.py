@@ -250,7 +250,7 @@ def _append_values(argument: Any, values: list[Any], copies: list[tuple[NDArray[
     """
     if isinstance(argument, np.ndarray):
         if not argument.flags.aligned:
-            original: NDArray[Any] = argument
+            original = cast("NDArray[Any]", argument)
             argument = original.copy()
             copies.append((original, argument))
         values += (None, None, argument.size, argument.itemsize, argument.ctypes.data)

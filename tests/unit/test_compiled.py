@@ -12,6 +12,7 @@ from contextlib import redirect_stderr, redirect_stdout
 from io import StringIO
 from pathlib import Path
 
+import numpy as np
 import pytest
 from forks import start
 from numba import njit
@@ -217,7 +218,7 @@ def test_constants_do_not_compile_a_function_anew():
 def test_an_array_that_is_not_aligned_is_read_and_written():
     low, high = (np.frombuffer(bytearray(8 * 1 + 1), np.uint8)[1:].view(float) for _ in range(2))
     values = np.frombuffer(bytes(1) + np.arange(5.0).tobytes(), np.uint8)[1:].view(float)
-    assert not (low.flags.aligned or values.flags.aligned)
+    assert not any(array.flags.aligned for array in (values, low, high))
     block_extremes(values, low, high)
     assert (low[0], high[0]) == (0.0, 4.0)
 
