@@ -89,7 +89,7 @@ def test_the_reports_toml_makes_the_same_verdict(file, done, tmp_path):
         (["--markdown", "r.html"], "must end in .md"),
         (["--csv", "r.html"], "must end in .csv"),
         (["--slide-limit", "-1"], "--slide-limit"),
-        (["--threads", "0"], "threads"),
+        (["--threads", "0"], "Threads"),
     ],
 )
 def test_what_is_wrong_is_refused_before_any_work(file, arguments, said):

@@ -46,6 +46,11 @@ def test_sine_and_cosine_of_what_is_not_finite_are_not_numbers():
     assert np.isnan(sines(np.array([math.nan, math.inf]))).all()
 
 
+def test_sine_and_cosine_of_any_angle_are_no_more_than_one():
+    x = np.concatenate([np.geomspace(1e3, 1e300, 2000), -np.geomspace(1e3, 1e300, 2000)])
+    assert np.abs(sines(x)).max() <= 1.0 + 1e-6
+
+
 def test_angles_of_slopes_are_within_two_units():
     rng = np.random.default_rng(2)
     run, rise = rng.uniform(1e-3, 1.0, 20_000), rng.uniform(-3.0, 3.0, 20_000)

@@ -23,7 +23,13 @@ _C = tuple((-1.0) ** k / math.factorial(2 * k) for k in range(2, 9))
 
 @inner
 def sine_and_cosine(x):
-    """Sine and cosine of an angle up to 10⁵ [rad]: reduced to |r| ≤ π/4, then their Taylor series."""
+    """Sine and cosine of an angle up to 10⁵ [rad]: reduced to |r| ≤ π/4, then their Taylor series.
+
+    Farther off they are less precise, and beyond 10⁹ they are those of zero: a step on trial may turn the body
+    so far, and is rejected, but by an error that is a number.
+    """
+    if 1e9 < abs(x) < math.inf:
+        return 0.0, 1.0
     turns = math.floor(x * _TWO_OVER_PI + 0.5)
     high, low = x - turns * _HALF_PI, turns * _HALF_PI_REST
     r = high - low
