@@ -25,8 +25,8 @@ _C = tuple((-1.0) ** k / math.factorial(2 * k) for k in range(2, 9))
 def sine_and_cosine(x):
     """Sine and cosine of an angle up to 10⁵ [rad]: reduced to |r| ≤ π/4, then their Taylor series.
 
-    Farther off they are less precise, and beyond 10⁹ they are those of zero: a trial step may turn the body so
-    far, and is rejected, but by an error that is a number.
+    Farther off they are less precise, and beyond 10⁹ they are those of zero: a trial step may turn the body
+    so far, and is rejected, but by an error that is a number.
     """
     if 1e9 < abs(x) < math.inf:
         return 0.0, 1.0
