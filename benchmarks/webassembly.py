@@ -23,28 +23,21 @@ from stayput.mechanics.runner import BatchArguments, arguments, shaking
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "app"))
 import browsing
 import chromium
-from webassembly_calls import Image
+from webassembly_calls import PLACE, Image
 
 COUNT, REPEATS = 1000, 5
 TIMED = """
 async ([module, content, given, repeats]) => {
-  const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-  const { instance } = await WebAssembly.instantiate(bytes(module), {});
-  const { memory, __heap_base: base, run_bare } = instance.exports;
-  const image = bytes(content);
-  const missing = base.value + image.length - memory.buffer.byteLength;
-  if (missing > 0) memory.grow(Math.ceil(missing / 65536));
-  new Uint8Array(memory.buffer).set(image, base.value);
-  const numbers = given.map(([kind, number]) => (kind === "q" ? BigInt(number) : (number ?? Infinity)));
+  PLACE
   let best = Infinity;
   for (let n = 0; n < repeats; n++) {
     const start = performance.now();
-    run_bare(...numbers);
+    instance.exports.run_bare(...numbers);
     best = Math.min(best, (performance.now() - start) / 1000);
   }
   return best;
 }
-"""
+""".replace("PLACE", PLACE)
 
 
 def in_wasmtime(file: Path, batch: BatchArguments) -> tuple[float, int]:

@@ -138,8 +138,9 @@ class Entry:
 
         # it is made of the sources in the folders of all functions that it names
         named = [value for value in self.py_func.__globals__.values() if isinstance(value, _Inner)]
-        folders = sorted({Path(f.__code__.co_filename).parent for f in (self.py_func, *named)})
-        return MachineCode(f"{self.__module__}.{self.__name__}", kinds, tuple(folders))
+        own = Path(self.py_func.__code__.co_filename).parent
+        others = {Path(function.__code__.co_filename).parent for function in named} - {own}
+        return MachineCode(f"{self.__module__}.{self.__name__}", kinds, (own, *sorted(others)))
 
     def intermediate_code(self, kinds: tuple[Any, ...]) -> str:
         """Return what it is compiled to, for another target than this machine.

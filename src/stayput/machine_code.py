@@ -55,7 +55,7 @@ class MachineCode:
         how = Path(__file__), Path(__file__).with_name("compiled.py")
         sources = [_digest_of(how), *(_digest_of(folder.glob("*.py")) for folder in folders)]
         stamp = repr((name, kinds, processor, versions, sources))
-        self._stamp = hashlib.sha256(stamp.encode()).hexdigest()
+        self._stamp = hashlib.sha256(stamp.encode()).hexdigest().encode()
 
     def load(self) -> int | None:
         """Load it from disk; return its address, or None where there is none that is whole and up to date."""
@@ -77,7 +77,7 @@ class MachineCode:
             if hashlib.sha256(content[_DIGEST:]).digest() != content[:_DIGEST]:
                 continue
             stamp, _, content = content[_DIGEST:].partition(b"\0")
-            if stamp.decode() == self._stamp:
+            if stamp == self._stamp:
                 symbol, size, rest = content.split(b"\0", 2)
                 return rest[: int(size)], symbol, rest[int(size) :]
         return None
@@ -98,7 +98,7 @@ class MachineCode:
         module = llvm.parse_assembly(text)
         symbol = _optimize(module)
         code = _machine().emit_object(module)
-        head = b"\0".join((self._stamp.encode(), symbol.encode(), str(len(code)).encode(), code))
+        head = b"\0".join((self._stamp, symbol.encode(), str(len(code)).encode(), code))
         packed = head + zlib.compress(text.encode())
         self._save(hashlib.sha256(packed).digest() + packed)
         return _address(code, symbol)

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 from browsing import browser  # noqa: F401
-from webassembly_calls import Image
+from webassembly_calls import PLACE, Image
 
 import stayput as sp
 from stayput.measures import MEASURES
 from stayput.measures.measure import element_rows, hold
 from stayput.mechanics.columns import EVENT
-from stayput.mechanics.devices.runner import devices_of
+from stayput.mechanics.devices.runner import devices_of, no_elements
 from stayput.mechanics.engine import run_batch
 from stayput.mechanics.flat import BLOCK, block_extremes
 from stayput.mechanics.runner import arguments, shaking
@@ -95,7 +95,7 @@ def held_cases() -> tuple[np.ndarray, np.ndarray]:
             elements.append(rows)
             cases.append(case_columns(held.body, held.room, State(), 9.80665))
     most = max(map(len, elements))
-    padded = np.zeros((len(elements), most), elements[0].dtype)
+    padded = no_elements(most, len(elements))
     for row, given in zip(padded, elements, strict=True):
         row[: len(given)] = given
     return np.concatenate(cases), padded
@@ -151,21 +151,14 @@ def test_a_history_has_the_same_bytes(runtime: Runtime) -> None:
 
 CALL = """
 async ([module, content, name, given]) => {
-  const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-  const { instance } = await WebAssembly.instantiate(bytes(module), {});
-  const { memory, __heap_base: base } = instance.exports;
-  const image = bytes(content);
-  const missing = base.value + image.length - memory.buffer.byteLength;
-  if (missing > 0) memory.grow(Math.ceil(missing / 65536));
-  new Uint8Array(memory.buffer).set(image, base.value);
-  const numbers = given.map(([kind, number]) => (kind === "q" ? BigInt(number) : (number ?? Infinity)));
+  PLACE
   const status = instance.exports[name](...numbers);
   const after = new Uint8Array(memory.buffer, base.value, image.length);
   let text = "";
   for (const byte of after) text += String.fromCharCode(byte);
   return [status, btoa(text)];
 }
-"""
+""".replace("PLACE", PLACE)
 
 
 @pytest.mark.parametrize("held", [False, True], ids=["bare", "held"])

@@ -6,6 +6,18 @@ from typing import Any
 
 import numpy as np
 
+PLACE = """
+  const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const { instance } = await WebAssembly.instantiate(bytes(module), {});
+  const { memory, __heap_base: base } = instance.exports;
+  const image = bytes(content);
+  const missing = base.value + image.length - memory.buffer.byteLength;
+  if (missing > 0) memory.grow(Math.ceil(missing / 65536));
+  new Uint8Array(memory.buffer).set(image, base.value);
+  const numbers = given.map(([kind, number]) => (kind === "q" ? BigInt(number) : (number ?? Infinity)));
+"""
+"""Script of a page: makes ``instance`` of a module, with an image in its memory, and arguments as numbers."""
+
 Flat = list[tuple[str, float | int]]
 
 
