@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from stayput.compiled import inner
+from stayput.compiled import inline, inner
 from stayput.mechanics.columns import CLOSED, ENDED, TURNED_OVER
 from stayput.mechanics.contact import fill_rows, forces_of_slipping_pair
 from stayput.mechanics.elementary import sine_and_cosine
@@ -19,7 +19,15 @@ from stayput.mechanics.geometry import (
     update_peaks,
 )
 from stayput.mechanics.projection import project_on_both
-from stayput.mechanics.roots import MIN_START_VALUE, closed_level, first_zero, illinois_update, secant
+from stayput.mechanics.roots import (
+    MIN_START_VALUE,
+    between,
+    closed_level,
+    first_zero,
+    illinois_update,
+    quintics,
+    secant,
+)
 from stayput.mechanics.sampling import advance_clock, loads, record_sample
 
 MAX_ROTATION = 0.05
@@ -35,27 +43,34 @@ MIN_STEP = 1e-6
 """Least step of a lean; it is accepted whatever its error [s]."""
 
 
-@inner
-def _slide_rate_after(case, s, a, a_rate, corner, t):
-    """Horizontal velocity of a corner after a time t of flight [m/s]."""
-    theta = s.theta + t * s.omega
-    sin, cos = sine_and_cosine(theta)
-    up = case.v[corner] * cos - case.u[corner] * sin
-    return s.vx - t * (a + 0.5 * t * a_rate) + s.omega * up
+@inline
+def _flown(s, load, t):
+    """State after a time t of free flight under linear loads: place and velocity of G, sin θ and cos θ."""
+    a, a_rate, G, G_rate = load
+    sin, cos = sine_and_cosine(s.theta + t * s.omega)
+    x = s.x + t * (s.vx - t * (a / 2.0 + t * a_rate / 6.0))
+    z = s.z + t * (s.vz - t * (G / 2.0 + t * G_rate / 6.0))
+    return x, z, s.vx - t * (a + 0.5 * t * a_rate), s.vz - t * (G + 0.5 * t * G_rate), sin, cos
+
+
+@inline
+def _slide_rate(case, s, corner, flown):
+    """Horizontal velocity of a corner in flight [m/s]."""
+    _, _, vx, _, sin, cos = flown
+    return vx + s.omega * (case.v[corner] * cos - case.u[corner] * sin)
 
 
 @inner
-def _turn_of_slide(case, s, a, a_rate, h):
+def _turn_of_slide(case, s, load, h, start, end):
     """Time in a step of flight at which the slide reverses (its peak), or h."""
     corner = 1 if s.theta > s.rest else 0
-    rate0 = _slide_rate_after(case, s, a, a_rate, corner, 0.0)
-    rate1 = _slide_rate_after(case, s, a, a_rate, corner, h)
+    rate0, rate1 = _slide_rate(case, s, corner, start), _slide_rate(case, s, corner, end)
     if rate0 * rate1 >= 0.0:
         return h
     bracket = (0.0, abs(rate0), h, -abs(rate1), 0)
     for _ in range(30):
         t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
-        rate = _slide_rate_after(case, s, a, a_rate, corner, t)
+        rate = _slide_rate(case, s, corner, _flown(s, load, t))
         bracket = illinois_update(bracket, t, math.copysign(1.0, rate0) * rate)
         if bracket[2] - bracket[0] <= 1e-9:
             break
@@ -63,27 +78,21 @@ def _turn_of_slide(case, s, a, a_rate, h):
 
 
 @inner
-def _fly(s, a, a_rate, G, G_rate, t):
-    """Advance the state by a time t of free flight under linear loads."""
-    s.x += t * (s.vx - t * (a / 2.0 + t * a_rate / 6.0))
-    s.z += t * (s.vz - t * (G / 2.0 + t * G_rate / 6.0))
-    s.vx -= t * (a + 0.5 * t * a_rate)
-    s.vz -= t * (G + 0.5 * t * G_rate)
-    turn_to(s, s.theta + t * s.omega)
+def _fly(s, load, t):
+    """Advance the state by a time t of free flight."""
+    x, z, vx, vz, sin, cos = _flown(s, load, t)
+    s.theta += t * s.omega
+    s.x, s.z, s.vx, s.vz, s.sin, s.cos = x, z, vx, vz, sin, cos
 
 
-@inner
-def _flying_gap(con, s, a, a_rate, G, G_rate, t):
+@inline
+def _flying_gap(con, s, load, t, flown):
     """Gap of a contact after a time t of flight, with its first and second derivatives."""
-    theta = s.theta + t * s.omega
-    sin, cos = sine_and_cosine(theta)
+    x, z, vx, vz, sin, cos = flown
     sigma, kappa = arm_at(con, sin, cos)
-    x = s.x + t * (s.vx - t * (a / 2.0 + t * a_rate / 6.0))
-    z = s.z + t * (s.vz - t * (G / 2.0 + t * G_rate / 6.0))
-    height = to_plane_axes(con, x, z)[1]
-    rate = to_plane_axes(con, s.vx - t * (a + 0.5 * t * a_rate), s.vz - t * (G + 0.5 * t * G_rate))[1]
-    fall = to_plane_axes(con, -a - t * a_rate, -G - t * G_rate)[1]
-    return height + con.offset - kappa, rate - s.omega * sigma, fall + s.omega * s.omega * kappa
+    fall = to_plane_axes(con, -load[0] - t * load[1], -load[2] - t * load[3])[1]
+    rate = to_plane_axes(con, vx, vz)[1] - s.omega * sigma
+    return to_plane_axes(con, x, z)[1] + con.offset - kappa, rate, fall + s.omega * s.omega * kappa
 
 
 @inner
@@ -93,33 +102,35 @@ def advance_flight(contacts, case, s, motion, history):
     last = ax.shape[0] - 1
     per_second = case.scale / dt
     while s.k < last:
-        a, a_rate, G, G_rate = loads(case, ax, az, per_second, s.k, s.tau)
+        load = loads(case, ax, az, per_second, s.k, s.tau)
         h = dt - s.tau
         if abs(s.omega) * h > MAX_ROTATION:
             h = MAX_ROTATION / abs(s.omega)
         outcome = ENDED
         if abs(s.theta + h * s.omega) >= RIGHT_ANGLE:
             h, outcome = (RIGHT_ANGLE - abs(s.theta)) / abs(s.omega), TURNED_OVER
+        start, end = (s.x, s.z, s.vx, s.vz, s.sin, s.cos), _flown(s, load, h)
         c = 0
         while s.present >> c:
             if s.present >> c & 1:
                 con = contacts[c]
-                g0, v0, c0 = _flying_gap(con, s, a, a_rate, G, G_rate, 0.0)
-                g1, v1, c1 = _flying_gap(con, s, a, a_rate, G, G_rate, h)
+                g0, v0, c0 = _flying_gap(con, s, load, 0.0, start)
+                g1, v1, c1 = _flying_gap(con, s, load, h, end)
                 level = closed_level(g0)
                 t = first_zero(g0 - level, v0, c0, g1 - level, v1, c1, h)
                 if t >= 0.0:
                     for _ in range(2):  # Newton steps on the exact motion; first_zero uses its quintic
-                        g, v, _ = _flying_gap(con, s, a, a_rate, G, G_rate, t)
+                        g, v, _ = _flying_gap(con, s, load, t, _flown(s, load, t))
                         if v < 0.0:
                             t = min(h, max(0.5 * t, t - (g - level) / v))
                     h, outcome, s.hit = t, CLOSED, 1 << c
+                    end = _flown(s, load, h)
             c += 1
-        turn = _turn_of_slide(case, s, a, a_rate, h)
-        _fly(s, a, a_rate, G, G_rate, turn)
+        turn = _turn_of_slide(case, s, load, h, start, end)
+        _fly(s, load, turn)
         update_peaks(case, s)
-        a, G = a + a_rate * turn, G + G_rate * turn
-        _fly(s, a, a_rate, G, G_rate, h - turn)
+        a, a_rate, G, G_rate = load
+        _fly(s, (a + a_rate * turn, a_rate, G + G_rate * turn, G_rate), h - turn)
         update_peaks(case, s)
         s.alpha = 0.0
         s.steps += 1
@@ -168,6 +179,21 @@ def _lean(rows, contacts, case, s, start, load, h):
 
 
 @inner
+def _lean_within(rows, contacts, case, s, start, load, curves, h, t):
+    """Set the state to that a time t into a step of length h: interpolated, and put on both planes.
+
+    Where the contacts jam by its end, the forces have no bound and the interpolant is no number (its sixth
+    coefficient stands for all); then the step is integrated anew.
+    """
+    if math.isnan(curves[2][5]):
+        _lean(rows, contacts, case, s, start, load, t)
+        return
+    s.x, s.z, theta, s.vx, s.vz, s.omega = between(curves, h, t)
+    turn_to(s, theta)
+    project_on_both(contacts[s.i], contacts[s.j], case.inertia, s)
+
+
+@inner
 def _set_levels(contacts, s):
     """Set the levels at which a step ends: gaps of the open contacts, slip rates of the two closed ones."""
     others = s.present & ~s.closed
@@ -183,12 +209,13 @@ def _set_levels(contacts, s):
 
 @inner
 def _lean_margins(rows, contacts, case, s, load, h):
-    """Event margins of a lean, positive while it lasts, h after the start of the step.
+    """Accelerations in a lean h after the start of the step, and event margins, positive while it lasts.
 
-    Both normal forces, both slip rates, and the least of the others: rotation left to 90° and open gaps.
+    The margins are both normal forces, both slip rates, and the least of the others: rotation left to 90° and
+    open gaps.
     """
     a, G = load[0] + h * load[1], load[2] + h * load[3]
-    _, _, s.alpha, Ni, Nj = _lean_rates(rows, contacts, case, s, s.theta, s.omega, a, G)
+    vx_rate, vz_rate, s.alpha, Ni, Nj = _lean_rates(rows, contacts, case, s, s.theta, s.omega, a, G)
     if math.isnan(Ni):  # the two contacts jam: end the lean
         Ni = Nj = -1.0
     first, second = contacts[s.i], contacts[s.j]
@@ -203,13 +230,14 @@ def _lean_margins(rows, contacts, case, s, load, h):
                 s.hit |= 1 << c
             others_least = min(others_least, over)
         c += 1
-    return (
+    margins = (
         Ni + SLACK_PRESS,
         Nj + SLACK_PRESS,
         float(s.d) * slip_rate(first, s) - first.level,
         float(s.dj) * slip_rate(second, s) - second.level,
         others_least,
     )
+    return (vx_rate, vz_rate, s.alpha), margins
 
 
 @inner
@@ -231,8 +259,8 @@ def advance_lean(rows, contacts, case, s, motion, settings, history):
     """Advance a body that slides on two planes at once, to its next event.
 
     Each pass of the loop takes one step: choose its length by step doubling, evaluate the margins at its end,
-    and where one is negative find the first crossing with the Illinois method, re-integrating to each guess.
-    The lean ends where a contact sticks, opens or jams, another closes, or the body overturns.
+    and where one is negative find the first crossing with the Illinois method, interpolating the state. The
+    lean ends where a contact sticks, opens or jams, another closes, or the body overturns.
     """
     ax, az, dt = motion.ax, motion.az, motion.dt
     tolerance, max_step = settings.tolerance, settings.max_step
@@ -243,7 +271,7 @@ def advance_lean(rows, contacts, case, s, motion, settings, history):
         load = loads(case, ax, az, per_second, s.k, s.tau)
         start = s.x, s.z, s.theta, s.vx, s.vz, s.omega
         _set_levels(contacts, s)
-        starts = _lean_margins(rows, contacts, case, s, load, 0.0)
+        k0, starts = _lean_margins(rows, contacts, case, s, load, 0.0)
         h = min(dt - s.tau, longest)
         _lean(rows, contacts, case, s, start, load, h)
         while h > MIN_STEP:  # step doubling: two half steps must agree with the whole (15 = 2⁴ − 1)
@@ -258,18 +286,19 @@ def advance_lean(rows, contacts, case, s, motion, settings, history):
             h = longest = 0.5 * h
             _lean(rows, contacts, case, s, start, load, h)
         outcome = ENDED
-        ends = _lean_margins(rows, contacts, case, s, load, h)
+        k1, ends = _lean_margins(rows, contacts, case, s, load, h)
         if min(ends) < 0.0:
+            curves = quintics(start, k0, (s.x, s.z, s.theta, s.vx, s.vz, s.omega), k1, h)
             bracket = (0.0, max(_least_of(starts, ends), MIN_START_VALUE), h, -1.0, 0)
             for _ in range(200):
                 t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
                 if bracket[2] - bracket[0] <= LOCATED:
                     break
-                _lean(rows, contacts, case, s, start, load, t)
-                margins = _lean_margins(rows, contacts, case, s, load, t)
+                _lean_within(rows, contacts, case, s, start, load, curves, h, t)
+                _, margins = _lean_margins(rows, contacts, case, s, load, t)
                 bracket = illinois_update(bracket, t, _least_of(margins, ends))
+            _lean_within(rows, contacts, case, s, start, load, curves, h, bracket[2])
             h = bracket[2]
-            _lean(rows, contacts, case, s, start, load, h)
             _lean_margins(rows, contacts, case, s, load, h)
             outcome = reason_of_end(s)
         s.steps += 1

@@ -60,6 +60,26 @@ def horner(quintic, u):
     return p * u + c0, q
 
 
+@inline
+def quintics(y0, k0, y1, k1, h):
+    """Quintics of x, z and θ over a step between states with these accelerations."""
+    return (
+        hermite(y0[0], y0[3], k0[0], y1[0], y1[3], k1[0], h),
+        hermite(y0[1], y0[4], k0[1], y1[1], y1[4], k1[1], h),
+        hermite(y0[2], y0[5], k0[2], y1[2], y1[5], k1[2], h),
+    )
+
+
+@inline
+def between(curves, h, t):
+    """Interpolated state a time t into a step of length h."""
+    u = t / h
+    x, vx = horner(curves[0], u)
+    z, vz = horner(curves[1], u)
+    theta, omega = horner(curves[2], u)
+    return x, z, theta, vx / h, vz / h, omega / h
+
+
 @inner
 def root_between(quintic, high):
     """Zero of a quintic between 0, where it is positive, and ``high``, where not: safeguarded Newton."""

@@ -17,21 +17,17 @@ from stayput.mechanics.devices.active_elements import (
     set_line_weights,
     weighted_margin,
 )
-from stayput.mechanics.devices.step import (
-    between,
-    evaluate_state,
-    project_on_constraints,
-    quintics,
-    set_state,
-)
+from stayput.mechanics.devices.step import evaluate_state, project_on_constraints, set_state
 from stayput.mechanics.geometry import RIGHT_ANGLE, arm_at, gap, sin_cos, to_plane_axes
 from stayput.mechanics.roots import (
     MIN_START_VALUE,
+    between,
     closed_level,
     first_zero,
     horner,
     illinois_update,
     parabola_negative_at,
+    quintics,
     secant,
 )
 
