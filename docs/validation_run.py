@@ -74,17 +74,26 @@ def convergence_table(found: list[convergence.Curve]) -> str:
 
 def work_table() -> str:
     """Return the work–precision table."""
-    heads = ["tolerance [rad]", "median error", "99 %", "largest", "flipped verdicts", "cases/s on one core"]
+    heads = [
+        "sampled every [s]",
+        "tolerance [rad]",
+        "median error",
+        "99 %",
+        "largest",
+        "flipped verdicts",
+        "cases/s on one core",
+    ]
     rows = [
         [
+            f"{step:g}",
             f"{tolerance:.0e}",
             *map(small, (half, most, worst)),
             str(flips),
             f"{rate:,.0f}",
         ]
-        for tolerance, half, most, worst, flips, rate in convergence.work_precision()
+        for step, tolerance, half, most, worst, flips, rate in convergence.work_precision()
     ]
-    return markdown(heads, rows, "rrrrrr")
+    return markdown(heads, rows, "rrrrrrr")
 
 
 def write(folder: Path) -> None:
