@@ -68,6 +68,7 @@ def run(most: int) -> Table:
         "cases/s/core",
         "scaling",
         "peak memory [MiB]",
+        "beyond the columns",
         "same bits",
     ):
         table.add_column(heading, justify="right")
@@ -78,7 +79,8 @@ def run(most: int) -> Table:
         alone, truth = 0.0, 0
         for threads in sorted({1, 2, work.cores()}) if count <= 100_000 else (work.cores(),):
             seconds, results = timed(case, asked, threads, 3 if count <= 100_000 else 1)
-            rate = count / seconds
+            rate, peak = count / seconds, peak_memory()
+            columns_size = sum(values.nbytes for values in (*asked.values(), *results.values())) / 2**20
             if threads == 1:
                 alone, truth = rate, digest(results)
             table.add_row(
@@ -87,7 +89,8 @@ def run(most: int) -> Table:
                 f"{rate:,.0f}",
                 f"{rate / threads:,.0f}",
                 f"{rate / threads / alone:.0%}" if alone else "",
-                f"{peak_memory():,.0f}",
+                f"{peak:,.0f}",
+                f"{peak - columns_size:,.0f}",
                 ("yes" if digest(results) == truth else "NO") if alone else "",
             )
         count *= 10

@@ -35,6 +35,11 @@ def negative_at(f0, fm, f1):
     return roots.parabola_negative_at(f0, fm, f1)
 
 
+@njit
+def interpolated(y0, k0, y1, k1, h, t):
+    return roots.between(roots.quintics(y0, k0, y1, k1, h), h, t)
+
+
 def ends(p: np.polynomial.Polynomial, h: float) -> tuple[float, ...]:
     return tuple(float(p.deriv(k)(t)) if k else float(p(t)) for t in (0.0, h) for k in (0, 1, 2))
 
@@ -93,3 +98,20 @@ def test_where_a_parabola_is_negative():
     assert negative_at(1.0, 0.4, -0.2) == 1.0
     assert 0.15 <= negative_at(0.03, 0.08, 0.63) <= 0.35  # (u − 0.2)² − 0.01
     assert negative_at(0.05, 0.1, 0.65) == -1.0  # (u − 0.2)² + 0.01
+
+
+COEFFICIENTS = ([0, 1, 2, -3, 1, 4], [1, 0, -1, 2, 0, 1], [0.1, 0.5, 0, 1, -2, 1])
+
+
+def state(t):
+    """A motion of fifth degree: places and rates of x, z and θ, and their accelerations."""
+    motion = [np.polynomial.Polynomial(c) for c in COEFFICIENTS]
+    places, rates, accelerations = ([float(p.deriv(k)(t)) for p in motion] for k in range(3))
+    return (*places, *rates), tuple(accelerations)
+
+
+@pytest.mark.parametrize("t", [0.0, 0.013, 0.05])
+def test_dense_output_is_exact_for_motions_of_fifth_degree(t):
+    h = 0.05
+    found = interpolated(*state(0.0), *state(h), h, t)
+    assert found == pytest.approx(state(t)[0], abs=1e-12)
