@@ -136,10 +136,9 @@ class Entry:
     def _machine_code(self, kinds: tuple[Any, ...]) -> MachineCode:
         from stayput.machine_code import MachineCode
 
-        # it is made of the sources in the folders of all functions that it names
-        named = [value for value in self.py_func.__globals__.values() if isinstance(value, _Inner)]
+        # it is made of the sources in the folders of all functions that it may call, or they
         own = Path(self.py_func.__code__.co_filename).parent
-        others = {Path(function.__code__.co_filename).parent for function in named} - {own}
+        others = {Path(function.__code__.co_filename).parent for function in _called_by(self)} - {own}
         return MachineCode(f"{self.__module__}.{self.__name__}", kinds, (own, *sorted(others)))
 
     def intermediate_code(self, kinds: tuple[Any, ...]) -> str:
@@ -167,6 +166,18 @@ class Entry:
         signature = tuple(map(_numba_type, kinds))
         compiled.compile(signature)
         return compiled.inspect_llvm(compiled.signatures[0])
+
+
+def _called_by(function: Entry) -> set[_Inner]:
+    """Return the functions that the modules of a function name, and theirs."""
+    known: set[_Inner] = set()
+    new: list[Entry | _Inner] = [function]
+    while new:
+        names = new.pop().py_func.__globals__.values()
+        named = {value for value in names if isinstance(value, _Inner)} - known
+        known |= named
+        new += named
+    return known
 
 
 def entry(function: Callable[P, None]) -> Callable[P, None]:

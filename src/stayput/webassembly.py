@@ -1,4 +1,6 @@
-"""The mechanics as a WebAssembly module: ``python -m stayput.webassembly kernel.wasm``.
+"""The mechanics and the floors of buildings as a WebAssembly module.
+
+``python -m stayput.webassembly kernel.wasm`` writes it.
 
 It is made of the same intermediate code as the machine code of this computer, imports nothing, and gives the
 same bits: what it calls of elementary functions is `stayput.mechanics.elementary`. The module exports its
@@ -20,6 +22,7 @@ from typing import TYPE_CHECKING, Any, cast
 import llvmlite.binding
 import numpy as np
 
+from stayput.building import superposition
 from stayput.compiled import Entry, kind_of
 from stayput.mechanics import engine, flat
 from stayput.mechanics.columns import CASE
@@ -36,6 +39,9 @@ FUNCTIONS = {
     "block_extremes": "`stayput.mechanics.flat.block_extremes`",
     "run_bare": "`stayput.mechanics.engine.run_batch` of bodies without devices",
     "run_held": "the same of bodies with devices",
+    "fill_step": "`stayput.building.superposition.fill_step`: one step of a building's modes",
+    "linear_histories": "`stayput.building.superposition.linear_histories`: the floors of a linear building",
+    "yielding_histories": "`stayput.building.superposition.yielding_histories`: of one whose storeys yield",
 }
 """What the module exports, and what each is."""
 
@@ -133,6 +139,12 @@ def _modules() -> Iterator[tuple[str, str]]:
     held = devices_of(np.zeros((1, 1), ELEMENT), motion)
     yield "run_bare", _code(engine.run_batch, arguments(cases, None, motion))
     yield "run_held", _code(engine.run_batch, arguments(cases, held, motion))
+    table = np.zeros((2, 2))
+    yield "fill_step", _code(superposition.fill_step, (values, values, 0.01, table))
+    tables = (table,) * 6
+    yield "linear_histories", _code(superposition.linear_histories, (values, table, values, *tables[:5]))
+    yielding = (values, 1, 0.01, table, values, *tables, table, table)
+    yield "yielding_histories", _code(superposition.yielding_histories, yielding)
 
 
 def _code(entry: Any, example: tuple[object, ...]) -> str:

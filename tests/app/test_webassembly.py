@@ -1,4 +1,4 @@
-"""The mechanics as WebAssembly: the same bytes as natively, in a runtime and in a browser."""
+"""Mechanics and floors of buildings as WebAssembly: the same bytes as natively, also in a browser."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from browsing import browser  # noqa: F401
 from webassembly_calls import PLACE, Image
 
 import stayput as sp
+from stayput.building import histories
 from stayput.measures import MEASURES
 from stayput.measures.measure import element_rows, hold
 from stayput.mechanics.columns import EVENT
@@ -23,9 +24,12 @@ from stayput.simulation.flat_fields import case_columns
 from stayput.webassembly import build, find_linker
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
     from playwright.sync_api import Browser
+
+    from stayput.compiled import Entry
 
 wasmtime = pytest.importorskip("wasmtime")
 pytestmark = pytest.mark.skipif(find_linker() is None, reason="wasm-ld is not installed")
@@ -147,6 +151,30 @@ def test_a_history_has_the_same_bytes(runtime: Runtime) -> None:
     for name in ("history", "events"):
         assert getattr(there.output, name).tobytes() == getattr(native.output, name).tobytes()
     assert native.output.history.any()
+
+
+@pytest.mark.parametrize("yields", [False, True], ids=["linear", "yielding"])
+def test_floors_of_a_building_have_the_same_bytes(
+    runtime: Runtime, monkeypatch: pytest.MonkeyPatch, yields: bool
+) -> None:
+    called: list[str] = []
+
+    def twice(entry: Entry) -> Callable[..., None]:
+        def call(*given: Any) -> None:
+            there = [part.copy() if isinstance(part, np.ndarray) else part for part in given]
+            entry(*given)
+            runtime(entry.__name__, *there)
+            for part, other in zip(given, there, strict=True):
+                if isinstance(part, np.ndarray):
+                    assert part.tobytes() == other.tobytes()
+            called.append(entry.__name__)
+
+        return call
+
+    for name in ("fill_step", "linear_histories", "yielding_histories"):
+        monkeypatch.setattr(histories, name, twice(getattr(histories, name)))
+    sp.Building(8, nonlinear=yields).respond(sp.near_fault().component("x"))
+    assert called == ["fill_step", "yielding_histories" if yields else "linear_histories"]
 
 
 CALL = """

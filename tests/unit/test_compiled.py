@@ -87,6 +87,15 @@ def test_code_on_disk_is_used_until_any_source_changes(run):
     assert run() == "6.0"
 
 
+def test_code_on_disk_is_not_used_when_a_source_of_what_its_callee_calls_changes(run):
+    (run.folder / "far").mkdir()
+    calls = "return distant(x)\n\nfrom far.away import part as distant\n"
+    (run.package / "callee.py").write_text(callee(1.0).replace("return 1.0 * x\n", calls))
+    for factor, said in ((2.0, "compiling 3.0"), (2.0, "3.0"), (5.0, "compiling 6.0")):
+        (run.folder / "far" / "away.py").write_text(callee(factor))
+        assert run() == said
+
+
 def test_code_on_disk_runs_without_numba():
     program = (
         "import sys, numpy, stayput as sp\n"

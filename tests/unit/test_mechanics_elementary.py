@@ -15,6 +15,11 @@ def sines(x):
 
 
 @njit
+def exponentials(x):
+    return [elementary.exponential(value) for value in x]
+
+
+@njit
 def angles(run, rise):
     return [elementary.slope_angle(a, b) for a, b in zip(run, rise)]  # noqa: B905 - not known to Numba
 
@@ -63,3 +68,16 @@ def test_roots_are_within_a_hundredth():
     fifth, sixth = np.array(roots(x)).T
     assert fifth == pytest.approx(x**0.2, rel=0.015)
     assert sixth == pytest.approx(x ** (1 / 6), rel=0.015)
+
+
+@pytest.mark.parametrize("reach", [1e-9, 0.3, 1.0, 30.0, 700.0])
+def test_the_exponential_is_within_a_unit(reach):
+    x = np.random.default_rng(3).uniform(-reach, reach, 20_000)
+    assert units(np.array(exponentials(x)), np.exp(x)).max() <= 1.0
+
+
+def test_the_exponential_at_its_ends():
+    x = np.array([-math.inf, -800.0, -745.13, -708.5, 0.0, 709.78, 710.0, math.inf, math.nan])
+    with np.errstate(over="ignore"):
+        truth = np.exp(x)
+    assert np.array(exponentials(x)) == pytest.approx(truth, rel=1e-15, abs=1e-323, nan_ok=True)

@@ -16,13 +16,21 @@ _TWO_OVER_PI = 2.0 / math.pi
 # π/2 in two parts: the first has 33 bits, so that its product with a small whole number is exact
 _HALF_PI, _HALF_PI_REST = 6746518852.0 / 2.0**32, 6.077100506506192e-11
 
+_ONE_OVER_LN_2 = 1.0 / math.log(2.0)
+
+# ln 2 in two parts, the first of 32 bits
+_LN_2, _LN_2_REST = 2977044471.0 / 2.0**32, 1.9082149292705877e-10
+
 # Taylor coefficients after x and 1 − x²/2; on |x| ≤ π/4 the first that is left out is below 1e-18
 _S = tuple((-1.0) ** k / math.factorial(2 * k + 1) for k in range(1, 9))
 _C = tuple((-1.0) ** k / math.factorial(2 * k) for k in range(2, 9))
 
+# of the exponential, from x²/2 on; on |x| ≤ ln 2/2 the first that is left out is below 1e-18
+_E = tuple(1.0 / math.factorial(k) for k in range(2, 14))
+
 
 @inner
-def sine_and_cosine(x):
+def sine_and_cosine(x: float) -> tuple[float, float]:
     """Sine and cosine of an angle up to 10⁵ [rad]: reduced to |r| ≤ π/4, then their Taylor series.
 
     Farther off they are less precise, and beyond 10⁹ they are those of zero: a trial step may turn the body
@@ -49,6 +57,38 @@ def sine_and_cosine(x):
     if quarter == 2.0:
         return -sin, -cos
     return -cos, sin
+
+
+@inner
+def _power_of_two(n):
+    """2ⁿ for a whole number |n| ≤ 1022."""
+    power, factor = 1.0, 2.0 if n > 0 else 0.5
+    left = abs(n)
+    while left > 0:
+        if left & 1:
+            power *= factor
+        factor *= factor
+        left >>= 1
+    return power
+
+
+@inner
+def exponential(x: float) -> float:
+    """Exponential of a number, within a unit in the last place: 2ⁿ times the Taylor series of x − n ln 2."""
+    if not -746.0 < x < 710.0:  # too small or too large for a number, or none
+        return 0.0 if x < 0.0 else x * math.inf
+    times = math.floor(x * _ONE_OVER_LN_2 + 0.5)
+    high, low = x - times * _LN_2, times * _LN_2_REST
+    r = high - low
+    rest = (high - r) - low  # what r lacks
+    p = _E[4] + r * (
+        _E[5] + r * (_E[6] + r * (_E[7] + r * (_E[8] + r * (_E[9] + r * (_E[10] + r * _E[11])))))
+    )
+    p = r * (_E[0] + r * (_E[1] + r * (_E[2] + r * (_E[3] + r * p))))
+    value = 1.0 + (r + (rest + r * p))
+    n = int(times)
+    half = n // 2  # 2ⁿ itself may be beyond the largest number, or below the smallest
+    return value * _power_of_two(half) * _power_of_two(n - half)
 
 
 @inner

@@ -12,6 +12,7 @@ import math
 from typing import TYPE_CHECKING
 
 from stayput.compiled import entry, inline, inner
+from stayput.mechanics.elementary import exponential, sine_and_cosine
 
 if TYPE_CHECKING:
     import numpy as np
@@ -31,8 +32,9 @@ RESPONSES = 4
 def step_coefficients(omega: float, zeta: float, h: float) -> tuple[float, ...]:
     """Coefficients of (u, u̇, a₀, a₁) in u at the end of a step, then in u̇ there; ω > 0, 0 ≤ ζ < 1."""
     omega_d = omega * math.sqrt(1.0 - zeta * zeta)
-    decay = math.exp(-zeta * omega * h)
-    s, c = decay * math.sin(omega_d * h), decay * math.cos(omega_d * h)
+    decay = exponential(-zeta * omega * h)
+    sine, cosine = sine_and_cosine(omega_d * h)
+    s, c = decay * sine, decay * cosine
     r = zeta * omega / omega_d
     w2 = omega * omega
     # free vibration from (u, u̇)
