@@ -77,3 +77,34 @@ def test_a_contact_that_opens_takes_no_impulse():
 def test_an_impact_without_collision_stops_the_slip():
     (contacts, _, states) = tables()
     assert stopped(case_on(sp.Floor(3.0, 3.0)), contacts, states, 0.2) == pytest.approx(0.0, abs=1e-15)
+
+
+@njit
+def struck(case, contacts, rows, states, corner, closed, theta, velocity):
+    """Energy after an impact over that before it."""
+    s = states[0]
+    geometry.set_up(case, contacts, s)
+    geometry.turn_to(s, theta)
+    s.x, s.z = -geometry.corner_right(case, corner, s), -geometry.corner_up(case, corner, s)
+    s.vx, s.vz, s.omega = velocity
+    before = s.vx**2 + s.vz**2 + case.inertia * s.omega**2
+    impact.collide(rows, contacts, closed, case, s)
+    return (s.vx**2 + s.vz**2 + case.inertia * s.omega**2) / before
+
+
+def test_no_impact_creates_energy():
+    """Walls, floor and ceiling of any friction and restitution, at any of their contacts at once."""
+    rng = np.random.default_rng(5)
+    for _ in range(6000):
+        rebound, rub, grip = (
+            rng.choice([0.0, 0.3, 0.9, 1.0]),
+            rng.choice([0.0, 0.3, 3.0, 10.0]),
+            rng.exponential(),
+        )
+        wall = sp.Wall(0.0, rebound, rub)
+        floor = sp.Floor(grip, grip, normal_restitution=rng.choice([0.0, 0.5, 1.0]))
+        room = sp.Room(floor, left_wall=wall, right_wall=wall, ceiling=sp.Ceiling(3.0, rebound, grip))
+        body = sp.Body(rng.uniform(0.2, 1.5), rng.uniform(0.3, 2.0))
+        case = case_columns(body, room, sp.State(), 9.81)[0]
+        velocity, closed = tuple(rng.normal(size=3)), int(rng.integers(1, 256))
+        assert struck(case, *tables(), 0, closed, rng.uniform(-1.2, 1.2), velocity) <= 1.0 + 1e-9

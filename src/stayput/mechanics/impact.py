@@ -3,7 +3,8 @@
 Newton's restitution in the normal direction, Amontons–Coulomb friction between the impulses, then the
 factor e of Eq. 3.14 on the rotation rate where the fulcrum changes. Newton's restitution with friction
 can create energy (Kane's paradox); where it would, the impulses are those of a plastic impact, scaled by
-1 + e, which never do.
+1 + e. These never do: with the velocities v⁺ after the plastic impact the impulses' work on them, p·v⁺, is
+that of friction on slip, not above zero, and the energy changes by (1 + e) p·v⁺ − ½(1 − e²) p·M⁻¹p.
 """
 
 from __future__ import annotations
@@ -99,8 +100,11 @@ def _consistent_impulses(rows, count, I):
 
 
 @inner
-def _sequential_impulses(rows, contacts, closed, case, s):
-    """Sequential impulses, each at the contact that closes fastest: for impacts of more than two contacts."""
+def _sequential_impulses(rows, contacts, closed, case, s, plastic):
+    """Sequential impulses, each at the contact that closes fastest: where no set of two is consistent.
+
+    Plastic ones never create energy, each by itself.
+    """
     I = case.inertia
     for _ in range(MAX_SEQUENTIAL_IMPULSES):
         count = _tabulate(rows, contacts, closed, case, s)
@@ -110,6 +114,8 @@ def _sequential_impulses(rows, contacts, closed, case, s):
                 worst, fastest = k, rows[k].bias_n
         if worst < 0:
             return
+        if plastic:
+            rows[worst].target = 0.0
         ok, fx, fz, fl = one_sticks(rows, 0, worst, I, TOLERANCE)
         if not ok:
             ok, fx, fz, fl = one_slips(rows, 0, worst, 1.0, I, TOLERANCE)
@@ -132,7 +138,7 @@ def _energy(I, vx, vz, omega):
 def collide(rows, contacts, closed, case, s):
     """Apply the impact at the closed contacts to the velocities of the state."""
     I = case.inertia
-    before = _energy(I, s.vx, s.vz, s.omega)
+    most = _energy(I, s.vx, s.vz, s.omega) * (1.0 + 1e-12)
     count = _tabulate(rows, contacts, closed, case, s)
     landing = False
     for k in range(count):
@@ -140,10 +146,7 @@ def collide(rows, contacts, closed, case, s):
     if not landing:
         return
     ok, fx, fz, fl = _consistent_impulses(rows, count, I)
-    if not ok:
-        _sequential_impulses(rows, contacts, closed, case, s)
-        return
-    if _energy(I, s.vx + fx, s.vz + fz, s.omega + fl / I) > before * (1.0 + 1e-12):
+    if ok and _energy(I, s.vx + fx, s.vz + fz, s.omega + fl / I) > most:
         # Newton's restitution would create energy: plastic impulses instead, times 1 + the least restitution
         factor = 1.0
         for k in range(count):
@@ -152,9 +155,14 @@ def collide(rows, contacts, closed, case, s):
             rows[k].target = 0.0
         ok, fx, fz, fl = _consistent_impulses(rows, count, I)
         fx, fz, fl = (1.0 + factor) * fx, (1.0 + factor) * fz, (1.0 + factor) * fl
-    s.vx += fx
-    s.vz += fz
-    s.omega += fl / I
+    if ok:
+        s.vx, s.vz, s.omega = s.vx + fx, s.vz + fz, s.omega + fl / I
+        return
+    start = s.vx, s.vz, s.omega
+    _sequential_impulses(rows, contacts, closed, case, s, False)
+    if _energy(I, s.vx, s.vz, s.omega) > most:
+        s.vx, s.vz, s.omega = start
+        _sequential_impulses(rows, contacts, closed, case, s, True)
 
 
 @inner
