@@ -240,6 +240,34 @@ def _lean_margins(rows, contacts, case, s, load, h):
     return (vx_rate, vz_rate, s.alpha), margins
 
 
+@inline
+def _leaning_gap(con, y, k, sin, cos):
+    """Gap of a contact in the state y with accelerations k, and its first and second derivatives."""
+    sigma, kappa = arm_at(con, sin, cos)
+    height, rate = to_plane_axes(con, y[0], y[1])[1], to_plane_axes(con, y[3], y[4])[1]
+    bend = to_plane_axes(con, k[0], k[1])[1] - k[2] * sigma + y[5] * y[5] * kappa
+    return height + con.offset - kappa, rate - y[5] * sigma, bend
+
+
+@inner
+def _first_closing(contacts, s, y0, k0, y1, k1, h):
+    """Time at which an open contact first closes in a step, if only for a while, or −1; and its bit."""
+    sin0, cos0 = sine_and_cosine(y0[2])
+    first, hit = -1.0, 0
+    others = s.present & ~s.closed
+    c = 0
+    while others >> c:
+        if others >> c & 1:
+            con = contacts[c]
+            g0, v0, c0 = _leaning_gap(con, y0, k0, sin0, cos0)
+            g1, v1, c1 = _leaning_gap(con, y1, k1, s.sin, s.cos)
+            t = first_zero(g0 - con.level, v0, c0, g1 - con.level, v1, c1, h)
+            if t >= 0.0 and (hit == 0 or t < first):
+                first, hit = t, 1 << c
+        c += 1
+    return first, hit
+
+
 @inner
 def _least_of(margins, ends):
     """Least of the margins that are negative at the end of a search, each scaled to −1 there.
@@ -258,9 +286,10 @@ def _least_of(margins, ends):
 def advance_lean(rows, contacts, case, s, motion, settings, history):
     """Advance a body that slides on two planes at once, to its next event.
 
-    Each pass of the loop takes one step: choose its length by step doubling, evaluate the margins at its end,
-    and where one is negative find the first crossing with the Illinois method, interpolating the state. The
-    lean ends where a contact sticks, opens or jams, another closes, or the body overturns.
+    Each pass of the loop takes one step: choose its length by step doubling, cut it where another contact
+    closes, evaluate the margins at its end, and where one is negative find the first crossing with the
+    Illinois method, interpolating the state. The lean ends where a contact sticks, opens or jams, another
+    closes, or the body overturns.
     """
     ax, az, dt = motion.ax, motion.az, motion.dt
     tolerance, max_step = settings.tolerance, settings.max_step
@@ -287,18 +316,27 @@ def advance_lean(rows, contacts, case, s, motion, settings, history):
             _lean(rows, contacts, case, s, start, load, h)
         outcome = ENDED
         k1, ends = _lean_margins(rows, contacts, case, s, load, h)
+        step, end = h, (s.x, s.z, s.theta, s.vx, s.vz, s.omega)
+        curves = quintics(start, k0, end, k1, step)
+        if not math.isnan(k1[2]):
+            closing, hit = _first_closing(contacts, s, start, k0, end, k1, step)
+            if hit:
+                h, outcome = closing, CLOSED
+                _lean_within(rows, contacts, case, s, start, load, curves, step, h)
+                _, ends = _lean_margins(rows, contacts, case, s, load, h)
+                ends = ends[0], ends[1], ends[2], ends[3], math.inf
+                s.hit = hit
         if min(ends) < 0.0:
-            curves = quintics(start, k0, (s.x, s.z, s.theta, s.vx, s.vz, s.omega), k1, h)
             bracket = (0.0, max(_least_of(starts, ends), MIN_START_VALUE), h, -1.0, 0)
             for _ in range(200):
                 t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
                 if bracket[2] - bracket[0] <= LOCATED:
                     break
-                _lean_within(rows, contacts, case, s, start, load, curves, h, t)
+                _lean_within(rows, contacts, case, s, start, load, curves, step, t)
                 _, margins = _lean_margins(rows, contacts, case, s, load, t)
                 bracket = illinois_update(bracket, t, _least_of(margins, ends))
-            _lean_within(rows, contacts, case, s, start, load, curves, h, bracket[2])
             h = bracket[2]
+            _lean_within(rows, contacts, case, s, start, load, curves, step, h)
             _lean_margins(rows, contacts, case, s, load, h)
             outcome = reason_of_end(s)
         s.steps += 1
