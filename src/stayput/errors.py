@@ -185,20 +185,22 @@ def unknown(name: str | Phrase, value: str, known: Iterable[str], field: str | N
     )
 
 
-def finite(name: str | Phrase, value: float, field: str | None = None) -> float:
+def finite(name: str | Phrase, value: Any, field: str | None = None) -> float:
     """Return ``value`` as a float, or raise `InputError` when it is not a finite number.
 
     Parameters
     ----------
     name : str or Phrase
         What the number is called: an id of the catalogue, or a text in both languages.
-    value : float
+    value : object
         The number.
     field : str, optional
         Dotted name of the input.
     """
     called = _called(name)
     try:
+        if isinstance(value, str | bytes):  # "50" is a text, and would stay one
+            raise TypeError
         number = float(value)
     except (TypeError, ValueError):
         raise InputError("common.not_a_number", field, name=called, value=repr(value)) from None

@@ -295,8 +295,8 @@ CHECKS = {
 }
 
 
-# 29, 114: bodies that lean and chatter at a wall; 11853: without friction the body stands only while the floor
-# does not fall faster than it
+# 29, 114: bodies that chatter at a wall; 11853: without friction the body stands only while the floor does
+# not fall faster than it
 @pytest.mark.parametrize("seed", [*range(20), 29, 114, 11853])
 @pytest.mark.parametrize("check", CHECKS)
 def test_laws_hold_for_a_large_sample(check: str, seed: int) -> None:

@@ -138,3 +138,9 @@ def test_an_inventory_assesses_what_is_possible_and_names_what_is_not(tmp_path):
     assert fits["not_possible"] == []
     page = (done.folder / "report.html").read_text(encoding="utf-8")
     assert "tension_pole: not possible. Tension poles have 0.01 m below the ceiling" in page
+
+
+@pytest.mark.parametrize("number", ["50", b"50"])
+def test_a_text_of_digits_is_not_a_number(number):
+    with pytest.raises(sp.InputError, match=r"Body mass is b?'50'; it must be a number"):
+        sp.Body(0.3, 1.8, number)

@@ -186,6 +186,14 @@ def _measure(header: list[str]) -> tuple[IntensityMeasure, str]:
     return measures[0]
 
 
+def _read(cell: str) -> Any:
+    """Return the number in a cell; a text that is none, as it is, which is refused then."""
+    try:
+        return float(cell)
+    except ValueError:
+        return cell
+
+
 def _checked(
     number: int, row: list[str], columns: list[int], name: str, measure: IntensityMeasure
 ) -> tuple[float, ...]:
@@ -193,6 +201,6 @@ def _checked(
         raise InputError("inventory.map_cells", row=number, cells=len(row), columns=len(columns))
     limits = (*LIMITS, _value_limits(measure))
     return tuple(
-        within(phrase("inventory.in_row_of_the_map", name=column, row=number), row[place], *limit)  # type: ignore[arg-type]
+        within(phrase("inventory.in_row_of_the_map", name=column, row=number), _read(row[place]), *limit)
         for column, place, limit in zip((*PLACE, name), columns, limits, strict=True)
     )
