@@ -166,7 +166,8 @@ class Entry:
         compiled = _njit(self.py_func)
         signature = tuple(map(_numba_type, kinds))
         compiled.compile(signature)
-        return compiled.inspect_llvm(compiled.signatures[0])
+        fn = compiled.overloads[compiled.signatures[0]]
+        return fn.library.linked(fn.fndesc.llvm_func_name)
 
 
 def entry(function: Callable[P, None]) -> Callable[P, None]:
@@ -184,7 +185,9 @@ def _numba() -> Any:
 def _njit(function: Callable[..., Any], *, forceinline: bool = False) -> Any:
     if _numba().config.DISABLE_JIT:
         raise RuntimeError("NUMBA_DISABLE_JIT is set; the mechanics run as compiled code only.")
-    return _numba().njit(**SETTINGS, forceinline=forceinline)(function)
+    from stayput.intermediate_code import FrontEnd
+
+    return _numba().njit(**SETTINGS, forceinline=forceinline, pipeline_class=FrontEnd)(function)
 
 
 def kind_of(argument: Any) -> Any:
