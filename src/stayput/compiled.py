@@ -145,10 +145,10 @@ class Entry:
         Returns
         -------
         bytes
-            A module of LLVM's intermediate code for this machine, as bitcode. Its one external function takes a
-            place for a returned value and one for an exception, neither of them used, then the arguments; of
-            each array two null pointers, the number of items, the size of one, the address, the shape and the
-            strides.
+            A module of LLVM's intermediate code for this machine, as bitcode. Its one external function takes
+            a place for a returned value and one for an exception, neither of them used, then the arguments;
+            of each array two null pointers, the number of items, the size of one, the address, the shape and
+            the strides.
         """
         code = self._machine_code(kinds).intermediate_code()
         if code is None:
@@ -165,7 +165,7 @@ class Entry:
     def _progress(self) -> Generator[Callable[[Callable[..., Any]], None]]:
         """Yield a callback for each function whose compilation begins, which advances a progress bar.
 
-        All functions that it names are counted, and fewer are compiled where some of them are for devices alone.
+        It counts all functions that are named, of which some may be for devices alone, and not be compiled.
         """
         waiting = _named_in(self.py_func, {self.py_func})
         with bar(len(waiting), "Compiling the mechanics once", unit="functions") as advance:

@@ -8,6 +8,10 @@ What it uses of Numba is public, as the class of a pipeline and that of a code l
 comment names.
 """
 
+# Numba's methods have types where they can be inferred, and those are not meant.
+# pyright: reportIncompatibleMethodOverride=false, reportUnknownVariableType=false
+# pyright: reportUnknownArgumentType=false, reportAttributeAccessIssue=false
+
 from __future__ import annotations
 
 import gc
@@ -16,9 +20,8 @@ from typing import TYPE_CHECKING, Any
 
 import llvmlite.binding
 import numba
-import numba.core.event
-from numba import _dynfunc  # pyright: ignore[reportAttributeAccessIssue, reportUnknownVariableType]
-from numba.core import typed_passes, untyped_passes
+from numba import _dynfunc as functions_in_c
+from numba.core import config, event, typed_passes, untyped_passes
 from numba.core.codegen import CodeLibrary
 from numba.core.compiler import CompilerBase
 from numba.core.compiler_machinery import LoweringPass, PassManager, register_pass
@@ -26,7 +29,10 @@ from numba.core.compiler_machinery import LoweringPass, PassManager, register_pa
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
-llvm: Any = llvmlite.binding  # it has no types
+# these have no types, or too few
+llvm: Any = llvmlite.binding
+njit: Any = numba.njit
+numba_types: Any = numba.types
 
 SETTINGS = {"error_model": "numpy", "_nrt": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 """Division by zero gives infinity or NaN, as in IEEE arithmetic, not an exception; no reference counting. No
@@ -110,7 +116,7 @@ class Registration(LoweringPass):
     def run_pass(self, state: Any) -> bool:
         """Register it under a built-in function, as Numba does it, here one that has no machine code."""
         description = state.cr.fndesc
-        key: Any = _dynfunc.make_function(description.lookup_module(), "", "", 0, state.cr.env, ())
+        key: Any = functions_in_c.make_function(description.lookup_module(), "", "", 0, state.cr.env, ())
         state.targetctx.insert_user_function(key, description, [state.library])
         state.cr = state.cr._replace(cfunc=key)
         return True
@@ -163,17 +169,18 @@ class FrontEnd(CompilerBase):
 _PIPELINE = Pipeline()
 
 
-class _Begun(numba.core.event.Listener):
+class _Begun(event.Listener):
     """What is told of each function of which Numba begins the compilation."""
 
     def __init__(self, tell: Callable[[Callable[..., Any]], None]) -> None:
         self._tell = tell
 
     def on_start(self, event: Any) -> None:
+        """Tell the function."""
         self._tell(event.data["dispatcher"].py_func)
 
     def on_end(self, event: Any) -> None:
-        pass
+        """Tell nothing."""
 
 
 def dispatcher(function: Callable[..., Any], *, forceinline: bool = False) -> Any:
@@ -187,13 +194,13 @@ def dispatcher(function: Callable[..., Any], *, forceinline: bool = False) -> An
     RuntimeError
         Numba is told not to compile.
     """
-    if numba.config.DISABLE_JIT:  # pyright: ignore[reportAttributeAccessIssue]
+    if config.DISABLE_JIT:
         raise RuntimeError("NUMBA_DISABLE_JIT is set; the mechanics run as compiled code only.")
-    compiled: Any = numba.njit(**SETTINGS, forceinline=forceinline, pipeline_class=FrontEnd)(function)
+    compiled = njit(**SETTINGS, forceinline=forceinline, pipeline_class=FrontEnd)(function)
     template = compiled.get_call_template
 
     def template_of(args: Any, kws: Any) -> Any:
-        return template(tuple(map(numba.types.unliteral, args)), kws)
+        return template(tuple(map(numba_types.unliteral, args)), kws)
 
     compiled.get_call_template = template_of
     return compiled
@@ -222,7 +229,7 @@ def bitcode(
     with (
         _without_garbage_collection(),
         _resolved_once(compiled.typingctx),
-        numba.core.event.install_listener("numba:compile", _Begun(tell)),
+        event.install_listener("numba:compile", _Begun(tell)),
     ):
         compiled.compile(kinds)
     (result,) = compiled.overloads.values()
@@ -231,7 +238,7 @@ def bitcode(
 
 @contextmanager
 def _without_garbage_collection() -> Generator[None]:
-    """Do not look for garbage: there is little among millions of objects, and it takes a tenth of the time."""
+    """Leave garbage be: there is little among millions of objects, and looking takes a tenth of the time."""
     enabled = gc.isenabled()
     gc.disable()
     try:
@@ -252,7 +259,7 @@ def _resolved_once(context: Any) -> Generator[None]:
     known: dict[Any, Any] = {}
 
     def remembered(function: Any, args: Any, kws: Any) -> Any:
-        if kws or not isinstance(function, numba.types.Type):  # arguments that may not be types
+        if kws or not isinstance(function, numba_types.Type):  # arguments that may not be types
             return resolve(function, args, kws)
         key = function, tuple(args)
         signature = known.get(key)

@@ -120,7 +120,7 @@ def print_json(values: object) -> None:
 
 @contextmanager
 def compiling() -> Generator[None]:
-    """Announce on standard error that the mechanics are being compiled, where they are and no bar shows it."""
+    """Announce on standard error that the mechanics are being compiled, where no bar shows it."""
     from stayput.compiled import on_compilation
     from stayput.progress import is_drawn
 
