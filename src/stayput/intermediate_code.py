@@ -49,7 +49,10 @@ class LinkableCode(CodeLibrary):
         self._called: list[Any] = []
 
     def add_ir_module(self, ir_module: Any) -> None:
-        """Set the function's own code."""
+        """Set the function's own code; other modules may have the same."""
+        for function in ir_module.functions:
+            if not function.is_declaration:
+                function.linkage = "linkonce_odr"
         self._own = str(ir_module)
 
     def add_linking_library(self, library: Any) -> None:
@@ -74,34 +77,37 @@ class LinkableCode(CodeLibrary):
     def linked(self) -> Any:
         """Return a module of the function and all that it calls; only it can be called from elsewhere."""
         whole = llvm.parse_assembly(self._own)
-        for text in self._called_texts({self}):
-            module = llvm.parse_assembly(text)
-            _share(module)
+        _link(whole, llvm.Linkage.external)
+        for module in self._called_modules({self}):
             whole.link_in(module)
         return whole
 
     def _get_module_for_linking(self) -> Any:
         """Return the same for a function that Numba compiles in its own way, as tests do (not public)."""
         module = self.linked()
-        _share(module)
+        _link(module, llvm.Linkage.linkonce_odr)
         return module
 
-    def _called_texts(self, seen: set[Any]) -> Generator[str]:
+    def _called_modules(self, seen: set[Any]) -> Generator[Any]:
         """Yield the code of what is called, callers first: LLVM links only what is called so far."""
         for library in self._called:
             if library in seen:
                 continue
             seen.add(library)
-            yield library.get_llvm_str()
-            if isinstance(library, LinkableCode):  # Numba's own, as that of `min`, have all that they call
-                yield from library._called_texts(seen)
+            module = llvm.parse_assembly(library.get_llvm_str())
+            if isinstance(library, LinkableCode):
+                yield module
+                yield from library._called_modules(seen)
+            else:  # Numba's own, as that of `min`, with all that it calls
+                _link(module, llvm.Linkage.linkonce_odr)
+                yield module
 
 
-def _share(module: Any) -> None:
-    """Let other modules have the same functions; they are left out where nothing calls them."""
+def _link(module: Any, linkage: Any) -> None:
+    """Set how the functions of a module are linked: external, or left out where nothing calls them."""
     for function in module.functions:
         if not function.is_declaration:
-            function.linkage = llvm.Linkage.linkonce_odr
+            function.linkage = linkage
 
 
 @register_pass(mutates_CFG=False, analysis_only=False)
