@@ -45,14 +45,15 @@ class LinkableCode(CodeLibrary):
 
     def __init__(self, codegen: Any, name: str) -> None:
         super().__init__(codegen, name)
-        self._own = ""
+        self._own = self._symbol = ""
         self._called: list[Any] = []
 
     def add_ir_module(self, ir_module: Any) -> None:
-        """Set the function's own code; other modules may have the same."""
+        """Set the function's own code, beside which there may be small functions of Numba's, not external."""
         for function in ir_module.functions:
-            if not function.is_declaration:
-                function.linkage = "linkonce_odr"
+            if not function.is_declaration and function.linkage in ("", "external"):
+                function.linkage = "linkonce_odr"  # other modules may have the same
+                self._symbol = function.name
         self._own = str(ir_module)
 
     def add_linking_library(self, library: Any) -> None:
@@ -77,7 +78,7 @@ class LinkableCode(CodeLibrary):
     def linked(self) -> Any:
         """Return a module of the function and all that it calls; only it can be called from elsewhere."""
         whole = llvm.parse_assembly(self._own)
-        _link(whole, llvm.Linkage.external)
+        whole.get_function(self._symbol).linkage = llvm.Linkage.external
         for module in self._called_modules({self}):
             whole.link_in(module)
         return whole
@@ -85,7 +86,7 @@ class LinkableCode(CodeLibrary):
     def _get_module_for_linking(self) -> Any:
         """Return the same for a function that Numba compiles in its own way, as tests do (not public)."""
         module = self.linked()
-        _link(module, llvm.Linkage.linkonce_odr)
+        _share(module)
         return module
 
     def _called_modules(self, seen: set[Any]) -> Generator[Any]:
@@ -99,15 +100,15 @@ class LinkableCode(CodeLibrary):
                 yield module
                 yield from library._called_modules(seen)
             else:  # Numba's own, as that of `min`, with all that it calls
-                _link(module, llvm.Linkage.linkonce_odr)
+                _share(module)
                 yield module
 
 
-def _link(module: Any, linkage: Any) -> None:
-    """Set how the functions of a module are linked: external, or left out where nothing calls them."""
+def _share(module: Any) -> None:
+    """Let other modules have the same external functions; they are left out where nothing calls them."""
     for function in module.functions:
-        if not function.is_declaration:
-            function.linkage = linkage
+        if not function.is_declaration and function.linkage == llvm.Linkage.external:
+            function.linkage = llvm.Linkage.linkonce_odr
 
 
 @register_pass(mutates_CFG=False, analysis_only=False)

@@ -54,6 +54,15 @@ def test_a_module_has_each_function_once_and_the_entry_alone_can_be_called():
         assert sum(f"{len(name)}{name}" in function.name for function in functions) == 1
 
 
+def test_small_functions_of_numba_beside_a_function_are_not_taken_for_it():
+    def divided(x, result):
+        result[0] = x // 2
+
+    functions = [f for f in module_of(divided, (float64, COLUMN)).functions if not f.is_declaration]
+    assert len(functions) > 1
+    assert ["divided" in f.name for f in functions if f.linkage == llvm.Linkage.external] == [True]
+
+
 def test_nothing_is_optimized_before_the_module_is_whole():
     function = next(f for f in module_of().functions if "4left" in f.name)
     assert "alloca" in str(function)  # variables in memory, which any optimization makes registers
