@@ -7,8 +7,7 @@ the mechanics, and more with every thread that shares a motion.
 A function that Python calls is an *entry*. Its arguments are floats, whole numbers, arrays (also of records)
 and tuples of arrays; what it computes it writes into arrays. At the first call with arguments of some types
 its machine code is loaded from disk (`stayput.machine_code`). Only where there is none are Numba imported and
-the entry compiled with all that it calls, from its source to one module of LLVM's intermediate code, of which
-only public interfaces of Numba and llvmlite are used.
+the entry compiled with all that it calls (`stayput.intermediate_code`).
 """
 
 from __future__ import annotations
@@ -22,6 +21,8 @@ from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
 import numpy as np
 
+from stayput.progress import bar
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
@@ -31,11 +32,6 @@ if TYPE_CHECKING:
 
 P = ParamSpec("P")
 T = TypeVar("T")
-
-SETTINGS = {"error_model": "numpy", "_nrt": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-"""Division by zero gives infinity or NaN, as in IEEE arithmetic, not an exception; no reference counting. No
-Python wrappers, which would take most of a cold compile.
-"""
 
 _compiling = threading.RLock()
 _announcements: list[Callable[[], None]] = []
@@ -51,20 +47,10 @@ class _Inner:
 
     @cached_property
     def dispatcher(self) -> Any:
-        """The function as Numba compiles it: once for each argument type.
+        """The function as Numba compiles it."""
+        from stayput.intermediate_code import dispatcher
 
-        By default Numba specializes a function for each literal (as ``True`` or ``0.0``) that it is called
-        with, which multiplies the time of a cold start.
-        """
-        unliteral: Callable[[Any], Any] = _numba().types.unliteral
-        compiled = _njit(self.py_func, forceinline=self._forceinline)
-        template = compiled.get_call_template
-
-        def template_of(args: Any, kws: Any) -> Any:
-            return template(tuple(unliteral(kind) for kind in args), kws)
-
-        compiled.get_call_template = template_of
-        return compiled
+        return dispatcher(self.py_func, forceinline=self._forceinline)
 
     @property
     def _numba_type_(self) -> Any:
@@ -125,7 +111,13 @@ class Entry:
 
     def _load(self, kinds: tuple[Any, ...]) -> Callable[..., int]:
         code = self._machine_code(kinds)
-        address = code.load() or code.add(self._compile(kinds))
+        address = code.load()
+        if address is None:
+            for announce in _announcements:
+                announce()
+            _announcements.clear()
+            with self._progress() as begun:
+                address = code.add(self._compile(kinds, begun))
         values: list[Any] = []
         for kind in kinds:
             _append_types(kind, values)
@@ -141,7 +133,7 @@ class Entry:
         others = {Path(function.__code__.co_filename).parent for function in _called_by(self)} - {own}
         return MachineCode(f"{self.__module__}.{self.__name__}", kinds, (own, *sorted(others)))
 
-    def intermediate_code(self, kinds: tuple[Any, ...]) -> str:
+    def intermediate_code(self, kinds: tuple[Any, ...]) -> bytes:
         """Return what it is compiled to, for another target than this machine.
 
         Parameters
@@ -151,21 +143,48 @@ class Entry:
 
         Returns
         -------
-        str
-            A module of LLVM's intermediate code for this machine. Its one external function takes a place for
-            a returned value and one for an exception, neither of them used, then the arguments; of each array
-            two null pointers, the number of items, the size of one, the address, the shape and the strides.
+        bytes
+            A module of LLVM's intermediate code for this machine, as bitcode. Its one external function takes
+            a place for a returned value and one for an exception, neither of them used, then the arguments;
+            of each array two null pointers, the number of items, the size of one, the address, the shape and
+            the strides.
         """
-        return self._machine_code(kinds).intermediate_code() or self._compile(kinds)
+        code = self._machine_code(kinds).intermediate_code()
+        if code is None:
+            with self._progress() as begun:
+                code = self._compile(kinds, begun)
+        return code
 
-    def _compile(self, kinds: tuple[Any, ...]) -> str:
-        for announce in _announcements:
-            announce()
-        _announcements.clear()
-        compiled = _njit(self.py_func)
-        signature = tuple(map(_numba_type, kinds))
-        compiled.compile(signature)
-        return compiled.inspect_llvm(compiled.signatures[0])
+    def _compile(self, kinds: tuple[Any, ...], begun: Callable[[Callable[..., Any]], None]) -> bytes:
+        from stayput.intermediate_code import bitcode
+
+        return bitcode(self.py_func, tuple(map(_numba_type, kinds)), begun)
+
+    @contextmanager
+    def _progress(self) -> Generator[Callable[[Callable[..., Any]], None]]:
+        """Yield a callback for each function whose compilation begins, which advances a progress bar.
+
+        It counts all functions that are named, of which some may be for devices alone, and not be compiled.
+        """
+        waiting = _named_in(self.py_func, {self.py_func})
+        with bar(len(waiting), "Compiling the mechanics once", unit="functions") as advance:
+
+            def begun(function: Callable[..., Any]) -> None:
+                if function in waiting:
+                    waiting.remove(function)
+                    advance(1)
+
+            yield begun
+
+
+def _named_in(function: Callable[..., Any], known: set[Callable[..., Any]]) -> set[Callable[..., Any]]:
+    """Add the compiled functions that a function names, and those that they name, to those known."""
+    for name in function.__code__.co_names:
+        named = function.__globals__.get(name)
+        if isinstance(named, _Inner) and named.py_func not in known:
+            known.add(named.py_func)
+            _named_in(named.py_func, known)
+    return known
 
 
 def _called_by(function: Entry) -> set[_Inner]:
@@ -190,12 +209,6 @@ def _numba() -> Any:
     import numba
 
     return numba
-
-
-def _njit(function: Callable[..., Any], *, forceinline: bool = False) -> Any:
-    if _numba().config.DISABLE_JIT:
-        raise RuntimeError("NUMBA_DISABLE_JIT is set; the mechanics run as compiled code only.")
-    return _numba().njit(**SETTINGS, forceinline=forceinline)(function)
 
 
 def kind_of(argument: Any) -> Any:

@@ -52,7 +52,8 @@ class MachineCode:
         # the processor is part of the file's name: machines of a cluster may share the folder
         self._file = f"{name.rsplit('.', 1)[-1]}-{key}.code"
         versions = (version("numba"), version("llvmlite"), sys.version)
-        how = Path(__file__), Path(__file__).with_name("compiled.py")
+        here = Path(__file__).parent
+        how = [here / name for name in ("compiled.py", "intermediate_code.py", "machine_code.py")]
         sources = [_digest_of(how), *(_digest_of(folder.glob("*.py")) for folder in folders)]
         stamp = repr((name, kinds, processor, versions, sources))
         self._stamp = hashlib.sha256(stamp.encode()).hexdigest().encode()
@@ -62,10 +63,10 @@ class MachineCode:
         parts = self._read()
         return None if parts is None else _address(parts[0], parts[1].decode())
 
-    def intermediate_code(self) -> str | None:
+    def intermediate_code(self) -> bytes | None:
         """Return the intermediate code that it was made of, if it is on disk."""
         parts = self._read()
-        return None if parts is None else zlib.decompress(parts[2]).decode()
+        return None if parts is None else zlib.decompress(parts[2])
 
     def _read(self) -> tuple[bytes, bytes, bytes] | None:
         """Read the machine code, its function's name, and the compressed intermediate code."""
@@ -82,12 +83,12 @@ class MachineCode:
                 return rest[: int(size)], symbol, rest[int(size) :]
         return None
 
-    def add(self, text: str) -> int:
+    def add(self, bitcode: bytes) -> int:
         """Make machine code of intermediate code, keep both on disk if that is possible, and load it.
 
         Parameters
         ----------
-        text : str
+        bitcode : bytes
             A module with one external function.
 
         Returns
@@ -95,11 +96,11 @@ class MachineCode:
         int
             The function's address.
         """
-        module = llvm.parse_assembly(text)
+        module = llvm.parse_bitcode(bitcode)
         symbol = _optimize(module)
         code = _machine().emit_object(module)
         head = b"\0".join((self._stamp, symbol.encode(), str(len(code)).encode(), code))
-        packed = head + zlib.compress(text.encode())
+        packed = head + zlib.compress(bitcode)
         self._save(hashlib.sha256(packed).digest() + packed)
         return _address(code, symbol)
 

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import multiprocessing
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
-    from rich.progress import Task
+    from rich.progress import Progress, Task
     from rich.text import Text
+
+
+_drawn: list[Progress] = []
+"""What is drawn at present, of one item at most: a terminal has room for no second one."""
 
 
 @contextmanager
@@ -18,6 +23,8 @@ def bar(
 ) -> Generator[Callable[[int], None]]:
     """Yield a callback that advances a progress bar on standard error, with the rate and the time left.
 
+    Where another bar is drawn already, this one stands below it.
+
     Parameters
     ----------
     total : int
@@ -25,24 +32,47 @@ def bar(
     what : str
         Label of the bar.
     shown : bool, optional
-        Whether to draw it; by default only if standard error is a terminal.
+        Whether to draw it; by default only if standard error is a terminal, and not in a process that another
+        one has started for its work.
     unit : str
         What the items are called, in the plural.
     """
-    from rich.console import Console
-
-    console = Console(stderr=True)
-    if not (console.is_terminal if shown is None else shown):
+    if not (is_drawn() if shown is None else shown):
         yield lambda count: None
         return
+    with _progress() as progress:
+        task = progress.add_task(what, total=total, unit=unit)
+        try:
+            yield lambda count: progress.advance(task, count)
+        finally:
+            progress.remove_task(task)
+
+
+def is_drawn() -> bool:
+    """Whether bars are drawn where nobody says so."""
+    from rich.console import Console
+
+    return Console(stderr=True).is_terminal and multiprocessing.parent_process() is None
+
+
+@contextmanager
+def _progress() -> Generator[Progress]:
+    """Yield the bars that are drawn at present, or a place for them that is cleared at the end."""
+    if _drawn:
+        yield _drawn[0]
+        return
+    from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, ProgressColumn, TimeRemainingColumn
     from rich.text import Text
 
     class Rate(ProgressColumn):
         def render(self, task: Task) -> Text:
-            return Text("" if task.speed is None else f"{task.speed:,.0f} {unit}/s")
+            return Text("" if task.speed is None else f"{task.speed:,.0f} {task.fields['unit']}/s")
 
     columns = "{task.description}", BarColumn(), MofNCompleteColumn(), Rate(), TimeRemainingColumn()
-    with Progress(*columns, console=console, transient=True) as progress:
-        task = progress.add_task(what, total=total)
-        yield lambda count: progress.advance(task, count)
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        _drawn.append(progress)
+        try:
+            yield progress
+        finally:
+            _drawn.remove(progress)

@@ -11,7 +11,6 @@ numbers i64, all else f64.
 
 from __future__ import annotations
 
-import re
 import shutil
 import subprocess
 import sys
@@ -114,24 +113,24 @@ def build(target: Path) -> None:
         opt=3, reloc="static", features="+bulk-memory,+sign-ext,+nontrapping-fptoint,+mutable-globals"
     )
     whole = llvm.parse_assembly(f'target datalayout = "{_LAYOUT}"\ntarget triple = "{_TRIPLE}"\n{_MULTIPLY}')
-    for name, text in _modules():
-        whole.link_in(_retargeted(name, text))
+    for name, code in _modules():
+        whole.link_in(_retargeted(name, code))
     builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=3))
     builder.getModulePassManager().run(whole, builder)
     exports = [f"--export={name}" for name in (*FUNCTIONS, "__heap_base")]
     with tempfile.TemporaryDirectory() as folder:
-        code, linked = Path(folder, "kernel.o"), Path(folder, "kernel.wasm")
-        code.write_bytes(machine.emit_object(whole))
+        compiled, linked = Path(folder, "kernel.o"), Path(folder, "kernel.wasm")
+        compiled.write_bytes(machine.emit_object(whole))
         options = ["--no-entry", "--gc-sections", "--strip-all", "-z", f"stack-size={_STACK}", *exports]
         done = subprocess.run(
-            [linker, *options, "-o", str(linked), str(code)], capture_output=True, text=True, check=False
+            [linker, *options, "-o", str(linked), str(compiled)], capture_output=True, text=True, check=False
         )
         if done.returncode:
             raise RuntimeError(f"{linker} refuses the code: {done.stderr.strip()}")
         shutil.copyfile(linked, target)
 
 
-def _modules() -> Iterator[tuple[str, str]]:
+def _modules() -> Iterator[tuple[str, bytes]]:
     """Yield the name and the intermediate code of each exported function."""
     values = np.zeros(2)
     yield "block_extremes", _code(flat.block_extremes, (values, values, values))
@@ -147,16 +146,14 @@ def _modules() -> Iterator[tuple[str, str]]:
     yield "yielding_histories", _code(superposition.yielding_histories, yielding)
 
 
-def _code(entry: Any, example: tuple[object, ...]) -> str:
+def _code(entry: Any, example: tuple[object, ...]) -> bytes:
     return cast("Entry", entry).intermediate_code(tuple(map(kind_of, example)))
 
 
-def _retargeted(name: str, text: str) -> Any:
+def _retargeted(name: str, code: bytes) -> Any:
     """Return a module for WebAssembly whose one external function has this name."""
-    text = re.sub(r"^target datalayout.*$", f'target datalayout = "{_LAYOUT}"', text, flags=re.MULTILINE)
-    text = re.sub(r"^target triple.*$", f'target triple = "{_TRIPLE}"', text, flags=re.MULTILINE)
-    text = re.sub(r'"target-(cpu|features)"="[^"]*"', "", text)
-    module = llvm.parse_assembly(text)
+    module = llvm.parse_bitcode(code)
+    module.data_layout, module.triple = _LAYOUT, _TRIPLE
     for function in module.functions:
         if function.is_declaration:
             continue

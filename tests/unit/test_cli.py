@@ -266,7 +266,9 @@ def test_a_study_s_folder_must_not_be_a_file(tmp_path):
     assert "must be a folder" in result.stderr
 
 
-def test_compiling_is_announced_on_standard_error(monkeypatch, tmp_path):
+@pytest.fixture
+def compiling(monkeypatch, tmp_path):
+    """A case that compiles something."""
     run = Case.run
 
     @entry
@@ -278,10 +280,22 @@ def test_compiling_is_announced_on_standard_error(monkeypatch, tmp_path):
         return run(case)
 
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-
     monkeypatch.setattr(Case, "run", compiling)
+
+
+def test_compiling_is_announced_on_standard_error(compiling):
     result = cli("simulate", "--motion", "sine:1,1,1", "--json")
-    assert result.stderr.startswith("Compiling the mechanics once")
+    assert result.stderr.startswith("Compiling the mechanics once, which")
+    json.loads(result.stdout)
+
+
+def test_on_a_terminal_compiling_shows_a_bar_in_place_of_the_line(compiling, monkeypatch):
+    monkeypatch.setattr("stayput.progress.is_drawn", lambda: True)
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    result = cli("simulate", "--motion", "sine:1,1,1", "--json")
+    assert "Compiling the mechanics once" in result.stderr
+    assert "/1" in result.stderr
+    assert "which takes" not in result.stderr
     json.loads(result.stdout)
 
 

@@ -8,7 +8,7 @@ import stat
 import subprocess
 import sys
 import tempfile
-from contextlib import redirect_stderr, redirect_stdout
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from io import StringIO
 from pathlib import Path
 
@@ -209,6 +209,48 @@ def test_a_temporary_folder_that_others_may_have_made_is_not_used(unwritable, tr
     said = "Compiled code cannot be kept on this machine; every start compiles anew."
     assert run() == ["compiling 3.0", said]
     assert not list(folder.parent.rglob("*.code"))
+
+
+@compiled.inner
+def part(x):
+    return x + 1.0
+
+
+@compiled.inner
+def other(x):
+    return part(x) + part(2.0 * x)
+
+
+@compiled.inner
+def never(x):
+    return x
+
+
+@compiled.entry
+def named_four(x, device, result):
+    result[0] = other(x)
+    if device is not None:
+        result[0] = never(x)
+
+
+def test_a_bar_advances_with_each_function_while_the_mechanics_are_compiled(run, monkeypatch):
+    """It is there until the machine code is made; what an absent argument rules out stays uncounted."""
+
+    seen = []
+
+    @contextmanager
+    def recorded(total, what, unit):
+        seen.append((total, what, unit))
+        yield seen.append
+        seen.append(len(list(run.code.rglob("*.code"))))
+
+    monkeypatch.setattr(compiled, "bar", recorded)
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(run.code))
+    result = np.zeros(1)
+    for _ in range(2):
+        named_four(1.0, None, result)
+    assert result[0] == 5.0
+    assert seen == [(4, "Compiling the mechanics once", "functions"), 1, 1, 1, 1]
 
 
 def test_constants_do_not_compile_a_function_anew():

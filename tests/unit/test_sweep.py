@@ -14,7 +14,6 @@ import pytest
 from interrupts import hears_interrupts
 
 import stayput as sp
-from stayput.progress import bar
 from stayput.simulation.grid import Grid
 from stayput.simulation.many import run_grid
 from stayput.simulation.results import OUTCOMES, QUANTITIES
@@ -222,22 +221,6 @@ def test_the_work_in_hand_does_not_grow_with_the_number_of_cases(monkeypatch):
     monkeypatch.setattr(Grid, "block", counted)
     run_grid(grid, chunk=500, threads=2)
     assert at_once == [500] * 20
-
-
-def test_a_bar_shows_rate_and_time_left_on_a_terminal_only(monkeypatch, capsys):
-    with bar(10, "Simulating") as tell:
-        tell(10)
-    assert capsys.readouterr() == ("", "")
-    monkeypatch.setenv("FORCE_COLOR", "1")
-    monkeypatch.setenv("COLUMNS", "120")
-    with bar(10, "Simulating", True) as tell:
-        tell(4)
-        time.sleep(0.3)
-        tell(6)
-        time.sleep(0.3)
-    shown = capsys.readouterr().err
-    assert "10/10" in shown
-    assert "cases/s" in shown
 
 
 @pytest.mark.processes

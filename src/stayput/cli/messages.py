@@ -120,11 +120,13 @@ def print_json(values: object) -> None:
 
 @contextmanager
 def compiling() -> Generator[None]:
-    """Announce on standard error that the mechanics are being compiled, where they are."""
+    """Announce on standard error that the mechanics are being compiled, where no bar shows it."""
     from stayput.compiled import on_compilation
+    from stayput.progress import is_drawn
 
     def announce() -> None:
-        typer.echo("Compiling the mechanics once, which takes up to a minute ...", err=True)
+        if not is_drawn():
+            typer.echo("Compiling the mechanics once, which takes some ten seconds ...", err=True)
 
     with on_compilation(announce):
         yield

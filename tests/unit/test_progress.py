@@ -1,0 +1,63 @@
+"""Progress bars: drawn on a terminal, all in one place, by the process that a person has started."""
+
+import multiprocessing
+import time
+
+import pytest
+
+import stayput.progress as progress
+from stayput.progress import bar
+
+
+@pytest.fixture
+def terminal(monkeypatch):
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    monkeypatch.setenv("COLUMNS", "120")
+
+
+def test_a_bar_shows_rate_and_time_left_on_a_terminal_only(request, capsys):
+    with bar(10, "Simulating") as tell:
+        tell(10)
+    assert capsys.readouterr() == ("", "")
+    request.getfixturevalue("terminal")
+    with bar(10, "Simulating", True) as tell:
+        tell(4)
+        time.sleep(0.3)
+        tell(6)
+        time.sleep(0.3)
+    shown = capsys.readouterr().err
+    assert "10/10" in shown
+    assert "cases/s" in shown
+
+
+def test_a_bar_within_another_stands_below_it_and_goes_when_it_is_done(terminal, capsys):
+    with bar(10, "Simulating", unit="cases") as tell:
+        with bar(3, "Compiling", unit="functions") as inner:
+            inner(1)
+            time.sleep(0.01)
+            inner(1)
+            (drawn,) = progress._drawn
+            assert [(task.description, task.completed) for task in drawn.tasks] == [
+                ("Simulating", 0),
+                ("Compiling", 2),
+            ]
+            time.sleep(0.3)
+        assert [task.description for task in drawn.tasks] == ["Simulating"]
+        tell(10)
+    assert not progress._drawn
+    shown = capsys.readouterr().err
+    assert "2/3" in shown
+    assert "functions/s" in shown
+
+
+def test_an_error_clears_all_bars(terminal):
+    with pytest.raises(ZeroDivisionError), bar(10, "Simulating"), bar(3, "Compiling"):
+        raise ZeroDivisionError
+    assert not progress._drawn
+
+
+def test_a_process_that_another_has_started_draws_none(terminal, monkeypatch, capsys):
+    monkeypatch.setattr(multiprocessing, "parent_process", lambda: "another")
+    with bar(10, "Simulating") as tell:
+        tell(10)
+    assert capsys.readouterr() == ("", "")
