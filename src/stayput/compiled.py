@@ -128,9 +128,9 @@ class Entry:
     def _machine_code(self, kinds: tuple[Any, ...]) -> MachineCode:
         from stayput.machine_code import MachineCode
 
-        # it is made of the sources in the folders of all functions that it may call, or they
+        # it is made of the sources in the folders of all functions that it names, and of theirs
         own = Path(self.py_func.__code__.co_filename).parent
-        others = {Path(function.__code__.co_filename).parent for function in _called_by(self)} - {own}
+        others = {Path(named.__code__.co_filename).parent for named in _named_in(self.py_func, set())} - {own}
         return MachineCode(f"{self.__module__}.{self.__name__}", kinds, (own, *sorted(others)))
 
     def intermediate_code(self, kinds: tuple[Any, ...]) -> bytes:
@@ -184,18 +184,6 @@ def _named_in(function: Callable[..., Any], known: set[Callable[..., Any]]) -> s
         if isinstance(named, _Inner) and named.py_func not in known:
             known.add(named.py_func)
             _named_in(named.py_func, known)
-    return known
-
-
-def _called_by(function: Entry) -> set[_Inner]:
-    """Return the functions that the modules of a function name, and theirs."""
-    known: set[_Inner] = set()
-    new: list[Entry | _Inner] = [function]
-    while new:
-        names = new.pop().py_func.__globals__.values()
-        named = {value for value in names if isinstance(value, _Inner)} - known
-        known |= named
-        new += named
     return known
 
 
