@@ -155,9 +155,30 @@ LINE = np.dtype(
 MAX_FACETS = 40
 MAX_ELEMENTS = 12
 MAX_LINES = 2 * MAX_ELEMENTS
+ORDER = 10
+
+AXIAL_SERIES = np.dtype(
+    [
+        ("row", "i8"),  # of its line
+        ("beta", "f8"),  # d² = constant + β cos θ + γ sin θ [m²]
+        ("gamma", "f8"),
+        # coefficients
+        ("far", "f8", (ORDER + 1,)),  # of d, the distance from the anchor [m]
+        ("pull", "f8", (ORDER + 1,)),  # of F/d
+        ("lever", "f8", (ORDER + 1,)),  # of ½ (d²)'
+    ],
+    align=True,
+)
+"""Series of an AXIAL line of a body on a sticking fulcrum; see `moment`."""
 
 WORK = np.dtype(
     [
+        ("tilt", "f8", (ORDER + 1,)),  # coefficients of the tilt on a sticking fulcrum
+        ("rate", "f8", (ORDER + 1,)),  # of its rate
+        ("lane", "f8", (ORDER + 1, 4)),  # of cos θ, sin θ, cos 2θ, sin 2θ
+        ("moment", "f8", (8,)),  # of the lines about it, see `moment`
+        ("axials", "i8"),
+        ("axial", AXIAL_SERIES, (MAX_ELEMENTS,)),
         ("stage", "f8", (7, 3)),  # accelerations of x, z and θ at the Runge–Kutta stages
         ("weight", "f8", (CONTACTS + 3,)),  # scale of gaps, the mode's two margins, rotation to 90°
         ("lines", "i8"),  # number of active lines

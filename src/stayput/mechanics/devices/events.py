@@ -17,6 +17,7 @@ from stayput.mechanics.devices.active_elements import (
     set_line_weights,
     weighted_margin,
 )
+from stayput.mechanics.devices.moment import tilt_at
 from stayput.mechanics.devices.step import (
     between,
     evaluate_state,
@@ -29,7 +30,6 @@ from stayput.mechanics.roots import (
     MIN_START_VALUE,
     closed_level,
     first_zero,
-    horner,
     illinois_update,
     parabola_negative_at,
     secant,
@@ -192,8 +192,7 @@ def _first_gap_candidate(contacts, s, work, y0, k0, base, y1, k1, excursion, h):
 def _evaluate_inside(contacts, rows, case, s, work, base, load, curves, h, t):
     """Set the state to a time t into a step, by its dense output; return `step.evaluate_state` there."""
     if s.kind == ROCK:
-        s.theta, rate = horner(curves[2], t / h)
-        s.omega = rate / h
+        s.theta, s.omega = tilt_at(work, t)
         s.sin, s.cos = sin_cos(s.theta, base[0], base[1], base[2])
     else:
         set_state(s, between(curves, h, t), base)
@@ -293,7 +292,11 @@ def move_to_event(contacts, rows, case, s, work, base, load, start, end, levels,
     k, f, g, least = end[1], end[2], end[3], 0.0
     before, more = -1.0, LOCATED
     for _ in range(6):
-        set_state(s, between(curves, h, t), base)
+        if s.kind == ROCK:
+            s.theta, s.omega = tilt_at(work, t)
+            s.sin, s.cos = sin_cos(s.theta, base[0], base[1], base[2])
+        else:
+            set_state(s, between(curves, h, t), base)
         project_on_constraints(contacts, case, s, work)
         k, f, g, least = evaluate_state(contacts, rows, case, s, work, load, t)
         m = _least_weighted(contacts, s, work, levels, f, g)

@@ -21,13 +21,13 @@ from stayput.mechanics.devices.events import (
     note_gaps,
     set_gap_levels,
 )
-from stayput.mechanics.devices.rocking_step import set_about_fulcrum
+from stayput.mechanics.devices.rocking_step import set_about_fulcrum, take_fulcrum_step
 from stayput.mechanics.devices.screening import no_line_event
 from stayput.mechanics.devices.step import (
     evaluate_state,
     set_state,
     state_of,
-    take_step,
+    take_free_step,
 )
 from stayput.mechanics.elementary import fifth_root
 from stayput.mechanics.geometry import reason_of_end, update_peaks
@@ -116,18 +116,26 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
         whole = min(dt - s.tau, max_step)
         if abs(s.omega) * whole > MAX_ROTATION:
             whole = MAX_ROTATION / abs(s.omega)
-        h = min(whole, work.step_limit)
-        if h > 0.8 * whole:  # rather one slightly longer step than a sliver before the sample
-            h = whole
-        while True:
-            k1, f1, g1, least, error = take_step(contacts, rows, case, s, work, base, load, y0, k0, h)
+        if s.kind == ROCK:
+            h, k1, f1, g1, least = take_fulcrum_step(
+                contacts[s.i], case, s, work, base, load, y0[5], tolerance, whole
+            )
             s.steps += 1
-            if error <= tolerance or h <= MIN_STEP:
-                break
-            h = work.step_limit = max(_next_length(h, error, tolerance), MIN_STEP)
-        if h < whole or work.step_limit < dt:
-            proposed = _next_length(h, error, tolerance)
-            work.step_limit = proposed if h < whole else max(proposed, work.step_limit)
+        else:
+            h = min(whole, work.step_limit)
+            if h > 0.8 * whole:  # rather one slightly longer step than a sliver before the sample
+                h = whole
+            while True:
+                k1, f1, g1, least, error = take_free_step(
+                    contacts, rows, case, s, work, base, load, y0, k0, h
+                )
+                s.steps += 1
+                if error <= tolerance or h <= MIN_STEP:
+                    break
+                h = work.step_limit = max(_next_length(h, error, tolerance), MIN_STEP)
+            if h < whole or work.step_limit < dt:
+                proposed = _next_length(h, error, tolerance)
+                work.step_limit = proposed if h < whole else max(proposed, work.step_limit)
         y1 = state_of(s)
         least = least_margin(contacts, s, work, levels, f1, g1, least)
         near = min(f0, f1) < near_limit or (not slips and min(g0, g1) < near_limit)
