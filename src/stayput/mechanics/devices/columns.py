@@ -123,6 +123,7 @@ LINE = np.dtype(
         ("high_per_push", "f8"),
         ("stiffness", "f8"),  # of spring and damper, whatever the branch
         ("damping", "f8"),
+        ("reach", "f8"),  # largest lever about the origin [m]
         ("per_plus", "f8"),  # 1/strength where pull and shear interact, else 0
         ("per_minus", "f8"),
         # elongation, rate and force as last evaluated, and at the start of the step
@@ -173,6 +174,7 @@ AXIAL_SERIES = np.dtype(
 
 WORK = np.dtype(
     [
+        ("order", "i8"),  # of the series
         ("tilt", "f8", (ORDER + 1,)),  # coefficients of the tilt on a sticking fulcrum
         ("rate", "f8", (ORDER + 1,)),  # of its rate
         ("lane", "f8", (ORDER + 1, 4)),  # of cos θ, sin θ, cos 2θ, sin 2θ
@@ -185,6 +187,8 @@ WORK = np.dtype(
         ("line", LINE, (MAX_LINES,)),
         ("level", "f8", (CONTACTS,)),  # gaps at which the open contacts close in the present step [m]
         ("gap", "f8", (CONTACTS,)),  # gaps of the open contacts as last evaluated [m]
+        ("gap0", "f8", (CONTACTS,)),  # the same at the start of the step
+        ("curve", "f8", (3, 6)),  # quintics of x, z and θ over the step, in u = t/h
         ("reach", "f8", (CONTACTS, 3)),  # gaps on a fulcrum: a + p cos θ + q sin θ [m]
         ("step_limit", "f8"),  # step length allowed by the last error estimate [s]
         ("still_rate", "f8"),  # rate below which a body is at rest after the present event [m/s]

@@ -13,13 +13,16 @@ With the loads linear in time, all of these are power series, whose coefficients
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from stayput.compiled import inline, inner
 from stayput.mechanics.devices.columns import FRICTION, ORDER, SLACK
 from stayput.mechanics.elementary import fifth_root
 
-import math
+LEAST_ORDER = 6
+"""Terms of the tilt that are always computed."""
 
 OVER = np.array([1.0 / max(1, n) for n in range(ORDER + 2)])
 """1/n."""
@@ -117,8 +120,11 @@ def _axial_moment(work, n, lane):
 
 
 @inner
-def expand_tilt(work, con, q, load, theta, omega, sin, cos):
+def expand_tilt(work, con, q, load, theta, omega, sin, cos, h, tolerance):
     """Set the coefficients of the tilt and of its rate about a sticking fulcrum, from its state.
+
+    There are as many as a step of length h needs, or `ORDER`; returns the longest step within the tolerance,
+    at most h. The last two terms of the tilt count.
 
     Parameters
     ----------
@@ -126,6 +132,8 @@ def expand_tilt(work, con, q, load, theta, omega, sin, cos):
         1/(I + r²).
     load : tuple of float
         A, its rate, Γ, its rate.
+    tolerance : float
+        Largest last term [rad].
     """
     A, A_rate, Γ, Γ_rate = load
     m, tilt, rate, lane = work.moment, work.tilt, work.rate, work.lane
@@ -136,14 +144,16 @@ def expand_tilt(work, con, q, load, theta, omega, sin, cos):
     lane[0, 2], lane[0, 3] = cos * cos - sin * sin, 2.0 * sin * cos
     tilt[0], tilt[1], rate[0] = theta, omega, omega
     _begin_axial(work, sin, cos)
-    for n in range(ORDER - 1):
+    power, last, order = h, math.inf, 1
+    while order < ORDER:
+        n = order - 1
         a = b = c = d = 0.0  # coefficients n of θ̇ times cos θ, sin θ, cos 2θ, sin 2θ
-        for k in range(n + 1):
+        for k in range(order):
             w, row = rate[k], n - k
             a, b, c, d = a + w * lane[row, 0], b + w * lane[row, 1], c + w * lane[row, 2], d + w * lane[row, 3]
-        over = OVER[n + 1]
-        lane[n + 1, 0], lane[n + 1, 1] = -over * b, over * a
-        lane[n + 1, 2], lane[n + 1, 3] = -2.0 * over * d, 2.0 * over * c
+        over = OVER[order]
+        lane[order, 0], lane[order, 1] = -over * b, over * a
+        lane[order, 2], lane[order, 3] = -2.0 * over * d, 2.0 * over * c
         moment = of_cos * lane[n, 0] + of_sin * lane[n, 1] + (m[3] * lane[n, 2] + m[4] * lane[n, 3])
         if n == 0:
             moment += m[0]
@@ -152,28 +162,35 @@ def expand_tilt(work, con, q, load, theta, omega, sin, cos):
         if work.axials > 0:
             moment += _axial_moment(work, n, lane)
         moment += m[5] * rate[n] + (m[6] * c + m[7] * d)
-        rate[n + 1] = q * over * moment
-        tilt[n + 2] = OVER[n + 2] * rate[n + 1]
-
-
-@inline
-def step_of_series(work, h, tolerance):
-    """Longest step, at most h, whose last two terms of the tilt stay within the tolerance [rad]."""
-    tilt = work.tilt
-    h2 = h * h
-    h4 = h2 * h2
-    last = h4 * h4 * h * max(abs(tilt[ORDER]) * h, 0.1 * abs(tilt[ORDER - 1]))
-    if last > tolerance:
-        h *= 0.95 * fifth_root(math.sqrt(tolerance / last))
-    return h
+        rate[order] = q * over * moment
+        order += 1
+        tilt[order] = OVER[order] * rate[order - 1]
+        power *= h
+        before, last = last, abs(tilt[order]) * power
+        if order >= LEAST_ORDER and max(last, 0.1 * before) <= tolerance:
+            break
+    work.order = order
+    last = max(last, 0.1 * before)
+    if last <= tolerance:
+        return h
+    return h * (0.95 * fifth_root(math.sqrt(tolerance / last)))
 
 
 @inline
 def tilt_at(work, t):
-    """Tilt and tilt rate a time t into the step, by Horner's scheme."""
-    tilt = work.tilt
-    theta, omega = tilt[ORDER], 0.0
-    for i in range(ORDER):
-        omega = omega * t + theta
-        theta = theta * t + tilt[ORDER - 1 - i]
-    return theta, omega
+    """Tilt and tilt rate a time t into the step: Horner's scheme for even and odd powers."""
+    tilt, rate = work.tilt, work.rate
+    i = work.order - 1  # made odd, by a coefficient that is zero
+    square = t * t
+    if i & 1 == 0:
+        even, odd = tilt[i], tilt[i + 1]
+        even_rate, odd_rate = rate[i], 0.0
+    else:
+        i += 1
+        even, odd = tilt[i], 0.0
+        even_rate = odd_rate = 0.0
+    while i > 0:
+        i -= 2
+        even, odd = even * square + tilt[i], odd * square + tilt[i + 1]
+        even_rate, odd_rate = even_rate * square + rate[i], odd_rate * square + rate[i + 1]
+    return even + t * odd, even_rate + t * odd_rate

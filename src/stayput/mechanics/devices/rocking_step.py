@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from stayput.compiled import inline, inner
 from stayput.mechanics.columns import CORNER
-from stayput.mechanics.devices.active_elements import evaluate_lines
+from stayput.mechanics.devices.active_elements import evaluate_lines, line_force
 from stayput.mechanics.devices.branch_law import set_lines
-from stayput.mechanics.devices.moment import expand_tilt, step_of_series, sum_lines, tilt_at
+from stayput.mechanics.devices.moment import expand_tilt, sum_lines, tilt_at
 from stayput.mechanics.geometry import arm, sin_cos, to_plane_axes
 from stayput.mechanics.projection import set_pivot_velocity
 
@@ -46,9 +46,8 @@ def stand_on_fulcrum(con, s, foot):
 
 
 @inline
-def evaluate_on_fulcrum(con, case, s, work, load, t):
-    """As `accelerations.evaluate_at`, from the tilt and its rate alone."""
-    fx, fz, moment, least = evaluate_lines(work, s.sin, s.cos, False, 0.0, 0.0, 0.0, 0.0, s.omega)
+def _under(con, case, s, load, t, fx, fz, moment):
+    """Accelerations of x, z and θ, and the two margins of the fulcrum, under these forces of the lines."""
     A, Γ = to_plane_axes(con, load[0] + load[1] * t, load[2] + load[3] * t)
     sigma, kappa = arm(con, s)
     alpha = (moment - kappa * A - sigma * Γ) / (case.inertia + sigma * sigma + kappa * kappa)
@@ -57,7 +56,23 @@ def evaluate_on_fulcrum(con, case, s, work, load, t):
     along_plane, off_plane = to_plane_axes(con, fx, fz)
     N, T = Γ - off_plane + normal, A - along_plane + tangential
     k = con.cos * tangential - con.sin * normal, con.sin * tangential + con.cos * normal, alpha
-    return k, con.mu_static * N - T, con.mu_static * N + T, least
+    return k, con.mu_static * N - T, con.mu_static * N + T
+
+
+@inline
+def evaluate_on_fulcrum(con, case, s, work, load, t):
+    """As `accelerations.evaluate_at`, from the tilt and its rate alone."""
+    fx, fz, moment, least = evaluate_lines(work, s.sin, s.cos, False, 0.0, 0.0, 0.0, 0.0, s.omega)
+    k, f, g = _under(con, case, s, load, t, fx, fz, moment)
+    return k, f, g, least
+
+
+@inline
+def margins_on_fulcrum(con, case, s, work, load, t):
+    """The fulcrum's two margins in the state of s; stores nothing."""
+    fx, fz, moment = line_force(work, s.sin, s.cos, False, 0.0, 0.0, 0.0, 0.0, s.omega)
+    _, f, g = _under(con, case, s, load, t, fx, fz, moment)
+    return f, g
 
 
 @inner
@@ -72,8 +87,8 @@ def take_fulcrum_step(con, case, s, work, base, load, omega, tolerance, h):
     A, Γ = to_plane_axes(con, load[0], load[2])
     A_rate, Γ_rate = to_plane_axes(con, load[1], load[3])
     q = 1.0 / (case.inertia + con.sigma * con.sigma + con.kappa * con.kappa)
-    expand_tilt(work, con, q, (A, A_rate, Γ, Γ_rate), base[0], omega, base[1], base[2])
-    longest = step_of_series(work, h, tolerance)
+    loads = A, A_rate, Γ, Γ_rate
+    longest = expand_tilt(work, con, q, loads, base[0], omega, base[1], base[2], h, tolerance)
     if longest < h:
         h = longest if longest < 0.5 * h else 0.5 * h  # rather two even steps than a sliver before the sample
     s.theta, s.omega = tilt_at(work, h)

@@ -20,11 +20,11 @@ from stayput.mechanics.devices.dormand_prince import (
 )
 from stayput.mechanics.devices.rocking_step import (
     evaluate_on_fulcrum,
+    margins_on_fulcrum,
     stand_on_fulcrum,
 )
 from stayput.mechanics.geometry import sin_cos
 from stayput.mechanics.projection import project_on_both, project_on_plane
-from stayput.mechanics.roots import hermite, horner
 
 
 @inline
@@ -86,6 +86,15 @@ def evaluate_state(contacts, rows, case, s, work, load, t):
     return evaluate_at(contacts, rows, case, s, work, load, t)
 
 
+@inner
+def contact_margins(contacts, rows, case, s, work, load, t):
+    """The contacts' two margins in the state of s; stores nothing."""
+    if s.kind == ROCK:
+        return margins_on_fulcrum(contacts[s.i], case, s, work, load, t)
+    _, _, _, f, g = accelerations(contacts, rows, case, s, work, load, t)
+    return f, g
+
+
 @inline
 def set_state(s, y, base):
     """Write (x, z, θ, ẋ, ż, θ̇) into the state record."""
@@ -108,23 +117,3 @@ def project_on_constraints(contacts, case, s, work):
         project_on_plane(contacts[s.i], s)
     elif s.kind == LEAN:
         project_on_both(contacts[s.i], contacts[s.j], case.inertia, s)
-
-
-@inline
-def quintics(y0, k0, y1, k1, h):
-    """Quintics of x, z and θ over a step between states with these accelerations."""
-    return (
-        hermite(y0[0], y0[3], k0[0], y1[0], y1[3], k1[0], h),
-        hermite(y0[1], y0[4], k0[1], y1[1], y1[4], k1[1], h),
-        hermite(y0[2], y0[5], k0[2], y1[2], y1[5], k1[2], h),
-    )
-
-
-@inline
-def between(curves, h, t):
-    """Interpolated state a time t into a step of length h."""
-    u = t / h
-    x, vx = horner(curves[0], u)
-    z, vz = horner(curves[1], u)
-    theta, omega = horner(curves[2], u)
-    return x, z, theta, vx / h, vz / h, omega / h

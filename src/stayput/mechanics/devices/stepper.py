@@ -17,7 +17,6 @@ from stayput.mechanics.devices.events import (
     first_event,
     gaps_stay_open,
     least_margin,
-    move_to_event,
     note_gaps,
     set_gap_levels,
 )
@@ -25,7 +24,6 @@ from stayput.mechanics.devices.rocking_step import set_about_fulcrum, take_fulcr
 from stayput.mechanics.devices.screening import no_line_event
 from stayput.mechanics.devices.step import (
     evaluate_state,
-    set_state,
     state_of,
     take_free_step,
 )
@@ -142,9 +140,8 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
         start, end = (y0, k0, f0, g0), (y1, k1, f1, g1)
         inactive = no_line_event(work, h)
         excursion = excursion_bound(case, y0, y1, h)
-        t, looked = -1.0, False
         if near or least < 0.0 or not inactive or not gaps_stay_open(s, work, excursion):
-            t, looked = first_event(
+            found, h, k1, f1, g1, least = first_event(
                 contacts,
                 rows,
                 case,
@@ -161,18 +158,11 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
                 h,
                 levels,
             )
-        if t >= 0.0:
-            h, k1, f1, g1, least = move_to_event(
-                contacts, rows, case, s, work, base, load, start, end, levels, t, h
-            )
-            y1 = state_of(s)
-            if least < 0.0:
-                why = reason_of_end(s)
-            no_line_event(work, h)
-        elif looked:
-            set_state(s, y1, base)
-            k1, f1, g1, _ = evaluate_state(contacts, rows, case, s, work, load, h)
-            note_gaps(contacts, s, work)
+            if found:
+                y1 = state_of(s)
+                if least < 0.0:
+                    why = reason_of_end(s)
+                no_line_event(work, h)
         if y0[5] * y1[5] < 0.0 and abs(y0[2] - s.rest) + h * (abs(y0[5]) + abs(y1[5])) > s.peak_tilt:
             turning = _turning_tilt(y0[2], y0[5], k0[2], y1[2], y1[5], k1[2], h)
             s.peak_tilt = max(s.peak_tilt, abs(turning - s.rest))
