@@ -41,6 +41,9 @@ from stayput.mechanics.roots import (
 SEARCH_TOLERANCE, LOCATED = 1e-10, 1e-12
 """Tolerance of the event search, and least advance beyond it to where a margin is negative [s]."""
 
+CLOSE_ENOUGH = 1e-7
+"""Newton step after which another would be less than the tolerance [s]."""
+
 F_WEIGHT, G_WEIGHT, TURN_WEIGHT = CONTACTS, CONTACTS + 1, CONTACTS + 2
 
 
@@ -258,7 +261,7 @@ def _closing_time(contacts, s, work, base, c, t, h):
             break
         step = (over - work.level[c]) / rate
         t = min(h, max(0.5 * t, t - step))
-        if abs(step) <= SEARCH_TOLERANCE:
+        if abs(step) <= CLOSE_ENOUGH:
             break
     return t
 

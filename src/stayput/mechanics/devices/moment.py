@@ -24,6 +24,9 @@ from stayput.mechanics.elementary import fifth_root
 LEAST_ORDER = 6
 """Terms of the tilt that are always computed."""
 
+WAVY = 0.01
+"""Part of the second and third terms above which the others make a step wavy."""
+
 OVER = np.array([1.0 / max(1, n) for n in range(ORDER + 2)])
 """1/n."""
 
@@ -194,3 +197,24 @@ def tilt_at(work, t):
         even, odd = even * square + tilt[i], odd * square + tilt[i + 1]
         even_rate, odd_rate = even_rate * square + rate[i], odd_rate * square + rate[i + 1]
     return even + t * odd, even_rate + t * odd_rate
+
+
+@inline
+def deviation_from_cubic(work, h):
+    """Bound on how far the tilt deviates in a step from the cubic through its values and rates at both ends.
+
+    That of tⁿ is at most (n − 2)(n − 3)/32 hⁿ, since u²(1 − u)² ≤ 1/16.
+    """
+    tilt = work.tilt
+    bound, power = 0.0, h * h * h
+    for n in range(4, work.order + 1):
+        power *= h
+        bound += (n - 2) * (n - 3) * abs(tilt[n]) * power
+    return bound * (1.0 / 32.0)
+
+
+@inline
+def is_wavy(work, h, beyond):
+    """Whether the tilt deviates from the cubic by a notable part of how far that deviates from the chord."""
+    tilt = work.tilt
+    return beyond > WAVY * (h * h * (abs(tilt[2]) + h * abs(tilt[3])))

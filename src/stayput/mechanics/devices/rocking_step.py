@@ -16,6 +16,7 @@ from stayput.mechanics.devices.branch_law import set_lines
 from stayput.mechanics.devices.moment import expand_tilt, sum_lines, tilt_at
 from stayput.mechanics.geometry import arm, sin_cos, to_plane_axes
 from stayput.mechanics.projection import set_pivot_velocity
+from stayput.mechanics.roots import illinois_update, secant
 
 @inner
 def set_about_fulcrum(elements, links, contacts, case, s, work):
@@ -76,23 +77,35 @@ def margins_on_fulcrum(con, case, s, work, load, t):
 
 
 @inner
-def take_fulcrum_step(con, case, s, work, base, load, omega, tolerance, h):
-    """Take one step of a body on a sticking fulcrum, by its series; see `moment`.
+def begin_fulcrum_step(con, case, work, base, load, omega, tolerance, h):
+    """Expand the tilt of a body on a sticking fulcrum; return the length of the step, at most h.
 
-    Returns
-    -------
-    tuple
-        The length of the step, at most h; at its end the accelerations, the contacts' two margins and the lines' least margin.
+    Where the series does not reach as far as h, two even steps are better than a long one and a sliver.
     """
     A, Γ = to_plane_axes(con, load[0], load[2])
     A_rate, Γ_rate = to_plane_axes(con, load[1], load[3])
     q = 1.0 / (case.inertia + con.sigma * con.sigma + con.kappa * con.kappa)
     loads = A, A_rate, Γ, Γ_rate
     longest = expand_tilt(work, con, q, loads, base[0], omega, base[1], base[2], h, tolerance)
-    if longest < h:
-        h = longest if longest < 0.5 * h else 0.5 * h  # rather two even steps than a sliver before the sample
+    return h if longest >= h else min(longest, 0.5 * h)
+
+
+@inline
+def end_fulcrum_step(con, case, s, work, base, load, h):
+    """Set the state to that at h in the step, by the series; as `evaluate_on_fulcrum`."""
     s.theta, s.omega = tilt_at(work, h)
     s.sin, s.cos = sin_cos(s.theta, base[0], base[1], base[2])
     stand_on_fulcrum(con, s, work.foot)
-    end, f, g, least = evaluate_on_fulcrum(con, case, s, work, load, h)
-    return h, end, f, g, least
+    return evaluate_on_fulcrum(con, case, s, work, load, h)
+
+
+@inner
+def turning_tilt_on_fulcrum(work, omega0, omega1, h):
+    """Extreme tilt inside a step, where the rotation reverses: the Illinois method on the series."""
+    bracket = (0.0, abs(omega0), h, -abs(omega1), 0)
+    theta = work.tilt[0]
+    for _ in range(4):
+        t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
+        theta, omega = tilt_at(work, t)
+        bracket = illinois_update(bracket, t, omega if omega0 > 0.0 else -omega)
+    return theta

@@ -9,6 +9,7 @@ from stayput.mechanics.devices.active_elements import (
     begin_step,
     level_of,
     note_forces_within,
+    reaches_peak,
     record_forces,
 )
 from stayput.mechanics.devices.branch_law import set_lines
@@ -20,7 +21,13 @@ from stayput.mechanics.devices.events import (
     note_gaps,
     set_gap_levels,
 )
-from stayput.mechanics.devices.rocking_step import set_about_fulcrum, take_fulcrum_step
+from stayput.mechanics.devices.moment import deviation_from_cubic, is_wavy
+from stayput.mechanics.devices.rocking_step import (
+    begin_fulcrum_step,
+    end_fulcrum_step,
+    set_about_fulcrum,
+    turning_tilt_on_fulcrum,
+)
 from stayput.mechanics.devices.screening import no_line_event
 from stayput.mechanics.devices.step import (
     evaluate_state,
@@ -40,6 +47,9 @@ REST_RATE = 1e-9
 
 NEAR_LIMIT = 0.01
 """Margin, as a part of g, below which at either end of a step it is also evaluated at the midpoint."""
+
+FORCE_SWING = 2.0
+"""Change of a contact's margin per force of the lines, 1 + μ: what they may swing inside a step is added."""
 
 MIN_STEP = 1e-6
 """Least step; it is accepted whatever its error [s]."""
@@ -115,10 +125,17 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
         if abs(s.omega) * whole > MAX_ROTATION:
             whole = MAX_ROTATION / abs(s.omega)
         if s.kind == ROCK:
-            h, k1, f1, g1, least = take_fulcrum_step(
-                contacts[s.i], case, s, work, base, load, y0[5], tolerance, whole
-            )
+            con = contacts[s.i]
+            h = begin_fulcrum_step(con, case, work, base, load, y0[5], tolerance, whole)
+            k1, f1, g1, least = end_fulcrum_step(con, case, s, work, base, load, h)
             s.steps += 1
+            beyond = deviation_from_cubic(work, h)
+            inactive, deviation = no_line_event(work, h, beyond)
+            if is_wavy(work, h, beyond) and (not inactive or reaches_peak(work, devices)):
+                h *= 0.5
+                k1, f1, g1, least = end_fulcrum_step(con, case, s, work, base, load, h)
+                beyond = deviation_from_cubic(work, h)
+                inactive, deviation = no_line_event(work, h, beyond)
         else:
             h = min(whole, work.step_limit)
             if h > 0.8 * whole:  # rather one slightly longer step than a sliver before the sample
@@ -134,11 +151,13 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
             if h < whole or work.step_limit < dt:
                 proposed = _next_length(h, error, tolerance)
                 work.step_limit = proposed if h < whole else max(proposed, work.step_limit)
+            beyond = 0.0
+            inactive, deviation = no_line_event(work, h, beyond)
         y1 = state_of(s)
         least = least_margin(contacts, s, work, levels, f1, g1, least)
-        near = min(f0, f1) < near_limit or (not slips and min(g0, g1) < near_limit)
+        reserve = near_limit + FORCE_SWING * deviation
+        near = min(f0, f1) < reserve or (not slips and min(g0, g1) < reserve)
         start, end = (y0, k0, f0, g0), (y1, k1, f1, g1)
-        inactive = no_line_event(work, h)
         excursion = excursion_bound(case, y0, y1, h)
         if near or least < 0.0 or not inactive or not gaps_stay_open(s, work, excursion):
             found, h, k1, f1, g1, least = first_event(
@@ -162,9 +181,12 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
                 y1 = state_of(s)
                 if least < 0.0:
                     why = reason_of_end(s)
-                no_line_event(work, h)
+                no_line_event(work, h, beyond)
         if y0[5] * y1[5] < 0.0 and abs(y0[2] - s.rest) + h * (abs(y0[5]) + abs(y1[5])) > s.peak_tilt:
-            turning = _turning_tilt(y0[2], y0[5], k0[2], y1[2], y1[5], k1[2], h)
+            if s.kind == ROCK:
+                turning = turning_tilt_on_fulcrum(work, y0[5], y1[5], h)
+            else:
+                turning = _turning_tilt(y0[2], y0[5], k0[2], y1[2], y1[5], k1[2], h)
             s.peak_tilt = max(s.peak_tilt, abs(turning - s.rest))
         note_forces_within(work, devices, h)
         update_peaks(case, s)
