@@ -151,9 +151,17 @@ def expand_tilt(work, con, q, load, theta, omega, sin, cos, h, tolerance):
     while order < ORDER:
         n = order - 1
         a = b = c = d = 0.0  # coefficients n of θ̇ times cos θ, sin θ, cos 2θ, sin 2θ
-        for k in range(order):
-            w, row = rate[k], n - k
-            a, b, c, d = a + w * lane[row, 0], b + w * lane[row, 1], c + w * lane[row, 2], d + w * lane[row, 3]
+        k = 0
+        while k < n:  # two terms at a time
+            w, v, row = rate[k], rate[k + 1], n - k
+            a += w * lane[row, 0] + v * lane[row - 1, 0]
+            b += w * lane[row, 1] + v * lane[row - 1, 1]
+            c += w * lane[row, 2] + v * lane[row - 1, 2]
+            d += w * lane[row, 3] + v * lane[row - 1, 3]
+            k += 2
+        if k == n:
+            w = rate[n]
+            a, b, c, d = a + w * lane[0, 0], b + w * lane[0, 1], c + w * lane[0, 2], d + w * lane[0, 3]
         over = OVER[order]
         lane[order, 0], lane[order, 1] = -over * b, over * a
         lane[order, 2], lane[order, 3] = -2.0 * over * d, 2.0 * over * c
