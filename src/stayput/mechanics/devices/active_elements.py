@@ -123,7 +123,7 @@ def least_weighted_line(work):
 
 @inner
 def first_crossing_candidate(work, sin, cos, moves, x, z, vx, vz, omega):
-    """First crossing candidate: earliest part of the step at which a parabola has a line margin below its level.
+    """First crossing candidate: part of the step at which a parabola first has a margin below its level.
 
     The parabola passes through the margin at the start, the middle and the end of the step; 1 where there is
     none. The state is that in the middle, and the rows hold the values at both ends.

@@ -83,17 +83,6 @@ def _set_slipping(el, link, line, i):
     line.high_at_0 = el.stiffness[i] * (el.ultimate[i] - link.plastic_sum[i])
 
 
-@inline
-def _divide_bond(link, normal):
-    """Let a bonded normal line, beside which friction slips, end its branch where push turns into pull."""
-    if link.branch[NORMAL] != BOND:
-        return
-    if link.force[NORMAL] < 0.0:
-        normal.high_at_0 = 0.0
-    else:
-        normal.bears_friction, normal.low_at_0 = 0, 0.0
-
-
 @inner
 def set_lines(elements, links, case, corner, x, z, work):
     """Set the rows of the active lines, about an origin at (x, z).
@@ -129,8 +118,6 @@ def set_lines(elements, links, case, corner, x, z, work):
                 _set_slipping(el, link, line, i)
             else:
                 _set_taut(el, link, line, i)
-            if i == TANGENT and branch in (SLIP_PLUS, SLIP_MINUS) and slips_by_friction(el, i):
-                _divide_bond(link, work.line[count - 1])
             count += 1
     work.lines = count
 

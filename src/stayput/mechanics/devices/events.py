@@ -36,7 +36,6 @@ from stayput.mechanics.roots import (
     illinois_update,
     parabola_negative_at,
     secant,
-    stays_positive,
 )
 
 SEARCH_TOLERANCE, LOCATED = 1e-10, 1e-12
@@ -186,17 +185,13 @@ def excursion_bound(case, y0, y1, h):
 
 
 @inline
-def gaps_stay_open(contacts, s, work, start, end, base, excursion, h):
-    """Whether no gap closes in a step within which corners move no farther than ``excursion``."""
+def gaps_stay_open(s, work, excursion):
+    """Whether no gap can close in a step within which corners move no farther than ``excursion``."""
     others = s.present & ~s.closed
     c = 0
     while others >> c:
         if others >> c & 1 and work.gap[c] < excursion:
-            level = work.level[c]
-            g0, v0, c0 = _gap_rates(contacts, s, work, c, start[0], start[1], base[1], base[2])
-            g1, v1, c1 = _gap_rates(contacts, s, work, c, end[0], end[1], s.sin, s.cos)
-            if not stays_positive(g0 - level, v0, c0, g1 - level, v1, c1, h):
-                return False
+            return False
         c += 1
     return True
 
@@ -220,7 +215,7 @@ def _first_gap_candidate(contacts, s, work, y0, k0, base, y1, k1, excursion, h):
 
 
 @inner
-def _set_dense_output(s, work, start, end, h):
+def set_dense_output(s, work, start, end, h):
     """Set the dense output of a completed step; on a sticking fulcrum it is the series of the tilt."""
     if s.kind == ROCK:
         return
@@ -362,7 +357,7 @@ def first_event(
     looks = near or not inactive
     if not looks and contact < 0 and least >= 0.0:
         return False, h, k1, f1, g1, least
-    _set_dense_output(s, work, start, end, h)
+    set_dense_output(s, work, start, end, h)
     probe = h
     if looks:
         probe = _candidate_inside(

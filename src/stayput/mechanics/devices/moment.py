@@ -1,7 +1,7 @@
 """Moment of all lines about a sticking fulcrum, as one function of the tilt and its rate, and its series.
 
-A line of fixed direction has the elongation e = a + p cos θ + q sin θ and the lever l = q cos θ − p sin θ, and
-its force is linear in e and ė = θ̇ l. So the moments −F l of all such lines add up to eight coefficients:
+A line of fixed direction has the elongation e = a + p cos θ + q sin θ and the lever l = q cos θ − p sin θ,
+and its force is linear in e and ė = θ̇ l. So the moments −F l of all such lines add up to eight coefficients:
 
     M = m₀ + m₁ cos θ + m₂ sin θ + m₃ cos 2θ + m₄ sin 2θ + θ̇ (m₅ + m₆ cos 2θ + m₇ sin 2θ)
 
@@ -18,11 +18,16 @@ import math
 import numpy as np
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.devices.columns import FRICTION, ORDER, SLACK
+from stayput.mechanics.devices.columns import BOND, FRICTION, NORMAL, ORDER, SLACK
 from stayput.mechanics.elementary import fifth_root
 
 LEAST_ORDER = 6
 """Terms of the tilt that are always computed."""
+
+LAST_TERM = 0.1
+"""Largest last term of the tilt, as a part of the tolerance: the rate's is as many times larger as there are
+terms.
+"""
 
 WAVY = 0.01
 """Part of the second and third terms above which the others make a step wavy."""
@@ -51,8 +56,20 @@ def _add_product(m, factor, at_0, k, c, first, second):
     m[7] -= c * cosine
 
 
+@inline
+def _divide_bond(normal, F):
+    """Let a bonded normal line, beside which friction slips, end its branch where push turns into pull.
+
+    There the friction has a kink, which a series cannot pass.
+    """
+    if F < 0.0:
+        normal.high_at_0 = 0.0
+    else:
+        normal.bears_friction, normal.low_at_0 = 0, 0.0
+
+
 @inner
-def sum_lines(work):
+def sum_lines(links, work):
     """Sum up the moments of the lines of fixed direction, and list the AXIAL ones, about the fulcrum."""
     m = work.moment
     for j in range(8):
@@ -66,7 +83,9 @@ def sum_lines(work):
             work.axial[work.axials].row = r
             work.axials += 1
         elif line.state == FRICTION:
-            normal = work.line[r - 1]
+            normal, link = work.line[r - 1], links[line.element]
+            if link.branch[NORMAL] == BOND:
+                _divide_bond(normal, link.force[NORMAL])
             if normal.bears_friction != 0:  # the push of the normal line is −F
                 at_0 = normal.constant + normal.k * normal.a
                 first, second = (normal.p, normal.q), (line.p, line.q)
@@ -74,14 +93,6 @@ def sum_lines(work):
         else:
             place = line.p, line.q
             _add_product(m, -1.0, line.constant + line.k * line.a, line.k, line.c, place, place)
-
-
-@inline
-def moment_of(m, sin, cos, omega):
-    """Moment of the lines of fixed direction about the fulcrum."""
-    cosine, sine = cos * cos - sin * sin, 2.0 * sin * cos
-    still = m[0] + (m[1] * cos + m[2] * sin) + (m[3] * cosine + m[4] * sine)
-    return still + omega * (m[5] + m[6] * cosine + m[7] * sine)
 
 
 @inline
@@ -126,8 +137,8 @@ def _axial_moment(work, n, lane):
 def expand_tilt(work, con, q, load, theta, omega, sin, cos, h, tolerance):
     """Set the coefficients of the tilt and of its rate about a sticking fulcrum, from its state.
 
-    There are as many as a step of length h needs, or `ORDER`; returns the longest step within the tolerance,
-    at most h. The last two terms of the tilt count.
+    There are as many as a step of length h needs, or `ORDER`; returns the longest step, at most h, whose last
+    two terms of the tilt are within the tolerance.
 
     Parameters
     ----------
@@ -136,18 +147,21 @@ def expand_tilt(work, con, q, load, theta, omega, sin, cos, h, tolerance):
     load : tuple of float
         A, its rate, Γ, its rate.
     tolerance : float
-        Largest last term [rad].
+        Largest error of the step [rad].
     """
     A, A_rate, Γ, Γ_rate = load
     m, tilt, rate, lane = work.moment, work.tilt, work.rate, work.lane
     # −κ A − σ Γ with κ = κ₀ cos θ + σ₀ sin θ and σ = σ₀ cos θ − κ₀ sin θ
     of_cos, of_sin = m[1] - (con.kappa * A + con.sigma * Γ), m[2] - (con.sigma * A - con.kappa * Γ)
-    of_cos_rate, of_sin_rate = con.kappa * A_rate + con.sigma * Γ_rate, con.sigma * A_rate - con.kappa * Γ_rate
+    of_cos_rate, of_sin_rate = (
+        con.kappa * A_rate + con.sigma * Γ_rate,
+        con.sigma * A_rate - con.kappa * Γ_rate,
+    )
     lane[0, 0], lane[0, 1] = cos, sin
     lane[0, 2], lane[0, 3] = cos * cos - sin * sin, 2.0 * sin * cos
     tilt[0], tilt[1], rate[0] = theta, omega, omega
     _begin_axial(work, sin, cos)
-    power, last, order = h, math.inf, 1
+    power, last, order, most = h, math.inf, 1, LAST_TERM * tolerance
     while order < ORDER:
         n = order - 1
         a = b = c = d = 0.0  # coefficients n of θ̇ times cos θ, sin θ, cos 2θ, sin 2θ
@@ -178,13 +192,13 @@ def expand_tilt(work, con, q, load, theta, omega, sin, cos, h, tolerance):
         tilt[order] = OVER[order] * rate[order - 1]
         power *= h
         before, last = last, abs(tilt[order]) * power
-        if order >= LEAST_ORDER and max(last, 0.1 * before) <= tolerance:
+        if order >= LEAST_ORDER and max(last, 0.1 * before) <= most:
             break
     work.order = order
     last = max(last, 0.1 * before)
-    if last <= tolerance:
+    if last <= most:
         return h
-    return h * (0.95 * fifth_root(math.sqrt(tolerance / last)))
+    return h * (0.95 * fifth_root(math.sqrt(most / last)))
 
 
 @inline

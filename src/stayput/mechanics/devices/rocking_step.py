@@ -18,6 +18,7 @@ from stayput.mechanics.geometry import arm, sin_cos, to_plane_axes
 from stayput.mechanics.projection import set_pivot_velocity
 from stayput.mechanics.roots import illinois_update, secant
 
+
 @inner
 def set_about_fulcrum(elements, links, contacts, case, s, work):
     """Set the line coefficients, and the gap functions of the open contacts, about the fulcrum."""
@@ -25,7 +26,7 @@ def set_about_fulcrum(elements, links, contacts, case, s, work):
     foot = work.foot = to_plane_axes(con, s.x, s.z)[0] + arm(con, s)[0]
     x, z = con.cos * foot + con.sin * con.offset, con.sin * foot - con.cos * con.offset
     set_lines(elements, links, case, corner, x, z, work)
-    sum_lines(work)
+    sum_lines(links, work)
     others = s.present & ~s.closed
     c = 0
     while others >> c:

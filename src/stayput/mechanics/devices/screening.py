@@ -20,7 +20,7 @@ The maximum of u (1 − u)² on [0, 1] is 4/27.
 """
 
 RATE_PER_PLACE = 5.0
-"""Bound of the rate's deviation from that of the cubic, times h, per bound of the place's deviation from it."""
+"""Bound of the rate's deviation from the cubic's, times h, per bound of the place's deviation from it."""
 
 
 @inline

@@ -50,13 +50,8 @@ def take_free_step(contacts, rows, case, s, work, base, load, y0, k0, h):
     """
     x0, z0, theta0, vx0, vz0, omega0 = y0
     stage = work.stage
-    kind = s.kind
-    turns, on_plane = kind != SLIDE, kind == SLIDE or kind == SLIDE_ROCK
-    con = contacts[max(s.i, 0)]
-    along0 = con.cos * vx0 + con.sin * vz0
     stage[0, 0], stage[0, 1], stage[0, 2] = k0
-    if on_plane:
-        stage[0, 0] = con.cos * k0[0] + con.sin * k0[1]
+    turns = s.kind != SLIDE
     for i in range(1, STAGES):
         t = h * TIMES[i]
         if turns:
@@ -64,25 +59,18 @@ def take_free_step(contacts, rows, case, s, work, base, load, y0, k0, h):
             s.theta, s.omega = theta0 + (t * omega0 + h * h * place), omega0 + h * rate
             s.sin, s.cos = sin_cos(s.theta, base[0], base[1], base[2])
         place, rate = _weighted_sums(stage, i, 0)
-        if on_plane:
-            shift, speed = t * along0 + h * h * place, along0 + h * rate
-            s.x, s.z = x0 + con.cos * shift, z0 + con.sin * shift
-            s.vx, s.vz = con.cos * speed, con.sin * speed
-            project_on_plane(con, s)
-        else:
-            s.x, s.vx = x0 + (t * vx0 + h * h * place), vx0 + h * rate
-            place, rate = _weighted_sums(stage, i, 1)
-            s.z, s.vz = z0 + (t * vz0 + h * h * place), vz0 + h * rate
+        s.x, s.vx = x0 + (t * vx0 + h * h * place), vx0 + h * rate
+        place, rate = _weighted_sums(stage, i, 1)
+        s.z, s.vz = z0 + (t * vz0 + h * h * place), vz0 + h * rate
         if i < STAGES - 1:
-            ax, az, stage[i, 2], _, _ = accelerations(contacts, rows, case, s, work, load, t)
-            stage[i, 0], stage[i, 1] = (con.cos * ax + con.sin * az, 0.0) if on_plane else (ax, az)
+            stage[i, 0], stage[i, 1], stage[i, 2], _, _ = accelerations(
+                contacts, rows, case, s, work, load, t
+            )
     project_on_constraints(contacts, case, s, work)
     end, f, g, least = evaluate_at(contacts, rows, case, s, work, load, h)
     stage[STAGES - 1, 0], stage[STAGES - 1, 1], stage[STAGES - 1, 2] = end
-    if on_plane:
-        stage[STAGES - 1, 0] = con.cos * end[0] + con.sin * end[1]
     error = 0.0
-    for c in range(0, 3 if turns else 1, 2 if on_plane else 1):
+    for c in range(3 if turns else 2):
         place = rate = 0.0
         for j in range(STAGES):
             place, rate = place + POSITIONS_ERROR[j] * stage[j, c], rate + RATES_ERROR[j] * stage[j, c]

@@ -159,9 +159,7 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
         near = min(f0, f1) < reserve or (not slips and min(g0, g1) < reserve)
         start, end = (y0, k0, f0, g0), (y1, k1, f1, g1)
         excursion = excursion_bound(case, y0, y1, h)
-        if near or least < 0.0 or not inactive or not gaps_stay_open(
-            contacts, s, work, start, end, base, excursion, h
-        ):
+        if near or least < 0.0 or not inactive or not gaps_stay_open(s, work, excursion):
             found, h, k1, f1, g1, least = first_event(
                 contacts,
                 rows,
