@@ -41,7 +41,7 @@ from stayput.mechanics.roots import (
 SEARCH_TOLERANCE, LOCATED = 1e-10, 1e-12
 """Tolerance of the event search, and least advance beyond it to where a margin is negative [s]."""
 
-CLOSE_ENOUGH = 1e-7
+CLOSE_ENOUGH = 1e-8
 """Newton step after which another would be less than the tolerance [s]."""
 
 F_WEIGHT, G_WEIGHT, TURN_WEIGHT = CONTACTS, CONTACTS + 1, CONTACTS + 2
@@ -365,7 +365,7 @@ def first_event(
         )
     closes = contact >= 0 and closing <= probe
     if closes:
-        probe = min(h, _closing_time(contacts, s, work, base, contact, closing, h) + SEARCH_TOLERANCE)
+        probe = min(h, _closing_time(contacts, s, work, base, contact, closing, h) + LOCATED)
     elif probe >= h and least >= 0.0:
         return False, h, k1, f1, g1, least
     low, high = 0.0, h

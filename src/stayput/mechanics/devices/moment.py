@@ -24,7 +24,7 @@ from stayput.mechanics.elementary import fifth_root
 LEAST_ORDER = 6
 """Terms of the tilt that are always computed."""
 
-LAST_TERM = 0.1
+LAST_TERM = 0.3
 """Largest last term of the tilt, as a part of the tolerance: the rate's is as many times larger as there are
 terms.
 """

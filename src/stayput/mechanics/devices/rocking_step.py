@@ -69,7 +69,7 @@ def evaluate_on_fulcrum(con, case, s, work, load, t):
     return k, f, g, least
 
 
-@inline
+@inner
 def margins_on_fulcrum(con, case, s, work, load, t):
     """The fulcrum's two margins in the state of s; stores nothing."""
     fx, fz, moment = line_force(work, s.sin, s.cos, False, 0.0, 0.0, 0.0, 0.0, s.omega)
@@ -91,7 +91,7 @@ def begin_fulcrum_step(con, case, work, base, load, omega, tolerance, h):
     return h if longest >= h else min(longest, 0.5 * h)
 
 
-@inline
+@inner
 def end_fulcrum_step(con, case, s, work, base, load, h):
     """Set the state to that at h in the step, by the series; as `evaluate_on_fulcrum`."""
     s.theta, s.omega = tilt_at(work, h)
