@@ -161,7 +161,8 @@ def expand_tilt(work, con, q, load, theta, omega, sin, cos, h, tolerance):
     lane[0, 2], lane[0, 3] = cos * cos - sin * sin, 2.0 * sin * cos
     tilt[0], tilt[1], rate[0] = theta, omega, omega
     _begin_axial(work, sin, cos)
-    power, last, order, most = h, math.inf, 1, LAST_TERM * tolerance
+    power, before, last, order = h, 0.0, math.inf, 1
+    most = LAST_TERM * tolerance
     while order < ORDER:
         n = order - 1
         a = b = c = d = 0.0  # coefficients n of θ̇ times cos θ, sin θ, cos 2θ, sin 2θ
