@@ -131,7 +131,8 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
             s.steps += 1
             beyond = deviation_from_cubic(work, h)
             inactive, deviation = no_line_event(work, h, beyond)
-            if is_wavy(work, h, beyond) and (not inactive or reaches_peak(work, devices)):
+            close = min(f0, g0, f1, g1) < near_limit + FORCE_SWING * deviation
+            if is_wavy(work, h, beyond) and (close or not inactive or reaches_peak(work, devices)):
                 h *= 0.5
                 k1, f1, g1, least = end_fulcrum_step(con, case, s, work, base, load, h)
                 beyond = deviation_from_cubic(work, h)
