@@ -50,6 +50,20 @@ def bracket(b: NDArray[np.float64], h: NDArray[np.float64]) -> NDArray[np.void]:
     return rows
 
 
+def belt(b: NDArray[np.float64], h: NDArray[np.float64]) -> NDArray[np.void]:
+    """Belts from the top, 0.1 m before the back, up to the wall: 100 kN/m, 3 kN, a centimetre of slack."""
+    rows = no_elements(1, len(b))
+    away, rise = 0.12, 0.12 * math.tan(0.5)
+    rows["kind"] = el.AXIAL
+    rows["u"][:, 0], rows["v"][:, 0] = 0.1 - b / 2, h / 2
+    rows["x"][:, 0], rows["z"][:, 0] = 0.1 - b / 2 - away, h + rise
+    rows["length"] = math.hypot(away, rise)
+    rows["stiffness"][..., 0] = 100e3 / MASS
+    rows["damping"][..., 0] = 2 * 0.05 * math.sqrt(100e3 / MASS)
+    rows["slack_plus"][..., 0], rows["limit_plus"][..., 0] = 0.01, 3000.0 / MASS
+    return rows
+
+
 def pads(b: NDArray[np.float64], h: NDArray[np.float64]) -> NDArray[np.void]:
     """Gel pads under both edges: two of 50 mm by 50 mm each, 4 mm thick."""
     rows = placed(len(b), (1.0, 0.0), [(-b / 2, -h / 2), (b / 2, -h / 2)])
@@ -107,7 +121,7 @@ def main() -> None:
     print("device    cases/s   × bare, a case   a step    steps  events  overturned  failed devices")
     print(f"{'none':8} {COUNT / bare:8.0f} {1.0:16.1f} {1.0:8.1f} {results['steps'].mean():8.0f} "
           f"{results['events'].mean():7.1f} {np.mean(results['outcome'] == 4):11.3f}")  # fmt: skip
-    devices = {make.__name__: make(b, h) for make in (bracket, pads, pole)}
+    devices = {make.__name__: make(b, h) for make in (bracket, belt, pads, pole)}
     for name, elements in devices.items():
         took, results = run(elements)
         gone = run_cases_with_devices(cases, elements, floor)[1]["failure"] != el.HOLDS

@@ -20,8 +20,11 @@ def screened(case, rows, links, works, start, end, h):
     active_elements.evaluate_lines(work, 0.0, 1.0, True, start[0], 0.0, start[1], 0.0, 0.0)
     active_elements.begin_step(work)
     active_elements.evaluate_lines(work, 0.0, 1.0, True, end[0], 0.0, end[1], 0.0, 0.0)
-    skipped = screening.no_line_event(work, h)
-    return skipped, active_elements.first_crossing_candidate(work, h)
+    skipped, _ = screening.no_line_event(work, h, 0.0)
+    (x0, v0), (x1, v1) = start, end
+    x, v = 0.5 * (x0 + x1) + 0.125 * h * (v0 - v1), 1.5 * (x1 - x0) / h - 0.25 * (v0 + v1)
+    candidate = active_elements.first_crossing_candidate(work, 0.0, 1.0, True, x, 0.0, v, 0.0, 0.0)
+    return skipped, h * candidate
 
 
 @njit

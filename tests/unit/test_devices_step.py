@@ -1,4 +1,6 @@
-"""One integration step: the constraints of the mode."""
+"""One integration step: dense output, and the constraints of the mode."""
+
+import math
 
 import numpy as np
 import pytest
@@ -8,7 +10,17 @@ from numba import njit
 from stayput.mechanics import columns as col
 from stayput.mechanics import geometry
 from stayput.mechanics.devices import columns as el
-from stayput.mechanics.devices import step
+from stayput.mechanics.devices import events, step
+
+
+@njit
+def interpolated(states, works, y0, k0, y1, k1, h, t):
+    """The state inside a step in flight, by its dense output."""
+    s, work = states[0], works[0]
+    s.kind = col.FLIGHT
+    events.set_dense_output(s, work, (y0, k0), (y1, k1), h)
+    events.set_inside(s, work, (y0[2], math.sin(y0[2]), math.cos(y0[2])), h, t)
+    return step.state_of(s), s.sin
 
 
 @njit
@@ -23,6 +35,25 @@ def projected(case, contacts, states, works, kind, i):
     step.project_on_constraints(contacts, case, s, work)
     con = contacts[i]
     return geometry.gap(con, s), geometry.gap_rate(con, s), geometry.slip_rate(con, s), s.omega
+
+
+COEFFICIENTS = ([0, 1, 2, -3, 1, 4], [1, 0, -1, 2, 0, 1], [0.1, 0.5, 0, 1, -2, 1])
+
+
+def state(t):
+    """A motion of fifth degree: places and rates of x, z and θ, and their accelerations."""
+    motion = [np.polynomial.Polynomial(c) for c in COEFFICIENTS]
+    places, rates, accelerations = ([float(p.deriv(k)(t)) for p in motion] for k in range(3))
+    return (*places, *rates), tuple(accelerations)
+
+
+@pytest.mark.parametrize("t", [0.0, 0.013, 0.05])
+def test_dense_output_is_exact_for_motions_of_fifth_degree(t):
+    h = 0.05
+    records = np.zeros(1, col.STATE), np.zeros(1, el.WORK)
+    found, sine = interpolated(*records, *state(0.0), *state(h), h, t)
+    assert found == pytest.approx(state(t)[0], abs=1e-12)
+    assert sine == pytest.approx(math.sin(found[2]), abs=1e-12)
 
 
 @pytest.mark.parametrize("kind", [col.ROCK, col.SLIDE_ROCK])

@@ -235,7 +235,7 @@ def _pivots_on_landing(contacts, touch, case, s, motion):
 @inner
 def _handle_event(scratch, touch, case, s, held, motion, law, why):
     """Apply impacts, and choose the next mode; return why the last one ended."""
-    handle_impacts(scratch, touch, case, s, law)
+    handle_impacts(scratch, touch, case, s, held, law)
     settle_rate = s.settle_rate if s.hit else STICK_RATE
     update_mode(scratch, touch, settle_rate, case, s, held, motion, law)
     return CLOSED if s.hit else why

@@ -17,12 +17,11 @@ from stayput.mechanics.projection import set_pivot_velocity
 
 
 @inner
-def pivot_on_landing(contacts, touch, case, s, a, G):
-    """Handle the landing under the loads (a, G), if the fast path applies; whether it did.
+def stop_on_landing(contacts, touch, case, s):
+    """Apply the impact, if the landing corner sticks and the other lifts; whether it did.
 
-    It applies where a body that rocked on one base corner lands on the other, which sticks, and touches
-    nothing else. A landing that bounces, slips or ends the rocking, or a force near its limit, is the general
-    case.
+    The body rocked on one base corner, lands on the other, and touches nothing else. A landing that bounces,
+    slips or ends the rocking is the general case.
     """
     if s.kind != ROCK or touch != FLOOR_BITS or s.hit | s.closed != FLOOR_BITS or s.hit == s.closed:
         return False
@@ -35,13 +34,29 @@ def pivot_on_landing(contacts, touch, case, s, a, G):
     if ok and case.restitution < 1.0:
         damp_change_of_fulcrum(contacts, new, case, s)
     if ok and gap_rate(contacts[old], s) > s.settle_rate:
-        sigma, kappa = arm(con, s)
-        q = -1.0 / (case.inertia + sigma * sigma + kappa * kappa)
-        law = (True, case.inertia, q, con.mu_static, 0.0, 1.0)
-        f, g, alpha = margins(law, sigma, kappa, s.omega, a, G, 0.0)
-        if min(f, g) > NEAR_LIMIT * case.gravity:
-            s.i, s.d, s.j, s.dj, s.closed, s.alpha = new, 0, -1, 0, s.hit, alpha
-            set_pivot_velocity(con, s)
-            return True
+        return True
+    s.vx, s.vz, s.omega = before
+    return False
+
+
+@inner
+def pivot_on_landing(contacts, touch, case, s, a, G):
+    """Handle the landing of a bare body under the loads (a, G), if the fast path applies; whether it did.
+
+    A force near its limit is the general case too.
+    """
+    before = s.vx, s.vz, s.omega
+    if not stop_on_landing(contacts, touch, case, s):
+        return False
+    new = s.hit - 1
+    con = contacts[new]
+    sigma, kappa = arm(con, s)
+    q = -1.0 / (case.inertia + sigma * sigma + kappa * kappa)
+    law = (True, case.inertia, q, con.mu_static, 0.0, 1.0)
+    f, g, alpha = margins(law, sigma, kappa, s.omega, a, G, 0.0)
+    if min(f, g) > NEAR_LIMIT * case.gravity:
+        s.i, s.d, s.j, s.dj, s.closed, s.alpha = new, 0, -1, 0, s.hit, alpha
+        set_pivot_velocity(con, s)
+        return True
     s.vx, s.vz, s.omega = before
     return False

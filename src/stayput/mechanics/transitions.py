@@ -8,6 +8,7 @@ from stayput.mechanics.devices.elements import evaluate_elements, note_forces, u
 from stayput.mechanics.impact import closing_contacts, impact_without_collision, land
 from stayput.mechanics.modes import choose_mode
 from stayput.mechanics.paper import choose_paper_mode, collide_by_paper
+from stayput.mechanics.pivot_impact import stop_on_landing
 from stayput.mechanics.sampling import loads
 
 NEAR_SIMULTANEOUS = 1e-8
@@ -21,7 +22,7 @@ MAX_SLACK_FACTOR = 1e6
 
 
 @inner
-def handle_impacts(scratch, touch, case, s, law):
+def handle_impacts(scratch, touch, case, s, held, law):
     """Apply the impact of the contacts that close, if any do, and count it; devices give no impulse."""
     contacts = scratch.contacts
     if law == COULOMB:
@@ -35,7 +36,7 @@ def handle_impacts(scratch, touch, case, s, law):
         s.wall_impacts += 1
     if law == PAPER:
         collide_by_paper(contacts, case, s)
-    else:
+    elif held is None or not stop_on_landing(contacts, touch, case, s):  # of a bare body it was tried before
         land(scratch.rows, contacts, s.closed, touch & ~s.closed, case, s)
 
 

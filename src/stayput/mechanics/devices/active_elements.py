@@ -121,27 +121,20 @@ def least_weighted_line(work):
     return least
 
 
-@inline
-def _midpoint(line, h):
-    """Elongation and rate at the midpoint of a step, by cubic Hermite interpolation."""
-    e0, e1, v0, v1 = line.e0, line.e, line.rate0, line.rate
-    return 0.5 * (e0 + e1) + 0.125 * h * (v0 - v1), 1.5 * (e1 - e0) / h - 0.25 * (v0 + v1)
-
-
 @inner
-def first_crossing_candidate(work, h):
-    """First crossing candidate: earliest time at which a parabola has a line margin below its level, or h.
+def first_crossing_candidate(work, sin, cos, moves, x, z, vx, vz, omega):
+    """First crossing candidate: part of the step at which a parabola first has a margin below its level.
 
-    The parabola passes through the margin at the start, the midpoint and the end of the step; the rows hold
-    the values at both ends.
+    The parabola passes through the margin at the start, the middle and the end of the step; 1 where there is
+    none. The state is that in the middle, and the rows hold the values at both ends.
     """
-    first = h
+    first = 1.0
     push = push_rate = used = 0.0
     for r in range(work.lines):
         line = work.line[r]
         if line.inactive != 0:
             continue
-        e, rate = _midpoint(line, h)
+        e, rate, _, _, _ = place_of(line, sin, cos, moves, x, z, vx, vz, omega)
         if line.tangent == 0:
             push = push_rate = 0.0
         F = force_of(line, e, rate, push)
@@ -149,18 +142,40 @@ def first_crossing_candidate(work, h):
         push, push_rate = push_of(line, F, rate)
         u = parabola_negative_at(line.low0 - line.low, low - line.low, line.low1 - line.low)
         if u > 0.0:
-            first = min(first, u * h)
+            first = min(first, u)
         if line.high0 < math.inf:
             u = parabola_negative_at(line.high0 - line.high, high - line.high, line.high1 - line.high)
             if u > 0.0:
-                first = min(first, u * h)
+                first = min(first, u)
         if line.interacts != 0:
             joint = 1.0 - used - utilization_of(line, F)
             u = parabola_negative_at(line.joint0 - line.joint, joint - line.joint, line.joint1 - line.joint)
             if u > 0.0:
-                first = min(first, u * h)
+                first = min(first, u)
         used = utilization_of(line, F)
     return first
+
+
+@inner
+def least_weighted_line_at_start(work):
+    """The same at the start of the step."""
+    least = math.inf
+    for r in range(work.lines):
+        line = work.line[r]
+        least = min(
+            least,
+            weighted_margin(line.low0 - line.low, line.low_weight),
+            weighted_margin(line.high0 - line.high, line.high_weight),
+            weighted_margin(line.joint0 - line.joint, line.joint_weight),
+        )
+    return least
+
+
+@inline
+def _midpoint(line, h):
+    """Elongation and rate at the midpoint of a step, by cubic Hermite interpolation."""
+    e0, e1, v0, v1 = line.e0, line.e, line.rate0, line.rate
+    return 0.5 * (e0 + e1) + 0.125 * h * (v0 - v1), 1.5 * (e1 - e0) / h - 0.25 * (v0 + v1)
 
 
 @inline
@@ -181,6 +196,16 @@ def _reaches_peak(line, device):
     if line.tangent != 0:
         return max(high, -low) > device.peak_shear
     return high > device.peak_pull or -low > device.peak_push
+
+
+@inner
+def reaches_peak(work, devices):
+    """Whether the force of a line may have exceeded its peak inside the step."""
+    for r in range(work.lines):
+        line = work.line[r]
+        if line.state != SLACK and _reaches_peak(line, devices[line.element]):
+            return True
+    return False
 
 
 @inner

@@ -38,6 +38,7 @@ def _set_place(el, link, line, i, u, v, x, z):
     nx, nz = (-el.sin, el.cos) if i == NORMAL else (el.cos, el.sin)
     line.nx, line.nz = nx, nz
     line.p, line.q = nx * u + nz * v, nx * v - nz * u
+    line.reach = math.sqrt(u * u + v * v)
     line.a = -el.length if el.kind == AXIAL else -(nx * line.x + nz * line.z)
 
 
@@ -109,6 +110,8 @@ def set_lines(elements, links, case, corner, x, z, work):
                 line.per_plus = 1.0 / el.limit_plus[i]
                 line.per_minus = 0.0 if i == NORMAL else 1.0 / el.limit_minus[i]
             _set_place(el, link, line, i, u, v, x, z)
+            if corner < 0:
+                line.reach = math.inf
             if branch == OPEN:
                 _set_slack(el, link, line, i)
             elif branch in (SLIP_PLUS, SLIP_MINUS):

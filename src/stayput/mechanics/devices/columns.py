@@ -123,6 +123,7 @@ LINE = np.dtype(
         ("high_per_push", "f8"),
         ("stiffness", "f8"),  # of spring and damper, whatever the branch
         ("damping", "f8"),
+        ("reach", "f8"),  # largest lever about the origin [m]
         ("per_plus", "f8"),  # 1/strength where pull and shear interact, else 0
         ("per_minus", "f8"),
         # elongation, rate and force as last evaluated, and at the start of the step
@@ -155,15 +156,39 @@ LINE = np.dtype(
 MAX_FACETS = 40
 MAX_ELEMENTS = 12
 MAX_LINES = 2 * MAX_ELEMENTS
+ORDER = 10
+
+AXIAL_SERIES = np.dtype(
+    [
+        ("row", "i8"),  # of its line
+        ("beta", "f8"),  # d² = constant + β cos θ + γ sin θ [m²]
+        ("gamma", "f8"),
+        # coefficients
+        ("far", "f8", (ORDER + 1,)),  # of d, the distance from the anchor [m]
+        ("pull", "f8", (ORDER + 1,)),  # of F/d
+        ("lever", "f8", (ORDER + 1,)),  # of ½ (d²)'
+    ],
+    align=True,
+)
+"""Series of an AXIAL line of a body on a sticking fulcrum; see `moment`."""
 
 WORK = np.dtype(
     [
+        ("order", "i8"),  # of the series
+        ("tilt", "f8", (ORDER + 1,)),  # coefficients of the tilt on a sticking fulcrum
+        ("rate", "f8", (ORDER + 1,)),  # of its rate
+        ("lane", "f8", (ORDER + 1, 4)),  # of cos θ, sin θ, cos 2θ, sin 2θ
+        ("moment", "f8", (8,)),  # of the lines about it, see `moment`
+        ("axials", "i8"),
+        ("axial", AXIAL_SERIES, (MAX_ELEMENTS,)),
         ("stage", "f8", (7, 3)),  # accelerations of x, z and θ at the Runge–Kutta stages
         ("weight", "f8", (CONTACTS + 3,)),  # scale of gaps, the mode's two margins, rotation to 90°
         ("lines", "i8"),  # number of active lines
         ("line", LINE, (MAX_LINES,)),
         ("level", "f8", (CONTACTS,)),  # gaps at which the open contacts close in the present step [m]
         ("gap", "f8", (CONTACTS,)),  # gaps of the open contacts as last evaluated [m]
+        ("gap0", "f8", (CONTACTS,)),  # the same at the start of the step
+        ("curve", "f8", (3, 6)),  # quintics of x, z and θ over the step, in u = t/h
         ("reach", "f8", (CONTACTS, 3)),  # gaps on a fulcrum: a + p cos θ + q sin θ [m]
         ("step_limit", "f8"),  # step length allowed by the last error estimate [s]
         ("still_rate", "f8"),  # rate below which a body is at rest after the present event [m/s]

@@ -14,14 +14,21 @@ from stayput.mechanics.devices.active_elements import (
     event_weight,
     first_crossing_candidate,
     least_weighted_line,
+    least_weighted_line_at_start,
     set_line_weights,
     weighted_margin,
 )
-from stayput.mechanics.devices.step import evaluate_state, project_on_constraints, set_state
+from stayput.mechanics.devices.moment import tilt_at
+from stayput.mechanics.devices.step import (
+    contact_margins,
+    evaluate_state,
+    project_on_constraints,
+    set_state,
+    state_of,
+)
 from stayput.mechanics.geometry import RIGHT_ANGLE, arm_at, gap, sin_cos, to_plane_axes
 from stayput.mechanics.roots import (
     MIN_START_VALUE,
-    between,
     closed_level,
     first_zero,
     horner,
@@ -33,6 +40,9 @@ from stayput.mechanics.roots import (
 
 SEARCH_TOLERANCE, LOCATED = 1e-10, 1e-12
 """Tolerance of the event search, and least advance beyond it to where a margin is negative [s]."""
+
+CLOSE_ENOUGH = 1e-8
+"""Newton step after which another would be less than the tolerance [s]."""
 
 F_WEIGHT, G_WEIGHT, TURN_WEIGHT = CONTACTS, CONTACTS + 1, CONTACTS + 2
 
@@ -105,6 +115,25 @@ def _least_weighted(contacts, s, work, levels, f, g):
 
 
 @inner
+def _least_weighted_at_start(s, work, base, levels, f0, g0):
+    """As `_least_weighted`, at the start of the step."""
+    weight = work.weight
+    least = min(
+        weighted_margin(f0 - levels[0], weight[F_WEIGHT]),
+        weighted_margin(g0 - levels[1], weight[G_WEIGHT]),
+        weighted_margin(RIGHT_ANGLE - abs(base[0]), weight[TURN_WEIGHT]),
+        least_weighted_line_at_start(work),
+    )
+    others = s.present & ~s.closed
+    c = 0
+    while others >> c:
+        if others >> c & 1 and weight[c] > 0.0:
+            least = min(least, weight[c] * (work.gap0[c] - work.level[c]))
+        c += 1
+    return least
+
+
+@inner
 def note_gaps(contacts, s, work):
     """Store the gaps of the open contacts in the state of s."""
     others = s.present & ~s.closed
@@ -122,6 +151,7 @@ def set_gap_levels(s, work):
     c = 0
     while others >> c:
         if others >> c & 1:
+            work.gap0[c] = work.gap[c]
             work.level[c] = closed_level(work.gap[c])
         c += 1
 
@@ -168,8 +198,8 @@ def gaps_stay_open(s, work, excursion):
 
 @inner
 def _first_gap_candidate(contacts, s, work, y0, k0, base, y1, k1, excursion, h):
-    """Earliest time at which a gap closes within a step, or h."""
-    first = h
+    """Earliest time at which a gap closes within a step, or h; and its contact."""
+    first, contact = h, -1
     others = s.present & ~s.closed
     c = 0
     while others >> c:
@@ -178,118 +208,120 @@ def _first_gap_candidate(contacts, s, work, y0, k0, base, y1, k1, excursion, h):
             g0, v0, c0 = _gap_rates(contacts, s, work, c, y0, k0, base[1], base[2])
             g1, v1, c1 = _gap_rates(contacts, s, work, c, y1, k1, s.sin, s.cos)
             t = first_zero(g0 - level, v0, c0, g1 - level, v1, c1, h)
-            if t >= 0.0:
-                first = min(first, t + SEARCH_TOLERANCE)
+            if 0.0 <= t < first:
+                first, contact = t, c
         c += 1
+    return first, contact
+
+
+@inner
+def set_dense_output(s, work, start, end, h):
+    """Set the dense output of a completed step; on a sticking fulcrum it is the series of the tilt."""
+    if s.kind == ROCK:
+        return
+    x, z, theta = quintics(start[0], start[1], end[0], end[1], h)
+    curve = work.curve
+    curve[0, 0], curve[0, 1], curve[0, 2], curve[0, 3], curve[0, 4], curve[0, 5] = x
+    curve[1, 0], curve[1, 1], curve[1, 2], curve[1, 3], curve[1, 4], curve[1, 5] = z
+    curve[2, 0], curve[2, 1], curve[2, 2], curve[2, 3], curve[2, 4], curve[2, 5] = theta
+
+
+@inline
+def _curve_at(work, c, u):
+    row = work.curve[c]
+    return horner((row[0], row[1], row[2], row[3], row[4], row[5]), u)
+
+
+@inner
+def set_inside(s, work, base, h, t):
+    """Set the state to a time t into a step, by its dense output; on a sticking fulcrum only the tilt."""
+    if s.kind == ROCK:
+        s.theta, s.omega = tilt_at(work, t)
+    else:
+        u = t / h
+        s.x, vx = _curve_at(work, 0, u)
+        s.z, vz = _curve_at(work, 1, u)
+        s.theta, omega = _curve_at(work, 2, u)
+        s.vx, s.vz, s.omega = vx / h, vz / h, omega / h
+    s.sin, s.cos = sin_cos(s.theta, base[0], base[1], base[2])
+
+
+@inner
+def _closing_time(contacts, s, work, base, c, t, h):
+    """Time near t at which the gap of contact c closes on the dense output: Newton's method."""
+    zero = (0.0, 0.0, 0.0)
+    for _ in range(4):
+        set_inside(s, work, base, h, t)
+        over, rate, _ = _gap_rates(contacts, s, work, c, state_of(s), zero, s.sin, s.cos)
+        if rate >= 0.0:
+            break
+        step = (over - work.level[c]) / rate
+        t = min(h, max(0.5 * t, t - step))
+        if abs(step) <= CLOSE_ENOUGH:
+            break
+    return t
+
+
+@inner
+def _candidate_inside(contacts, rows, case, s, work, base, load, start, end, near, inactive, h, levels):
+    """Earliest time at which a parabola through start, middle and end has a margin below its level, or h.
+
+    The margins of the contacts are looked at where they are ``near`` their limits, those of the lines unless
+    all are ``inactive``. The state stays that at the end.
+    """
+    sin, cos = s.sin, s.cos
+    set_inside(s, work, base, h, 0.5 * h)
+    first = h
+    if near:
+        f, g = contact_margins(contacts, rows, case, s, work, load, 0.5 * h)
+        u = parabola_negative_at(start[2] - levels[0], f - levels[0], end[2] - levels[0])
+        v = parabola_negative_at(start[3] - levels[1], g - levels[1], end[3] - levels[1])
+        first = h * min(u if u > 0.0 else 1.0, v if v > 0.0 else 1.0)
+    if not inactive:
+        moves = s.kind != ROCK
+        crossing = first_crossing_candidate(work, s.sin, s.cos, moves, s.x, s.z, s.vx, s.vz, s.omega)
+        first = min(first, h * crossing)
+    s.x, s.z, s.theta, s.vx, s.vz, s.omega = end[0]
+    s.sin, s.cos = sin, cos
     return first
 
 
 @inner
-def _evaluate_inside(contacts, rows, case, s, work, base, load, curves, h, t):
-    """Set the state to a time t into a step, by its dense output; return `step.evaluate_state` there."""
-    if s.kind == ROCK:
-        s.theta, rate = horner(curves[2], t / h)
-        s.omega = rate / h
-        s.sin, s.cos = sin_cos(s.theta, base[0], base[1], base[2])
-    else:
-        set_state(s, between(curves, h, t), base)
-    return evaluate_state(contacts, rows, case, s, work, load, t)
+def _locate(contacts, rows, case, s, work, base, load, m0, low, high, h, levels):
+    """Time of the first crossing before ``high``, where a margin is negative and the scales were set.
 
-
-@inner
-def _least_weighted_at(contacts, rows, case, s, work, base, load, curves, h, t, levels):
-    """Least scaled margin a time t into a step, by its dense output."""
-    _, f, g, _ = _evaluate_inside(contacts, rows, case, s, work, base, load, curves, h, t)
-    return _least_weighted(contacts, s, work, levels, f, g)
-
-
-@inner
-def _negative_at(contacts, rows, case, s, work, base, load, curves, h, t, levels):
-    """Whether a margin is negative a time t into a step, by its dense output; if so, set the scales."""
-    _, f, g, least = _evaluate_inside(contacts, rows, case, s, work, base, load, curves, h, t)
-    if least_margin(contacts, s, work, levels, f, g, least) >= 0.0:
-        return False
-    _set_weights(contacts, s, work, levels, f, g)
-    return True
-
-
-@inner
-def _locate(contacts, rows, case, s, work, base, load, curves, h, low, high, levels):
-    """Time of the first crossing before ``high``, where a margin is negative and the scales were set."""
-    last, f_last = high, -1.0
-    if s.hit:  # the closing time of a gap is already this accurate: confirm it before searching
-        t = max(low, high - 2.0 * SEARCH_TOLERANCE)
-        m = _least_weighted_at(contacts, rows, case, s, work, base, load, curves, h, t, levels)
-        if m > 0.0:
-            return high - SEARCH_TOLERANCE
-        last, f_last = t, m
-    m = _least_weighted_at(contacts, rows, case, s, work, base, load, curves, h, low, levels)
-    bracket = (low, max(m, MIN_START_VALUE), last, f_last, 0)
+    ``m0`` is the least scaled margin at ``low``.
+    """
+    bracket = (low, max(m0, MIN_START_VALUE), high, -1.0, 0)
+    last = high
     for _ in range(100):
         t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
         if abs(t - last) <= SEARCH_TOLERANCE or bracket[2] - bracket[0] <= SEARCH_TOLERANCE:
             return t
-        m = _least_weighted_at(contacts, rows, case, s, work, base, load, curves, h, t, levels)
+        m = _least_weighted_at(contacts, rows, case, s, work, base, load, t, h, levels)
         bracket = illinois_update(bracket, t, m)
         last = t
     return last
 
 
 @inner
-def _first_margin_candidate(contacts, rows, case, s, work, base, load, curves, f0, g0, f1, g1, h, levels):
-    """Earliest time at which a parabola has a margin of the closed contacts below its level, or h."""
-    _, f, g, _ = _evaluate_inside(contacts, rows, case, s, work, base, load, curves, h, 0.5 * h)
-    u = parabola_negative_at(f0 - levels[0], f - levels[0], f1 - levels[0])
-    v = parabola_negative_at(g0 - levels[1], g - levels[1], g1 - levels[1])
-    return h * min(u if u > 0.0 else 1.0, v if v > 0.0 else 1.0)
+def _least_weighted_at(contacts, rows, case, s, work, base, load, t, h, levels):
+    """Least scaled margin a time t into a step, by its dense output."""
+    set_inside(s, work, base, h, t)
+    _, f, g, _ = evaluate_state(contacts, rows, case, s, work, load, t)
+    return _least_weighted(contacts, s, work, levels, f, g)
 
 
 @inner
-def first_event(
-    contacts, rows, case, s, work, base, load, start, end, least, near, inactive, excursion, h, levels
-):
-    """Time of the first event in a completed step, or −1; and whether the state was moved inside the step.
-
-    ``start`` and ``end`` are (state, accelerations, two margins). The search covers, in order: the earliest
-    candidate inside the step (closing gaps, parabolas through the margins), then the end of the step.
-    """
-    y0, k0, f0, g0 = start
-    y1, k1, f1, g1 = end
-    probe = _first_gap_candidate(contacts, s, work, y0, k0, base, y1, k1, excursion, h)
-    if not inactive:
-        probe = min(probe, first_crossing_candidate(work, h))
-    if not near and probe >= h and least >= 0.0:
-        return -1.0, False
-    curves = quintics(y0, k0, y1, k1, h)
-    if near:
-        dip = _first_margin_candidate(
-            contacts, rows, case, s, work, base, load, curves, f0, g0, f1, g1, h, levels
-        )
-        probe = min(probe, dip)
-    low = 0.0
-    if probe < h:
-        if _negative_at(contacts, rows, case, s, work, base, load, curves, h, probe, levels):
-            t = _locate(contacts, rows, case, s, work, base, load, curves, h, 0.0, probe, levels)
-            return t, True
-        low = probe
-    if least >= 0.0:
-        return -1.0, True
-    _negative_at(contacts, rows, case, s, work, base, load, curves, h, h, levels)
-    return _locate(contacts, rows, case, s, work, base, load, curves, h, low, h, levels), True
-
-
-@inner
-def move_to_event(contacts, rows, case, s, work, base, load, start, end, levels, t, h):
+def _stop_at(contacts, rows, case, s, work, base, load, levels, t, h):
     """Set the state to an event at t in a step of length h, slightly later if no margin is negative yet.
 
-    It is that of the dense output, projected onto the mode's constraints. Returns the time, accelerations,
-    the contacts' margins and the least of all: negative, unless the dense output alone had an event.
+    It is that of the dense output, projected onto the mode's constraints; returned as by `first_event`.
     """
-    curves = quintics(start[0], start[1], end[0], end[1], h)
-    k, f, g, least = end[1], end[2], end[3], 0.0
+    k, f, g, least = (0.0, 0.0, 0.0), 0.0, 0.0, 0.0
     before, more = -1.0, LOCATED
     for _ in range(6):
-        set_state(s, between(curves, h, t), base)
+        set_inside(s, work, base, h, t)
         project_on_constraints(contacts, case, s, work)
         k, f, g, least = evaluate_state(contacts, rows, case, s, work, load, t)
         m = _least_weighted(contacts, s, work, levels, f, g)
@@ -297,4 +329,63 @@ def move_to_event(contacts, rows, case, s, work, base, load, start, end, levels,
             break
         more = LOCATED + (more * m / (before - m) if before > m else 10.0 * more)
         t, before = min(h, t + more), m
-    return t, k, f, g, least_margin(contacts, s, work, levels, f, g, least)
+    return True, t, k, f, g, least_margin(contacts, s, work, levels, f, g, least)
+
+
+@inner
+def first_event(
+    contacts, rows, case, s, work, base, load, start, end, least, near, inactive, excursion, h, levels
+):
+    """First event in a completed step; the state, its margins and those of the lines are moved there.
+
+    ``start`` and ``end`` are (state, accelerations, two margins). The search covers, in order: the earliest
+    candidate inside the step (closing gaps, parabolas through the margins), then the end of the step.
+
+    Returns
+    -------
+    tuple
+        Whether there is one; its time, or h; accelerations, the contacts' two margins, and the least of all:
+        negative at an event, unless the dense output alone had one.
+    """
+    y0, k0, f0, g0 = start
+    y1, k1, f1, g1 = end
+    closing, contact = _first_gap_candidate(contacts, s, work, y0, k0, base, y1, k1, excursion, h)
+    looks = near or not inactive
+    if not looks and contact < 0 and least >= 0.0:
+        return False, h, k1, f1, g1, least
+    set_dense_output(s, work, start, end, h)
+    probe = h
+    if looks:
+        probe = _candidate_inside(
+            contacts, rows, case, s, work, base, load, start, end, near, inactive, h, levels
+        )
+    closes = contact >= 0 and closing <= probe
+    if closes:
+        probe = min(h, _closing_time(contacts, s, work, base, contact, closing, h) + LOCATED)
+    elif probe >= h and least >= 0.0:
+        return False, h, k1, f1, g1, least
+    low, high = 0.0, h
+    f, g = f1, g1
+    if probe < h or closes:
+        set_inside(s, work, base, h, probe)
+        project_on_constraints(contacts, case, s, work)
+        k, f, g, of_lines = evaluate_state(contacts, rows, case, s, work, load, probe)
+        inside = least_margin(contacts, s, work, levels, f, g, of_lines)
+        if inside < 0.0:
+            high = probe
+            alone = s.hit != 0 and s.hit & (s.hit - 1) == 0
+            if closes and alone and min(f - levels[0], g - levels[1], of_lines) >= 0.0:
+                return True, probe, k, f, g, inside
+        else:
+            low = probe
+            set_state(s, y1, base)
+            _, f, g, _ = evaluate_state(contacts, rows, case, s, work, load, h)
+            if least_margin(contacts, s, work, levels, f, g, least) >= 0.0:
+                return False, h, k1, f1, g1, least
+    _set_weights(contacts, s, work, levels, f, g)
+    if low == 0.0:
+        m0 = _least_weighted_at_start(s, work, base, levels, f0, g0)
+    else:
+        m0 = _least_weighted_at(contacts, rows, case, s, work, base, load, low, h, levels)
+    t = _locate(contacts, rows, case, s, work, base, load, m0, low, high, h, levels)
+    return _stop_at(contacts, rows, case, s, work, base, load, levels, t, h)

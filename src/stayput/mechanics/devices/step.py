@@ -20,8 +20,8 @@ from stayput.mechanics.devices.dormand_prince import (
 )
 from stayput.mechanics.devices.rocking_step import (
     evaluate_on_fulcrum,
+    margins_on_fulcrum,
     stand_on_fulcrum,
-    take_fulcrum_step,
 )
 from stayput.mechanics.geometry import sin_cos
 from stayput.mechanics.projection import project_on_both, project_on_plane
@@ -36,11 +36,11 @@ def _weighted_sums(stage, i, c):
     return place, rate
 
 
-@inline
-def take_step(contacts, rows, case, s, work, base, load, y0, k0, h):
+@inner
+def take_free_step(contacts, rows, case, s, work, base, load, y0, k0, h):
     """Set the state to that a time h after the state y0 with accelerations k0.
 
-    On a sticking fulcrum only the tilt is integrated, on a flat base only the position.
+    On a flat base only the position is integrated.
 
     Returns
     -------
@@ -48,13 +48,6 @@ def take_step(contacts, rows, case, s, work, base, load, y0, k0, h):
         At the end: accelerations, the contacts' two margins, the lines' least margin; and the error estimate,
         the largest of positions and h times rates [m, rad].
     """
-    if s.kind == ROCK:
-        return take_fulcrum_step(contacts[s.i], case, s, work, base, load, y0[5], k0[2], h)
-    return _take_free_step(contacts, rows, case, s, work, base, load, y0, k0, h)
-
-
-@inner
-def _take_free_step(contacts, rows, case, s, work, base, load, y0, k0, h):
     x0, z0, theta0, vx0, vz0, omega0 = y0
     stage = work.stage
     stage[0, 0], stage[0, 1], stage[0, 2] = k0
@@ -91,6 +84,15 @@ def evaluate_state(contacts, rows, case, s, work, load, t):
     if s.kind == ROCK:
         return evaluate_on_fulcrum(contacts[s.i], case, s, work, load, t)
     return evaluate_at(contacts, rows, case, s, work, load, t)
+
+
+@inner
+def contact_margins(contacts, rows, case, s, work, load, t):
+    """The contacts' two margins in the state of s; stores nothing."""
+    if s.kind == ROCK:
+        return margins_on_fulcrum(contacts[s.i], case, s, work, load, t)
+    _, _, _, f, g = accelerations(contacts, rows, case, s, work, load, t)
+    return f, g
 
 
 @inline

@@ -9,6 +9,7 @@ from stayput.mechanics.devices.active_elements import (
     begin_step,
     level_of,
     note_forces_within,
+    reaches_peak,
     record_forces,
 )
 from stayput.mechanics.devices.branch_law import set_lines
@@ -17,17 +18,21 @@ from stayput.mechanics.devices.events import (
     first_event,
     gaps_stay_open,
     least_margin,
-    move_to_event,
     note_gaps,
     set_gap_levels,
 )
-from stayput.mechanics.devices.rocking_step import set_about_fulcrum
+from stayput.mechanics.devices.moment import deviation_from_cubic, is_wavy
+from stayput.mechanics.devices.rocking_step import (
+    begin_fulcrum_step,
+    end_fulcrum_step,
+    set_about_fulcrum,
+    turning_tilt_on_fulcrum,
+)
 from stayput.mechanics.devices.screening import no_line_event
 from stayput.mechanics.devices.step import (
     evaluate_state,
-    set_state,
     state_of,
-    take_step,
+    take_free_step,
 )
 from stayput.mechanics.elementary import fifth_root
 from stayput.mechanics.geometry import reason_of_end, update_peaks
@@ -42,6 +47,9 @@ REST_RATE = 1e-9
 
 NEAR_LIMIT = 0.01
 """Margin, as a part of g, below which at either end of a step it is also evaluated at the midpoint."""
+
+FORCE_SWING = 2.0
+"""Change of a contact's margin per force of the lines, 1 + μ: what they may swing inside a step is added."""
 
 MIN_STEP = 1e-6
 """Least step; it is accepted whatever its error [s]."""
@@ -116,27 +124,44 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
         whole = min(dt - s.tau, max_step)
         if abs(s.omega) * whole > MAX_ROTATION:
             whole = MAX_ROTATION / abs(s.omega)
-        h = min(whole, work.step_limit)
-        if h > 0.8 * whole:  # rather one slightly longer step than a sliver before the sample
-            h = whole
-        while True:
-            k1, f1, g1, least, error = take_step(contacts, rows, case, s, work, base, load, y0, k0, h)
+        if s.kind == ROCK:
+            con = contacts[s.i]
+            h = begin_fulcrum_step(con, case, work, base, load, y0[5], tolerance, whole)
+            k1, f1, g1, least = end_fulcrum_step(con, case, s, work, base, load, h)
             s.steps += 1
-            if error <= tolerance or h <= MIN_STEP:
-                break
-            h = work.step_limit = max(_next_length(h, error, tolerance), MIN_STEP)
-        if h < whole or work.step_limit < dt:
-            proposed = _next_length(h, error, tolerance)
-            work.step_limit = proposed if h < whole else max(proposed, work.step_limit)
+            beyond = deviation_from_cubic(work, h)
+            inactive, deviation = no_line_event(work, h, beyond)
+            close = min(f0, g0, f1, g1) < near_limit + FORCE_SWING * deviation
+            if is_wavy(work, h, beyond) and (close or not inactive or reaches_peak(work, devices)):
+                h *= 0.5
+                k1, f1, g1, least = end_fulcrum_step(con, case, s, work, base, load, h)
+                beyond = deviation_from_cubic(work, h)
+                inactive, deviation = no_line_event(work, h, beyond)
+        else:
+            h = min(whole, work.step_limit)
+            if h > 0.8 * whole:  # rather one slightly longer step than a sliver before the sample
+                h = whole
+            while True:
+                k1, f1, g1, least, error = take_free_step(
+                    contacts, rows, case, s, work, base, load, y0, k0, h
+                )
+                s.steps += 1
+                if error <= tolerance or h <= MIN_STEP:
+                    break
+                h = work.step_limit = max(_next_length(h, error, tolerance), MIN_STEP)
+            if h < whole or work.step_limit < dt:
+                proposed = _next_length(h, error, tolerance)
+                work.step_limit = proposed if h < whole else max(proposed, work.step_limit)
+            beyond = 0.0
+            inactive, deviation = no_line_event(work, h, beyond)
         y1 = state_of(s)
         least = least_margin(contacts, s, work, levels, f1, g1, least)
-        near = min(f0, f1) < near_limit or (not slips and min(g0, g1) < near_limit)
+        reserve = near_limit + FORCE_SWING * deviation
+        near = min(f0, f1) < reserve or (not slips and min(g0, g1) < reserve)
         start, end = (y0, k0, f0, g0), (y1, k1, f1, g1)
-        inactive = no_line_event(work, h)
         excursion = excursion_bound(case, y0, y1, h)
-        t, looked = -1.0, False
         if near or least < 0.0 or not inactive or not gaps_stay_open(s, work, excursion):
-            t, looked = first_event(
+            found, h, k1, f1, g1, least = first_event(
                 contacts,
                 rows,
                 case,
@@ -153,20 +178,16 @@ def advance_step_by_step(held, contacts, rows, case, s, motion, settings, output
                 h,
                 levels,
             )
-        if t >= 0.0:
-            h, k1, f1, g1, least = move_to_event(
-                contacts, rows, case, s, work, base, load, start, end, levels, t, h
-            )
-            y1 = state_of(s)
-            if least < 0.0:
-                why = reason_of_end(s)
-            no_line_event(work, h)
-        elif looked:
-            set_state(s, y1, base)
-            k1, f1, g1, _ = evaluate_state(contacts, rows, case, s, work, load, h)
-            note_gaps(contacts, s, work)
+            if found:
+                y1 = state_of(s)
+                if least < 0.0:
+                    why = reason_of_end(s)
+                no_line_event(work, h, beyond)
         if y0[5] * y1[5] < 0.0 and abs(y0[2] - s.rest) + h * (abs(y0[5]) + abs(y1[5])) > s.peak_tilt:
-            turning = _turning_tilt(y0[2], y0[5], k0[2], y1[2], y1[5], k1[2], h)
+            if s.kind == ROCK:
+                turning = turning_tilt_on_fulcrum(work, y0[5], y1[5], h)
+            else:
+                turning = _turning_tilt(y0[2], y0[5], k0[2], y1[2], y1[5], k1[2], h)
             s.peak_tilt = max(s.peak_tilt, abs(turning - s.rest))
         note_forces_within(work, devices, h)
         update_peaks(case, s)
