@@ -1,8 +1,9 @@
-"""Falls at many levels of shaking, for fragility curves, without the runs whose outcome stronger ones tell.
+"""Falls at many levels of shaking, for fragility curves, without the runs whose outcome others tell.
 
-From the strongest level downwards: pieces that stayed far from falling at two levels stand at all weaker ones.
-Rocking is not monotonic in the intensity, so this is no theorem; it was measured how often it fails
-(`benchmarks/verification.py`).
+From the strongest level downwards: what stayed far from falling at two levels stands at all weaker ones.
+Rocking is not monotonic in the intensity, so this is no theorem but a rule with margins; how often it would be
+wrong with others was counted (`benchmarks/verification.py`). There is no such rule upwards, from levels at
+which all fall: what falls at one level often stands at a stronger one, and a run that falls is short anyway.
 """
 
 from __future__ import annotations
@@ -29,13 +30,13 @@ CALM_TILT = 0.3
 """A calm run tilts less than this part of the angle at which the piece overturns."""
 
 CALM_SLIDE = 0.5
-"""A calm run slides less than this part of the width of the base: what slides far meets other motion, or a wall."""
+"""A calm run slides less than this part of the width of the base: what slides far may meet a wall."""
 
 GROUP = 8
 """Fewest runs that are judged together: those of one motion or, of few samples, of several motions."""
 
 APART = 0.14
-"""Least difference of two levels at which all of a group must be calm; the usual levels are 0.15 apart [JMA]."""
+"""Least difference of the two levels at which all of a group are calm [JMA]; the usual are 0.15 apart."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -122,13 +123,12 @@ def run_levels(
         unsettled &= ~settled
         if progress is not None and settled.any():
             progress(int(settled.sum()) * samples * number)
-    of_each = (len(levels), *shape)
-    by_piece = zip(*(np.moveaxis(flags.reshape(of_each), 1, 0) for flags in (overturned, missing)), strict=True)
-    return [Falls(fell, given_up) for fell, given_up in by_piece], made
+    fell, given_up = (flags.reshape(len(levels), *shape) for flags in (overturned, missing))
+    return [Falls(fell[:, piece], given_up[:, piece]) for piece in range(len(rows))], made
 
 
 def group_starts(motions: int, samples: int) -> NDArray[np.intp]:
-    """Return the first motion of each group of motions with at least `GROUP` runs; none where all are fewer."""
+    """Return the first motion of each group of at least `GROUP` runs; none where there are not so many."""
     each = -(-GROUP // samples)
     return each * np.arange(motions // each)
 
@@ -147,12 +147,17 @@ def calm_runs(
     device_failed : ndarray of bool, shape (n,)
         Whether a device failed.
     """
-    u, v = cases["u"][:, :2], cases["v"][:, :2]  # the base corners from the centre of gravity
-    overturning = np.arctan2(np.abs(u), -v).min(axis=1)
+    left, right = cases["u"][:, :2].T
     return (
         (results["outcome"] != OVERTURNED_OUTCOME)
         & (results["outcome"] != FAILED_OUTCOME)
-        & (results["peak_tilt"] < CALM_TILT * overturning)
-        & (results["peak_slide"] < CALM_SLIDE * (u[:, 1] - u[:, 0]))
+        & (results["peak_tilt"] < CALM_TILT * overturning_tilts(cases))
+        & (results["peak_slide"] < CALM_SLIDE * (right - left))
         & ~device_failed
     )
+
+
+def overturning_tilts(cases: NDArray[np.void]) -> NDArray[np.float64]:
+    """Return the tilts at which pieces overturn by their weight, to the side where it is less [rad]."""
+    left, right = cases["u"][:, :2].T
+    return np.arctan2(np.minimum(-left, right), -cases["v"][:, 0])

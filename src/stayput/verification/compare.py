@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -54,28 +53,6 @@ RANKING_ORDER = (OVERTURNED, SLID, DEVICE_FAILED, HIT_WALL)
 
 RANKING_RESOLUTION = 0.005
 """Probabilities that differ by no more than this are equal in the ranking: half a per cent."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Work:
-    """The options to run, and how."""
-
-    options: tuple[Option, ...]
-    scenario: Scenario
-    settings: Settings
-    threads: int | None
-    advance: Callable[[int], None]
-
-    def rows(self, samples: int, start: int = 0) -> list[Rows]:
-        """Return the rows of every option, for some samples of each motion."""
-        body, room = self.scenario.furniture.body(), self.scenario.room.room()
-        drawn = draws(self.settings.motions, samples, self.settings.seed, start)
-        initial, gravity = self.scenario.initial.state(), self.settings.gravity
-        return [rows_of(body, room, option.measures, drawn, gravity, initial) for option in self.options]
-
-    def run(self, rows: list[Rows], floors: FloorMotions) -> list[Runs]:
-        """Run every option at a level."""
-        return run_level(rows, floors, threads=self.threads, progress=self.advance)
 
 
 def verify(
@@ -144,15 +121,15 @@ def verify(
             if on_progress is not None:
                 on_progress(seen, total)
 
-        work = _Work(options, scenario, settings, threads, count)
         floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
+        batches: list[list[Rows]] = []
+
+        def run(_: list[int], samples: int, start: int) -> list[Runs]:
+            batches.append(_rows(options, scenario, settings, samples, start))
+            return run_level(batches[-1], floors, threads=threads, progress=count)
+
         # All options go on together, since they are compared sample by sample.
-        here, samples, precise = sample_until_precise(
-            len(options),
-            settings,
-            lambda _, samples, start: work.run(work.rows(samples, start), floors),
-            together=True,
-        )
+        here, samples, precise = sample_until_precise(len(options), settings, run, together=True)
         at_a_level = len(options) * len(ground) * samples
         if unneeded := total - at_a_level * (1 + len(rows)):  # samples beyond the asked precision
             count(unneeded)
@@ -160,8 +137,9 @@ def verify(
         falls: list[Falls] = []
         made = 0
         if measures:
+            drawn = batches[0] if len(batches) == 1 else _rows(options, scenario, settings, samples)
             falls, made = run_levels(
-                work.rows(samples), rows, measures, every_run=every_run, threads=threads, progress=count
+                drawn, rows, measures, every_run=every_run, threads=threads, progress=count
             )
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures) for option in options]
@@ -184,9 +162,17 @@ def verify(
     )
 
 
-def _curves(
-    name: str, falls: Falls, measures: list[FloorMotions]
-) -> dict[IntensityMeasure, FragilityCurve]:
+def _rows(
+    options: tuple[Option, ...], scenario: Scenario, settings: Settings, samples: int, start: int = 0
+) -> list[Rows]:
+    """Return the rows of every option, for some samples of each motion."""
+    body, room = scenario.furniture.body(), scenario.room.room()
+    drawn = draws(settings.motions, samples, settings.seed, start)
+    initial, gravity = scenario.initial.state(), settings.gravity
+    return [rows_of(body, room, option.measures, drawn, gravity, initial) for option in options]
+
+
+def _curves(name: str, falls: Falls, measures: list[FloorMotions]) -> dict[IntensityMeasure, FragilityCurve]:
     return {
         im: fragility_curve(
             Trials.from_runs(
