@@ -1,9 +1,9 @@
 """Verifications: what it saves not to run what stronger shaking tells, and how often such rules are wrong.
 
-``python benchmarks/verification.py speed [MOTIONS SAMPLES]``: all runs, and those that are needed, in turns, of
-a bookcase with the usual measures; 40 motions and 640 samples where nothing is said.
-``python benchmarks/verification.py rule [SCENARIOS]``: full grids of drawn scenarios, 300 where nothing is said;
-of the runs that a rule settles, those that fall all the same, by the tilt and slide of a calm run.
+``python benchmarks/verification.py speed [MOTIONS SAMPLES]``: all runs, and those that are needed, in turns,
+of a bookcase with the usual measures; 40 motions and 640 samples where nothing is said.
+``python benchmarks/verification.py rule [SCENARIOS]``: full grids of drawn scenarios, 140 where nothing is
+said; of the runs that a rule settles, those that fall all the same, by the tilt and slide of a calm run.
 """
 
 from __future__ import annotations
@@ -258,5 +258,5 @@ def rule(scenarios: int) -> Table:
 
 if __name__ == "__main__":
     part, numbers = sys.argv[1], [int(number) for number in sys.argv[2:]]
-    made = speed(*(numbers or (40, 640))) if part == "speed" else rule(*(numbers or (300,)))
+    made = speed(*(numbers or (40, 640))) if part == "speed" else rule(*(numbers or (140,)))
     Console(width=120).print(made)

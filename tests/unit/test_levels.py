@@ -161,8 +161,8 @@ ROOM = {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"heigh
 FREE = {"floor": {"static_friction": 0.25, "kinetic_friction": 0.2}, "right_wall": {"gap": 0.3}}
 SCENARIOS = {
     "a bookcase with all usual measures": {
-        "shaking": {"intensity": "6-upper", "suite": {"count": 6, "seed": 3}},
-        "uncertainty": {"samples": 24},
+        "shaking": {"intensity": "6-upper", "suite": {"count": 4, "seed": 3}},
+        "uncertainty": {"samples": 16},
     },
     "a slippery floor between walls": {
         "furniture": {"preset": "cupboard"},
@@ -173,9 +173,9 @@ SCENARIOS = {
     "devices that fail, upstairs in a building that yields": {
         "shaking": {
             "intensity": 5.8,
-            "suite": {"family": "basin", "count": 4},
-            "building": {"storeys": 10},
-            "storey": 8,
+            "suite": {"family": "crustal", "count": 4},
+            "building": {"storeys": 5},
+            "storey": 4,
         },
         "measures": [
             {"type": "l_bracket_board"},
@@ -210,7 +210,7 @@ def test_the_verdict_is_that_of_every_run(name):
     every = verify(scenario, every_run=True)
     told, whole = verdict_data(usual), verdict_data(every)
     assert (told.pop("runs") + told.pop("settled_runs"), 0) == (whole.pop("runs"), whole.pop("settled_runs"))
-    assert usual.runs < 0.8 * every.runs
+    assert usual.settled > 0.1 * every.runs
     told.pop("seconds"), whole.pop("seconds")
     assert told == whole
     assert seen[-1] == (every.runs, every.runs)
