@@ -55,7 +55,7 @@ class Falls:
 def run_levels(
     rows: Sequence[Rows],
     levels: NDArray[np.float64],
-    floors: Sequence[FloorMotions],
+    floors_at: Callable[[float], FloorMotions],
     *,
     every_run: bool = False,
     threads: int | None = None,
@@ -68,9 +68,9 @@ def run_levels(
     rows : sequence of Rows
         The cases of each.
     levels : ndarray, shape (levels,)
-        JMA intensities of the ground, increasing.
-    floors : sequence of FloorMotions
-        The motions of each level.
+        JMA intensities of the ground, increasing; at least one.
+    floors_at : callable
+        Returns the motions at a level; called as it is needed, the strongest first.
     every_run : bool
         Whether all runs are made, those too whose outcome stronger ones tell.
     threads : int, optional
@@ -83,7 +83,7 @@ def run_levels(
     tuple
         The falls of each, and how many runs were made for them.
     """
-    motions = len(floors[0].motions)
+    motions = len(floors_at(float(levels[-1])).motions)
     cases, elements, motion = joined_rows(rows, motions)
     shape = (len(rows), motions, len(cases) // (len(rows) * motions))
     samples = shape[2]
@@ -98,12 +98,12 @@ def run_levels(
         if not len(chosen):
             break
         made += len(chosen)
-        floor, chosen_cases = floors[number], cases[chosen]
-        chosen_cases["scale"] = floor.scales[motion[chosen]]
+        floors, chosen_cases = floors_at(float(levels[number])), cases[chosen]
+        chosen_cases["scale"] = floors.scales[motion[chosen]]
         results, _ = run_columns(
             chosen_cases,
             elements[chosen],
-            floor.motions,
+            floors.motions,
             motion[chosen],
             threads=threads,
             progress=False,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -133,14 +134,15 @@ def verify(
         at_a_level = len(options) * len(ground) * samples
         if unneeded := total - at_a_level * (1 + len(rows)):  # samples beyond the asked precision
             count(unneeded)
-        measures = [hazard.at(float(level), threads) for level in rows]
+        floors_at = cache(partial(hazard.at, threads=threads))
         falls: list[Falls] = []
         made = 0
-        if measures:
+        if len(rows):
             drawn = batches[0] if len(batches) == 1 else _rows(options, scenario, settings, samples)
             falls, made = run_levels(
-                drawn, rows, measures, every_run=every_run, threads=threads, progress=count
+                drawn, rows, floors_at, every_run=every_run, threads=threads, progress=count
             )
+        measures = [floors_at(float(level)) for level in rows]
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures) for option in options]
     verdicts = _verdicts(options, held, here, falls, measures, slide_limit)
