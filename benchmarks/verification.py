@@ -1,7 +1,7 @@
 """Verifications: what it saves not to run what stronger shaking tells, and how often such rules are wrong.
 
-``python benchmarks/verification.py speed [MOTIONS SAMPLES]``: all runs, and those that are needed, in turns,
-of a bookcase with the usual measures; 40 motions and 640 samples where nothing is said.
+``python benchmarks/verification.py speed [MOTIONS SAMPLES TURNS]``: all runs, and those that are needed, in
+turns, of a bookcase with the usual measures; 40 motions, 640 samples and 3 turns where nothing is said.
 ``python benchmarks/verification.py rule [SCENARIOS]``: full grids of drawn scenarios, 140 where nothing is
 said; of the runs that a rule settles, those that fall all the same, by the tilt and slide of a calm run.
 """
@@ -38,7 +38,6 @@ if TYPE_CHECKING:
     from stayput.verification import Verdict
 
 ROOM = {"floor": "wood flooring", "back_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
-REPEATS = 3
 
 
 def bookcase(motions: int, samples: int) -> Scenario:
@@ -59,20 +58,20 @@ def told(verdict: Verdict) -> dict[str, Any]:
     return {name: data[name] for name in data.keys() - {"runs", "settled_runs", "seconds"}}
 
 
-def speed(motions: int, samples: int) -> Table:
+def speed(motions: int = 40, samples: int = 640, turns: int = 3) -> Table:
     """Time both kinds of verification in turns."""
     scenario = bookcase(motions, samples)
     verify(bookcase(2, 2), progress=False)  # compiles
     spent: dict[bool, list[tuple[float, float]]] = {True: [], False: []}
     verdicts: dict[bool, Verdict] = {}
-    for _ in range(REPEATS):
+    for _ in range(turns):
         for every_run in (True, False):
             processor = time.process_time()
             verdicts[every_run] = verify(scenario, every_run=every_run, progress=False)
             spent[every_run].append((verdicts[every_run].seconds, time.process_time() - processor))
     same = "yes" if told(verdicts[True]) == told(verdicts[False]) else "NO"
     table = Table(
-        title=f"{motions} motions, {samples} samples, {work.cores()} cores, median of {REPEATS}",
+        title=f"{motions} motions, {samples} samples, {work.cores()} cores; median of the turns",
         title_justify="left",
     )
     for heading in ("verification", "runs", "settled", "wall [s]", "processor [s]", "same verdict"):
@@ -224,7 +223,7 @@ MARGINS = [(tilt, CALM_SLIDE) for tilt in (0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0)] +
 """Largest tilt and slide of a calm run."""
 
 
-def rule(scenarios: int) -> Table:
+def rule(scenarios: int = 140) -> Table:
     """Count, for rules of several margins, the runs that fall though they were settled."""
     wrong = {name: np.zeros(len(MARGINS), np.int64) for name in RULES}
     decided_runs = dict.fromkeys(RULES, 0)
@@ -258,5 +257,5 @@ def rule(scenarios: int) -> Table:
 
 if __name__ == "__main__":
     part, numbers = sys.argv[1], [int(number) for number in sys.argv[2:]]
-    made = speed(*(numbers or (40, 640))) if part == "speed" else rule(*(numbers or (140,)))
+    made = speed(*numbers) if part == "speed" else rule(*numbers)
     Console(width=120).print(made)
