@@ -83,12 +83,13 @@ def test_a_group_has_enough_runs():
 def test_a_calm_run_is_far_from_a_fall():
     case = case_columns(BODY, sp.Room(), State(), STANDARD_GRAVITY)
     assert overturning_tilts(case) == pytest.approx(np.arctan(0.4 / 1.6))
-    results = np.zeros(6, RESULT)
-    results["outcome"] = [ROCKED, ROCKED, ROCKED, ROCKED, OVERTURNED_OUTCOME, FAILED_OUTCOME]
+    results = np.zeros(7, RESULT)
+    results["outcome"] = [ROCKED] * 5 + [OVERTURNED_OUTCOME, FAILED_OUTCOME]
     alpha, width = np.arctan(0.25), 0.4
     results["peak_tilt"][:3] = [0.99 * CALM_TILT * alpha, 1.01 * CALM_TILT * alpha, 0.0]
     results["peak_slide"][2:4] = [1.01 * CALM_SLIDE * width, 0.99 * CALM_SLIDE * width]
-    assert calm_runs(np.repeat(case, 6), results).tolist() == [True, False, False, True, False, False]
+    used = np.array([0.89, 0.0, 0.0, 0.0, 0.91, 0.0, 0.0])
+    assert calm_runs(np.repeat(case, 7), results, used).tolist() == [True, *(False,) * 2, True, *(False,) * 3]
 
 
 def test_the_overturning_tilt_is_that_of_the_nearer_corner():
