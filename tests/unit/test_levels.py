@@ -211,7 +211,7 @@ def test_the_verdict_is_that_of_every_run(name):
     every = verify(scenario, every_run=True)
     told, whole = verdict_data(usual), verdict_data(every)
     assert (told.pop("runs") + told.pop("settled_runs"), 0) == (whole.pop("runs"), whole.pop("settled_runs"))
-    assert usual.settled > 0.1 * every.runs
+    assert usual.settled > 0
     told.pop("seconds"), whole.pop("seconds")
     assert told == whole
     assert seen[-1] == (every.runs, every.runs)
