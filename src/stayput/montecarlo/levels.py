@@ -3,8 +3,8 @@
 From the strongest level downwards: what stayed far from falling at two levels stands at all weaker ones.
 Rocking is not monotonic in the intensity, so this is no theorem but a rule with margins. None of 1,425,920
 runs of drawn scenarios was settled wrongly, one without the limit on devices; `benchmarks/verification.py`
-counts that, for other margins too, and the manual has the table. There is no such rule upwards, from levels at
-which all fall: what falls at one level often stands at a stronger one, and a run that falls is short anyway.
+counts that, for other margins too, and the manual has the table. There is no such rule upwards, from levels
+at which all fall: what falls at one level often stands at a stronger one, and is run quickly in any case.
 """
 
 from __future__ import annotations
