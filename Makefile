@@ -23,7 +23,7 @@ help:
 	@echo "make soak     input made to break what reads it, for MINUTES=10 or as long as asked"
 	@echo "make coverage every test, and which lines of Python and of the page they run (out/coverage)"
 	@echo "make lint     ruff, formatting, types"
-	@echo "make bench    speed and accuracy beside MuJoCo; ensembles, buildings, devices, starts"
+	@echo "make bench    speed and accuracy beside MuJoCo; ensembles, buildings, devices, verifications, starts"
 	@echo "make bench-app, make bench-inventory   the server under load and the page in Chromium; tables of furniture"
 	@echo "make wasm     the mechanics as WebAssembly (out/kernel.wasm), and what a case costs there"
 	@echo "make docs     documentation pages (docs/_build/html)"
@@ -68,6 +68,7 @@ bench: $(STAMP)-test
 	$(BIN)/python benchmarks/building.py
 	$(BIN)/python benchmarks/devices.py
 	$(BIN)/python benchmarks/start.py
+	$(BIN)/python benchmarks/verification.py speed
 
 bench-app: $(STAMP)-test
 	$(BIN)/python benchmarks/app.py $(BENCH_ARGS)

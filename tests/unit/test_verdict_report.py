@@ -27,7 +27,7 @@ from stayput.report.verdict.data import verdict_data, verdict_json
 from stayput.report.verdict.exports import write_curves
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.numbers import capacity, capacity_interval, change, force, length, share
-from stayput.report.verdict.tables import device_rows, ranking, verdict_csv
+from stayput.report.verdict.tables import device_rows, ranking, simulations, verdict_csv
 from stayput.simulation.run import EventKind, Mode, Outcome
 from stayput.uncertainty import USUAL
 from stayput.verification import EVENTS, Quantiles
@@ -59,6 +59,18 @@ def test_every_mode_outcome_preset_and_quantity_has_its_words():
     assert set(FAMILIES) <= {*names.FAMILIES, *names.MOTIONS}
     assert set(names.STRUCTURES) == set(STRUCTURES)
     assert all(all(measure.label) and all(measure.about) for measure in MEASURES.values())
+
+
+def test_runs_that_were_not_made_are_told_apart():
+    few, all_made = verdict_cases.made(runs=1400, settled=1000), verdict_cases.made()
+    data = json.loads(verdict_json(few))
+    assert (data["runs"], data["settled_runs"]) == (1400, 1000)
+    for language in ("en", "ja"):
+        assert "1,400" in simulations(few, language)
+        assert "1,000" in simulations(few, language)
+        assert "2,400" in simulations(all_made, language)
+        assert len(simulations(all_made, language)) < len(simulations(few, language))
+    assert simulations(few, "en") in verdict_markdown(few)
 
 
 def test_json_holds_the_verdicts_numbers():

@@ -77,6 +77,7 @@ def made(scenario=None, **changes):
         motions=MOTIONS,
         samples=SAMPLES,
         runs=2400,
+        settled=0,
         precise=True,
         seed=7,
         seconds=1.5,

@@ -141,6 +141,7 @@ class VerdictReply(Reply):
     motions: int
     samples: int
     runs: int
+    settled_runs: int = Field(description="Runs that were not made: stronger shaking told their outcome.")
     precise: bool
     seed: int
     seconds: float

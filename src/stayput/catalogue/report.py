@@ -13,6 +13,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         ("{runs} in all; motions × Monte Carlo samples: {motions} × {samples} for each measure and level"),
         "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各対策・各レベルで計算",
     ),
+    "settled_text": (
+        (
+            "; {settled} more at weaker shaking are counted as standing without a run, since the piece was far "
+            "from falling under stronger shaking"
+        ),
+        "。ほかに弱い揺れでの{settled}回は、より強い揺れでも転倒にほど遠いため、計算せずに倒れないものと数える",
+    ),
     "motions": ("Motions", "地震動"),
     "not_precise": (
         "The precision that was asked for was not reached with the samples that were allowed.",

@@ -32,6 +32,10 @@ TimeStepOption: TypeAlias = Annotated[
 ThreadsOption: TypeAlias = Annotated[
     int | None, typer.Option("--threads", help="Threads; as many as there are cores by default.")
 ]
+EveryRunOption: TypeAlias = Annotated[
+    bool,
+    typer.Option("--every-run", help="Make also the runs whose outcome stronger shaking tells, to check it."),
+]
 
 EXAMPLE: dict[str, Any] = {
     "furniture": {"preset": "bookcase"},

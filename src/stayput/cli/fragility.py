@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stayput.cli.flags import ThreadsOption, chosen_measures
+from stayput.cli.flags import EveryRunOption, ThreadsOption, chosen_measures
 from stayput.cli.messages import compiling
 
 if TYPE_CHECKING:
@@ -29,6 +29,7 @@ def fragility(
         list[str] | None,
         typer.Option(metavar="TYPE|NAME", help="Only this measure beside none; may be repeated."),
     ] = None,
+    every_run: EveryRunOption = False,
     threads: ThreadsOption = None,
 ) -> None:
     """Write the probability of overturning over the strength of the shaking.
@@ -54,7 +55,7 @@ def fragility(
     from stayput.verification import verify
 
     with compiling():
-        verdict = verify(selected, threads=threads)
+        verdict = verify(selected, every_run=every_run, threads=threads)
     wanted: IntensityMeasure = INTENSITY_MEASURES[im]
     files, left_out = write_curves(verdict, wanted, out)
     for result in verdict.options:

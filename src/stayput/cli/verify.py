@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from stayput.cli.flags import ThreadsOption  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.flags import EveryRunOption, ThreadsOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.messages import compiling, folded
 
 if TYPE_CHECKING:
@@ -27,6 +27,7 @@ def verify(
     markdown: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the verdict as .md.")] = None,
     csv: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the ranking as .csv.")] = None,
     slide_limit: Annotated[float | None, typer.Option(help="Slide that counts as too far [m].")] = None,
+    every_run: EveryRunOption = False,
     threads: ThreadsOption = None,
 ) -> None:
     """Compare what a scenario's measures do, over its motions and over what is not known.
@@ -43,7 +44,7 @@ def verify(
             check_target(path, (suffix,))
     if slide_limit is not None:
         within("--slide-limit", slide_limit, 0.0, 100.0, "m")
-    verdict = _verified(scenario, slide_limit, threads)
+    verdict = _verified(scenario, slide_limit, every_run, threads)
     written = _write(verdict, report, markdown, csv, lang)
     if json:
         from stayput.report.verdict.data import verdict_json
@@ -53,7 +54,7 @@ def verify(
         _print(verdict, lang, written)
 
 
-def _verified(path: Path, slide_limit: float | None, threads: int | None) -> Verdict:
+def _verified(path: Path, slide_limit: float | None, every_run: bool, threads: int | None) -> Verdict:
     from stayput.scenario import read_scenario
 
     scenario = read_scenario(path)
@@ -63,7 +64,7 @@ def _verified(path: Path, slide_limit: float | None, threads: int | None) -> Ver
 
     limit = SLIDE_LIMIT if slide_limit is None else slide_limit
     with compiling():
-        return compare(scenario, slide_limit=limit, threads=threads)
+        return compare(scenario, slide_limit=limit, every_run=every_run, threads=threads)
 
 
 def _write(

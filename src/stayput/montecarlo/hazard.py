@@ -235,6 +235,14 @@ class Hazard:
             return self._acting
         return self._scaled.floors(self.building, (self.storey,), np.ones(len(self.ground)))[0][0]
 
+    @cached_property
+    def _ground_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        return _peaks(self._acting)
+
+    @cached_property
+    def _elastic_peaks(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        return _peaks(self._elastic)
+
     def at(self, intensity: float, threads: int | None = None) -> FloorMotions:
         """Return the motions under the furniture with the ground at a JMA intensity.
 
@@ -262,17 +270,21 @@ class Hazard:
         if self.building is not None and self.building.yields:
             floors, scales = self._scaled.floors(self.building, (self.storey,), factors, threads)
             motions = floors[0]
+            pfa, pfv = _peaks(motions)
         else:
             motions, scales = self._elastic, factors
-
-        def peaks(of: tuple[Motion, ...], name: str) -> NDArray[np.float64]:
-            return np.array([getattr(motion, name) for motion in of])
-
+            pfa, pfv = self._elastic_peaks
+        pga, pgv = self._ground_peaks
         measures = {
             JMA_INTENSITY: self._scaled.intensities(factors),
-            PGA: np.abs(factors) * peaks(self._acting, "pga"),
-            PGV: np.abs(factors) * peaks(self._acting, "pgv"),
-            PFA: np.abs(scales) * peaks(motions, "pga"),
-            PFV: np.abs(scales) * peaks(motions, "pgv"),
+            PGA: np.abs(factors) * pga,
+            PGV: np.abs(factors) * pgv,
+            PFA: np.abs(scales) * pfa,
+            PFV: np.abs(scales) * pfv,
         }
         return FloorMotions(motions, scales, measures)
+
+
+def _peaks(motions: tuple[Motion, ...]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the peak acceleration [m/s²] and the peak velocity [m/s] of motions along x."""
+    return np.array([motion.pga for motion in motions]), np.array([motion.pgv for motion in motions])

@@ -61,11 +61,7 @@ def run_level(
         Called with the number of runs just done; an exception that it raises stops the work.
     """
     motions = len(floors.motions)
-    cases = np.concatenate([piece_rows.cases for piece_rows in rows])
-    elements = _side_by_side([piece_rows.elements for piece_rows in rows])
-    motion = np.concatenate(
-        [np.repeat(np.arange(motions), len(piece_rows.cases) // motions) for piece_rows in rows]
-    )
+    cases, elements, motion = joined_rows(rows, motions)
     cases["scale"] = floors.scales[motion]
     results, devices = run_columns(
         cases, elements, floors.motions, motion, threads=threads, progress=False, on_progress=progress
@@ -78,6 +74,16 @@ def run_level(
         runs.append(_runs(piece_rows, results[part], devices[part], failed[part], motions))
         start = part.stop
     return runs
+
+
+def joined_rows(
+    rows: Sequence[Rows], motions: int
+) -> tuple[NDArray[np.void], NDArray[np.void], NDArray[np.int64]]:
+    """Return the cases of several pieces, their devices and the number of each one's motion."""
+    cases = np.concatenate([piece_rows.cases for piece_rows in rows])
+    elements = _side_by_side([piece_rows.elements for piece_rows in rows])
+    motion = [np.repeat(np.arange(motions), len(piece_rows.cases) // motions) for piece_rows in rows]
+    return cases, elements, np.concatenate(motion)
 
 
 def _side_by_side(rows: list[NDArray[np.void]]) -> NDArray[np.void]:

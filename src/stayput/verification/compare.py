@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,6 +21,7 @@ from stayput.montecarlo.counting import (
     Quantiles,
 )
 from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
 from stayput.progress import bar
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve, IntensityMeasure, Probability
     from stayput.measures import Held
     from stayput.montecarlo.hazard import FloorMotions
+    from stayput.montecarlo.levels import Falls
     from stayput.montecarlo.runs import Runs
     from stayput.montecarlo.sampling import Rows
     from stayput.scenario import Scenario
@@ -54,35 +56,12 @@ RANKING_RESOLUTION = 0.005
 """Probabilities that differ by no more than this are equal in the ranking: half a per cent."""
 
 
-@dataclass(slots=True, eq=False)
-class _Work:
-    """The options to run, and how many runs are done."""
-
-    options: tuple[Option, ...]
-    scenario: Scenario
-    settings: Settings
-    threads: int | None
-    advance: Callable[[int], None]
-    done: int = 0
-
-    def rows(self, samples: int, start: int = 0) -> list[Rows]:
-        """Return the rows of every option, for some samples of each motion."""
-        body, room = self.scenario.furniture.body(), self.scenario.room.room()
-        drawn = draws(self.settings.motions, samples, self.settings.seed, start)
-        initial, gravity = self.scenario.initial.state(), self.settings.gravity
-        return [rows_of(body, room, option.measures, drawn, gravity, initial) for option in self.options]
-
-    def run(self, rows: list[Rows], floors: FloorMotions) -> list[Runs]:
-        """Run every option at a level."""
-        self.done += sum(len(option_rows.cases) for option_rows in rows)
-        return run_level(rows, floors, threads=self.threads, progress=self.advance)
-
-
 def verify(
     scenario: Scenario,
     *,
     levels: Sequence[float] | NDArray[np.float64] = LEVELS,
     slide_limit: float = SLIDE_LIMIT,
+    every_run: bool = False,
     threads: int | None = None,
     progress: bool | None = None,
     on_progress: Callable[[int, int], None] | None = None,
@@ -91,7 +70,8 @@ def verify(
 
     Every option meets the same motions and the same draws. At the scenario's own shaking samples are added
     until every probability has the precision that the scenario asks for, or the most samples are done; then
-    all are run at every level for the fragility curves.
+    come the levels of the fragility curves, without the runs whose outcome stronger shaking tells: see
+    `stayput.montecarlo.levels`.
 
     Parameters
     ----------
@@ -101,13 +81,15 @@ def verify(
         JMA intensities of the ground for the fragility curves, increasing; with none there are no curves.
     slide_limit : float
         Slide that counts as too far [m].
+    every_run : bool
+        Whether to make all runs of the curves, to check those that are settled without.
     threads : int, optional
         As many as there are cores by default. The bits do not depend on them.
     progress : bool, optional
         Whether to draw a bar on standard error; default on a terminal.
     on_progress : callable, optional
-        Called with the runs done and the runs in all, for a bar of one's own; an exception that it raises
-        stops the work.
+        Called with the runs made or settled and with all runs, for a bar of one's own; an exception that it
+        raises stops the work.
 
     Returns
     -------
@@ -140,19 +122,30 @@ def verify(
             if on_progress is not None:
                 on_progress(seen, total)
 
-        work = _Work(options, scenario, settings, threads, count)
         floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
+        batches: list[list[Rows]] = []
+
+        def run(_: list[int], samples: int, start: int) -> list[Runs]:
+            batches.append(_rows(options, scenario, settings, samples, start))
+            return run_level(batches[-1], floors, threads=threads, progress=count)
+
         # All options go on together, since they are compared sample by sample.
-        here, samples, precise = sample_until_precise(
-            len(options),
-            settings,
-            lambda _, samples, start: work.run(work.rows(samples, start), floors),
-            together=True,
-        )
-        by_level, measures = _at_all_levels(work, hazard, rows, samples)
+        here, samples, precise = sample_until_precise(len(options), settings, run, together=True)
+        at_a_level = len(options) * len(ground) * samples
+        if unneeded := total - at_a_level * (1 + len(rows)):  # samples beyond the asked precision
+            count(unneeded)
+        floors_at = cache(partial(hazard.at, threads=threads))
+        falls: list[Falls] = []
+        made = 0
+        if len(rows):
+            drawn = batches[0] if len(batches) == 1 else _rows(options, scenario, settings, samples)
+            falls, made = run_levels(
+                drawn, rows, floors_at, every_run=every_run, threads=threads, progress=count
+            )
+        measures = [floors_at(float(level)) for level in rows]
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures) for option in options]
-    verdicts = _verdicts(options, held, here, by_level, measures, slide_limit)
+    verdicts = _verdicts(options, held, here, falls, measures, slide_limit)
     return Verdict(
         scenario=scenario,
         intensity=float(np.median(floors.measures[JMA_INTENSITY])),
@@ -162,7 +155,8 @@ def verify(
         levels=rows,
         motions=len(ground),
         samples=samples,
-        runs=work.done,
+        runs=at_a_level + made,
+        settled=at_a_level * len(rows) - made,
         precise=precise,
         seed=settings.seed,
         seconds=time.perf_counter() - began,
@@ -170,29 +164,22 @@ def verify(
     )
 
 
-def _at_all_levels(
-    work: _Work, hazard: Hazard, levels: NDArray[np.float64], samples: int
-) -> tuple[list[list[Runs]], list[FloorMotions]]:
-    rows = work.rows(samples) if len(levels) else []
-    by_level: list[list[Runs]] = []
-    measures: list[FloorMotions] = []
-    for level in levels:
-        floors = hazard.at(float(level), work.threads)
-        by_level.append(work.run(rows, floors))
-        measures.append(floors)
-    return by_level, measures
+def _rows(
+    options: tuple[Option, ...], scenario: Scenario, settings: Settings, samples: int, start: int = 0
+) -> list[Rows]:
+    """Return the rows of every option, for some samples of each motion."""
+    body, room = scenario.furniture.body(), scenario.room.room()
+    drawn = draws(settings.motions, samples, settings.seed, start)
+    initial, gravity = scenario.initial.state(), settings.gravity
+    return [rows_of(body, room, option.measures, drawn, gravity, initial) for option in options]
 
 
-def _curves(
-    number: int, name: str, by_level: list[list[Runs]], measures: list[FloorMotions]
-) -> dict[IntensityMeasure, FragilityCurve]:
-    if not by_level:
-        return {}
-    fallen = np.stack([runs[number].overturned for runs in by_level])
-    missing = np.stack([runs[number].missing for runs in by_level])
+def _curves(name: str, falls: Falls, measures: list[FloorMotions]) -> dict[IntensityMeasure, FragilityCurve]:
     return {
         im: fragility_curve(
-            Trials.from_runs(im, np.stack([floors.measures[im] for floors in measures]), fallen, missing),
+            Trials.from_runs(
+                im, np.stack([floors.measures[im] for floors in measures]), falls.overturned, falls.missing
+            ),
             name=name,
         )
         for im in measures[0].measures
@@ -203,7 +190,7 @@ def _verdicts(
     options: tuple[Option, ...],
     held: list[Held],
     stated: list[Runs],
-    by_level: list[list[Runs]],
+    falls: list[Falls],
     measures: list[FloorMotions],
     slide_limit: float,
 ) -> tuple[OptionVerdict, ...]:
@@ -212,7 +199,7 @@ def _verdicts(
     verdicts: list[OptionVerdict] = []
     for rank, i in enumerate(order, start=1):
         runs, option = stated[i], options[i]
-        curves = _curves(i, option.name, by_level, measures)
+        curves = _curves(option.name, falls[i], measures) if measures else {}
         typical, worst = members(runs)
         verdicts.append(
             OptionVerdict(

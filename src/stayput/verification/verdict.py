@@ -153,7 +153,9 @@ class Verdict:
     motions, samples : int
         Motions, and Monte Carlo samples of each.
     runs : int
-        Simulations in all.
+        Simulations that were made.
+    settled : int
+        Runs of the fragility curves that were not made: stronger shaking left the piece far from falling.
     precise : bool
         Whether the asked precision was reached.
     seed : int
@@ -173,6 +175,7 @@ class Verdict:
     motions: int
     samples: int
     runs: int
+    settled: int
     precise: bool
     seed: int
     seconds: float

@@ -52,6 +52,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "motions": verdict.motions,
         "samples": verdict.samples,
         "runs": verdict.runs,
+        "settled_runs": verdict.settled,
         "seed": verdict.seed,
         "precise": verdict.precise,
         "seconds": number(verdict.seconds),

@@ -170,9 +170,10 @@ def _device_name(device: DeviceSummary, names: dict[str, str], language: str) ->
 
 
 def simulations(verdict: Verdict, language: str) -> str:
-    """Return the number of simulations in words."""
-    runs = f"{verdict.runs:,}"
-    return word("simulations_text", language, runs=runs, motions=verdict.motions, samples=verdict.samples)
+    """Return the number of simulations in words, and of the runs that were settled without one."""
+    counts = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "samples": verdict.samples}
+    made = word("simulations_text", language, **counts)
+    return made + word("settled_text", language, settled=f"{verdict.settled:,}") if verdict.settled else made
 
 
 def verdict_csv(verdict: Verdict) -> str:

@@ -1,0 +1,168 @@
+"""Falls at many levels of shaking, for fragility curves, without the runs whose outcome others tell.
+
+From the strongest level downwards: what stayed far from falling at two levels stands at all weaker ones.
+Rocking is not monotonic in the intensity, so this is no theorem but a rule with margins. None of 1,425,920
+runs of drawn scenarios was settled wrongly, one without the limit on devices; `benchmarks/verification.py`
+counts that, for other margins too, and the manual has the table. There is no such rule upwards, from levels
+at which all fall: what falls at one level often stands at a stronger one, and is run quickly in any case.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.measures.results import failures_of
+from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
+from stayput.montecarlo.runs import joined_rows
+from stayput.simulation.columns import run_columns
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.montecarlo.hazard import FloorMotions
+    from stayput.montecarlo.sampling import Rows
+
+CALM_TILT = 0.3
+"""A calm run tilts less than this part of the angle at which the piece overturns."""
+
+CALM_SLIDE = 0.3
+"""A calm run slides less than this part of the width of the base: what slides far may meet a wall."""
+
+CALM_USE = 0.9
+"""The devices of a calm run bear less than this part of their strength, so that none fails."""
+
+GROUP = 8
+"""Fewest runs that are judged together: those of one motion or, of few samples, of several motions."""
+
+APART = 0.14
+"""Least difference of the two levels at which all of a group are calm [JMA]; the usual are 0.15 apart."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Falls:
+    """Falls of a piece with one set of measures at several levels.
+
+    Parameters
+    ----------
+    overturned, missing : ndarray of bool, shape (levels, motions, samples)
+        Whether it overturned; whether the run was given up.
+    """
+
+    overturned: NDArray[np.bool_]
+    missing: NDArray[np.bool_]
+
+
+def run_levels(
+    rows: Sequence[Rows],
+    levels: NDArray[np.float64],
+    floors_at: Callable[[float], FloorMotions],
+    *,
+    every_run: bool = False,
+    threads: int | None = None,
+    progress: Callable[[int], None] | None = None,
+) -> tuple[list[Falls], int]:
+    """Run several pieces or sets of measures at many levels, or settle from stronger ones that they stand.
+
+    Parameters
+    ----------
+    rows : sequence of Rows
+        The cases of each.
+    levels : ndarray, shape (levels,)
+        JMA intensities of the ground, increasing; at least one.
+    floors_at : callable
+        Returns the motions at a level; called as it is needed, the strongest first.
+    every_run : bool
+        Whether all runs are made, those too whose outcome stronger ones tell.
+    threads : int, optional
+        As many as there are cores by default. The bits do not depend on them.
+    progress : callable, optional
+        Called with the number of runs just made or settled; an exception that it raises stops the work.
+
+    Returns
+    -------
+    tuple
+        The falls of each, and how many runs were made for them.
+    """
+    motions = len(floors_at(float(levels[-1])).motions)
+    cases, elements, motion = joined_rows(rows, motions)
+    shape = (len(rows), motions, len(cases) // (len(rows) * motions))
+    samples = shape[2]
+    overturned = np.zeros((len(levels), len(cases)), np.bool_)
+    missing = np.zeros_like(overturned)
+    starts = np.zeros(0, np.intp) if every_run else group_starts(motions, samples)
+    unsettled = np.ones(shape[:2], np.bool_)
+    calm_from = np.full(shape[:2], -np.inf)  # the strongest level from which on downwards all were calm
+    made = 0
+    for number in reversed(range(len(levels))):
+        chosen = np.flatnonzero(np.repeat(unsettled, samples))
+        if not len(chosen):
+            break
+        made += len(chosen)
+        floors = floors_at(float(levels[number]))
+        chosen_cases, chosen_elements = cases[chosen], elements[chosen]
+        chosen_cases["scale"] = floors.scales[motion[chosen]]
+        results, devices = run_columns(
+            chosen_cases,
+            chosen_elements,
+            floors.motions,
+            motion[chosen],
+            threads=threads,
+            progress=False,
+            on_progress=progress,
+        )
+        overturned[number, chosen] = results["outcome"] == OVERTURNED_OUTCOME
+        missing[number, chosen] = results["outcome"] == FAILED_OUTCOME
+        if not len(starts):
+            continue
+        calm = np.zeros(len(cases), np.bool_)
+        calm[chosen] = calm_runs(chosen_cases, results, failures_of(chosen_elements, devices).utilisation)
+        by_group = np.logical_and.reduceat(calm.reshape(shape).all(axis=2), starts, axis=1)
+        together = np.repeat(by_group, np.diff(starts, append=motions), axis=1)
+        calm_from = np.where(together, np.maximum(calm_from, levels[number]), -np.inf)
+        settled = unsettled & (calm_from - levels[number] >= APART)
+        unsettled &= ~settled
+        if progress is not None and settled.any():
+            progress(int(settled.sum()) * samples * number)
+    fell, given_up = (flags.reshape(len(levels), *shape) for flags in (overturned, missing))
+    return [Falls(fell[:, piece], given_up[:, piece]) for piece in range(len(rows))], made
+
+
+def group_starts(motions: int, samples: int) -> NDArray[np.intp]:
+    """Return the first motion of each group of at least `GROUP` runs; none where there are not so many."""
+    each = -(-GROUP // samples)
+    return each * np.arange(motions // each)
+
+
+def calm_runs(
+    cases: NDArray[np.void], results: NDArray[np.void], used: NDArray[np.float64]
+) -> NDArray[np.bool_]:
+    """Return which runs stayed far from a fall: with little tilt and slide, and devices that hold easily.
+
+    Parameters
+    ----------
+    cases : ndarray of CASE, shape (n,)
+        The cases.
+    results : ndarray of RESULT, shape (n,)
+        What became of them.
+    used : ndarray, shape (n,)
+        Largest utilisation of their devices; 0 without devices.
+    """
+    left, right = cases["u"][:, :2].T
+    return (
+        (results["outcome"] != OVERTURNED_OUTCOME)
+        & (results["outcome"] != FAILED_OUTCOME)
+        & (results["peak_tilt"] < CALM_TILT * overturning_tilts(cases))
+        & (results["peak_slide"] < CALM_SLIDE * (right - left))
+        & (used < CALM_USE)
+    )
+
+
+def overturning_tilts(cases: NDArray[np.void]) -> NDArray[np.float64]:
+    """Return the tilts at which pieces overturn by their weight, to the side where it is less [rad]."""
+    left, right = cases["u"][:, :2].T
+    return np.arctan2(np.minimum(-left, right), -cases["v"][:, 0])
