@@ -5,7 +5,7 @@ import pytest
 from mechanics_runs import case_of, plate
 from numba import njit
 
-from stayput.mechanics.devices import active_elements, branch_law, screening
+from stayput.mechanics.devices import active_elements, lines, screening
 from stayput.mechanics.devices import columns as el
 
 GRID = np.linspace(0.0, 1.0, 41)
@@ -16,7 +16,7 @@ def screened(case, rows, links, works, start, end, h):
     """Whether a step from one (x, ẋ) to another is skipped, and where a crossing is suspected."""
     work = works[0]
     work.slack_factor = 1.0
-    branch_law.set_lines(rows, links, case, -1, 0.0, 0.0, work)
+    lines.set_lines(rows, links, case, -1, 0.0, 0.0, work)
     active_elements.evaluate_lines(work, 0.0, 1.0, True, start[0], 0.0, start[1], 0.0, 0.0)
     active_elements.begin_step(work)
     active_elements.evaluate_lines(work, 0.0, 1.0, True, end[0], 0.0, end[1], 0.0, 0.0)
@@ -31,7 +31,7 @@ def screened(case, rows, links, works, start, end, h):
 def least(case, rows, links, works, x, v):
     work = works[0]
     work.slack_factor = 1.0
-    branch_law.set_lines(rows, links, case, -1, 0.0, 0.0, work)
+    lines.set_lines(rows, links, case, -1, 0.0, 0.0, work)
     for r in range(work.lines):
         work.line[r].low = work.line[r].high = 0.0
     return active_elements.evaluate_lines(work, 0.0, 1.0, True, x, 0.0, v, 0.0, 0.0)[3]

@@ -5,16 +5,16 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.devices.branch_law import (
-    clipped_to_margins,
+from stayput.mechanics.devices.columns import SLACK
+from stayput.mechanics.devices.device_law import (
+    clipped,
     force_of,
     margins_of,
-    place_of,
+    note_force,
     push_of,
     utilization_of,
 )
-from stayput.mechanics.devices.columns import SLACK
-from stayput.mechanics.devices.device_law import note_force
+from stayput.mechanics.devices.lines import place_of
 from stayput.mechanics.roots import parabola_negative_at
 
 SLACK_FORCE = 1e-8
@@ -218,8 +218,8 @@ def _note_peaks_within(work, r, device, h):
         push, _ = push_of(normal, force_of(normal, e, rate, 0.0), rate)
     e, rate = _midpoint(line, h)
     turning = _vertex(line.force0, force_of(line, e, rate, push), line.force)
-    note_force(device, line.tangent, clipped_to_margins(line, turning))
-    note_force(device, line.tangent, clipped_to_margins(line, line.force))
+    note_force(device, line.tangent, clipped(line, turning, math.inf))
+    note_force(device, line.tangent, clipped(line, line.force, math.inf))
 
 
 @inline

@@ -114,12 +114,12 @@ LINE = np.dtype(
         ("k", "f8"),
         ("c", "f8"),
         ("per_push", "f8"),
-        # margins, see `branch_law`: of an ELASTIC line low_at_0 + low_F F + low_per_push × push
+        # margins, see `device_law`: of an ELASTIC line low_at_0 + low_per_force F + low_per_push × push
         ("low_at_0", "f8"),
-        ("low_F", "f8"),
+        ("low_per_force", "f8"),
         ("low_per_push", "f8"),
         ("high_at_0", "f8"),
-        ("high_F", "f8"),
+        ("high_per_force", "f8"),
         ("high_per_push", "f8"),
         ("stiffness", "f8"),  # of spring and damper, whatever the branch
         ("damping", "f8"),

@@ -12,17 +12,26 @@ is on one *branch* until the next event:
 A branch ends where one of its *margins*, which are positive within it, falls below zero. The margins of two
 neighbouring branches have opposite signs in the same state, so a line cannot alternate between them without
 moving. On SLIP p is updated only at its end: until then the elongation is measured from where the slip began.
+
+On a branch force and margins are linear, so the law is the numbers of a `Branch`, which hold to the next
+event: F = F₀ + k e + c ė, or where the line slips by friction, a multiple of the normal line's push. The
+margins are: of an ELASTIC line, linear in F; of a SLACK line, the distance of its spring from pulling or
+pushing; of a YIELDING line, unloading and the elongation left to rupture; of a FRICTION line, whether it
+keeps slipping.
 """
 
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from stayput.compiled import inline, inner
 from stayput.mechanics.devices.columns import (
     BOND,
     DRAWN_OUT,
     DROPPED_OUT,
+    ELASTIC,
+    FRICTION,
     MINUS,
     NORMAL,
     OPEN,
@@ -30,13 +39,36 @@ from stayput.mechanics.devices.columns import (
     PULLED,
     PUSHED,
     SHEARED,
+    SLACK,
     SLIP_MINUS,
     SLIP_PLUS,
     TANGENT,
+    YIELDING,
 )
 
 SLIP_RATE_TIME = 1e-3
 """Time constant that turns a slip rate into a force margin where there is no damper [s]."""
+
+
+class Branch(NamedTuple):
+    """The law of a line on its branch; the rows of `columns.LINE` have these fields too."""
+
+    state: int
+    constant: float
+    k: float
+    c: float
+    per_push: float
+    stiffness: float
+    damping: float
+    low_at_0: float
+    low_per_force: float
+    low_per_push: float
+    high_at_0: float
+    high_per_force: float
+    high_per_push: float
+    bears_friction: int
+    per_plus: float
+    per_minus: float
 
 
 @inline
@@ -64,98 +96,130 @@ def elastic_elongation(el, link, i, e):
     return e - link.plastic[i] - el.slack_plus[i]
 
 
-@inline
-def force(el, link, i, e, rate, push):
-    """Force of a line on its branch, + where it pulls the point back against a positive elongation."""
+@inner
+def branch_of(el, link, i):
+    """Return the `Branch` of a line."""
     branch = link.branch[i]
-    if branch == OPEN:
-        return 0.0
-    if branch == SLIP_PLUS:
-        return limit(el, i, True, push)
-    if branch == SLIP_MINUS:
-        return -limit(el, i, False, push)
-    return el.stiffness[i] * elastic_elongation(el, link, i, e) + el.damping[i] * rate
-
-
-@inline
-def clipped_to_branch(el, link, i, F, push):
-    """Clip F to the range of forces of the line's branch.
-
-    A force evaluated with the branch from before an impact, or just after the event, is outside it.
-    """
-    branch = link.branch[i]
-    most = 0.0 if branch == MINUS else limit(el, i, True, push)
-    least = 0.0 if branch == PLUS else -limit(el, i, False, push)
+    k, c = el.stiffness[i], el.damping[i]
+    bears = 1 if i == NORMAL and branch in (MINUS, BOND, SLIP_MINUS) else 0
+    per_plus = per_minus = 0.0
     if el.interaction != 0:
-        most = min(most, el.limit_plus[i])
-        least = max(least, -el.limit_minus[i]) if i == TANGENT else least
-    return min(most, max(least, F))
+        per_plus = 1.0 / el.limit_plus[i]
+        per_minus = 0.0 if i == NORMAL else 1.0 / el.limit_minus[i]
+    # on SLACK, and where one of these means nothing
+    state, constant, own_k, own_c, per_push = SLACK, 0.0, 0.0, 0.0, 0.0
+    low_at_0 = k * (link.plastic[i] - el.slack_minus[i])
+    high_at_0 = k * (link.plastic[i] + el.slack_plus[i])
+    low_per_force = high_per_force = low_per_push = high_per_push = 0.0
+    if branch in (SLIP_PLUS, SLIP_MINUS):
+        plus = branch == SLIP_PLUS
+        low_per_force = 1.0 if plus else -1.0
+        if slips_by_friction(el, i):
+            state, per_push, low_per_push = FRICTION, low_per_force * el.friction, el.friction
+        else:
+            most = limit(el, i, plus, 0.0)
+            state, constant = YIELDING, low_per_force * most
+            low_at_0 = low_per_force * k * elastic_elongation(el, link, i, 0.0) - most
+            high_at_0 = k * (el.ultimate[i] - link.plastic_sum[i])
+    elif branch != OPEN:
+        state, own_k, own_c = ELASTIC, k, c
+        constant = k * elastic_elongation(el, link, i, 0.0)
+        low_at_0, low_per_force, high_per_force = 0.0, 1.0, -1.0
+        high_at_0 = limit(el, i, branch != MINUS, 0.0)
+        high_per_push = el.friction if slips_by_friction(el, i) else 0.0
+        if branch == BOND:
+            low_at_0, low_per_push = limit(el, i, False, 0.0), high_per_push
+        elif branch == MINUS:
+            low_per_force, high_per_force = -1.0, 1.0
+    return Branch(
+        state,
+        constant,
+        own_k,
+        own_c,
+        per_push,
+        k,
+        c,
+        low_at_0,
+        low_per_force,
+        low_per_push,
+        high_at_0,
+        high_per_force,
+        high_per_push,
+        bears,
+        per_plus,
+        per_minus,
+    )
 
 
 @inline
-def elastic_push(el, link, e, rate):
-    """Push of the normal line, on which the tangent's friction acts, and its rate (0 where it yields)."""
-    branch = link.branch[NORMAL]
-    if branch == SLIP_MINUS:
-        return el.limit_minus[NORMAL], 0.0
-    if branch in (MINUS, BOND):
-        push = -el.stiffness[NORMAL] * elastic_elongation(el, link, NORMAL, e)
-        if push > 0.0:
-            return push, -el.stiffness[NORMAL] * rate
+def force_of(line, e, rate, push):
+    """Force of a line, + where it pulls the point back against a positive elongation."""
+    return line.constant + line.k * e + line.c * rate + line.per_push * push
+
+
+@inline
+def push_of(line, F, rate):
+    """Push that loads the friction of the next line, and its rate; friction excludes a damper."""
+    if line.bears_friction != 0 and F < 0.0:
+        return -F, -line.k * rate
     return 0.0, 0.0
 
 
 @inline
-def _slip_margins(el, link, i, e, rate, push, push_rate):
-    plus = link.branch[i] == SLIP_PLUS
-    side = 1.0 if plus else -1.0
-    k, c = el.stiffness[i], el.damping[i]
-    most = limit(el, i, plus, push)
-    beyond = k * side * elastic_elongation(el, link, i, e) - most
-    if slips_by_friction(el, i):
-        return SLIP_RATE_TIME * (k * side * rate - el.friction * push_rate), math.inf
-    back = min(beyond, 0.0) + (c if c > 0.0 else k * SLIP_RATE_TIME) * side * rate
-    return back, k * (el.ultimate[i] - link.plastic_sum[i]) - max(beyond, 0.0)
-
-
-@inline
-def margins(el, link, i, e, rate, push, push_rate):
+def margins_of(line, e, rate, F, push, push_rate):
     """Event margins of a line, positive while it is on its branch [N/kg].
 
     OPEN: neither pulled nor pushed by spring and damper. PLUS, MINUS: the force keeps its sign; it is below
     the limit. BOND: it is below either limit. SLIP: it does not unload; it has not ruptured.
     """
-    branch = link.branch[i]
-    k, c = el.stiffness[i], el.damping[i]
-    if branch == OPEN:
-        over = k * (e - link.plastic[i] - el.slack_plus[i])
-        under = k * (e - link.plastic[i] + el.slack_minus[i])
+    state = line.state
+    if state == ELASTIC:
+        return (
+            line.low_at_0 + line.low_per_force * F + line.low_per_push * push,
+            line.high_at_0 + line.high_per_force * F + line.high_per_push * push,
+        )
+    k, c = line.stiffness, line.damping
+    if state == SLACK:
+        over, under = k * e - line.high_at_0, k * e - line.low_at_0
         return -min(over, over + c * rate), max(under, under + c * rate)
-    if branch in (SLIP_PLUS, SLIP_MINUS):
-        return _slip_margins(el, link, i, e, rate, push, push_rate)
-    F = k * elastic_elongation(el, link, i, e) + c * rate
-    if branch == PLUS:
-        return F, limit(el, i, True, push) - F
-    if branch == MINUS:
-        return -F, limit(el, i, False, push) + F
-    return limit(el, i, False, push) + F, limit(el, i, True, push) - F
+    side = line.low_per_force
+    if state == FRICTION:
+        return SLIP_RATE_TIME * (k * side * rate - line.low_per_push * push_rate), math.inf
+    beyond = line.low_at_0 + k * side * e
+    back = min(beyond, 0.0) + (c if c > 0.0 else k * SLIP_RATE_TIME) * side * rate
+    return back, line.high_at_0 - max(beyond, 0.0)
 
 
 @inline
-def utilization(el, i, F):
-    """Squared utilization (force/strength)² of a line; a push of the normal line counts as zero."""
-    if i == NORMAL and F < 0.0:
-        return 0.0
-    used = F / (el.limit_plus[i] if F > 0.0 else el.limit_minus[i])
+def clipped(line, F, push):
+    """Clip F to the range of forces of the line's branch; ``push`` may be infinite where it is not known.
+
+    A force evaluated with the branch from before an impact, or just after the event, is outside it.
+    """
+    if line.state != ELASTIC:
+        return F
+    low, high = line.low_at_0, line.high_at_0
+    if line.low_per_push != 0.0:
+        low += line.low_per_push * push
+    if line.high_per_push != 0.0:
+        high += line.high_per_push * push
+    if line.per_plus > 0.0:  # with interaction, neither pull nor shear alone exceeds its strength
+        F = min(F, 1.0 / line.per_plus)
+    if line.per_minus > 0.0:
+        F = max(F, -1.0 / line.per_minus)
+    if line.low_per_force < 0.0:  # MINUS: the force is below zero
+        return min(low, max(-high, F))
+    return min(high, max(-low, F))
+
+
+@inline
+def utilization_of(line, F):
+    """Squared utilization (force/strength)² of a line; a push of the normal line counts as zero.
+
+    It is zero where pull and shear do not interact.
+    """
+    used = F * (line.per_plus if F > 0.0 else line.per_minus)
     return used * used
-
-
-@inline
-def interaction_margin(el, pull, shear):
-    """1 − (pull/strength)² − (shear/strength)² where the two interact, else infinity."""
-    if el.interaction == 0:
-        return math.inf
-    return 1.0 - utilization(el, NORMAL, pull) - utilization(el, TANGENT, shear)
 
 
 @inner
@@ -198,13 +262,21 @@ def fail(link, device, why, time):
 
 
 @inner
+def _margins(el, link, i):
+    """Event margins of a line in the state last evaluated."""
+    line = branch_of(el, link, i)
+    F = force_of(line, link.e[i], link.rate[i], link.push)
+    return margins_of(line, link.e[i], link.rate[i], F, link.push, link.push_rate)
+
+
+@inner
 def _reach_limit(el, link, device, i, plus, time):
     """Line at its limit: start slip if it is ductile or limited by friction, else fail."""
     if el.ultimate[i] > 0.0 or slips_by_friction(el, i):
         before = link.branch[i]
         link.branch[i] = SLIP_PLUS if plus else SLIP_MINUS
         # slip starts only if its own margin is positive: a line already unloading goes back at once
-        back, _ = margins(el, link, i, link.e[i], link.rate[i], link.push, link.push_rate)
+        back, _ = _margins(el, link, i)
         if back <= 0.0:
             link.branch[i] = before
             _end_slip(el, link, i, plus)
@@ -219,7 +291,7 @@ def _reach_limit(el, link, device, i, plus, time):
 @inner
 def _update_line(el, link, device, i, time):
     """Update a line's branch for the elongation and rate last evaluated."""
-    low, high = margins(el, link, i, link.e[i], link.rate[i], link.push, link.push_rate)
+    low, high = _margins(el, link, i)
     branch = link.branch[i]
     if branch in (SLIP_PLUS, SLIP_MINUS):
         if high < 0.0:
@@ -239,7 +311,7 @@ def _update_line(el, link, device, i, time):
         link.branch[i] = OPEN
     if link.branch[i] == OPEN:
         return
-    F = force(el, link, i, link.e[i], link.rate[i], link.push)
+    F = force_of(branch_of(el, link, i), link.e[i], link.rate[i], link.push)
     if limit(el, i, True, link.push) < F:
         _reach_limit(el, link, device, i, True, time)
     elif limit(el, i, False, link.push) < -F:
@@ -249,21 +321,24 @@ def _update_line(el, link, device, i, time):
 @inner
 def update_element(el, link, device, time):
     """Update the branches of an element; whether it has just failed."""
+    of_pull = of_shear = 0.0
     i = 0
     while i < link.lines:
         _update_line(el, link, device, i, time)
         if i < link.lines:
+            line = branch_of(el, link, i)
+            F = link.force[i] = force_of(line, link.e[i], link.rate[i], link.push)
             if i == NORMAL:
-                link.push, link.push_rate = elastic_push(el, link, link.e[i], link.rate[i])
-            link.force[i] = force(el, link, i, link.e[i], link.rate[i], link.push)
+                link.push, link.push_rate = push_of(line, F, link.rate[i])
+                of_pull = utilization_of(line, F)
+            else:
+                of_shear = utilization_of(line, F)
         i += 1
-    if link.lines == 2 and interaction_margin(el, link.force[NORMAL], link.force[TANGENT]) < 0.0:
+    if link.lines == 2 and of_pull + of_shear > 1.0:
         pull, shear = link.force[NORMAL], link.force[TANGENT]
         # a damper's force jumps in an impact: the peak recorded at failure is scaled back to the strength
-        of_pull, of_shear = utilization(el, NORMAL, pull), utilization(el, TANGENT, shear)
         part = 1.0 / math.sqrt(of_pull + of_shear)
         note_force(device, NORMAL, part * pull if pull > 0.0 else pull)
         note_force(device, TANGENT, part * shear)
-        pulled = of_pull >= of_shear
-        fail(link, device, PULLED if pulled else SHEARED, time)
+        fail(link, device, PULLED if of_pull >= of_shear else SHEARED, time)
     return link.lines == 0

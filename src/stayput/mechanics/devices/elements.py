@@ -7,10 +7,11 @@ import math
 from stayput.compiled import inline, inner
 from stayput.mechanics.devices.columns import AXIAL, F_NORMAL, F_TANGENT, HOLDS, NONE, NORMAL, TANGENT
 from stayput.mechanics.devices.device_law import (
-    clipped_to_branch,
-    elastic_push,
-    force,
+    branch_of,
+    clipped,
+    force_of,
     note_force,
+    push_of,
     reset_branch,
     update_element,
 )
@@ -66,13 +67,14 @@ def evaluate_elements(elements, links, sin, cos, x, z, vx, vz, omega):
         wx, wz = vx + omega * up, vz - omega * right
         nx, nz, e = _along_normal(el, dx, dz)
         rate = nx * wx + nz * wz
-        F = force(el, link, NORMAL, e, rate, 0.0)
+        line = branch_of(el, link, NORMAL)
+        F = force_of(line, e, rate, 0.0)
         link.e[NORMAL], link.rate[NORMAL], link.force[NORMAL] = e, rate, F
         px, pz = -F * nx, -F * nz
         if link.lines == 2:
-            push, push_rate = elastic_push(el, link, e, rate)
+            push, push_rate = push_of(line, F, rate)
             e, rate = el.cos * dx + el.sin * dz, el.cos * wx + el.sin * wz
-            F = force(el, link, TANGENT, e, rate, push)
+            F = force_of(branch_of(el, link, TANGENT), e, rate, push)
             link.e[TANGENT], link.rate[TANGENT], link.force[TANGENT] = e, rate, F
             link.push, link.push_rate = push, push_rate
             px, pz = px - F * el.cos, pz - F * el.sin
@@ -105,7 +107,8 @@ def note_forces(elements, links, devices):
     for n in range(devices.shape[0]):
         link = links[n]
         for i in range(link.lines):
-            note_force(devices[n], i, clipped_to_branch(elements[n], link, i, link.force[i], link.push))
+            line = branch_of(elements[n], link, i)
+            note_force(devices[n], i, clipped(line, link.force[i], link.push))
 
 
 @inner

@@ -12,7 +12,7 @@ from __future__ import annotations
 from stayput.compiled import inline, inner
 from stayput.mechanics.columns import CORNER
 from stayput.mechanics.devices.active_elements import evaluate_lines, line_force
-from stayput.mechanics.devices.branch_law import set_lines
+from stayput.mechanics.devices.lines import set_lines
 from stayput.mechanics.devices.moment import expand_tilt, sum_lines, tilt_at
 from stayput.mechanics.geometry import arm, sin_cos, to_plane_axes
 from stayput.mechanics.projection import set_pivot_velocity

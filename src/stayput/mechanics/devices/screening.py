@@ -9,9 +9,8 @@ the tilt deviates from a cubic is added.
 from __future__ import annotations
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.devices.branch_law import utilization_of
 from stayput.mechanics.devices.columns import FRICTION, SLACK, YIELDING
-from stayput.mechanics.devices.device_law import SLIP_RATE_TIME
+from stayput.mechanics.devices.device_law import SLIP_RATE_TIME, utilization_of
 
 PLACE_OFF, RATE_OFF = 4 / 27, 0.75
 """Largest deviation of a cubic, and of its slope, from the chord, per difference of end and chord slopes.
@@ -67,7 +66,7 @@ def _keeps_sign(line, h, beyond, pressing, pressing_rate):
     if state == FRICTION:
         return least > SLIP_RATE_TIME * (k * rate + line.low_per_push * pressing_rate)
     if state == YIELDING:
-        side, damping = line.low_F, max(line.damping, k * SLIP_RATE_TIME)
+        side, damping = line.low_per_force, max(line.damping, k * SLIP_RATE_TIME)
         back = min(line.low_at_0 + k * side * line.e0, line.low_at_0 + k * side * line.e, 0.0)
         back += damping * (min(side * line.rate0, side * line.rate) - rate)
         return back > k * place and min(line.high0, line.high1) > k * place

@@ -12,7 +12,6 @@ from stayput.mechanics.devices.active_elements import (
     reaches_peak,
     record_forces,
 )
-from stayput.mechanics.devices.branch_law import set_lines
 from stayput.mechanics.devices.events import (
     excursion_bound,
     first_event,
@@ -21,6 +20,7 @@ from stayput.mechanics.devices.events import (
     note_gaps,
     set_gap_levels,
 )
+from stayput.mechanics.devices.lines import set_lines
 from stayput.mechanics.devices.moment import deviation_from_cubic, is_wavy
 from stayput.mechanics.devices.rocking_step import (
     begin_fulcrum_step,

@@ -1,4 +1,4 @@
-"""Branch coefficients agree with the force law that they stand for, about G and about a fulcrum."""
+"""The lines' forces and margins are those of the law as it is written, about G and about a fulcrum."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from numba import njit
 import stayput as sp
 from stayput.mechanics.devices import columns as el
 from stayput.mechanics.devices.active_elements import evaluate_lines, line_force
-from stayput.mechanics.devices.branch_law import set_lines
-from stayput.mechanics.devices.device_law import interaction_margin, margins
+from stayput.mechanics.devices.device_law import SLIP_RATE_TIME
 from stayput.mechanics.devices.elements import evaluate_elements
+from stayput.mechanics.devices.lines import set_lines
 from stayput.mechanics.devices.runner import no_elements
 from stayput.simulation.flat_fields import case_columns
 
@@ -22,18 +22,52 @@ BRANCHES = (el.OPEN, el.PLUS, el.MINUS, el.BOND, el.SLIP_PLUS, el.SLIP_MINUS)
 
 @njit
 def by_elements(elements, links, state):
-    """Force and moment about G, with the two margins of each line and the joint one."""
+    """Force and moment about G; elongations, rates and forces are stored in the links."""
     sin, cos, x, z, vx, vz, omega = state
-    found = evaluate_elements(elements, links, sin, cos, x, z, vx, vz, omega)
+    return evaluate_elements(elements, links, sin, cos, x, z, vx, vz, omega)
+
+
+def law(element, link, i):
+    """Force of a line and its margins, branch by branch as the law is written."""
+    k, c, mu = element["stiffness"][i], element["damping"][i], element["friction"]
+    plus, minus = element["limit_plus"][i], element["limit_minus"][i]
+    e, rate, p = link["e"][i], link["rate"][i], link["plastic"][i]
+    above, below = e - p - element["slack_plus"][i], e - p + element["slack_minus"][i]
+    rubs = i == 1 and not math.isnan(mu)
+    if rubs:
+        plus = minus = mu * link["push"]
+    if element["interaction"]:
+        plus, minus = math.inf, math.inf if i == 1 else minus
+    branch = link["branch"][i]
+    if branch == el.OPEN:
+        over, under = k * above, k * below
+        return 0.0, (-min(over, over + c * rate), max(under, under + c * rate))
+    if branch in (el.PLUS, el.BOND):
+        F = k * above + c * rate
+        return F, (F if branch == el.PLUS else minus + F, plus - F)
+    if branch == el.MINUS:
+        F = k * below + c * rate
+        return F, (-F, minus + F)
+    side, most, spring = (1.0, plus, k * above) if branch == el.SLIP_PLUS else (-1.0, minus, -k * below)
+    if rubs:
+        return side * most, (SLIP_RATE_TIME * (k * side * rate - mu * link["push_rate"]), math.inf)
+    back = min(spring - most, 0.0) + (c or k * SLIP_RATE_TIME) * side * rate
+    left = k * (element["ultimate"][i] - link["plastic_sum"][i])
+    return side * most, (back, left - max(spring - most, 0.0))
+
+
+def by_law(elements, links):
+    """The two margins of each line and the joint one; the stored forces follow the law."""
     both = np.full((len(elements), 5), np.nan)
-    for n in range(len(elements)):
-        element, link = elements[n], links[n]
-        for i in range(link.lines):
-            e, rate = link.e[i], link.rate[i]
-            both[n, 2 * i], both[n, 2 * i + 1] = margins(element, link, i, e, rate, link.push, link.push_rate)
-        if link.lines == 2 and element.interaction != 0:
-            both[n, 4] = interaction_margin(element, link.force[0], link.force[1])
-    return found, both
+    for element, link, row in zip(elements, links, both, strict=True):
+        for i in range(link["lines"]):
+            F, row[2 * i : 2 * i + 2] = law(element, link, i)
+            assert link["force"][i] == pytest.approx(F, rel=1e-9, abs=1e-9)
+        if element["interaction"]:
+            pull, shear = link["force"]
+            part = shear / element["limit_plus" if shear > 0.0 else "limit_minus"][1]
+            row[4] = 1.0 - (max(0.0, pull) / element["limit_plus"][0]) ** 2 - part**2
+    return both
 
 
 @njit
@@ -100,12 +134,12 @@ def test_rows_of_lines_follow_the_elements(kind, seed):
         right, up = u * cos + v * sin, v * cos - u * sin
         x, z, vx, vz = foot[0] - right, foot[1] - up, -omega * up, omega * right
     state = (sin, cos, x, z, vx, vz, omega)
-    (fx, fz, about_G), expected = by_elements(rows, links, state)
+    fx, fz, about_G = by_elements(rows, links, state)
     found, margins_found, pulled, least, lowest = by_lines(
         rows, links, np.zeros(1, el.WORK), case, corner, tuple(foot), state
     )
     lever = 0.0 if corner < 0 else fx * (z - foot[1]) - fz * (x - foot[0])
     assert found == pytest.approx((fx, fz, about_G + lever), rel=1e-9, abs=1e-9)
     assert pulled == pytest.approx(found, rel=1e-12, abs=1e-12)
-    np.testing.assert_allclose(margins_found, expected, rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(margins_found, by_law(rows, links), rtol=1e-9, atol=1e-9)
     assert least == lowest
