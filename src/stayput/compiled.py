@@ -116,8 +116,11 @@ class Entry:
             for announce in _announcements:
                 announce()
             _announcements.clear()
+            from stayput.machine_code import uninterrupted
+
             with self._progress() as begun:
-                address = code.add(self._compile(kinds, begun))
+                bitcode = self._compile(kinds, begun)
+                address = uninterrupted(lambda: code.add(bitcode))
         values: list[Any] = []
         for kind in kinds:
             _append_types(kind, values)
@@ -162,19 +165,12 @@ class Entry:
 
     @contextmanager
     def _progress(self) -> Generator[Callable[[Callable[..., Any]], None]]:
-        """Yield a callback for each function whose compilation begins, which advances a progress bar.
+        """Yield a callback for each function whose compilation begins, which a progress bar counts.
 
-        It counts all functions that are named, of which some may be for devices alone, and not be compiled.
+        How many there will be depends on what the arguments rule out, so the bar has no end.
         """
-        waiting = _named_in(self.py_func, {self.py_func})
-        with bar(len(waiting), "Compiling the mechanics once", unit="functions") as advance:
-
-            def begun(function: Callable[..., Any]) -> None:
-                if function in waiting:
-                    waiting.remove(function)
-                    advance(1)
-
-            yield begun
+        with bar(None, "Compiling the mechanics once", unit="functions") as advance:
+            yield lambda function: advance(1)
 
 
 def _named_in(function: Callable[..., Any], known: set[Callable[..., Any]]) -> set[Callable[..., Any]]:

@@ -26,6 +26,9 @@ from numba.core.codegen import CodeLibrary
 from numba.core.compiler import CompilerBase
 from numba.core.compiler_machinery import LoweringPass, PassManager, register_pass
 
+from stayput.errors import InputError
+from stayput.machine_code import uninterrupted
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
@@ -198,11 +201,11 @@ def dispatcher(function: Callable[..., Any], *, forceinline: bool = False) -> An
 
     Raises
     ------
-    RuntimeError
+    InputError
         Numba is told not to compile.
     """
     if config.DISABLE_JIT:
-        raise RuntimeError("NUMBA_DISABLE_JIT is set; the mechanics run as compiled code only.")
+        raise InputError("common.compilation_disabled", "NUMBA_DISABLE_JIT")
     compiled = njit(**SETTINGS, forceinline=forceinline, pipeline_class=FrontEnd)(function)
     template = compiled.get_call_template
 
@@ -240,7 +243,7 @@ def bitcode(
     ):
         compiled.compile(kinds)
     (result,) = compiled.overloads.values()
-    return result.library.linked().as_bitcode()
+    return uninterrupted(lambda: result.library.linked().as_bitcode())
 
 
 @contextmanager

@@ -16,20 +16,24 @@ import stat
 import sys
 import tempfile
 import zlib
+from concurrent.futures import Future
 from contextlib import suppress
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from threading import Lock, Thread
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import llvmlite.binding
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Iterable
+    from collections.abc import Callable, Generator, Iterable
 
 llvm: Any = llvmlite.binding  # it has no types
 _LOG = logging.getLogger("stayput")
 _DIGEST = 32  # bytes of SHA-256
+_one_at_a_time = Lock()
+T = TypeVar("T")
 
 
 class MachineCode:
@@ -106,6 +110,7 @@ class MachineCode:
 
     def _save(self, content: bytes) -> None:
         """Save a file whole or not at all; where it cannot be, warn: it will be compiled again next time."""
+        why = ""
         for folder in _folders(self._folder):
             draft = folder / f".{self._file}-{secrets.token_hex(4)}"
             try:
@@ -116,17 +121,36 @@ class MachineCode:
             try:
                 draft.write_bytes(content)
                 draft.replace(folder / self._file)
-            except OSError as error:
+            except OSError as error:  # as on a full disk; the next folder may be on another one
                 draft.unlink(missing_ok=True)
-                _warn_once(f"Compiled code could not be kept: {(error.strerror or str(error)).lower()}.")
-            else:
-                if folder == _temporary_folder():
-                    _warn_once(
-                        "Neither the folder of stayput nor your home can be written to; "
-                        f"compiled code is kept in {folder}."
-                    )
+                why = why or f" ({folder}: {(error.strerror or str(error)).lower()})"
+                continue
+            if folder == _temporary_folder():
+                _warn_once(
+                    f"Neither the folder of stayput nor your home can be written to{why}; "
+                    f"compiled code is kept in {folder}."
+                )
             return
-        _warn_once("Compiled code cannot be kept on this machine; every start compiles anew.")
+        _warn_once(f"Compiled code cannot be kept on this machine{why}; every start compiles anew.")
+
+
+def uninterrupted(work: Callable[[], T]) -> T:
+    """Do work with LLVM on a thread of its own, and wait for it.
+
+    Ctrl-C interrupts the wait, not the work: between a call of LLVM and what llvmlite notes of it, it would
+    have memory freed twice. The thread ends before the process does.
+    """
+    done: Future[T] = Future()
+
+    def run() -> None:
+        with _one_at_a_time:
+            try:
+                done.set_result(work())
+            except BaseException as error:  # it is raised where one waits
+                done.set_exception(error)
+
+    Thread(target=run).start()
+    return done.result()
 
 
 @cache

@@ -19,7 +19,7 @@ _drawn: list[Progress] = []
 
 @contextmanager
 def bar(
-    total: int, what: str, shown: bool | None = None, unit: str = "cases"
+    total: int | None, what: str, shown: bool | None = None, unit: str = "cases"
 ) -> Generator[Callable[[int], None]]:
     """Yield a callback that advances a progress bar on standard error, with the rate and the time left.
 
@@ -27,8 +27,8 @@ def bar(
 
     Parameters
     ----------
-    total : int
-        Number of items.
+    total : int or None
+        Number of items; None where it is not known, and the bar but moves.
     what : str
         Label of the bar.
     shown : bool, optional

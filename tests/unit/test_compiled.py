@@ -1,9 +1,11 @@
 """Compiled code on disk: used again unless it is damaged or its source changed; announced when made."""
 
+import errno
 import os
 import pickle
 import runpy
 import shutil
+import signal
 import stat
 import subprocess
 import sys
@@ -11,6 +13,7 @@ import tempfile
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from io import StringIO
 from pathlib import Path
+from threading import Event, Thread
 
 import numpy as np
 import pytest
@@ -18,6 +21,8 @@ from forks import start
 from numba import njit
 
 import stayput.compiled as compiled
+from stayput import machine_code
+from stayput.machine_code import MachineCode
 from stayput.mechanics.flat import block_extremes
 
 CALLER = """
@@ -159,10 +164,52 @@ def test_a_folder_in_the_place_of_code_is_said_in_a_line(run):
     for file in run.code.rglob("*.code"):
         file.unlink()
         file.mkdir()
-    assert run().splitlines() == [
-        "compiling 3.0",
-        "Compiled code could not be kept: is a directory.",
-    ]
+    head, warning = run().splitlines()
+    assert head == "compiling 3.0"
+    assert warning.startswith(f"Compiled code cannot be kept on this machine ({run.code}")
+    assert warning.endswith(": is a directory); every start compiles anew.")
+
+
+def test_where_a_disk_is_full_the_next_folder_is_taken(monkeypatch, tmp_path, caplog):
+    full, free = tmp_path / "full", tmp_path / "free"
+    code = MachineCode("module.function", ("f",), (tmp_path,))
+    write = Path.write_bytes
+
+    def written(file, content):
+        if full in file.parents:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return write(file, content)
+
+    monkeypatch.setattr(Path, "write_bytes", written)
+    monkeypatch.setattr(machine_code, "_folders", lambda beside: iter((full, free)))
+    code._save(b"content")
+    assert [file.read_bytes() for file in free.iterdir()] == [b"content"]
+    assert not list(full.iterdir())
+    machine_code._warn_once.cache_clear()
+    monkeypatch.setattr(machine_code, "_folders", lambda beside: iter((full,)))
+    code._save(b"content")
+    assert f"({full}: no space left on device); every start compiles anew." in caplog.text
+
+
+def test_an_interrupt_ends_the_wait_for_llvm_and_not_its_work():
+    begun, ended = Event(), Event()
+
+    def work():
+        begun.set()
+        ended.wait(10.0)
+        return "made"
+
+    def interrupted():
+        begun.wait(10.0)
+        signal.raise_signal(signal.SIGINT)
+
+    Thread(target=interrupted).start()
+    with pytest.raises(KeyboardInterrupt):
+        machine_code.uninterrupted(work)
+    ended.set()
+    assert machine_code.uninterrupted(lambda: "next") == "next"  # after the work that went on
+    with pytest.raises(ValueError, match="wrong"):
+        machine_code.uninterrupted(lambda: int("wrong"))
 
 
 @pytest.fixture
@@ -234,7 +281,7 @@ def named_four(x, device, result):
 
 
 def test_a_bar_advances_with_each_function_while_the_mechanics_are_compiled(run, monkeypatch):
-    """It is there until the machine code is made; what an absent argument rules out stays uncounted."""
+    """It is there until the machine code is made."""
 
     seen = []
 
@@ -250,7 +297,7 @@ def test_a_bar_advances_with_each_function_while_the_mechanics_are_compiled(run,
     for _ in range(2):
         named_four(1.0, None, result)
     assert result[0] == 5.0
-    assert seen == [(4, "Compiling the mechanics once", "functions"), 1, 1, 1, 1]
+    assert seen == [(None, "Compiling the mechanics once", "functions"), 1, 1, 1, 1]
 
 
 def test_constants_do_not_compile_a_function_anew():

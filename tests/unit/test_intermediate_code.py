@@ -1,8 +1,10 @@
 """Numba as a front end alone: what is in a module, and that nothing of Numba is left changed."""
 
 import gc
+from importlib.metadata import requires
 
 import llvmlite.binding as llvm
+import numba
 import numpy as np
 import pytest
 from numba import float64, types
@@ -10,8 +12,10 @@ from numba.core.compiler import DefaultPassBuilder, Flags
 from numba.core.errors import TypingError
 from numba.core.registry import cpu_target
 from numba.core.untyped_passes import DeadBranchPrune
+from packaging.requirements import Requirement
 
 from stayput.compiled import entry, inner
+from stayput.errors import InputError
 from stayput.intermediate_code import Pipeline, bitcode
 
 COLUMN = types.Array(float64, 1, "C", aligned=True)
@@ -154,7 +158,16 @@ def test_the_passes_are_those_of_numba_in_its_order_but_for_those_that_the_mecha
     }
 
 
+def test_numba_is_of_a_version_for_which_this_holds():
+    """What is not public of Numba was read in these; pyproject.toml allows no others."""
+    (wanted,) = (Requirement(line) for line in requires("stayput") or () if line.startswith("numba"))
+    assert str(wanted.specifier) == "<0.69,>=0.62"
+    assert wanted.specifier.contains(numba.__version__)
+    assert hasattr(numba.core.codegen.CPUCodeLibrary, "_get_module_for_linking")
+    assert hasattr(numba._dynfunc, "make_function")
+
+
 def test_numba_may_not_be_switched_off(monkeypatch):
     monkeypatch.setattr("numba.core.config.DISABLE_JIT", 1)
-    with pytest.raises(RuntimeError, match="NUMBA_DISABLE_JIT"):
+    with pytest.raises(InputError, match="NUMBA_DISABLE_JIT"):
         module_of()

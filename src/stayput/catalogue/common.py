@@ -30,6 +30,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; it must be a finite number.",
         "{name}が{value}になっています。有限の数値を指定してください。",
     ),
+    "compilation_disabled": (
+        "NUMBA_DISABLE_JIT is set, and the mechanics run as compiled code only; unset it.",
+        "NUMBA_DISABLE_JITが設定されていますが、計算部はコンパイルしたコードでしか動きません。設定を解除してください。",
+    ),
     "too_large": (
         "{name} is too large; it must be a finite number.",
         "{name}が大きすぎます。有限の数値を指定してください。",

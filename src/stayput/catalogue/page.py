@@ -334,8 +334,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "表示中の図は前の条件のものです。新しい条件で計算しています。",
     ),
     "warming": (
-        "The server is still getting ready; the first picture comes in a moment.",
-        "サーバーが準備をしています。まもなく最初の図が出ます。",
+        "The server is getting ready. At the very first start it compiles the mechanics, which takes about half a minute; then the first picture comes.",
+        "サーバーが準備をしています。初めて起動したときは計算部の準備に30秒ほどかかり、その後に最初の図が出ます。",
     ),
     "gone": (
         "The server no longer has this; please work it out again.",

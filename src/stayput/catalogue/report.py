@@ -10,7 +10,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "instrumental": ("JMA intensity {class} (instrumental {value})", "{class}（計測震度 {value}）"),
     "simulations": ("Simulations", "計算回数"),
     "simulations_text": (
-        ("{runs} in all; motions × Monte Carlo samples: {motions} × {samples} for each measure and level"),
+        (
+            "{runs} runs in all; motions × Monte Carlo samples: {motions} × {samples} for each measure and level"
+        ),
         "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各対策・各レベルで計算",
     ),
     "settled_text": (

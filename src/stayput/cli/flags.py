@@ -34,7 +34,10 @@ ThreadsOption: TypeAlias = Annotated[
 ]
 EveryRunOption: TypeAlias = Annotated[
     bool,
-    typer.Option("--every-run", help="Make also the runs whose outcome stronger shaking tells, to check it."),
+    typer.Option(
+        "--every-run",
+        help="Make also the runs that are counted as standing, being calm under stronger shaking.",
+    ),
 ]
 
 EXAMPLE: dict[str, Any] = {

@@ -126,7 +126,7 @@ def compiling() -> Generator[None]:
 
     def announce() -> None:
         if not is_drawn():
-            typer.echo("Compiling the mechanics once, which takes some ten seconds ...", err=True)
+            typer.echo("Compiling the mechanics once, which takes up to half a minute ...", err=True)
 
     with on_compilation(announce):
         yield
