@@ -9,7 +9,11 @@ from setups import G, block, constant, room, still, threshold
 import stayput as sp
 from devices import FLOOR, LEFT, RIGHT, SLIDE, held, planar
 from stayput.measures import BaseIsolator, GelMats, LBracket, LBracketInBoard, element_rows, hold
+from stayput.mechanics.columns import H_SLIDE_RATE
 from stayput.mechanics.devices import columns as el
+from stayput.mechanics.devices.runner import no_elements, trace_with_devices
+from stayput.mechanics.runner import shaking
+from stayput.simulation.flat_fields import case_columns
 
 SMOOTH = room(0.0)
 BODY = sp.Body(1.0, 0.5)
@@ -201,3 +205,21 @@ def test_no_peak_is_beyond_the_strength(kind):
             assert device.peak_shear <= shear * (1 + 1e-9)
             used = max(used, device.peak_pull / pull, device.peak_shear / shear)
     assert used > 0.8
+
+
+@pytest.mark.parametrize("dt", [5e-4, 2e-3, 6e-3])
+def test_a_tie_yields_when_it_reaches_its_strength_while_the_base_shares_its_friction(dt):
+    """An edge that rubs less than the base: a corner carries just nothing, a margin that rests at zero."""
+    body = sp.Body(1.025, 1.878, 17.66, (0.069, 0.684))
+    floor = sp.Floor(0.58, 0.58, edge_static_friction=0.34, edge_kinetic_friction=0.25)
+    case = case_columns(body, sp.Room(floor), sp.State(slide_rate=-1.5), 9.80665)[0]
+    tie = no_elements(1)
+    tie["kind"], tie["u"], tie["v"] = el.AXIAL, -0.52, 0.147
+    tie["x"], tie["z"] = -0.444, 1.194
+    point = body.cg_offset[0] - 0.52, body.height / 2 + body.cg_offset[1] + 0.147
+    tie["length"], tie["slack_plus"] = math.dist(point, (-0.444, 1.194)), 0.0
+    tie["stiffness"][0, 0], tie["limit_plus"][0, 0], tie["ultimate"][0, 0] = 914e3, 1.23, 0.0486
+    floor_at_rest = shaking(np.zeros(4), None, dt, 0)
+    usual, fine = (trace_with_devices(case, tie, floor_at_rest, max_step=step) for step in (np.inf, dt / 200))
+    assert usual.forces[:, 0, 0].max() == pytest.approx(1.23, rel=1e-3)
+    assert usual.run.history[:, H_SLIDE_RATE] == pytest.approx(fine.run.history[:, H_SLIDE_RATE], abs=2e-5)

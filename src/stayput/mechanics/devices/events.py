@@ -41,6 +41,9 @@ from stayput.mechanics.roots import (
 SEARCH_TOLERANCE, LOCATED = 1e-10, 1e-12
 """Tolerance of the event search, and least advance beyond it to where a margin is negative [s]."""
 
+MOST_LATER = 1e3
+"""Factor by which that advance may grow at a time."""
+
 CLOSE_ENOUGH = 1e-8
 """Newton step after which another would be less than the tolerance [s]."""
 
@@ -294,14 +297,16 @@ def _locate(contacts, rows, case, s, work, base, load, m0, low, high, h, levels)
     """
     bracket = (low, max(m0, MIN_START_VALUE), high, -1.0, 0)
     last = high
-    for _ in range(100):
+    for n in range(100):
         t = secant(bracket[0], bracket[1], bracket[2], bracket[3])
+        if n > 8 and n & 1:  # secants creep where a margin rests at its limit until another one is crossed
+            t = 0.5 * (bracket[0] + bracket[2])
         if abs(t - last) <= SEARCH_TOLERANCE or bracket[2] - bracket[0] <= SEARCH_TOLERANCE:
             return t
         m = _least_weighted_at(contacts, rows, case, s, work, base, load, t, h, levels)
         bracket = illinois_update(bracket, t, m)
         last = t
-    return last
+    return bracket[2]
 
 
 @inner
@@ -327,7 +332,7 @@ def _stop_at(contacts, rows, case, s, work, base, load, levels, t, h):
         m = _least_weighted(contacts, s, work, levels, f, g)
         if m < 0.0 or t >= h:
             break
-        more = LOCATED + (more * m / (before - m) if before > m else 10.0 * more)
+        more = LOCATED + more * min(m / (before - m) if before > m else 10.0, MOST_LATER)
         t, before = min(h, t + more), m
     return True, t, k, f, g, least_margin(contacts, s, work, levels, f, g, least)
 
