@@ -76,6 +76,15 @@ def test_it_prints_its_address_and_ends_quietly_on_an_interrupt() -> None:
     assert "Traceback" not in told
 
 
+def test_it_ends_quietly_while_it_compiles(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    with process() as (_, started):
+        wait_until(lambda: any(tmp_path.rglob("*.code")))  # of a small function; the others follow
+        started.send_signal(signal.SIGINT)
+        _, told = started.communicate(timeout=PATIENCE)
+    assert (started.returncode, told) == (0, "")
+
+
 @pytest.mark.skipif(not STATUS.exists(), reason="this system does not tell memory in /proc")
 def test_memory_stays_flat() -> None:
     """Over hundreds of requests of all kinds, from four clients at once; it may grow by 20 kB for each."""

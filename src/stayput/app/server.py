@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import gc
 import logging
+import os
 import sys
 import tempfile
 import threading
@@ -210,7 +211,8 @@ def serve(host: str = "127.0.0.1", port: int = 8000, *, browser: bool = True) ->
     warnings.filterwarnings("ignore", category=InputWarning)  # who sent a record is told by the reply
     bound = bind(host, port)
     address = address_of(bound)
-    server = server_of(create_app(host))
+    app = create_app(host)
+    server = server_of(app)
     print(f"stayput is at {address} (Ctrl-C ends it)", flush=True)
     warning = warning_of(bound)
     if warning is not None:
@@ -219,6 +221,12 @@ def serve(host: str = "127.0.0.1", port: int = 8000, *, browser: bool = True) ->
         threading.Thread(target=_open, args=(server, address), daemon=True).start()
     with contextlib.suppress(KeyboardInterrupt):
         server.run(sockets=[bound])
+    if (
+        not app.state.service.ready
+    ):  # LLVM, with which a thread still compiles, must not be torn down under it
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(0)
 
 
 def _open(server: uvicorn.Server, address: str) -> None:
