@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from mechanics_runs import case_of
+from mechanics_runs import case_of, state_of_fifth_degree
 from numba import njit
 
 from stayput.mechanics import columns as col
@@ -37,22 +37,12 @@ def projected(case, contacts, states, works, kind, i):
     return geometry.gap(con, s), geometry.gap_rate(con, s), geometry.slip_rate(con, s), s.omega
 
 
-COEFFICIENTS = ([0, 1, 2, -3, 1, 4], [1, 0, -1, 2, 0, 1], [0.1, 0.5, 0, 1, -2, 1])
-
-
-def state(t):
-    """A motion of fifth degree: places and rates of x, z and θ, and their accelerations."""
-    motion = [np.polynomial.Polynomial(c) for c in COEFFICIENTS]
-    places, rates, accelerations = ([float(p.deriv(k)(t)) for p in motion] for k in range(3))
-    return (*places, *rates), tuple(accelerations)
-
-
 @pytest.mark.parametrize("t", [0.0, 0.013, 0.05])
 def test_dense_output_is_exact_for_motions_of_fifth_degree(t):
     h = 0.05
     records = np.zeros(1, col.STATE), np.zeros(1, el.WORK)
-    found, sine = interpolated(*records, *state(0.0), *state(h), h, t)
-    assert found == pytest.approx(state(t)[0], abs=1e-12)
+    found, sine = interpolated(*records, *state_of_fifth_degree(0.0), *state_of_fifth_degree(h), h, t)
+    assert found == pytest.approx(state_of_fifth_degree(t)[0], abs=1e-12)
     assert sine == pytest.approx(math.sin(found[2]), abs=1e-12)
 
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from mechanics_runs import state_of_fifth_degree
 from numba import njit
 
 from stayput.mechanics import roots
@@ -100,18 +101,8 @@ def test_where_a_parabola_is_negative():
     assert negative_at(0.05, 0.1, 0.65) == -1.0  # (u − 0.2)² + 0.01
 
 
-COEFFICIENTS = ([0, 1, 2, -3, 1, 4], [1, 0, -1, 2, 0, 1], [0.1, 0.5, 0, 1, -2, 1])
-
-
-def state(t):
-    """A motion of fifth degree: places and rates of x, z and θ, and their accelerations."""
-    motion = [np.polynomial.Polynomial(c) for c in COEFFICIENTS]
-    places, rates, accelerations = ([float(p.deriv(k)(t)) for p in motion] for k in range(3))
-    return (*places, *rates), tuple(accelerations)
-
-
 @pytest.mark.parametrize("t", [0.0, 0.013, 0.05])
 def test_dense_output_is_exact_for_motions_of_fifth_degree(t):
     h = 0.05
-    found = interpolated(*state(0.0), *state(h), h, t)
-    assert found == pytest.approx(state(t)[0], abs=1e-12)
+    found = interpolated(*state_of_fifth_degree(0.0), *state_of_fifth_degree(h), h, t)
+    assert found == pytest.approx(state_of_fifth_degree(t)[0], abs=1e-12)

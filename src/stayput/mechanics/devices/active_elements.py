@@ -107,16 +107,19 @@ def set_line_weights(work):
 
 
 @inner
-def least_weighted_line(work):
-    """Least scaled margin of the lines."""
+def least_weighted_line(work, at_start):
+    """Least scaled margin of the lines, as last evaluated or at the start of the step."""
     least = math.inf
     for r in range(work.lines):
         line = work.line[r]
+        low, high, joint = line.low1, line.high1, line.joint1
+        if at_start:
+            low, high, joint = line.low0, line.high0, line.joint0
         least = min(
             least,
-            weighted_margin(line.low1 - line.low, line.low_weight),
-            weighted_margin(line.high1 - line.high, line.high_weight),
-            weighted_margin(line.joint1 - line.joint, line.joint_weight),
+            weighted_margin(low - line.low, line.low_weight),
+            weighted_margin(high - line.high, line.high_weight),
+            weighted_margin(joint - line.joint, line.joint_weight),
         )
     return least
 
@@ -154,21 +157,6 @@ def first_crossing_candidate(work, sin, cos, moves, x, z, vx, vz, omega):
                 first = min(first, u)
         used = utilization_of(line, F)
     return first
-
-
-@inner
-def least_weighted_line_at_start(work):
-    """The same at the start of the step."""
-    least = math.inf
-    for r in range(work.lines):
-        line = work.line[r]
-        least = min(
-            least,
-            weighted_margin(line.low0 - line.low, line.low_weight),
-            weighted_margin(line.high0 - line.high, line.high_weight),
-            weighted_margin(line.joint0 - line.joint, line.joint_weight),
-        )
-    return least
 
 
 @inline

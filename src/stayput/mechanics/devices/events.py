@@ -14,7 +14,6 @@ from stayput.mechanics.devices.active_elements import (
     event_weight,
     first_crossing_candidate,
     least_weighted_line,
-    least_weighted_line_at_start,
     set_line_weights,
     weighted_margin,
 )
@@ -106,7 +105,7 @@ def _least_weighted(contacts, s, work, levels, f, g):
         weighted_margin(f - levels[0], weight[F_WEIGHT]),
         weighted_margin(g - levels[1], weight[G_WEIGHT]),
         weighted_margin(RIGHT_ANGLE - abs(s.theta), weight[TURN_WEIGHT]),
-        least_weighted_line(work),
+        least_weighted_line(work, False),
     )
     others = s.present & ~s.closed
     c = 0
@@ -125,7 +124,7 @@ def _least_weighted_at_start(s, work, base, levels, f0, g0):
         weighted_margin(f0 - levels[0], weight[F_WEIGHT]),
         weighted_margin(g0 - levels[1], weight[G_WEIGHT]),
         weighted_margin(RIGHT_ANGLE - abs(base[0]), weight[TURN_WEIGHT]),
-        least_weighted_line_at_start(work),
+        least_weighted_line(work, True),
     )
     others = s.present & ~s.closed
     c = 0
