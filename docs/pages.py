@@ -44,8 +44,11 @@ def formats() -> str:
 
 def surfaces() -> str:
     """Return the table of surface presets."""
-    rows = [[name, f"{static:g}", f"{kinetic:g}"] for name, (static, kinetic) in sp.SURFACES.items()]
-    return validation_run.markdown(["surface", "static", "kinetic"], rows, "lrr")
+    rows = [
+        [name, f"{static:g}", f"{kinetic:g}", f"{1e3 * settlement:g}"]
+        for name, (static, kinetic, settlement) in sp.SURFACES.items()
+    ]
+    return validation_run.markdown(["surface", "static", "kinetic", "sinks in [mm]"], rows, "lrrr")
 
 
 def furniture() -> str:

@@ -86,10 +86,10 @@ def presets(limits: Limits) -> PresetsReply:
             SurfaceReply(
                 id=name,
                 label=Words.of(SURFACES[name]),
-                static_friction=static,
-                kinetic_friction=kinetic,
+                static_friction=surface.static_friction,
+                kinetic_friction=surface.kinetic_friction,
             )
-            for name, (static, kinetic) in FRICTIONS.items()
+            for name, surface in FRICTIONS.items()
         ],
         structures=[
             StructureReply(

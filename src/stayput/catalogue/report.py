@@ -375,6 +375,21 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Height of the centre of gravity, factor",
         "重心の高さに掛ける倍率",
     ),
+    "quantity_wall_gap_factor": ("Gaps to the walls, factor on their value", "壁とのすき間に掛ける倍率"),
+    "quantity_lean": ("Lean of the floor, forwards [rad]", "床の傾き（前方へ、rad）"),
+    "quantity_back_inset": (
+        "Feet or plinth inside the back, part of the depth",
+        "背面から脚・台輪までの距離（奥行きに対する比）",
+    ),
+    "quantity_front_inset": (
+        "Feet or plinth inside the front, part of the depth",
+        "前面から脚・台輪までの距離（奥行きに対する比）",
+    ),
+    "quantity_settlement_factor": ("Sinking into the floor, factor on its value", "床の沈み込みに掛ける倍率"),
+    "quantity_landing_place": (
+        "Where a landing pushes (1: at the edge, Housner), part of half the base",
+        "着地の力の位置（1：底の角、ハウスナー）",
+    ),
     "quantity_device_strength_factor": ("Strength of the devices, factor", "器具の強さに掛ける倍率"),
     # What is left out of the files of curves, and why.
     "in_no_file": (

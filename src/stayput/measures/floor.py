@@ -24,12 +24,12 @@ KINETIC = ("kinetic friction", "動摩擦係数")
 
 def static_of(surface: str) -> Any:
     """Return the parameter for the static friction of a surface."""
-    return _usual(SURFACES[surface][0], STATIC)
+    return _usual(SURFACES[surface].static_friction, STATIC)
 
 
 def kinetic_of(surface: str) -> Any:
     """Return the parameter for the kinetic friction of a surface."""
-    return _usual(SURFACES[surface][1], KINETIC)
+    return _usual(SURFACES[surface].kinetic_friction, KINETIC)
 
 
 def _usual(value: float, label: Phrase) -> Any:

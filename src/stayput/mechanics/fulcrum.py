@@ -7,7 +7,14 @@ import math
 from stayput.compiled import inline, inner
 from stayput.mechanics.columns import CLOSED, CORNER, ENDED, LIMIT, PLANE, SLIDE_ROCK, TURNED_OVER
 from stayput.mechanics.contact import PAINLEVE_LIMIT
-from stayput.mechanics.geometry import RIGHT_ANGLE, arm_at, sin_cos, slide_of, to_plane_axes
+from stayput.mechanics.geometry import (
+    RIGHT_ANGLE,
+    arm_at,
+    contact_point,
+    sin_cos,
+    slide_of,
+    to_plane_axes,
+)
 from stayput.mechanics.roots import closed_level, first_zero, illinois_update, parabola_negative_at, secant
 from stayput.mechanics.sampling import advance_clock, loads, record_sample
 from stayput.mechanics.series import rock_series, slide_rock_series, step_within, tilt_after
@@ -174,7 +181,8 @@ def first_contact(contacts, case, s, start, end, h, foot0, foot1, series, flow, 
     while others >> c:
         if others >> c & 1 and (CORNER[c] != corner or s.kind == SLIDE_ROCK):
             other = contacts[c]
-            u, v = case.u[CORNER[c]] - case.u[corner], case.v[CORNER[c]] - case.v[corner]
+            u, v = contact_point(case, c)
+            u, v = u - case.u[corner], v - case.v[corner]
             clear = to_plane_axes(other, foot0, foot1)[1] + other.offset
             across0, up0 = distance(other, u, v, sin0, cos0)
             if clear + up0 > (abs(u) + abs(v)) * turn + run:

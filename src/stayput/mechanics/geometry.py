@@ -1,7 +1,8 @@
 """Bodies, contacts and coordinates, as the compiled functions see them.
 
 A body can touch the room with its four corners A, B (base) and C, D (top); each pair of a corner and a
-plane that it can meet is one *contact*, numbered 0..7. Every plane is described in its own axes: the
+plane that it can meet is one *contact*, numbered 0..7. Where the base corners stand inside the side faces
+(feet, a plinth), the lower ends of these meet the walls; see `contact_point`. Every plane is described in its own axes: the
 tangent t and the normal n into the room, turned by φ from the floor's. In those axes each contact obeys
 the floor's equations, with the loads (A, Γ) = (t·(ẍ_G, G), n·(ẍ_G, G)), G = g + z̈_G, and the corner
 at σ = r sin(β−θ) along t from the centre of gravity and κ = r cos(β−θ) below it, along n.
@@ -64,6 +65,17 @@ def stand_flat(case, s):
 
 
 @inline
+def contact_point(case, c):
+    """Point of the body that a contact is about, relative to G, + right and + up [m].
+
+    It is the contact's corner; of a base corner at a wall, the lower end of the side face above it.
+    """
+    corner = CORNER[c]
+    side = corner + 2 if corner < 2 and PLANE[c] != 0 else corner
+    return case.u[side], case.v[corner]
+
+
+@inline
 def own_friction(case, c):
     """Static and kinetic friction of a base corner alone, NaN where it has none; ``c`` is its contact."""
     if c == A_FLOOR:
@@ -95,13 +107,15 @@ def set_up(case, contacts, s):
     if math.isfinite(case.ceiling_distance):
         s.present |= 0b11000000
     # the clear distance to a wall is that of the body at rest at slide 0
-    rightmost = max(s.foot_b, s.x + corner_right(case, 3, s))
-    leftmost = min(s.foot_a, s.x + corner_right(case, 2, s))
+    low_right = s.x + (case.u[3] * s.cos + case.v[1] * s.sin)
+    low_left = s.x + (case.u[2] * s.cos + case.v[0] * s.sin)
+    rightmost = max(low_right, s.x + corner_right(case, 3, s))
+    leftmost = min(low_left, s.x + corner_right(case, 2, s))
     for c in range(CONTACTS):
         if not s.present >> c & 1:
             continue
         plane = PLANE[c]
-        u, v = case.u[CORNER[c]], case.v[CORNER[c]]
+        u, v = contact_point(case, c)
         con = contacts[c]
         if plane == 0:
             con.cos, con.sin = 1.0, 0.0

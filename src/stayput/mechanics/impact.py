@@ -130,7 +130,8 @@ def _sequential_impulses(rows, contacts, closed, case, s, plastic):
 
 
 @inner
-def _energy(I, vx, vz, omega):
+def energy(I, vx, vz, omega):
+    """Twice the kinetic energy per unit mass [m²/s²]."""
     return vx * vx + vz * vz + I * omega * omega
 
 
@@ -138,7 +139,7 @@ def _energy(I, vx, vz, omega):
 def collide(rows, contacts, closed, case, s):
     """Apply the impact at the closed contacts to the velocities of the state."""
     I = case.inertia
-    most = _energy(I, s.vx, s.vz, s.omega) * (1.0 + 1e-12)
+    most = energy(I, s.vx, s.vz, s.omega) * (1.0 + 1e-12)
     count = _tabulate(rows, contacts, closed, case, s)
     landing = False
     for k in range(count):
@@ -146,7 +147,7 @@ def collide(rows, contacts, closed, case, s):
     if not landing:
         return
     ok, fx, fz, fl = _consistent_impulses(rows, count, I)
-    if ok and _energy(I, s.vx + fx, s.vz + fz, s.omega + fl / I) > most:
+    if ok and energy(I, s.vx + fx, s.vz + fz, s.omega + fl / I) > most:
         # Newton's restitution would create energy: plastic impulses instead, times 1 + the least restitution
         factor = 1.0
         for k in range(count):
@@ -160,16 +161,17 @@ def collide(rows, contacts, closed, case, s):
         return
     start = s.vx, s.vz, s.omega
     _sequential_impulses(rows, contacts, closed, case, s, False)
-    if _energy(I, s.vx, s.vz, s.omega) > most:
+    if energy(I, s.vx, s.vz, s.omega) > most:
         s.vx, s.vz, s.omega = start
         _sequential_impulses(rows, contacts, closed, case, s, True)
 
 
 @inner
-def damp_change_of_fulcrum(contacts, fulcrum, case, s):
+def scale_change_of_fulcrum(contacts, fulcrum, case, s, before):
     """Multiply the rotation rate by the floor's restitution, keeping the velocity of the new fulcrum.
 
-    On a slipping fulcrum less rotation can mean more energy; the factor is then the one that conserves it.
+    The factor is bounded where it would create energy: above 1 by the energy before the impact, twice per
+    unit mass; on a slipping fulcrum, where less rotation can mean more energy, below 1 by that after it.
     """
     con = contacts[fulcrum]
     sigma, kappa = arm(con, s)
@@ -179,8 +181,15 @@ def damp_change_of_fulcrum(contacts, fulcrum, case, s):
     inertia = case.inertia + sigma * sigma + kappa * kappa
     if s.omega == 0.0:
         return
-    same_energy = -2.0 * (kappa * slip + sigma * lift) / (inertia * s.omega) - 1.0
-    factor = min(1.0, max(case.restitution, same_energy))
+    spin = inertia * s.omega
+    across = kappa * slip + sigma * lift
+    if case.restitution <= 1.0:
+        factor = min(1.0, max(case.restitution, -2.0 * across / spin - 1.0))
+    else:
+        # the energy is spin ω f² + 2 across ω f + slip² + lift² with the factor f
+        room = across * across + inertia * (before - slip * slip - lift * lift)
+        most = (math.sqrt(max(0.0, room)) * math.copysign(1.0, s.omega) - across) / spin
+        factor = max(1.0, min(case.restitution, most))
     change = (factor - 1.0) * s.omega
     s.omega += change
     tangential, normal = tangential + kappa * change, normal + sigma * change
@@ -203,12 +212,13 @@ def closing_contacts(contacts, bits, s):
 @inner
 def land(rows, contacts, closed, arrived, case, s):
     """Apply the impact of the newly closed contacts ``arrived`` together with those already closed."""
+    before = energy(case.inertia, s.vx, s.vz, s.omega)
     collide(rows, contacts, closed | arrived, case, s)
     landed = arrived & FLOOR_BITS
-    if case.restitution < 1.0 and (landed == 1 or landed == 2) and closed & FLOOR_BITS == FLOOR_BITS - landed:
+    if case.restitution != 1.0 and (landed == 1 or landed == 2) and closed & FLOOR_BITS == FLOOR_BITS - landed:
         other = 2 - landed  # contact number of the old fulcrum: B (1) where A (bit 1) has landed
         if gap_rate(contacts[other], s) > STICK_RATE:
-            damp_change_of_fulcrum(contacts, landed - 1, case, s)
+            scale_change_of_fulcrum(contacts, landed - 1, case, s, before)
 
 
 @inner

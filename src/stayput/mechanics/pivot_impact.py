@@ -12,7 +12,7 @@ from stayput.mechanics.columns import FLOOR_BITS, ROCK
 from stayput.mechanics.contact import STICK_RATE
 from stayput.mechanics.fulcrum import NEAR_LIMIT, margins
 from stayput.mechanics.geometry import arm, gap_rate, slip_rate
-from stayput.mechanics.impact import damp_change_of_fulcrum, stop_corner
+from stayput.mechanics.impact import energy, scale_change_of_fulcrum, stop_corner
 from stayput.mechanics.projection import set_pivot_velocity
 
 
@@ -31,8 +31,8 @@ def stop_on_landing(contacts, touch, case, s):
         return False
     before = s.vx, s.vz, s.omega
     ok, s.vx, s.vz, s.omega = stop_corner(contacts, new, case.inertia, s)
-    if ok and case.restitution < 1.0:
-        damp_change_of_fulcrum(contacts, new, case, s)
+    if ok and case.restitution != 1.0:
+        scale_change_of_fulcrum(contacts, new, case, s, energy(case.inertia, before[0], before[1], before[2]))
     if ok and gap_rate(contacts[old], s) > s.settle_rate:
         return True
     s.vx, s.vz, s.omega = before

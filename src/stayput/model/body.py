@@ -70,6 +70,9 @@ class Body:
         Height of the left and the right base corner in the body's own frame [m]. (0, 0) is a flat
         base; a wedge of 5 mm under the right (front) edge is (0, −0.005): the body then rests
         tilted back.
+    base_insets : tuple of float
+        Distance of the left and the right base corner from the side face above it [m]: feet, casters or a
+        plinth stand inside the outline of the piece.
 
     Raises
     ------
@@ -104,9 +107,15 @@ class Body:
         ("Body base height", "底の角の高さ"),
         "Height of the left and the right base corner.",
     )
+    base_insets: tuple[float, float] = parameter(
+        (0.0, 0.0),
+        *_OFFSET,
+        ("Body base inset", "底の角の内側への距離"),
+        "Distance of the left and the right base corner from the side face above it.",
+    )
 
     def __post_init__(self) -> None:
-        check_fields(self, but=("cg_offset", "inertia", "base_heights"))
+        check_fields(self, but=("cg_offset", "inertia", "base_heights", "base_insets"))
         if len(self.cg_offset) != 2:
             raise InputError("model.cg_offset_not_two", "cg_offset", value=repr(self.cg_offset))
         label = parameter_of(Body, "cg_offset").label
@@ -125,6 +134,15 @@ class Body:
         bounds = (-self.width / 2, min(self.width, self.height) / 4)
         for value in self.base_heights:
             parameter_of(Body, "base_heights").check(value, bounds=bounds)
+        if len(self.base_insets) != 2:
+            raise InputError("model.base_insets_not_two", "base_insets", value=repr(self.base_insets))
+        for value in self.base_insets:
+            parameter_of(Body, "base_insets").check(value, bounds=(0.0, 0.45 * self.width))
+        (left, _), (right, _), _, _ = self.corners
+        if not left < 0.0 < right:
+            raise InputError(
+                "model.cg_beside_base", "base_insets", x=e_x, insets=repr(self.base_insets), width=self.width
+            )
 
     @property
     def uniform_inertia(self) -> float:
@@ -146,9 +164,18 @@ class Body:
         """The corners A, B (base, left and right), C, D (top, left and right) relative to G [m]."""
         x_g, z_g = self.centre_of_gravity
         left, right = -self.width / 2 - x_g, self.width / 2 - x_g
-        z_a, z_b = self.base_heights
+        (z_a, z_b), (in_a, in_b) = self.base_heights, self.base_insets
         top = self.height - z_g
-        return (left, z_a - z_g), (right, z_b - z_g), (left, top), (right, top)
+        return (left + in_a, z_a - z_g), (right - in_b, z_b - z_g), (left, top), (right, top)
+
+    @property
+    def sides(self) -> tuple[tuple[float, float], ...]:
+        """The ends of the side faces relative to G: lower left and right, upper left and right [m].
+
+        The lower ones are the base corners but for the `base_insets`.
+        """
+        (_, low_left), (_, low_right), top_left, top_right = self.corners
+        return (top_left[0], low_left), (top_right[0], low_right), top_left, top_right
 
     @property
     def resting_tilt(self) -> float:

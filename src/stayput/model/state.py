@@ -48,16 +48,23 @@ class State:
 
 def standing_corners(body: Body, start: State) -> tuple[tuple[float, float], ...]:
     """Places of the corners A, B, C, D in the room, for a body that stands on the floor [m]."""
+    return _standing(body, start, body.corners)
+
+
+def _standing(
+    body: Body, start: State, points: tuple[tuple[float, float], ...]
+) -> tuple[tuple[float, float], ...]:
+    """Places in the room of points relative to G, for a body that stands on the floor [m]."""
     tilt = body.resting_tilt + start.tilt
     sin, cos = math.sin(tilt), math.cos(tilt)
-    turned = [(u * cos + v * sin, v * cos - u * sin) for u, v in body.corners]
     (u_a, v_a), (u_b, v_b), _, _ = body.corners
+    feet = [(u * cos + v * sin, v * cos - u * sin) for u, v in ((u_a, v_a), (u_b, v_b))]
     half = 0.5 * math.hypot(u_b - u_a, v_b - v_a)
     right = start.tilt > 0.0 or (start.tilt == 0.0 and start.tilt_rate > 0.0)
     foot = 1 if right else 0
-    x = start.slide + (half if right else -half) - turned[foot][0]
-    z = -turned[foot][1]
-    return tuple((x + u, z + v) for u, v in turned)
+    x = start.slide + (half if right else -half) - feet[foot][0]
+    z = -feet[foot][1]
+    return tuple((x + (u * cos + v * sin), z + (v * cos - u * sin)) for u, v in points)
 
 
 def wall_faces(body: Body, room: Room) -> tuple[float, float]:
@@ -65,7 +72,7 @@ def wall_faces(body: Body, room: Room) -> tuple[float, float]:
 
     A gap is clear of the whole body as it stands at rest at slide 0, a tilted one's top corners as well.
     """
-    across = [x for x, _ in standing_corners(body, State())]
+    across = [x for x, _ in _standing(body, State(), body.sides)]
     left, right = room.left_wall, room.right_wall
     return (
         -math.inf if left is None else min(across) - left.gap,
@@ -78,7 +85,7 @@ def refuse_bad_start(body: Body, room: Room, start: State) -> None:
     if abs(body.resting_tilt + start.tilt) >= math.pi / 2:
         tilt, rest = math.degrees(body.resting_tilt + start.tilt), math.degrees(body.resting_tilt)
         raise InputError("model.laid_down", "initial.tilt", tilt=tilt, rest=rest)
-    corners = standing_corners(body, start)
+    corners = _standing(body, start, body.sides)
     left, right = wall_faces(body, room)
     top = max(z for _, z in corners)
     if room.right_wall is not None:

@@ -13,6 +13,7 @@ import numpy as np
 
 from stayput.fragility import samples_needed
 from stayput.measures import element_rows, hold
+from stayput.measures.bracket import REACH
 from stayput.mechanics.devices.runner import no_elements
 from stayput.model.state import State
 from stayput.simulation.flat_fields import body_fields, case_rows, flat_fields, room_fields
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
     from stayput.montecarlo.counting import Outcomes
     from stayput.scenario import Scenario
     from stayput.simulation.flat_fields import NumberOrColumn
+
+WALLS = ("left_wall", "right_wall")
+INSETS = ("back_inset", "front_inset")
 
 QUANTITIES = Uncertainty(USUAL)
 """The quantities that are drawn."""
@@ -75,7 +79,7 @@ class Settings:
 
 @dataclass(frozen=True, slots=True)
 class Draw:
-    """One draw: factors on what the scenario states, and the wall's restitution.
+    """One draw: factors on what the scenario states, the wall's restitution, how the piece stands.
 
     The fields are in the order of `stayput.uncertainty.USUAL`.
     """
@@ -86,6 +90,12 @@ class Draw:
     mass: float
     gravity_height: float
     strength: float
+    wall_gap: float
+    lean: float
+    back_inset: float
+    front_inset: float
+    settlement: float
+    landing_place: float
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -125,22 +135,53 @@ def draws(motions: int, samples: int, seed: int, start: int = 0) -> DrawTable:
 
 
 def drawn_body(body: Body, draw: Draw) -> Body:
-    """Return the body with its mass and the height of its centre of gravity as drawn."""
+    """Return the body with its mass, the height of its centre of gravity and how it stands as drawn."""
     x, z = body.cg_offset
+    (back, front), (back_inset, front_inset) = body.base_heights, body.base_insets
     height = min(0.95, draw.gravity_height * (0.5 + z / body.height)) * body.height
     inertia = None if body.inertia is None else draw.mass * body.inertia
-    offset = (x, height - 0.5 * body.height)
-    return replace(body, mass=draw.mass * body.mass, cg_offset=offset, inertia=inertia)
+    return replace(
+        body,
+        mass=draw.mass * body.mass,
+        cg_offset=(x, height - 0.5 * body.height),
+        inertia=inertia,
+        base_heights=(back, front - draw.lean * body.width),
+        base_insets=(back_inset + draw.back_inset * body.width, front_inset + draw.front_inset * body.width),
+    )
+
+
+def drawn_place(room: Room, draw: Draw) -> Room:
+    """Return the room with the walls at the distances drawn, before measures are put in place."""
+    walls = {name: getattr(room, name) for name in WALLS}
+    return replace(
+        room,
+        **{
+            name: replace(wall, gap=float(_drawn_gap(wall.gap, draw.wall_gap)))
+            for name, wall in walls.items()
+            if wall is not None
+        },
+    )
+
+
+def _drawn_gap(gap: float, factor: NumberOrColumn) -> NumberOrColumn:
+    """Return drawn gaps [m]; where a bracket reaches the wall as stated, it does in every draw."""
+    return np.minimum(factor * gap, REACH) if gap <= REACH else factor * gap
 
 
 def _drawn_floor(floor: Floor, draw: Draw) -> Floor:
     coefficients = {f.name: getattr(floor, f.name) for f in fields(floor) if f.name.endswith("friction")}
     changed = {name: draw.friction * value for name, value in coefficients.items() if value is not None}
-    return replace(floor, **changed, restitution=draw.restitution * floor.restitution)
+    return replace(
+        floor,
+        **changed,
+        restitution=draw.restitution * floor.restitution,
+        landing_place=draw.landing_place * floor.landing_place,
+        settlement=draw.settlement * floor.settlement,
+    )
 
 
-def drawn_room(room: Room, draw: Draw) -> Room:
-    """Return the room with its friction and restitution as drawn."""
+def drawn_surfaces(room: Room, draw: Draw) -> Room:
+    """Return the room with friction, restitution and softness as drawn, after measures were put in place."""
     left, right = room.left_wall, room.right_wall
     return replace(
         room,
@@ -179,8 +220,8 @@ def rows_of(
 ) -> Rows:
     """Return the rows of a piece under all draws.
 
-    The body is drawn before the measures are applied, friction after them: a measure's surface is as
-    uncertain as the floor's.
+    The body and its place are drawn before the measures are applied, friction after them: a measure's
+    surface is as uncertain as the floor's.
 
     Parameters
     ----------
@@ -202,7 +243,7 @@ def rows_of(
     count = len(columns["mass"])
     held = hold(body, room, measures)
     numbers: dict[str, NumberOrColumn] = {**flat_fields(held.body, held.room, initial or State(), gravity)}
-    if not held.elements and _same_mass(body, held.body):
+    if not held.elements and held.body == body:
         # Nothing but numbers changes with the draw, so that all rows are made at once: far faster than one by
         # one. The formulas are those of `drawn_body`, in the same order of operations: the bits are the same.
         z = body.cg_offset[1]
@@ -211,10 +252,17 @@ def rows_of(
         numbers |= {"body.mass": masses, "body.cg_offset.z": height - 0.5 * body.height}
         if body.inertia is not None:
             numbers["body.inertia"] = columns["mass"] * body.inertia
+        numbers["body.base_heights.right"] = body.base_heights[1] - columns["lean"] * body.width
+        for side, inset, drawn_inset in zip(("left", "right"), body.base_insets, INSETS, strict=True):
+            numbers[f"body.base_insets.{side}"] = inset + columns[drawn_inset] * body.width
+        for name in WALLS:
+            wall = getattr(room, name)
+            if wall is not None and wall == getattr(held.room, name):  # a measure's own gap is as it says
+                numbers[f"room.{name}.gap"] = _drawn_gap(wall.gap, columns["wall_gap"])
         elements = no_elements(0, count)
     else:
         by_draw = [draw for row in drawn for draw in row]
-        held_each = [hold(drawn_body(body, draw), room, measures) for draw in by_draw]
+        held_each = [hold(drawn_body(body, draw), drawn_place(room, draw), measures) for draw in by_draw]
         leaf_rows = [
             {**body_fields(drawn_held.body), **room_fields(drawn_held.room)} for drawn_held in held_each
         ]
@@ -225,16 +273,12 @@ def rows_of(
     for path in numbers:
         if path.startswith("room.floor.") and path.endswith("friction"):
             numbers[path] = columns["friction"] * numbers[path]
-    numbers["room.floor.restitution"] = columns["restitution"] * numbers["room.floor.restitution"]
-    for wall in ("left_wall", "right_wall"):
+    for name in ("restitution", "landing_place", "settlement"):
+        numbers[f"room.floor.{name}"] = columns[name] * numbers[f"room.floor.{name}"]
+    for wall in WALLS:
         if getattr(held.room, wall) is not None:
             numbers[f"room.{wall}.restitution"] = columns["wall_restitution"]
     return Rows(case_rows(numbers, count), elements, masses)
-
-
-def _same_mass(body: Body, held: Body) -> bool:
-    same = ("width", "height", "mass", "cg_offset", "inertia")
-    return all(getattr(body, name) == getattr(held, name) for name in same)
 
 
 def stated_rows(held: Held, motions: int, gravity: float) -> Rows:

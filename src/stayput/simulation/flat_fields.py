@@ -11,6 +11,7 @@ from stayput.mechanics.columns import CASE
 from stayput.model.body import Body
 from stayput.model.parameters import Parameter, parameters
 from stayput.model.room import Ceiling, Floor, Room, Wall
+from stayput.model.soft_base import landing_factor, rigid_half_base
 from stayput.model.state import State, refuse_bad_start
 from stayput.motion.units import STANDARD_GRAVITY
 
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 NumberOrColumn: TypeAlias = "float | NDArray[np.float64]"
 
 
-PAIRS = {"cg_offset": ("x", "z"), "base_heights": ("left", "right")}
+PAIRS = {"cg_offset": ("x", "z"), "base_heights": ("left", "right"), "base_insets": ("left", "right")}
 """Fields of two numbers, and the words that name each in its path."""
 
 KINDS: dict[str, type] = {
@@ -153,12 +154,15 @@ def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.v
     b, h, m = numbers["body.width"], numbers["body.height"], numbers["body.mass"]
     inertia = numbers["body.inertia"]
     rows["inertia"] = np.where(np.isnan(inertia), m * (b**2 + h**2) / 12.0, inertia) / m
+    settlement = numbers["room.floor.settlement"]
     x_g, z_g = numbers["body.cg_offset.x"], h / 2 + numbers["body.cg_offset.z"]
     left, right, top = -b / 2 - x_g, b / 2 - x_g, h - z_g
+    foot_left = -rigid_half_base(-left - numbers["body.base_insets.left"], z_g, settlement)
+    foot_right = rigid_half_base(right - numbers["body.base_insets.right"], z_g, settlement)
     for corner, (u, v) in enumerate(
         (
-            (left, numbers["body.base_heights.left"] - z_g),
-            (right, numbers["body.base_heights.right"] - z_g),
+            (foot_left, numbers["body.base_heights.left"] - z_g),
+            (foot_right, numbers["body.base_heights.right"] - z_g),
             (left, top),
             (right, top),
         )
@@ -168,6 +172,9 @@ def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.v
         for about in parameters(kind):
             if about.name in (CASE.names or ()):
                 rows[about.name] = numbers[f"{path}.{about.name}"]
+    rows["restitution"] *= landing_factor(
+        numbers["room.floor.landing_place"], -foot_left * foot_right, z_g, rows["inertia"]
+    )
     for name in ("static_friction", "kinetic_friction"):
         edge = numbers[f"room.floor.edge_{name}"]
         rows[f"edge_{name}"] = np.where(np.isnan(edge), numbers[f"room.floor.{name}"], edge)

@@ -14,7 +14,7 @@ from stayput.mechanics.columns import CORNER
 from stayput.mechanics.devices.active_elements import evaluate_lines, line_force
 from stayput.mechanics.devices.lines import set_lines
 from stayput.mechanics.devices.moment import expand_tilt, sum_lines, tilt_at
-from stayput.mechanics.geometry import arm, sin_cos, to_plane_axes
+from stayput.mechanics.geometry import arm, contact_point, sin_cos, to_plane_axes
 from stayput.mechanics.projection import set_pivot_velocity
 from stayput.mechanics.roots import illinois_update, secant
 
@@ -32,7 +32,8 @@ def set_about_fulcrum(elements, links, contacts, case, s, work):
     while others >> c:
         if others >> c & 1:
             other, reach = contacts[c], work.reach[c]
-            u, v = case.u[CORNER[c]] - case.u[corner], case.v[CORNER[c]] - case.v[corner]
+            u, v = contact_point(case, c)
+            u, v = u - case.u[corner], v - case.v[corner]
             reach[0] = to_plane_axes(other, x, z)[1] + other.offset
             reach[1], reach[2] = other.cos * v - other.sin * u, -other.sin * v - other.cos * u
         c += 1

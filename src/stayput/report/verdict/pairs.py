@@ -12,7 +12,7 @@ from stayput.measures import element_rows, hold
 from stayput.measures.results import device_results
 from stayput.mechanics.runner import shaking
 from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.sampling import drawn_body, drawn_room, draws
+from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.suites import Suite
 from stayput.report.history import History, history
 from stayput.report.scene import TIME_DIGITS, Scene, scene_of
@@ -241,8 +241,8 @@ def replay_under(verdict: Verdict, option: Option, member: Member, motion: Motio
     scenario = verdict.scenario
     drawn = draws(member.motion + 1, member.sample + 1, verdict.seed)[member.motion][member.sample]
     body = drawn_body(scenario.furniture.body(), drawn)
-    stated = hold(body, scenario.room.room(), option.measures)
-    held = replace(stated, room=drawn_room(stated.room, drawn))
+    stated = hold(body, drawn_place(scenario.room.room(), drawn), option.measures)
+    held = replace(stated, room=drawn_surfaces(stated.room, drawn))
     initial = scenario.initial.state()
     row = case_columns(held.body, held.room, initial, scenario.gravity)
     row["scale"] = scale

@@ -1,0 +1,82 @@
+"""A flat base on a floor that gives: the rigid base that takes as much to overturn.
+
+A floor that gives in proportion to the pressure on it (Winkler) sinks by w₀ under the piece at rest. With half
+the base a, the centre of gravity at height z and small tilts θ, the force N = mg acts, once part of the base
+has lifted, at a third of the length c = √(4 a w₀/θ) that still presses, so that the piece is held back by
+
+    M/mg = a − z θ − c/3 = a − z θ − (2/3) √(a w₀/θ)        (partly lifted, θ > w₀/a)
+
+instead of a − z θ on a rigid floor. It overturns where M = 0 for the second time, at θ*, and the work up to there is
+
+    E/mg = a θ* − z θ*²/2 − (4/3) √(a w₀ θ*) + w₀/2.
+
+A rigid base of half length a' takes E/mg = a'²/(2z). The mechanics get that base: the corners of the section are
+moved inwards by a − a'. What is left out is how it rocks: the soft piece begins to tilt at once, and loses
+energy in the floor. `tests/validation/test_soft_base.py` sets it beside a body on springs, step by step.
+
+Sources: the moment on a Winkler foundation with uplift, Psycharis and Jennings (1983), derived anew; that energy
+decides over overturning, Housner (1963).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, TypeVar
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+Numbers = TypeVar("Numbers", float, "NDArray[np.float64]")
+
+LEAST = 0.2
+"""Part of the half base that is left at least; a floor so soft is beyond small tilts and this law."""
+
+
+def rigid_half_base(half_base: Numbers, height: Numbers, settlement: Numbers) -> Numbers:
+    """Return a', half the rigid base that takes as much energy to overturn as one that sinks in [m].
+
+    Parameters
+    ----------
+    half_base : float or ndarray
+        a, from below the centre of gravity to the edge [m].
+    height : float or ndarray
+        z, of the centre of gravity above the base [m].
+    settlement : float or ndarray
+        w₀, by which the base sinks in under the piece at rest [m]; 0 returns a itself, to the bit.
+
+    Examples
+    --------
+    >>> round(rigid_half_base(0.15, 0.9, 0.001), 4)
+    0.1088
+    """
+    a, z, w = half_base, height, settlement
+    # √θ* is the largest root of z s³ − a s + (2/3) √(a w₀) = 0
+    cosine = np.minimum(1.0, np.sqrt(3.0 * z * w) / a)
+    root = np.sqrt(4.0 * a / (3.0 * z)) * np.cos(np.arccos(-cosine) / 3.0)
+    energy = a * root**2 - z * root**4 / 2.0 - (4.0 / 3.0) * np.sqrt(a * w) * root + w / 2.0
+    softer = np.maximum(LEAST * a, np.sqrt(np.maximum(0.0, 2.0 * z * energy)))
+    return np.where(w > 0.0, np.minimum(a, softer), a)[()]
+
+
+def landing_factor(place: Numbers, half_base_squared: Numbers, height: Numbers, inertia: Numbers) -> Numbers:
+    """Return the rotation rate after a landing inside the base over that after one on the corner.
+
+    With the impulse at ξ a from below the centre of gravity, angular momentum about that place gives the ratio
+    of rates r(ξ) = (K − ξ a²)/(K + ξ a²), K = J_G/m + z²; r(1) is Housner's.
+
+    Parameters
+    ----------
+    place : float or ndarray
+        ξ; 1 returns 1, to the bit.
+    half_base_squared : float or ndarray
+        a² [m²], or the product of the lengths to either side of a centre of gravity off the middle.
+    height : float or ndarray
+        z, of the centre of gravity above the base [m].
+    inertia : float or ndarray
+        J_G/m [m²].
+    """
+    K, a2 = inertia + height**2, half_base_squared
+    at_corner = np.maximum(1e-3, (K - a2) / (K + a2))  # a body so squat does not rock on after a landing
+    inside = (K - place * a2) / (K + place * a2)
+    return np.where(place < 1.0, np.maximum(1.0, inside / at_corner), 1.0)[()]
