@@ -54,7 +54,8 @@ def test_json_is_one_object_with_units():
     assert {"outcome", "peak_slide_m", "overturn_time_s", "peak_tilt_rad", "residual_slide_m"} <= set(data)
     assert {"floor_impacts", "wall_impacts", "events"} <= set(data)
     assert data["motion"]["duration_s"] == 5.0
-    run = stayput.simulate(stayput.Body(0.4, 1.8, 100.0), stayput.Room(), stayput.sine(5.0, 0.8, 5.0))
+    room = stayput.Room(stayput.Floor.of("wood flooring"))
+    run = stayput.simulate(stayput.Body(0.4, 1.8, 100.0), room, stayput.sine(5.0, 0.8, 5.0))
     assert data["peak_slide_m"] == run.peak_slide
     assert data["outcome"] == run.outcome
     assert (data["overturn_time_s"] is None) == (not run.overturned)

@@ -28,7 +28,7 @@ from stayput.inventory.summary import Total
 from stayput.measures import MEASURES, element_rows, hold
 from stayput.model.state import State
 from stayput.montecarlo.counting import EVENTS
-from stayput.montecarlo.sampling import drawn_body, drawn_room, draws, rows_of
+from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
 from stayput.simulation.flat_fields import case_columns
 from stayput.verification import verify
 
@@ -254,8 +254,8 @@ def test_rows_by_the_column_are_those_of_each_draw(kind):
     rows = rows_of(body, room, measures, draws(4, 5, 3), 9.81)
     cases, elements, masses = [], [], []
     for draw in (one for row in draws(4, 5, 3) for one in row):
-        held = hold(drawn_body(body, draw), room, measures)
-        cases.append(case_columns(held.body, drawn_room(held.room, draw), State(), 9.81))
+        held = hold(drawn_body(body, draw), drawn_place(room, draw), measures)
+        cases.append(case_columns(held.body, drawn_surfaces(held.room, draw), State(), 9.81))
         elements.append(element_rows(held, draw.strength))
         masses.append(held.body.mass)
     wanted = np.concatenate(cases)

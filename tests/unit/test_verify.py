@@ -12,7 +12,7 @@ from stayput.measures import MEASURES
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, HIT_WALL, OVERTURNED, SLID, Quantiles
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import Runs
-from stayput.montecarlo.sampling import drawn_body, drawn_room, draws
+from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.report.verdict.pairs import replay
 from stayput.scenario import Scenario
 from stayput.verification import LEVELS, options_of, verify
@@ -143,12 +143,15 @@ def test_more_samples_continue_the_draws_of_fewer():
 def test_draws_change_what_is_not_known_only():
     draw = draws(1, 1, 3)[0][0]
     body, room = sp.Body(0.4, 1.8, 100.0, cg_offset=(0.0, -0.1)), sp.Room(sp.Floor(0.4, 0.3), sp.Wall(0.02))
-    drawn, around = drawn_body(body, draw), drawn_room(room, draw)
+    drawn, around = drawn_body(body, draw), drawn_surfaces(drawn_place(room, draw), draw)
     assert (drawn.width, drawn.height) == (body.width, body.height)
     assert drawn.mass == pytest.approx(draw.mass * 100.0)
     assert 0.9 + drawn.cg_offset[1] == pytest.approx(draw.gravity_height * 0.8)
     assert around.floor.kinetic_friction == pytest.approx(draw.friction * 0.3)
-    assert around.left_wall.gap == 0.02
+    assert around.left_wall.gap == pytest.approx(draw.wall_gap * 0.02)
+    assert drawn.base_heights == pytest.approx((0.0, -draw.lean * 0.4))
+    assert drawn.base_insets == pytest.approx((draw.back_inset * 0.4, draw.front_inset * 0.4))
+    assert around.floor.landing_place == draw.landing_place
     assert around.left_wall.restitution == draw.wall_restitution
     assert 0.9 <= around.floor.restitution <= 1.0
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.montecarlo.sampling import drawn_body, drawn_room, draws
+from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.intensity import intensity_class
 from stayput.studies.tokyo import MOST, claims, tokyo
 from stayput.studies.tokyo_runs import (
@@ -143,7 +143,7 @@ def test_a_cell_is_a_single_run(built_in):
         static_friction=mats.static_friction * draw.friction,
         kinetic_friction=mats.kinetic_friction * draw.friction,
     )
-    run = sp.simulate(body, drawn_room(ROOM, draw), motion, measures=(weaker,))
+    run = sp.simulate(body, drawn_surfaces(drawn_place(ROOM, draw), draw), motion, measures=(weaker,))
     cell = built_in.data.sel(body="cupboard", device=ALONE[0].name, facing="−x", level=FULL).isel(sample=0)
     assert run.overturned is bool(cell["overturned"])
     assert run.peak_slide == pytest.approx(float(cell["peak_slide"]), rel=1e-9)

@@ -215,7 +215,11 @@ def land(rows, contacts, closed, arrived, case, s):
     before = energy(case.inertia, s.vx, s.vz, s.omega)
     collide(rows, contacts, closed | arrived, case, s)
     landed = arrived & FLOOR_BITS
-    if case.restitution != 1.0 and (landed == 1 or landed == 2) and closed & FLOOR_BITS == FLOOR_BITS - landed:
+    if (
+        case.restitution != 1.0
+        and (landed == 1 or landed == 2)
+        and closed & FLOOR_BITS == FLOOR_BITS - landed
+    ):
         other = 2 - landed  # contact number of the old fulcrum: B (1) where A (bit 1) has landed
         if gap_rate(contacts[other], s) > STICK_RATE:
             scale_change_of_fulcrum(contacts, landed - 1, case, s, before)

@@ -51,13 +51,6 @@ class Floor:
     restitution : float
         Factor e on the rotation rate at a change of fulcrum, on top of the momentum balance (the paper's
         Eq. 3.14); 1 is Housner's.
-    landing_place : float
-        Where a landing pushes, as a part of the way from below the centre of gravity to the corner that lands:
-        1 is the corner itself, Housner's; a flat base lands over a region, and loses less (Kalliontzis,
-        Sritharan and Schultz 2016). On top of it comes the restitution.
-    settlement : float
-        How far a flat base sinks in under the piece at rest [m]; 0 is a rigid floor. See
-        `stayput.model.soft_base`.
     normal_restitution : float
         Newton's restitution e_n of a landing corner (``contact="coulomb"`` only); 0 is plastic.
     left_edge_static_friction, left_edge_kinetic_friction : float, optional
@@ -65,6 +58,13 @@ class Floor:
         tipped. Default: as the other corner's.
     right_edge_static_friction, right_edge_kinetic_friction : float, optional
         The same for the right base corner.
+    landing_place : float
+        Where a landing pushes, as a part of the way from below the centre of gravity to the corner that lands:
+        1 is the corner itself, Housner's; a flat base lands over a region, and loses less (Kalliontzis,
+        Sritharan and Schultz 2016). On top of it comes the restitution.
+    settlement : float
+        How far a flat base sinks in under the piece at rest [m]; 0 is a rigid floor. See
+        `stayput.model.soft_base`.
 
     Raises
     ------
@@ -86,12 +86,16 @@ class Floor:
         ("Floor normal restitution", "床の鉛直方向の反発係数"),
         "Newton's restitution of a landing corner.",
     )
+    left_edge_static_friction: float | None = _friction(None, "left_edge_", "static")
+    left_edge_kinetic_friction: float | None = _friction(None, "left_edge_", "kinetic")
+    right_edge_static_friction: float | None = _friction(None, "right_edge_", "static")
+    right_edge_kinetic_friction: float | None = _friction(None, "right_edge_", "kinetic")
     landing_place: float = parameter(
         1.0,
         "",
         0.0,
         1.0,
-        ("Floor landing place", "着地する位置"),
+        ("Floor landing place", "着地の力の位置"),
         "Where a landing pushes, as a part of half the base; 1: at the corner, Housner.",
     )
     settlement: float = parameter(
@@ -102,10 +106,6 @@ class Floor:
         ("Floor settlement", "床の沈み込み"),
         "How far a flat base sinks in under the piece at rest; 0: a rigid floor.",
     )
-    left_edge_static_friction: float | None = _friction(None, "left_edge_", "static")
-    left_edge_kinetic_friction: float | None = _friction(None, "left_edge_", "kinetic")
-    right_edge_static_friction: float | None = _friction(None, "right_edge_", "static")
-    right_edge_kinetic_friction: float | None = _friction(None, "right_edge_", "kinetic")
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -144,7 +144,7 @@ class Floor:
         )
 
 
-class Surface(NamedTuple):
+class SurfacePreset(NamedTuple):
     """What is known of furniture on a common surface.
 
     Attributes
@@ -160,18 +160,18 @@ class Surface(NamedTuple):
     settlement: float
 
 
-SURFACES: dict[str, Surface] = {
-    "wood flooring": Surface(0.40, 0.30, 0.05e-3),
-    "vinyl": Surface(0.35, 0.28, 0.02e-3),
-    "tatami, along the weave": Surface(0.35, 0.30, 0.5e-3),
-    "tatami, across the weave": Surface(0.45, 0.38, 0.5e-3),
-    "carpet": Surface(0.55, 0.45, 1.0e-3),
-    "felt on wood": Surface(0.20, 0.17, 0.05e-3),
-    "PTFE glide": Surface(0.12, 0.10, 0.05e-3),
-    "rubber pad": Surface(0.80, 0.70, 0.05e-3),
-    "free caster, hard floor": Surface(0.03, 0.03, 0.0),
-    "free caster, carpet": Surface(0.06, 0.06, 0.0),
-    "locked caster": Surface(0.40, 0.40, 0.0),
+SURFACES: dict[str, SurfacePreset] = {
+    "wood flooring": SurfacePreset(0.40, 0.30, 0.05e-3),
+    "vinyl": SurfacePreset(0.35, 0.28, 0.02e-3),
+    "tatami, along the weave": SurfacePreset(0.35, 0.30, 0.5e-3),
+    "tatami, across the weave": SurfacePreset(0.45, 0.38, 0.5e-3),
+    "carpet": SurfacePreset(0.55, 0.45, 1.0e-3),
+    "felt on wood": SurfacePreset(0.20, 0.17, 0.05e-3),
+    "PTFE glide": SurfacePreset(0.12, 0.10, 0.05e-3),
+    "rubber pad": SurfacePreset(0.80, 0.70, 0.05e-3),
+    "free caster, hard floor": SurfacePreset(0.03, 0.03, 0.0),
+    "free caster, carpet": SurfacePreset(0.06, 0.06, 0.0),
+    "locked caster": SurfacePreset(0.40, 0.40, 0.0),
 }
 """Furniture on common surfaces: defaults to be changed, not citations.
 

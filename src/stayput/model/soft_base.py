@@ -27,13 +27,13 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-Numbers = TypeVar("Numbers", float, "NDArray[np.float64]")
+Floats = TypeVar("Floats", float, "NDArray[np.float64]")
 
 LEAST = 0.2
 """Part of the half base that is left at least; a floor so soft is beyond small tilts and this law."""
 
 
-def rigid_half_base(half_base: Numbers, height: Numbers, settlement: Numbers) -> Numbers:
+def rigid_half_base(half_base: Floats, height: Floats, settlement: Floats) -> Floats:
     """Return a', half the rigid base that takes as much energy to overturn as one that sinks in [m].
 
     Parameters
@@ -51,15 +51,17 @@ def rigid_half_base(half_base: Numbers, height: Numbers, settlement: Numbers) ->
     0.1088
     """
     a, z, w = half_base, height, settlement
-    # √θ* is the largest root of z s³ − a s + (2/3) √(a w₀) = 0
-    cosine = np.minimum(1.0, np.sqrt(3.0 * z * w) / a)
-    root = np.sqrt(4.0 * a / (3.0 * z)) * np.cos(np.arccos(-cosine) / 3.0)
-    energy = a * root**2 - z * root**4 / 2.0 - (4.0 / 3.0) * np.sqrt(a * w) * root + w / 2.0
-    softer = np.maximum(LEAST * a, np.sqrt(np.maximum(0.0, 2.0 * z * energy)))
-    return np.where(w > 0.0, np.minimum(a, softer), a)[()]
+    with np.errstate(invalid="ignore", divide="ignore"):  # rows are refused where a or z is not above 0
+        # √θ* is the largest root of z s³ − a s + (2/3) √(a w₀) = 0
+        cosine = np.minimum(1.0, np.sqrt(3.0 * z * w) / a)
+        root = np.sqrt(4.0 * a / (3.0 * z)) * np.cos(np.arccos(-cosine) / 3.0)
+        energy = a * root**2 - z * root**4 / 2.0 - (4.0 / 3.0) * np.sqrt(a * w) * root + w / 2.0
+        stands = 3.0 * z * w < a * a  # else the whole base, still pressed, holds less than the tilt takes
+        softer = np.sqrt(np.where(stands, np.maximum(0.0, 2.0 * z * energy), 0.0))
+    return np.where(w > 0.0, np.minimum(a, np.maximum(LEAST * a, softer)), a)[()]
 
 
-def landing_factor(place: Numbers, half_base_squared: Numbers, height: Numbers, inertia: Numbers) -> Numbers:
+def landing_factor(place: Floats, half_base_squared: Floats, height: Floats, inertia: Floats) -> Floats:
     """Return the rotation rate after a landing inside the base over that after one on the corner.
 
     With the impulse at ξ a from below the centre of gravity, angular momentum about that place gives the ratio

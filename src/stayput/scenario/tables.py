@@ -34,6 +34,7 @@ class FurnitureTable(Table):
     cg_offset: Pair | None = of(Body, "cg_offset", listed=True, default=None)
     inertia: float | None = of(Body, "inertia")
     base_heights: Pair | None = of(Body, "base_heights", listed=True, default=None)
+    base_insets: Pair | None = of(Body, "base_insets", listed=True, default=None)
     shelves: Loads | None = Field(
         default=None, description="Load on each shelf from the lowest up; mass, centre and inertia follow."
     )
@@ -75,10 +76,11 @@ class FurnitureTable(Table):
         assert width is not None
         assert height is not None
         assert self._mass is not None
-        base = _pair(self.base_heights)
+        base, insets = _pair(self.base_heights), _pair(self.base_insets)
         if self.shelves is not None:
-            return replace(Body.bookcase(width, height, self._mass, self.shelves), base_heights=base)
-        return Body(width, height, self._mass, _pair(self.cg_offset), self.inertia, base)
+            loaded = Body.bookcase(width, height, self._mass, self.shelves)
+            return replace(loaded, base_heights=base, base_insets=insets)
+        return Body(width, height, self._mass, _pair(self.cg_offset), self.inertia, base, insets)
 
 
 class FloorTable(Table):
@@ -95,6 +97,8 @@ class FloorTable(Table):
     right_edge_kinetic_friction: float | None = of(Floor, "right_edge_kinetic_friction")
     restitution: float = of(Floor, "restitution")
     normal_restitution: float = of(Floor, "normal_restitution")
+    landing_place: float = of(Floor, "landing_place")
+    settlement: float | None = of(Floor, "settlement", default=None)
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
