@@ -13,7 +13,7 @@ from stayput.errors import InputError, finite, within
 from stayput.motion.units import STANDARD_GRAVITY
 
 LOSS_MODEL_RATIO = 0.79
-"""Median velocities of unanchored furniture in FEMA P-58's fragility library over those of Kaneko and Hayashi.
+"""Median velocities of unanchored furniture in FEMA P-58's fragility library over Kaneko and Hayashi's.
 
 The library's notes call them "calculated as a function of the aspect ratio"; over its nine sizes the ratio is
 this, within 4 %. So they are a formula with a margin, not observations.

@@ -25,10 +25,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "底の角の内側への距離（base_insets）が{value}になっています。2つの数値（左、右）[m] を指定してください。",
     ),
     "cg_beside_base": (
-        "With base_insets {insets} the base of the body of {width:g} m does not carry its centre of gravity, {x:g} m "
-        "right of the middle; use smaller insets.",
-        "base_insets が{insets}のとき、幅{width:g} mの家具の底面は中央から{x:g} m右の重心を支えられません。"
-        "より小さい値を指定してください。",
+        (
+            "With base_insets {insets} the base of the body of {width:g} m does not carry its centre of gravity, "
+            "{x:g} m right of the middle; use smaller insets."
+        ),
+        (
+            "base_insets が{insets}のとき、幅{width:g} mの家具の底面は中央から{x:g} m右の重心を支えられません。"
+            "より小さい値を指定してください。"
+        ),
     ),
     "base_heights_not_two": (
         "Body base_heights is {value}; it must be two numbers (left, right) [m].",

@@ -1,39 +1,38 @@
 """A flat base on a floor that gives: the rigid base that takes as much to overturn.
 
-A floor that gives in proportion to the pressure on it (Winkler) sinks by w₀ under the piece at rest. With half
-the base a, the centre of gravity at height z and small tilts θ, the force N = mg acts, once part of the base
-has lifted, at a third of the length c = √(4 a w₀/θ) that still presses, so that the piece is held back by
+A floor that gives in proportion to the pressure on it (Winkler) sinks by w₀ under the piece at rest. With
+half the base a, the centre of gravity at height z and small tilts θ, the force N = mg acts, once part of the
+base has lifted, at a third of the length c = √(4 a w₀/θ) that still presses, so that the piece is held by
 
     M/mg = a − z θ − c/3 = a − z θ − (2/3) √(a w₀/θ)        (partly lifted, θ > w₀/a)
 
-instead of a − z θ on a rigid floor. It overturns where M = 0 for the second time, at θ*, and the work up to there is
+instead of a − z θ on a rigid floor. It overturns where M = 0 for the second time, at θ*; the work up to there
+is
 
     E/mg = a θ* − z θ*²/2 − (4/3) √(a w₀ θ*) + w₀/2.
 
-A rigid base of half length a' takes E/mg = a'²/(2z). The mechanics get that base: the corners of the section are
-moved inwards by a − a'. What is left out is how it rocks: the soft piece begins to tilt at once, and loses
-energy in the floor. `tests/validation/test_soft_base.py` sets it beside a body on springs, step by step.
+A rigid base of half length a' takes E/mg = a'²/(2z). The mechanics get that base: the base corners are moved
+inwards by a − a'. What is left out is how it rocks: the soft piece begins to tilt at once, and loses energy in
+the floor. `tests/validation/test_soft_base.py` sets it beside a body on springs, step by step.
 
-Sources: the moment on a Winkler foundation with uplift, Psycharis and Jennings (1983), derived anew; that energy
-decides over overturning, Housner (1963).
+Sources: the moment on a Winkler foundation with uplift is that of Psycharis and Jennings (1983), and that the
+energy decides over overturning is Housner's (1963); both were derived anew and not read again.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-Floats = TypeVar("Floats", float, "NDArray[np.float64]")
+    from numpy.typing import ArrayLike, NDArray
 
 LEAST = 0.2
 """Part of the half base that is left at least; a floor so soft is beyond small tilts and this law."""
 
 
-def rigid_half_base(half_base: Floats, height: Floats, settlement: Floats) -> Floats:
+def rigid_half_base(half_base: ArrayLike, height: ArrayLike, settlement: ArrayLike) -> NDArray[np.float64]:
     """Return a', half the rigid base that takes as much energy to overturn as one that sinks in [m].
 
     Parameters
@@ -47,10 +46,10 @@ def rigid_half_base(half_base: Floats, height: Floats, settlement: Floats) -> Fl
 
     Examples
     --------
-    >>> round(rigid_half_base(0.15, 0.9, 0.001), 4)
+    >>> round(float(rigid_half_base(0.15, 0.9, 0.001)), 4)
     0.1088
     """
-    a, z, w = half_base, height, settlement
+    a, z, w = (np.asarray(value, np.float64) for value in (half_base, height, settlement))
     with np.errstate(invalid="ignore", divide="ignore"):  # rows are refused where a or z is not above 0
         # √θ* is the largest root of z s³ − a s + (2/3) √(a w₀) = 0
         cosine = np.minimum(1.0, np.sqrt(3.0 * z * w) / a)
@@ -58,14 +57,16 @@ def rigid_half_base(half_base: Floats, height: Floats, settlement: Floats) -> Fl
         energy = a * root**2 - z * root**4 / 2.0 - (4.0 / 3.0) * np.sqrt(a * w) * root + w / 2.0
         stands = 3.0 * z * w < a * a  # else the whole base, still pressed, holds less than the tilt takes
         softer = np.sqrt(np.where(stands, np.maximum(0.0, 2.0 * z * energy), 0.0))
-    return np.where(w > 0.0, np.minimum(a, np.maximum(LEAST * a, softer)), a)[()]
+    return np.where(w > 0.0, np.minimum(a, np.maximum(LEAST * a, softer)), a)
 
 
-def landing_factor(place: Floats, half_base_squared: Floats, height: Floats, inertia: Floats) -> Floats:
+def landing_factor(
+    place: ArrayLike, half_base_squared: ArrayLike, height: ArrayLike, inertia: ArrayLike
+) -> NDArray[np.float64]:
     """Return the rotation rate after a landing inside the base over that after one on the corner.
 
-    With the impulse at ξ a from below the centre of gravity, angular momentum about that place gives the ratio
-    of rates r(ξ) = (K − ξ a²)/(K + ξ a²), K = J_G/m + z²; r(1) is Housner's.
+    With the impulse at ξ a from below the centre of gravity, angular momentum about that place gives the
+    ratio of rates r(ξ) = (K − ξ a²)/(K + ξ a²), K = J_G/m + z²; r(1) is Housner's.
 
     Parameters
     ----------
@@ -78,7 +79,8 @@ def landing_factor(place: Floats, half_base_squared: Floats, height: Floats, ine
     inertia : float or ndarray
         J_G/m [m²].
     """
-    K, a2 = inertia + height**2, half_base_squared
+    xi, a2, z, I = (np.asarray(value, np.float64) for value in (place, half_base_squared, height, inertia))
+    K = I + z**2
     at_corner = np.maximum(1e-3, (K - a2) / (K + a2))  # a body so squat does not rock on after a landing
-    inside = (K - place * a2) / (K + place * a2)
-    return np.where(place < 1.0, np.maximum(1.0, inside / at_corner), 1.0)[()]
+    inside = (K - xi * a2) / (K + xi * a2)
+    return np.where(xi < 1.0, np.maximum(1.0, inside / at_corner), 1.0)
