@@ -5,8 +5,9 @@ plane that it can meet is one *contact*, numbered 0..7. Where the base corners s
 (feet, a plinth), the lower ends of these meet the walls; see `contact_point`.
 
 Every plane is described in its own axes: the tangent t and the normal n into the room, turned by φ from the
-floor's. In those axes each contact obeys the floor's equations, with the loads (A, Γ) = (t·(ẍ_G, G), n·(ẍ_G, G)), G = g + z̈_G, and the corner
-at σ = r sin(β−θ) along t from the centre of gravity and κ = r cos(β−θ) below it, along n.
+floor's. In those axes each contact obeys the floor's equations, with the loads (A, Γ) = (t·(ẍ_G, G),
+n·(ẍ_G, G)), G = g + z̈_G, and the corner at σ = r sin(β−θ) along t from the centre of gravity and
+κ = r cos(β−θ) below it, along n.
 """
 
 from __future__ import annotations

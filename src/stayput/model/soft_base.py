@@ -12,8 +12,8 @@ is
     E/mg = a θ* − z θ*²/2 − (4/3) √(a w₀ θ*) + w₀/2.
 
 A rigid base of half length a' takes E/mg = a'²/(2z). The mechanics get that base: the base corners are moved
-inwards by a − a'. What is left out is how it rocks: the soft piece begins to tilt at once, and loses energy in
-the floor. `tests/validation/test_soft_base.py` sets it beside a body on springs, step by step.
+inwards by a − a'. What is left out is how it rocks: the soft piece begins to tilt at once, and loses energy
+in the floor. `tests/validation/test_soft_base.py` sets it beside a body on springs, step by step.
 
 Sources: the moment on a Winkler foundation with uplift is that of Psycharis and Jennings (1983), and that the
 energy decides over overturning is Housner's (1963); both were derived anew and not read again.

@@ -55,7 +55,7 @@ OBSERVED = {
     "7": "JMA's table: nearly all moves or falls; Kobe: furniture fell in about 60 % of the rooms of houses "
     "that stood",
 }
-"""What was observed: JMA's explanatory table of its classes, and the Architectural Institute's Kobe survey."""
+"""What was observed: JMA's explanatory table, and the survey of Kobe by architects."""
 
 EFFECTS_CAPTION = (
     "What the ideal block leaves out: peak floor velocity at which half overturn, over the ideal block's, and "
