@@ -60,8 +60,8 @@ class Floor:
         The same for the right base corner.
     landing_place : float
         ξ, where a landing pushes, as a part of the way from below the centre of gravity to the corner: 1 is
-        the corner itself, Housner's; a flat base lands over a region, and loses less (Kalliontzis, Sritharan and
-        Schultz 2016). On top of it comes the restitution.
+        the corner itself, Housner's; a flat base lands over a region, and loses less (Kalliontzis, Sritharan
+        and Schultz 2016). On top of it comes the restitution.
     settlement : float
         How far a flat base sinks in under the piece at rest [m]; 0 is a rigid floor. See
         `stayput.model.soft_base`.

@@ -58,12 +58,12 @@ OBSERVED = {
 """What was observed: JMA's explanatory table, and the survey of Kobe by architects."""
 
 EFFECTS_CAPTION = (
-    "What the ideal block leaves out: peak floor velocity at which half overturn, over the ideal block's, and "
-    "the mean change of the JMA intensity at which half do; – where half do not by 7.6"
+    "What the ideal block leaves out: peak floor velocity at which half overturn, over the ideal block's, "
+    "and the mean change of the JMA intensity at which half do; – where half do not by 7.6"
 )
 FIELD_CAPTION = (
-    "Published medians, all of them formulas, and ours: peak floor velocity at which half overturn [cm/s]; in "
-    "brackets over Kaneko and Hayashi's and over FEMA P-58's; – where half do not by intensity 7.6"
+    "Published medians, all of them formulas, and ours: peak floor velocity at which half overturn [cm/s]; "
+    "in brackets over Kaneko and Hayashi's and over FEMA P-58's; – where half do not by intensity 7.6"
 )
 HOME_CAPTION = "Observed, and the share of pieces at home that fall in a verdict, a wall 2 cm behind [%]"
 
@@ -132,14 +132,9 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
         data=data,
         figures={"effects": draw_effects(data), "field": draw_field(data)},
         tables={
-            "What the ideal block leaves out: median peak floor velocity at which a piece overturns, over the "
-            "ideal block's": effects_table(data),
-            "Published medians, all of them formulas, and ours: peak floor velocity at which half overturn [cm/s]": (
-                field_table(data)
-            ),
-            "Observed, and the mean share of seven pieces at home that fall in a verdict [%]": home_table(
-                data
-            ),
+            EFFECTS_CAPTION: effects_table(data),
+            FIELD_CAPTION: field_table(data),
+            HOME_CAPTION: home_table(data),
         },
     )
 
