@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+import stayput.studies.baseline_runs as baselines
 import stayput.studies.capacity_runs as capacities
 import stayput.studies.critical_ratio_runs as amplitudes
 import stayput.studies.friction_runs as sliding
@@ -378,6 +379,17 @@ def _decides(share: xr.DataArray) -> str:
     return f"{share['probe'].item()}: {float(share[0]):.0f} % as stated, {' to '.join(shown)}"
 
 
+def baseline(study: Study, motion: sp.Motion | None) -> Numbers:
+    return {
+        "motions": default_of(studies.baseline, "motions"),
+        "samples": default_of(studies.baseline, "samples"),
+        "levels": len(baselines.LEVELS),
+        "range": span(baselines.LEVELS, ".1f"),
+        "static": baselines.IDEAL.floor.static_friction,
+        "kinetic": baselines.IDEAL.floor.kinetic_friction,
+    }
+
+
 def capacity(study: Study, motion: sp.Motion | None) -> Numbers:
     data, main = study.data, stated(study.data)
     ratio, low, high = (main[name].to_numpy() for name in ("ratio", "ratio_low", "ratio_high"))
@@ -426,6 +438,7 @@ NUMBERS: dict[str, Callable[[Study, sp.Motion | None], Numbers]] = {
     "wall-gap-record": wall_gap_record,
     "spectrum": spectrum,
     "tokyo": tokyo,
+    "baseline": baseline,
     "capacity": capacity,
 }
 """The function of each study."""

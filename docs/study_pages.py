@@ -43,7 +43,7 @@ def three_components() -> sp.Motion:
 def tested() -> Runs:
     """Run the studies that stand beside tests of devices and beside a formula for bare furniture."""
     motion = three_components()
-    return [(studies.tokyo(motion), motion), (studies.capacity(), None)]
+    return [(studies.tokyo(motion), motion), (studies.baseline(), None), (studies.capacity(), None)]
 
 
 def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:

@@ -274,7 +274,7 @@ USUAL: Mapping[str, Marginal] = MappingProxyType(
 
 Factors are on the stated values, the restitution's on Housner's; the wall's restitution is that of gypsum
 board. A floor leans by some 3 mm in a metre; feet and a plinth stand inside the outline by a part of the
-depth. Landings push between the edge and a third of the way to it: rocking over a region of contact loses less
-than Housner's corner in tests (Kalliontzis, Sritharan and Schultz 2016), and so do bodies on springs
+depth. Landings push between the edge and a third of the way to it: rocking over a region of contact loses
+less than Housner's corner in tests (Kalliontzis, Sritharan and Schultz 2016), and so do bodies on springs
 (`stayput.model.soft_base`); materials lose more (ElGawady).
 """

@@ -77,6 +77,22 @@ TEXTS: dict[str, tuple[str, str]] = {
     "slides": ("in nine of ten it slides by {length} at most", "10回中9回は移動が{length}以内です"),
     "stays_where_it_is": ("it stays where it is", "その場に留まります"),
     # notes beside the numbers
+    "field": (
+        (
+            "Against the field: half of such pieces overturn at a peak floor velocity of {median:.0f} cm/s here; "
+            "formulas for unanchored furniture that stands free and does not slide say {low:.0f} cm/s (FEMA "
+            "P-58) to {high:.0f} cm/s (Kaneko and Hayashi), {least:.2g} to {most:.2g} times less{wall}."
+        ),
+        (
+            "既往の式との比較：この家具の半数が転倒する床の最大速度は、ここでは{median:.0f} cm/sです。"
+            "壁のない、滑らない未固定家具の式では{low:.0f} cm/s（FEMA P-58）～{high:.0f} cm/s（金子・林）で、"
+            "その{least:.2g}～{most:.2g}倍にあたります{wall}。"
+        ),
+    ),
+    "field_wall": (
+        "; a wall behind, which stops half of the rocking, is most of that",
+        "（差の多くは、揺れの半分を止める背後の壁によるものです）",
+    ),
     "estimate_differs": (
         (
             "The quick estimate (Kaneko and Hayashi) lets {formula} % overturn without a measure, the "

@@ -6,6 +6,8 @@ import math
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
+from stayput.estimates import LOSS_MODEL_RATIO, kaneko_hayashi_velocity
+from stayput.fragility import PFV
 from stayput.fragility.probabilities import percent
 from stayput.measures.parameters import MEANINGS
 from stayput.montecarlo.counting import OVERTURNED
@@ -44,6 +46,7 @@ def notes(verdict: Verdict, graded: Option | None = None) -> tuple[Phrase, ...]:
         The option whose grade is explained, by default the best.
     """
     return (
+        *_field(verdict),
         *_estimate(verdict),
         *_grade(verdict.best.option if graded is None else graded, verdict),
         *_far(verdict),
@@ -53,6 +56,26 @@ def notes(verdict: Verdict, graded: Option | None = None) -> tuple[Phrase, ...]:
 def _listed(phrases: Iterable[Phrase]) -> Phrase:
     english, japanese = zip(*phrases, strict=True)
     return "; ".join(english), "、".join(japanese)
+
+
+def _field(verdict: Verdict) -> Iterator[Phrase]:
+    """Yield where the piece lies against the field's formulas, where half of it fall at some level."""
+    curves = verdict.without.curves
+    median = curves[PFV].capacity(0.5).estimate if curves else math.nan
+    if not math.isfinite(median):
+        return
+    body = verdict.scenario.furniture.body()
+    formula = kaneko_hayashi_velocity(body.width, body.height)
+    low = LOSS_MODEL_RATIO * formula
+    yield phrase(
+        "verification.field",
+        median=100.0 * median,
+        low=100.0 * low,
+        high=100.0 * formula,
+        least=median / formula,
+        most=median / low,
+        wall=phrase("verification.field_wall") if verdict.scenario.room.room().left_wall else "",
+    )
 
 
 def _estimate(verdict: Verdict) -> Iterator[Phrase]:
