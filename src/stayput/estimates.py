@@ -16,7 +16,7 @@ LOSS_MODEL_RATIO = 0.79
 """Median velocities of unanchored furniture in FEMA P-58's fragility library over Kaneko and Hayashi's.
 
 The library's notes call them "calculated as a function of the aspect ratio"; over its nine sizes the ratio is
-this, within 4 %. So they are a formula with a margin, not observations.
+this, within 6 %. So they are a formula with a margin, not observations.
 """
 
 SCATTER = 0.5
