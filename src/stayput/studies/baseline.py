@@ -25,16 +25,19 @@ from stayput.report.palette import INK, MUTED
 from stayput.studies.baseline_runs import (
     AT_HOME,
     EFFECTS,
+    GROUND_LEVELS,
     IDEAL,
     LEVELS,
     LOSS_MODEL,
     PIECES,
     STANDS,
+    STOREYS,
     Baseline,
     default_rows,
     hazards,
     ideal_rows,
     run_baselines,
+    run_storeys,
 )
 from stayput.studies.study import Quantity, Study, span
 
@@ -57,6 +60,9 @@ OBSERVED = {
 }
 """What was observed: JMA's explanatory table, and the survey of Kobe by architects."""
 
+REPORTED = ("low storeys: about 20 %", "middle storeys: about 40 %", "upper storeys: over 60 %")
+"""Furniture that fell in Kobe, by storey; the intensities of the ground were 6-lower to 7 (second hand)."""
+
 EFFECTS_CAPTION = (
     "What the ideal block leaves out: peak floor velocity at which half overturn, over the ideal block's, "
     "and the mean change of the JMA intensity at which half do; – where half do not by 7.6"
@@ -66,6 +72,10 @@ FIELD_CAPTION = (
     "in brackets over Kaneko and Hayashi's and over FEMA P-58's; – where half do not by intensity 7.6"
 )
 HOME_CAPTION = "Observed, and the share of pieces at home that fall in a verdict, a wall 2 cm behind [%]"
+STOREY_CAPTION = (
+    "Kobe by storey, as reported at second hand, and the mean share of seven pieces at home that fall in a "
+    "verdict [%]: ten storeys of reinforced concrete, by the intensity of the ground"
+)
 
 FREE, WALL = "as a verdict draws it, free", f"as a verdict draws it, a wall {100 * STANDS:g} cm behind"
 
@@ -104,6 +114,7 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
     runs = single * len(pieces) * (1 + len(EFFECTS)) + single * each * (
         2 * len(pieces) + 2 * len(sizes) + len(home)
     )
+    runs += count * each * len(home) * len(STOREYS) * len(GROUND_LEVELS)
     with bar(runs + single * len(sizes), "Overturning") as advance:
 
         def run(rows: list[Rows], effect: Effect | None = None) -> list[Baseline]:
@@ -124,7 +135,9 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
             WALL: drawn(sizes, wall=True),
         }
         at_home = drawn(home, wall=True)
-    data = _dataset(ideal, changed, field, at_home)
+        at_home_rows = [default_rows(body, count, each, seed, wall=True) for body in home.values()]
+        by_storey = run_storeys(at_home_rows, ground, advance)
+    data = _dataset(ideal, changed, field, at_home, by_storey)
     return Study(
         name="baseline",
         title="The baseline: what the ideal block leaves out, and the field",
@@ -135,6 +148,7 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
             EFFECTS_CAPTION: effects_table(data),
             FIELD_CAPTION: field_table(data),
             HOME_CAPTION: home_table(data),
+            STOREY_CAPTION: storey_table(data),
         },
     )
 
@@ -149,6 +163,7 @@ def _dataset(
     changed: dict[str, list[Baseline]],
     field: dict[str, list[Baseline]],
     at_home: list[Baseline],
+    by_storey: NDArray[np.float64],
 ) -> xr.Dataset:
     def medians(runs: list[Baseline], name: str) -> list[float]:
         return [getattr(one, name) for one in runs]
@@ -187,6 +202,11 @@ def _dataset(
                 np.array([one.shares for one in at_home]),
                 {"long_name": "share that overturns"},
             ),
+            "storey_share": (
+                ("storey", "ground", "home"),
+                by_storey,
+                {"long_name": "share that overturns in a building of ten storeys"},
+            ),
         },
         {
             "piece": list(PIECES),
@@ -195,6 +215,8 @@ def _dataset(
             "published": [one.name for one in LOSS_MODEL],
             "home": list(AT_HOME),
             "level": ("level", LEVELS, {"long_name": "JMA intensity of the ground"}),
+            "storey": list(STOREYS),
+            "ground": ("ground", list(GROUND_LEVELS), {"long_name": "JMA intensity of the ground"}),
         },
     )
 
@@ -311,6 +333,18 @@ def home_table(data: xr.Dataset) -> pd.DataFrame:
                 **{str(piece): f"{100 * float(at.sel(home=piece)):.0f}" for piece in at["home"].to_numpy()},
             }
         )
+    return pd.DataFrame(rows)
+
+
+def storey_table(data: xr.Dataset) -> pd.DataFrame:
+    """Return a row for each storey: what was reported of Kobe, and mean shares by the ground's intensity."""
+    share = 100.0 * data["storey_share"].mean("home")
+    rows: list[dict[str, object]] = []
+    for storey, reported in zip(STOREYS, REPORTED, strict=True):
+        row: dict[str, object] = {"storey": storey, "Kobe, 1995": reported}
+        for level in GROUND_LEVELS:
+            row[f"ground {level:g}"] = f"{float(share.sel(storey=storey, ground=level)):.0f}"
+        rows.append(row)
     return pd.DataFrame(rows)
 
 

@@ -15,9 +15,11 @@ from stayput.measures.element import Line, damper
 from stayput.model.room import SURFACES, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.levels import run_levels
+from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import draws, rows_of, stated_rows
 from stayput.motion.suites import Suite
 from stayput.motion.units import STANDARD_GRAVITY
+from stayput.scenario.building import BuildingTable
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -204,6 +206,10 @@ AT_HOME = ("bookcase", "empty bookcase", "wardrobe", "cupboard", "chest", "refri
 """Presets of a home, whose mean share is set beside what surveys tell of furniture at home."""
 
 
+STOREYS, GROUND_LEVELS = (1, 5, 10), (5.25, 5.75, 6.25)
+"""Storeys of a reinforced-concrete building of ten, and JMA intensities of its ground."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Baseline:
     """What bodies do in one setting.
@@ -267,6 +273,20 @@ def run_baselines(rows: Sequence[Rows], hazard: Hazard, progress: Callable[[int]
         )
         found.append(Baseline(velocity, intensity, one.overturned.mean(axis=(1, 2))))
     return found
+
+
+def run_storeys(rows: Sequence[Rows], ground: Suite, progress: Callable[[int], None]) -> NDArray[np.float64]:
+    """Return the share of each piece that falls, shape [storey, level, piece]."""
+    building = BuildingTable(storeys=STOREYS[-1], structure="RC")
+    return np.array(
+        [
+            [
+                [runs.overturned.mean() for runs in run_level(rows, hazard.at(level), progress=progress)]
+                for level in GROUND_LEVELS
+            ]
+            for hazard in (Hazard(ground, building, storey) for storey in STOREYS)
+        ]
+    )
 
 
 def ideal_rows(held: Held, motions: int) -> Rows:
