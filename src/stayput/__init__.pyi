@@ -50,6 +50,12 @@ from .simulation.run import Outcome as Outcome
 from .simulation.run import Run as Run
 from .simulation.run import simulate as simulate
 from .simulation.sweep import sweep as sweep
+from .standards import ac156 as ac156
+from .standards import ac156_motion as ac156_motion
+from .standards import anchor_tension as anchor_tension
+from .standards import asce43_sliding as asce43_sliding
+from .standards import equipment_coefficient as equipment_coefficient
+from .standards import holding_force as holding_force
 from .uncertainty import Lognormal as Lognormal
 from .uncertainty import Normal as Normal
 from .uncertainty import Uncertainty as Uncertainty

@@ -18,7 +18,7 @@ LAYERS = (
     {"progress", "execution", "uncertainty", "compiled"},
     {"mechanics", "model"},
     {"motion"},
-    {"building", "measures", "estimates", "webassembly"},
+    {"building", "measures", "estimates", "standards", "webassembly"},
     {"simulation", "fragility"},
     {"montecarlo", "scenario"},
     {"verification"},

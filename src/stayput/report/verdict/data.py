@@ -72,6 +72,16 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
             "overturning_velocity_m_s": number(verdict.estimates.overturning_velocity),
             "possible": number(verdict.estimates.possible),
             "overturning_ratio": number(verdict.estimates.overturning_ratio),
+            "equipment_loads": [
+                {
+                    "equipment_class": load.grade,
+                    "position": load.position,
+                    "k_h": number(load.coefficient),
+                    "overturns": load.overturns,
+                    "tie_force_n": number(load.force),
+                }
+                for load in verdict.estimates.equipment
+            ],
         },
         "assumptions": [
             {"what": entry.what("en"), "value": entry.value("en"), "confidence": entry.confidence}
