@@ -24,6 +24,8 @@ from stayput.estimates import SCATTER
 from stayput.model.room import Wall
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.run import LAWS
+from stayput.studies.ac156 import passing
+from stayput.studies.ac156_runs import LONG_PERIOD_RATIO, PIECES, SLIDING_FRICTION, TESTS
 from stayput.studies.capacity import inside, stated
 from stayput.studies.study import listed, span
 from stayput.studies.tokyo import names
@@ -419,6 +421,31 @@ def capacity(study: Study, motion: sp.Motion | None) -> Numbers:
     }
 
 
+def ac156(study: Study, motion: sp.Motion | None) -> Numbers:
+    data = study.data
+    often = list(study.tables.values())[1]
+    pieces = often["piece"].tolist() if len(often) else []
+    by_building = passing(data, TESTS[0].name).max(("sds", "height", "piece", "floor"))
+    slid, formula = data["slide"].to_numpy().ravel(), data["slide_asce43"].to_numpy().ravel()
+    known = np.isfinite(formula) & (slid > 0.005)
+    return {
+        "pieces": ", ".join(PIECES),
+        "sites": listed(data["sds"]),
+        "tests": data.attrs["tests"],
+        "earthquakes": data.attrs["earthquakes"],
+        "long_ratio": LONG_PERIOD_RATIO,
+        "cases": data["passes"].size // len(TESTS),
+        "often_cases": len(often),
+        "often_pieces": ", ".join(dict.fromkeys(pieces)) or "none",
+        "by_building": ", ".join(
+            f"{name.item()} {100 * float(value):.0f} %"
+            for name, value in zip(by_building["building"], by_building, strict=True)
+        ),
+        "friction": SLIDING_FRICTION,
+        "sliding": span(formula[known] / slid[known], ".1f"),
+    }
+
+
 NUMBERS: dict[str, Callable[[Study, sp.Motion | None], Numbers]] = {
     "friction": friction,
     "critical-ratio": critical_ratio,
@@ -426,6 +453,7 @@ NUMBERS: dict[str, Callable[[Study, sp.Motion | None], Numbers]] = {
     "wall-gap-record": wall_gap_record,
     "spectrum": spectrum,
     "tokyo": tokyo,
+    "ac156": ac156,
     "capacity": capacity,
 }
 """The function of each study."""

@@ -46,6 +46,11 @@ def tested() -> Runs:
     return [(studies.tokyo(motion), motion), (studies.capacity(), None)]
 
 
+def of_standards() -> Runs:
+    """Run the study of a standard's test beside real floors."""
+    return [(studies.ac156(), None)]
+
+
 def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
     """Write a study's figures; return its title, text, numbers, figures and tables."""
     text = (TEXTS / f"{study.name}.md").read_text(encoding="utf-8")
@@ -61,7 +66,8 @@ def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
 
 
 def write(folder: Path) -> None:
-    """Write ``studies.md``, ``tested.md`` and their figures into a folder."""
-    for name, runs in (("studies", of_the_paper()), ("tested", tested())):
-        text = "\n\n".join(section(study, motion, folder) for study, motion in runs)
+    """Write ``studies.md``, ``tested.md``, ``standards.md`` and their figures into a folder."""
+    pages = {"studies": of_the_paper, "tested": tested, "standards": of_standards}
+    for name, run in pages.items():
+        text = "\n\n".join(section(study, motion, folder) for study, motion in run())
         (folder / f"{name}.md").write_text(text + "\n", encoding="utf-8")

@@ -41,7 +41,7 @@ def test_a_spectrum_that_stays_below_has_no_distance():
 
 
 def test_it_lies_above_simulated_sliding():
-    """Presumed, so stated: over near-fault motions it is 0.5 to 10 times the peak slide of a squat body."""
+    """Over near-fault motions the presumed distance is 1.3 to 6 times the peak slide of a squat body."""
     body, mu = sp.Body(1.2, 0.5, 200.0), 0.3
     room = sp.Room(sp.Floor(mu, mu))
     ratios = []
@@ -49,9 +49,8 @@ def test_it_lies_above_simulated_sliding():
         along = sp.Motion(motion.dt, motion.x, z=motion.z)
         estimate = sp.asce43_sliding(along, mu)
         ratios.append(estimate.distance / sp.simulate(body, room, along).peak_slide)
-    print(np.round(ratios, 2))
-    assert 0.5 < np.nanmin(ratios)
-    assert np.nanmax(ratios) < 10.0
+    assert np.min(ratios) > 1.0
+    assert np.max(ratios) < 8.0
 
 
 def test_refusals():

@@ -4,6 +4,7 @@ The paper is *A fundamental study on development of a verification system for ea
 furniture* (14WCEE, 2008).
 """
 
+from stayput.studies.ac156 import ac156
 from stayput.studies.capacity import capacity
 from stayput.studies.critical_ratio import critical_ratio
 from stayput.studies.friction import friction
@@ -16,6 +17,7 @@ from stayput.studies.wall_gap_record import wall_gap_record
 __all__ = [
     "Quantity",
     "Study",
+    "ac156",
     "capacity",
     "critical_ratio",
     "friction",
