@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+import stayput as sp
 import stayput.studies.capacity_runs as capacities
 import stayput.studies.critical_ratio_runs as amplitudes
 import stayput.studies.friction_runs as sliding
@@ -28,6 +29,7 @@ from stayput.studies.ac156 import passing
 from stayput.studies.ac156_runs import LONG_PERIOD_RATIO, PIECES, SLIDING_FRICTION, TESTS
 from stayput.studies.capacity import inside, stated
 from stayput.studies.study import listed, span
+from stayput.studies.tip_over import LIGHT_CHEST
 from stayput.studies.tokyo import names
 from stayput.studies.wall_gap import NEAR, SHARES, TURNS_OVER, WIDE, WIDTHS, nearest_walls, ruled
 from stayput.studies.wall_gap_record import differences, nearest, rows_of
@@ -38,7 +40,6 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-    import stayput as sp
     from stayput.studies import Study
 
 Numbers = dict[str, Any]
@@ -446,6 +447,19 @@ def ac156(study: Study, motion: sp.Motion | None) -> Numbers:
     }
 
 
+def tip_over(study: Study, motion: sp.Motion | None) -> Numbers:
+    given = sp.Everyday()
+    return {
+        "load": given.load,
+        "share": 100.0 * given.drawer_share,
+        "extension": 100.0 * given.drawer_extension,
+        "pull": given.pull,
+        "height": given.pull_height,
+        "carpet": 1e3 * given.carpet,
+        "light": f"{1e3 * LIGHT_CHEST.height:g} × {1e3 * LIGHT_CHEST.width:g} mm, {LIGHT_CHEST.mass:g} kg",
+    }
+
+
 NUMBERS: dict[str, Callable[[Study, sp.Motion | None], Numbers]] = {
     "friction": friction,
     "critical-ratio": critical_ratio,
@@ -453,6 +467,7 @@ NUMBERS: dict[str, Callable[[Study, sp.Motion | None], Numbers]] = {
     "wall-gap-record": wall_gap_record,
     "spectrum": spectrum,
     "tokyo": tokyo,
+    "tip-over": tip_over,
     "ac156": ac156,
     "capacity": capacity,
 }

@@ -51,6 +51,11 @@ def of_standards() -> Runs:
     return [(studies.ac156(), None)]
 
 
+def of_everyday() -> Runs:
+    """Run the study of tip-over without an earthquake."""
+    return [(studies.tip_over(), None)]
+
+
 def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
     """Write a study's figures; return its title, text, numbers, figures and tables."""
     text = (TEXTS / f"{study.name}.md").read_text(encoding="utf-8")
@@ -66,8 +71,8 @@ def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
 
 
 def write(folder: Path) -> None:
-    """Write ``studies.md``, ``tested.md``, ``standards.md`` and their figures into a folder."""
-    pages = {"studies": of_the_paper, "tested": tested, "standards": of_standards}
+    """Write a text for each page that includes studies, with its figures, into a folder."""
+    pages = {"studies": of_the_paper, "tested": tested, "standards": of_standards, "everyday": of_everyday}
     for name, run in pages.items():
         text = "\n\n".join(section(study, motion, folder) for study, motion in run())
         (folder / f"{name}.md").write_text(text + "\n", encoding="utf-8")

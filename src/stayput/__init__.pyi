@@ -6,6 +6,8 @@ from .building import Isolation as Isolation
 from .building import ShearModel as ShearModel
 from .errors import InputError as InputError
 from .errors import InputWarning as InputWarning
+from .everyday import Everyday as Everyday
+from .everyday import tip_over as tip_over
 from .fragility import FragilityCurve as FragilityCurve
 from .fragility import Trials as Trials
 from .fragility import fragility_curve as fragility_curve

@@ -18,7 +18,7 @@ LAYERS = (
     {"progress", "execution", "uncertainty", "compiled"},
     {"mechanics", "model"},
     {"motion"},
-    {"building", "measures", "estimates", "standards", "webassembly"},
+    {"building", "measures", "estimates", "everyday", "standards", "webassembly"},
     {"simulation", "fragility"},
     {"montecarlo", "scenario"},
     {"verification"},

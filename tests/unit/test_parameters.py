@@ -39,6 +39,7 @@ NEEDED: dict[Any, dict[str, Any]] = {
     sp.Wall: {"gap": 0.1},
     sp.Ceiling: {"height": 2.4},
     sp.State: {},
+    sp.Everyday: {},
     Isolation: {},
     Building: {},
     ShearModel: {"masses": [1.0], "stiffnesses": [1.0], "damping": 0.05},
@@ -61,6 +62,7 @@ TABLES: dict[str, tuple[Any, dict[str, Any]]] = {
     "room.right_wall": (sp.Wall, {"gap": 0.1}),
     "room.ceiling": (sp.Ceiling, {"height": 2.4}),
     "initial": (sp.State, {}),
+    "everyday": (sp.Everyday, {}),
     "shaking.sine": (sp.sine, {"amplitude": 1.0, "frequency": 1.0}),
     "shaking.suite": (synthetic_suite, {}),
     "shaking.building": (Building, {"storeys": 3}),
@@ -71,6 +73,7 @@ FROM_A_PRESET = {
     *(f"furniture.{name}" for name in ("width", "height", "mass", "cg_offset", "base_heights")),
     *(f"room.floor.{name}" for name in ("static_friction", "kinetic_friction")),
     "shaking.building.storeys",
+    "everyday.drawers",
 }
 """Keys without a default in a scenario: a preset, a surface or masses say it where they are left out."""
 
@@ -87,8 +90,16 @@ LIMITED = {
 }
 """Keys for which a server has limits of its own, and says these first."""
 
-DIMENSIONLESS = ("friction", "restitution", "damping", "post_yield", "yield_coefficient", "amplification")
-COUNTS = ("storeys", "count", "seed")
+DIMENSIONLESS = (
+    "friction",
+    "share",
+    "restitution",
+    "damping",
+    "post_yield",
+    "yield_coefficient",
+    "amplification",
+)
+COUNTS = ("storeys", "count", "seed", "drawers")
 
 
 NO_FIELD = {"synthetic_suite": "band"}

@@ -21,6 +21,7 @@ STUDIES = {
     "wall-gap-record": "the same under a record (§4.5, Table 4.3)",
     "spectrum": "overturning and rocking spectra of pulses and of a record",
     "tokyo": "devices alone and together, as in Tokyo's product test of 2015",
+    "tip-over": "what tips common pieces over without an earthquake",
     "ac156": "does a piece that passes AC156 survive the floors of buildings?",
     "capacity": "median overturning capacity beside Kaneko and Hayashi's formula",
 }

@@ -10,6 +10,7 @@ from stayput.studies.critical_ratio import critical_ratio
 from stayput.studies.friction import friction
 from stayput.studies.spectrum import spectrum
 from stayput.studies.study import Quantity, Study
+from stayput.studies.tip_over import tip_over
 from stayput.studies.tokyo import tokyo
 from stayput.studies.wall_gap import wall_gap
 from stayput.studies.wall_gap_record import wall_gap_record
@@ -22,6 +23,7 @@ __all__ = [
     "critical_ratio",
     "friction",
     "spectrum",
+    "tip_over",
     "tokyo",
     "wall_gap",
     "wall_gap_record",
