@@ -8,6 +8,8 @@ from .errors import InputError as InputError
 from .errors import InputWarning as InputWarning
 from .everyday import Everyday as Everyday
 from .everyday import tip_over as tip_over
+from .fallen import Fallen as Fallen
+from .fallen import intensity_from_fallen as intensity_from_fallen
 from .fragility import FragilityCurve as FragilityCurve
 from .fragility import Trials as Trials
 from .fragility import fragility_curve as fragility_curve

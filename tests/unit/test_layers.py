@@ -21,7 +21,7 @@ LAYERS = (
     {"building", "measures", "estimates", "everyday", "standards", "webassembly"},
     {"simulation", "fragility"},
     {"montecarlo", "scenario"},
-    {"verification"},
+    {"verification", "fallen"},
     {"report"},
     {"studies", "inventory"},
     {"app"},
