@@ -12,8 +12,8 @@ import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from beside_numbers import ac156, tip_over, tombstones
 
-import stayput as sp
 import stayput.studies.capacity_runs as capacities
 import stayput.studies.critical_ratio_runs as amplitudes
 import stayput.studies.friction_runs as sliding
@@ -25,11 +25,8 @@ from stayput.estimates import SCATTER
 from stayput.model.room import Wall
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.run import LAWS
-from stayput.studies.ac156 import passing
-from stayput.studies.ac156_runs import LONG_PERIOD_RATIO, PIECES, SLIDING_FRICTION, TESTS
 from stayput.studies.capacity import inside, stated
 from stayput.studies.study import listed, span
-from stayput.studies.tip_over import LIGHT_CHEST
 from stayput.studies.tokyo import names
 from stayput.studies.wall_gap import NEAR, SHARES, TURNS_OVER, WIDE, WIDTHS, nearest_walls, ruled
 from stayput.studies.wall_gap_record import differences, nearest, rows_of
@@ -40,6 +37,7 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
+    import stayput as sp
     from stayput.studies import Study
 
 Numbers = dict[str, Any]
@@ -422,44 +420,6 @@ def capacity(study: Study, motion: sp.Motion | None) -> Numbers:
     }
 
 
-def ac156(study: Study, motion: sp.Motion | None) -> Numbers:
-    data = study.data
-    often = list(study.tables.values())[1]
-    pieces = often["piece"].tolist() if len(often) else []
-    by_building = passing(data, TESTS[0].name).max(("sds", "height", "piece", "floor"))
-    slid, formula = data["slide"].to_numpy().ravel(), data["slide_asce43"].to_numpy().ravel()
-    known = np.isfinite(formula) & (slid > 0.005)
-    return {
-        "pieces": ", ".join(PIECES),
-        "sites": listed(data["sds"]),
-        "tests": data.attrs["tests"],
-        "earthquakes": data.attrs["earthquakes"],
-        "long_ratio": LONG_PERIOD_RATIO,
-        "cases": data["passes"].size // len(TESTS),
-        "often_cases": len(often),
-        "often_pieces": ", ".join(dict.fromkeys(pieces)) or "none",
-        "by_building": ", ".join(
-            f"{name.item()} {100 * float(value):.0f} %"
-            for name, value in zip(by_building["building"], by_building, strict=True)
-        ),
-        "friction": SLIDING_FRICTION,
-        "sliding": span(formula[known] / slid[known], ".1f"),
-    }
-
-
-def tip_over(study: Study, motion: sp.Motion | None) -> Numbers:
-    given = sp.Everyday()
-    return {
-        "load": given.load,
-        "share": 100.0 * given.drawer_share,
-        "extension": 100.0 * given.drawer_extension,
-        "pull": given.pull,
-        "height": given.pull_height,
-        "carpet": 1e3 * given.carpet,
-        "light": f"{1e3 * LIGHT_CHEST.height:g} × {1e3 * LIGHT_CHEST.width:g} mm, {LIGHT_CHEST.mass:g} kg",
-    }
-
-
 NUMBERS: dict[str, Callable[[Study, sp.Motion | None], Numbers]] = {
     "friction": friction,
     "critical-ratio": critical_ratio,
@@ -468,6 +428,7 @@ NUMBERS: dict[str, Callable[[Study, sp.Motion | None], Numbers]] = {
     "spectrum": spectrum,
     "tokyo": tokyo,
     "tip-over": tip_over,
+    "tombstones": tombstones,
     "ac156": ac156,
     "capacity": capacity,
 }

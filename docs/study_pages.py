@@ -56,6 +56,11 @@ def of_everyday() -> Runs:
     return [(studies.tip_over(), None)]
 
 
+def of_stones() -> Runs:
+    """Run the study of gravestones beside surveys."""
+    return [(studies.tombstones(), None)]
+
+
 def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
     """Write a study's figures; return its title, text, numbers, figures and tables."""
     text = (TEXTS / f"{study.name}.md").read_text(encoding="utf-8")
@@ -72,7 +77,13 @@ def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
 
 def write(folder: Path) -> None:
     """Write a text for each page that includes studies, with its figures, into a folder."""
-    pages = {"studies": of_the_paper, "tested": tested, "standards": of_standards, "everyday": of_everyday}
+    pages = {
+        "studies": of_the_paper,
+        "tested": tested,
+        "standards": of_standards,
+        "everyday": of_everyday,
+        "fallen": of_stones,
+    }
     for name, run in pages.items():
         text = "\n\n".join(section(study, motion, folder) for study, motion in run())
         (folder / f"{name}.md").write_text(text + "\n", encoding="utf-8")

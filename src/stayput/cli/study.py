@@ -22,6 +22,7 @@ STUDIES = {
     "spectrum": "overturning and rocking spectra of pulses and of a record",
     "tokyo": "devices alone and together, as in Tokyo's product test of 2015",
     "tip-over": "what tips common pieces over without an earthquake",
+    "tombstones": "gravestones that fall against intensity, beside surveys",
     "ac156": "does a piece that passes AC156 survive the floors of buildings?",
     "capacity": "median overturning capacity beside Kaneko and Hayashi's formula",
 }

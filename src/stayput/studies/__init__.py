@@ -12,6 +12,7 @@ from stayput.studies.spectrum import spectrum
 from stayput.studies.study import Quantity, Study
 from stayput.studies.tip_over import tip_over
 from stayput.studies.tokyo import tokyo
+from stayput.studies.tombstones import tombstones
 from stayput.studies.wall_gap import wall_gap
 from stayput.studies.wall_gap_record import wall_gap_record
 
@@ -25,6 +26,7 @@ __all__ = [
     "spectrum",
     "tip_over",
     "tokyo",
+    "tombstones",
     "wall_gap",
     "wall_gap_record",
 ]
