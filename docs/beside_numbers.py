@@ -1,4 +1,4 @@
-"""The numbers that the texts quote of the studies beside standards, rules and surveys: see `study_numbers`."""
+"""Numbers that the texts quote of the studies beside standards, rules and surveys: see `study_numbers`."""
 
 from __future__ import annotations
 
