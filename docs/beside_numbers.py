@@ -10,6 +10,8 @@ import stayput as sp
 import stayput.studies.tombstones_runs as cemetery
 from stayput.studies.ac156 import passing
 from stayput.studies.ac156_runs import LONG_PERIOD_RATIO, PIECES, SLIDING_FRICTION, TESTS
+from stayput.studies.consumer_centre import GAPS, agreement
+from stayput.studies.consumer_centre import TESTS as SHOWN
 from stayput.studies.study import listed, span
 from stayput.studies.tip_over import LIGHT_CHEST
 from stayput.studies.tombstones import inside
@@ -84,4 +86,23 @@ def tombstones(study: Study, motion: sp.Motion | None) -> Numbers:
         "together": ", ".join(f"{float(share):.0f}" for share in mean[-1]),
         "together_name": names_of[-1].removeprefix("together: "),
         "together_met": int(inside(data).sum("level")[-1]),
+    }
+
+
+def consumer_centre(study: Study, motion: sp.Motion | None) -> Numbers:
+    data = study.data
+    agrees = [100.0 * agreement(data, place) for place in range(len(SHOWN))]
+    bare = agrees[0]
+    return {
+        "motions": data.attrs["motions"],
+        "samples": data.attrs["samples"],
+        "gaps": listed(100.0 * np.array([gap for gap in GAPS if gap is not None])),
+        "tests": len(SHOWN),
+        "bare_walls": span(bare.isel(shaking=0, gap=slice(0, -1)), ".0f"),
+        "bare_free": float(bare.isel(shaking=0, gap=-1)),
+        "bare_most": float(bare.max()),
+        "wedge": span(agrees[1], ".0f"),
+        "moved": span(agrees[2], ".0f"),
+        "poles": span(agrees[3], ".0f"),
+        "strongest": span(agrees[4], ".0f"),
     }

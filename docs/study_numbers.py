@@ -12,7 +12,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from beside_numbers import ac156, tip_over, tombstones
+from beside_numbers import ac156, consumer_centre, tip_over, tombstones
 
 import stayput.studies.capacity_runs as capacities
 import stayput.studies.critical_ratio_runs as amplitudes
@@ -429,6 +429,7 @@ NUMBERS: dict[str, Callable[[Study, sp.Motion | None], Numbers]] = {
     "tokyo": tokyo,
     "tip-over": tip_over,
     "tombstones": tombstones,
+    "consumer-centre": consumer_centre,
     "ac156": ac156,
     "capacity": capacity,
 }

@@ -43,7 +43,11 @@ def three_components() -> sp.Motion:
 def tested() -> Runs:
     """Run the studies that stand beside tests of devices and beside a formula for bare furniture."""
     motion = three_components()
-    return [(studies.tokyo(motion), motion), (studies.capacity(), None)]
+    return [
+        (studies.tokyo(motion), motion),
+        (studies.consumer_centre(), None),
+        (studies.capacity(), None),
+    ]
 
 
 def of_standards() -> Runs:

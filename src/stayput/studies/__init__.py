@@ -6,6 +6,7 @@ furniture* (14WCEE, 2008).
 
 from stayput.studies.ac156 import ac156
 from stayput.studies.capacity import capacity
+from stayput.studies.consumer_centre import consumer_centre
 from stayput.studies.critical_ratio import critical_ratio
 from stayput.studies.friction import friction
 from stayput.studies.spectrum import spectrum
@@ -21,6 +22,7 @@ __all__ = [
     "Study",
     "ac156",
     "capacity",
+    "consumer_centre",
     "critical_ratio",
     "friction",
     "spectrum",
