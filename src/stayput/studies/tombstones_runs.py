@@ -104,9 +104,9 @@ STATED = CemeterySetting("as stated")
 SETTINGS = (
     STATED,
     replace(STATED, name="intensity scatters by 0.3 from stone to stone", stone_scatter=0.3),
-    replace(STATED, name="by 0.5 from stone to stone", stone_scatter=0.5),
-    replace(STATED, name="by 0.3 from place to place", place_scatter=0.3),
-    replace(STATED, name="by 0.5 from place to place", place_scatter=0.5),
+    replace(STATED, name="intensity scatters by 0.5 from stone to stone", stone_scatter=0.5),
+    replace(STATED, name="intensity scatters by 0.3 from place to place", place_scatter=0.3),
+    replace(STATED, name="intensity scatters by 0.5 from place to place", place_scatter=0.5),
     replace(STATED, name="slenderer: height 3 times the width", aspect=3.0),
     replace(STATED, name="slenderer: height 3.5 times the width", aspect=3.5),
     replace(STATED, name="stockier: height 2 times the width", aspect=2.0),
