@@ -12,6 +12,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from beside_numbers import ac156, consumer_centre, tip_over, tombstones
 
 import stayput.studies.baseline_runs as baselines
 import stayput.studies.capacity_runs as capacities
@@ -439,6 +440,10 @@ NUMBERS: dict[str, Callable[[Study, sp.Motion | None], Numbers]] = {
     "spectrum": spectrum,
     "tokyo": tokyo,
     "baseline": baseline,
+    "tip-over": tip_over,
+    "tombstones": tombstones,
+    "consumer-centre": consumer_centre,
+    "ac156": ac156,
     "capacity": capacity,
 }
 """The function of each study."""

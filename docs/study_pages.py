@@ -43,7 +43,27 @@ def three_components() -> sp.Motion:
 def tested() -> Runs:
     """Run the studies that stand beside tests of devices and beside a formula for bare furniture."""
     motion = three_components()
-    return [(studies.tokyo(motion), motion), (studies.baseline(), None), (studies.capacity(), None)]
+    return [
+        (studies.tokyo(motion), motion),
+        (studies.consumer_centre(), None),
+        (studies.baseline(), None),
+        (studies.capacity(), None),
+    ]
+
+
+def of_standards() -> Runs:
+    """Run the study of a standard's test beside real floors."""
+    return [(studies.ac156(), None)]
+
+
+def of_everyday() -> Runs:
+    """Run the study of tip-over without an earthquake."""
+    return [(studies.tip_over(), None)]
+
+
+def of_stones() -> Runs:
+    """Run the study of gravestones beside surveys."""
+    return [(studies.tombstones(), None)]
 
 
 def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
@@ -61,7 +81,14 @@ def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
 
 
 def write(folder: Path) -> None:
-    """Write ``studies.md``, ``tested.md`` and their figures into a folder."""
-    for name, runs in (("studies", of_the_paper()), ("tested", tested())):
-        text = "\n\n".join(section(study, motion, folder) for study, motion in runs)
+    """Write a text for each page that includes studies, with its figures, into a folder."""
+    pages = {
+        "studies": of_the_paper,
+        "tested": tested,
+        "standards": of_standards,
+        "everyday": of_everyday,
+        "fallen": of_stones,
+    }
+    for name, run in pages.items():
+        text = "\n\n".join(section(study, motion, folder) for study, motion in run())
         (folder / f"{name}.md").write_text(text + "\n", encoding="utf-8")

@@ -6,6 +6,10 @@ from .building import Isolation as Isolation
 from .building import ShearModel as ShearModel
 from .errors import InputError as InputError
 from .errors import InputWarning as InputWarning
+from .everyday import Everyday as Everyday
+from .everyday import tip_over as tip_over
+from .fallen import Fallen as Fallen
+from .fallen import intensity_from_fallen as intensity_from_fallen
 from .fragility import FragilityCurve as FragilityCurve
 from .fragility import Trials as Trials
 from .fragility import fragility_curve as fragility_curve
@@ -50,6 +54,12 @@ from .simulation.run import Outcome as Outcome
 from .simulation.run import Run as Run
 from .simulation.run import simulate as simulate
 from .simulation.sweep import sweep as sweep
+from .standards import ac156 as ac156
+from .standards import ac156_motion as ac156_motion
+from .standards import anchor_tension as anchor_tension
+from .standards import asce43_sliding as asce43_sliding
+from .standards import equipment_coefficient as equipment_coefficient
+from .standards import holding_force as holding_force
 from .uncertainty import Lognormal as Lognormal
 from .uncertainty import Normal as Normal
 from .uncertainty import Uncertainty as Uncertainty

@@ -18,7 +18,6 @@ from stayput.report.verdict.tables import verdict_csv
 from stayput.verification.grades import grade, inputs, weakest
 from stayput.verification.notes import APART, notes
 from stayput.verification.options import Option
-from stayput.verification.verdict import Estimates
 
 MINE = {"width": 0.4, "height": 1.8, "mass": 90.0}
 ROOM = {"floor": "wood flooring", "left_wall": {"gap": 0.02}, "ceiling": {"height": 2.4}}
@@ -110,7 +109,7 @@ def test_every_form_of_a_verdict_carries_the_grades(language):
 
 
 def estimated(verdict, ratio):
-    return replace(verdict, estimates=Estimates(1.63, 0.23, 1.0, ratio))
+    return replace(verdict, estimates=replace(verdict.estimates, overturning_ratio=ratio))
 
 
 def test_a_quick_estimate_far_from_the_simulation_is_explained():

@@ -39,6 +39,7 @@ NEEDED: dict[Any, dict[str, Any]] = {
     sp.Wall: {"gap": 0.1},
     sp.Ceiling: {"height": 2.4},
     sp.State: {},
+    sp.Everyday: {},
     Isolation: {},
     Building: {},
     ShearModel: {"masses": [1.0], "stiffnesses": [1.0], "damping": 0.05},
@@ -61,6 +62,7 @@ TABLES: dict[str, tuple[Any, dict[str, Any]]] = {
     "room.right_wall": (sp.Wall, {"gap": 0.1}),
     "room.ceiling": (sp.Ceiling, {"height": 2.4}),
     "initial": (sp.State, {}),
+    "everyday": (sp.Everyday, {}),
     "shaking.sine": (sp.sine, {"amplitude": 1.0, "frequency": 1.0}),
     "shaking.suite": (synthetic_suite, {}),
     "shaking.building": (Building, {"storeys": 3}),
@@ -74,6 +76,7 @@ FROM_A_PRESET = {
     ),
     *(f"room.floor.{name}" for name in ("static_friction", "kinetic_friction", "settlement")),
     "shaking.building.storeys",
+    "everyday.drawers",
 }
 """Keys without a default in a scenario: a preset, a surface or masses say it where they are left out."""
 
@@ -92,6 +95,7 @@ LIMITED = {
 
 DIMENSIONLESS = (
     "friction",
+    "share",
     "restitution",
     "damping",
     "post_yield",
@@ -99,7 +103,7 @@ DIMENSIONLESS = (
     "amplification",
     "landing_place",
 )
-COUNTS = ("storeys", "count", "seed")
+COUNTS = ("storeys", "count", "seed", "drawers")
 
 
 NO_FIELD = {"synthetic_suite": "band"}

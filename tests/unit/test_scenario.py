@@ -252,6 +252,7 @@ def test_the_schema_is_json_with_units_and_every_table():
         "contact",
         "gravity",
         "initial",
+        "everyday",
         "measures",
         "uncertainty",
     }

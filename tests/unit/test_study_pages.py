@@ -50,6 +50,10 @@ def runs():
             (studies.spectrum(along, periods=[1.0, 1.8, 3.0], slenderness=[0.2, 0.4], step=0.05), along),
             (studies.tokyo(record, samples=1), record),
             (studies.baseline(4, samples=2), None),
+            (studies.tip_over(), None),
+            (studies.consumer_centre(3, samples=1), None),
+            (studies.tombstones(4, stones=4), None),
+            (studies.ac156(sds=[0.5, 1.0], tests=1, motions=2), None),
             (studies.capacity(4, corners=(0.4, 1.6), sizes=("chest", "cupboard"), step=0.1), None),
         )
     }

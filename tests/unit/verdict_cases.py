@@ -8,6 +8,7 @@ import stayput as sp
 from stayput.fragility import INTENSITY_MEASURES, Trials, difference, fragility_curve, probability
 from stayput.measures import Belt, FeltGlides
 from stayput.montecarlo.counting import EVENTS, Quantiles
+from stayput.standards import equipment_loads
 from stayput.verification.options import Option
 from stayput.verification.verdict import DeviceSummary, Estimates, Member, OptionVerdict, Verdict
 
@@ -72,7 +73,7 @@ def made(scenario=None, **changes):
         intensity=6.123,
         slide_limit=0.1,
         options=options,
-        estimates=Estimates(1.63, 0.23, 1.0, 0.94),
+        estimates=Estimates(1.63, 0.23, 1.0, 0.94, equipment_loads(sp.Body(0.3, 1.8, 200.0), "ground")),
         levels=LEVELS,
         motions=MOTIONS,
         samples=SAMPLES,

@@ -46,7 +46,7 @@ def test_soft_floors_lower_the_capacity_and_losses_raise_it(study):
 
 
 def test_shares_at_home_follow_the_words_of_jma(study):
-    """5-upper: may fall; 6-lower: some; 6-upper: more; 7: nearly all move or fall, in Kobe in 60 % of rooms."""
+    """5-upper: may fall; 6-lower: some; 6-upper: more; 7: nearly all move or fall, Kobe: 60 % of rooms."""
     share = study.data["share"].mean("home")
     upper5, lower6, upper6, seven = (float(share.interp(level=level)) for level in (5.25, 5.75, 6.25, 6.75))
     assert upper5 < 0.05

@@ -120,6 +120,16 @@ class ImpossibleReply(Reply):
     reason: Words
 
 
+class EquipmentLoadReply(Reply):
+    """Static load of a class of the Japanese guideline for building equipment, and what it does."""
+
+    equipment_class: str
+    position: str
+    k_h: float
+    overturns: bool
+    tie_force_n: float
+
+
 class EstimatesReply(Reply):
     """Quick estimates by formulas, for the piece without measures."""
 
@@ -127,6 +137,7 @@ class EstimatesReply(Reply):
     overturning_velocity_m_s: float
     possible: float
     overturning_ratio: float
+    equipment_loads: list[EquipmentLoadReply]
 
 
 class VerdictReply(Reply):

@@ -42,6 +42,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "runs",
         "scenario",
         "simulation",
+        "standards",
         "studies",
         "verification",
     )

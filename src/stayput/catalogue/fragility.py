@@ -159,5 +159,20 @@ TEXTS: dict[str, tuple[str, str]] = {
         "曲線{name}は対数正規分布で表せないため、pelicun用に書き出せません。（{fit}）",
     ),
     "no_lognormal": ("It has none.", "対数正規曲線がありません"),
+    # Intensity from fallen pieces
+    "total": ("Number of pieces", "調べた個数"),
+    "fell": ("Number of pieces that fell", "倒れた個数"),
+    "samples": ("Samples", "試行数"),
+    "seed": ("Seed", "乱数の種"),
+    "level": ("Level of intensity", "震度の段階"),
+    "scatter": ("Scatter of the intensity", "震度のばらつき"),
+    "no_pieces": (
+        "There are no pieces; there must be one kind or more.",
+        "調べた物がありません。1種類以上を指定してください。",
+    ),
+    "levels_of_fallen": (
+        "The levels have {count} values; there must be three or more, each above the one before.",
+        "震度の段階が{count}個あります。3個以上を小さい順に指定してください。",
+    ),
 }
 """Texts by their keys: English, Japanese."""

@@ -227,6 +227,21 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "kaneko": ("Kaneko and Hayashi", "金子・林の式"),
     "kaneko_text": ("{share} overturn", "{share}が転倒"),
+    "equipment": (
+        "Japanese equipment guideline, class {grade}, {position}",
+        "建築設備の耐震指針、耐震クラス{grade}、{position}",
+    ),
+    "position_upper": ("upper storeys", "上層階"),
+    "position_middle": ("middle storeys", "中間階"),
+    "position_ground": ("ground floor", "1階"),
+    "equipment_overturns": (
+        "overturns under the static load K_H = {coefficient}; a tie at its top needs {force} N",
+        "静的な水平震度K_H = {coefficient}で転倒する。頂部で支えるには{force} Nが必要",
+    ),
+    "equipment_stands": (
+        "does not overturn under the static load K_H = {coefficient}",
+        "静的な水平震度K_H = {coefficient}では転倒しない",
+    ),
     "details": ("Each measure", "対策ごとの詳細"),
     "drawing_alt": (
         ("Drawing to scale, seen from the side: {piece}, {width} cm deep and {height} cm high; {label}"),

@@ -18,6 +18,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "amplitude_step": ("Step of the amplitudes", "振幅の刻み"),
     "samples": ("Samples", "試行数"),
     "motions": ("Number of motions", "地震動の数"),
+    "stones": ("Number of stones", "墓石の数"),
     # Values that are too few or out of order
     "not_rising": (
         "The {several} are {values}; they must be two or more, each above the last.",

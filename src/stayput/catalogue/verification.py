@@ -136,6 +136,39 @@ TEXTS: dict[str, tuple[str, str]] = {
             "実際に壁や家具があれば、壁として指定してください。"
         ),
     ),
+    "everyday_tips": (
+        (
+            "Without an earthquake, {case} tips the piece over: the moment that holds it is {margin:.2f} of "
+            "what it would need (grade {letter}; not a certificate by any stability rule)."
+        ),
+        (
+            "地震がなくても、{case}に倒れます：支えるモーメントは必要な値の{margin:.2f}倍"
+            "（根拠は{letter}。いかなる安定性基準の認証でもありません）。"
+        ),
+    ),
+    "everyday_stays": (
+        (
+            "Without an earthquake, the piece withstands {case}: the moment that holds it is {margin:.2f} "
+            "times what it needs (grade {letter}; not a certificate by any stability rule)."
+        ),
+        (
+            "地震がないとき、{case}でも倒れません：支えるモーメントは必要な値の{margin:.2f}倍"
+            "（根拠は{letter}。いかなる安定性基準の認証でもありません）。"
+        ),
+    ),
+    "everyday_pull": (
+        "a forward pull of {pull:g} N at {height:.2f} m",
+        "高さ{height:.2f} mを{pull:g} Nで手前に引いた場合",
+    ),
+    "everyday_load": ("{load:g} kg on its front edge", "前縁に{load:g} kgの荷重がかかった場合"),
+    "everyday_one_drawer": (
+        "{load:g} kg on one open drawer",
+        "開いた引き出し1つに{load:g} kgの荷重がかかった場合",
+    ),
+    "everyday_all_drawers": (
+        "{load:g} kg on one of {drawers} open drawers",
+        "引き出し{drawers}つをすべて開け、その1つに{load:g} kgの荷重がかかった場合",
+    ),
     # inputs that decide an outcome
     "size_and_mass": ("size and mass of the piece", "家具の寸法と質量"),
     "floor_friction": ("friction on the floor", "床の摩擦"),

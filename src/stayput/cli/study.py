@@ -22,6 +22,10 @@ STUDIES = {
     "spectrum": "overturning and rocking spectra of pulses and of a record",
     "tokyo": "devices alone and together, as in Tokyo's product test of 2015",
     "baseline": "what the ideal block leaves out and is worth, and where bare furniture lies in the field",
+    "tip-over": "what tips common pieces over without an earthquake",
+    "tombstones": "gravestones that fall against intensity, beside surveys",
+    "consumer-centre": "the Japanese consumer centre's shake table of 2018, as far as published",
+    "ac156": "does a piece that passes AC156 survive the floors of buildings?",
     "capacity": "median overturning capacity beside Kaneko and Hayashi's formula",
 }
 """Names of the studies, and what they are about."""

@@ -16,7 +16,7 @@ from stayput.scenario.fields import Table, Text, between
 from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, refuse_wrong_type
 from stayput.scenario.messages import refusal_of
 from stayput.scenario.shaking import ShakingTable
-from stayput.scenario.tables import FurnitureTable, InitialTable, RoomTable
+from stayput.scenario.tables import EverydayTable, FurnitureTable, InitialTable, RoomTable
 from stayput.scenario.toml import read_toml
 from stayput.simulation.run import Case
 
@@ -49,6 +49,9 @@ class Scenario(Table):
         default=STANDARD_GRAVITY, description="Acceleration of gravity."
     )
     initial: InitialTable = Field(default_factory=InitialTable, description="The initial state.")
+    everyday: EverydayTable = Field(
+        default_factory=EverydayTable, description="What people do to it without an earthquake."
+    )
     measure_tables: Annotated[list[MeasureChoice], Field(min_length=1, max_length=100)] | None = Field(
         default=None, alias="measures", description="What may hold the furniture; each is verified by itself."
     )

@@ -8,6 +8,7 @@ from typing import Annotated, Self
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from stayput.errors import InputError
+from stayput.everyday import PRESET_DRAWERS, Everyday
 from stayput.model.body import Body, Part
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import SURFACES, Ceiling, Floor, Room, Wall
@@ -159,6 +160,28 @@ class RoomTable(Table):
             None if self.right_wall is None else Wall(**self.right_wall.model_dump()),
             None if self.ceiling is None else Ceiling(**self.ceiling.model_dump()),
         )
+
+
+class EverydayTable(Table):
+    """What people do to the piece without an earthquake."""
+
+    drawers: int | None = of(
+        Everyday,
+        "drawers",
+        default=None,
+        description="Drawers that can be open at once; default the preset's.",
+    )
+    drawer_share: float = of(Everyday, "drawer_share")
+    drawer_extension: float = of(Everyday, "drawer_extension")
+    load: float = of(Everyday, "load")
+    pull: float = of(Everyday, "pull")
+    pull_height: float = of(Everyday, "pull_height")
+    carpet: float = of(Everyday, "carpet")
+
+    def everyday(self, preset: str | None) -> Everyday:
+        """Make the value for a piece of a preset, or of none."""
+        drawers = PRESET_DRAWERS.get(preset or "", 0) if self.drawers is None else self.drawers
+        return Everyday(**{**self.model_dump(), "drawers": drawers})
 
 
 class InitialTable(Table):

@@ -4,25 +4,33 @@ The paper is *A fundamental study on development of a verification system for ea
 furniture* (14WCEE, 2008).
 """
 
+from stayput.studies.ac156 import ac156
 from stayput.studies.baseline import baseline
 from stayput.studies.capacity import capacity
+from stayput.studies.consumer_centre import consumer_centre
 from stayput.studies.critical_ratio import critical_ratio
 from stayput.studies.friction import friction
 from stayput.studies.spectrum import spectrum
 from stayput.studies.study import Quantity, Study
+from stayput.studies.tip_over import tip_over
 from stayput.studies.tokyo import tokyo
+from stayput.studies.tombstones import tombstones
 from stayput.studies.wall_gap import wall_gap
 from stayput.studies.wall_gap_record import wall_gap_record
 
 __all__ = [
     "Quantity",
     "Study",
+    "ac156",
     "baseline",
     "capacity",
+    "consumer_centre",
     "critical_ratio",
     "friction",
     "spectrum",
+    "tip_over",
     "tokyo",
+    "tombstones",
     "wall_gap",
     "wall_gap_record",
 ]

@@ -151,7 +151,7 @@ def verify(
         intensity=float(np.median(floors.measures[JMA_INTENSITY])),
         slide_limit=slide_limit,
         options=verdicts,
-        estimates=Estimates.of(body, floors, scenario.gravity),
+        estimates=Estimates.of(body, floors, scenario),
         levels=rows,
         motions=len(ground),
         samples=samples,

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.estimates import LOSS_MODEL_RATIO, kaneko_hayashi_velocity
+from stayput.everyday import Everyday, tip_over
 from stayput.fragility import PFV
 from stayput.fragility.probabilities import percent
-from stayput.measures.parameters import MEANINGS
+from stayput.measures.parameters import GRADE_OF, MEANINGS
+from stayput.model.parameters import parameters
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.verification.grades import grade, weakest
+from stayput.verification.grades import furniture_tag, grade, weakest
 from stayput.verification.words import length, slides_off, title
 from stayput.wording import FAR
 
@@ -46,10 +48,11 @@ def notes(verdict: Verdict, graded: Option | None = None) -> tuple[Phrase, ...]:
         The option whose grade is explained, by default the best.
     """
     return (
-        *_field(verdict),
         *_estimate(verdict),
+        *_field(verdict),
         *_grade(verdict.best.option if graded is None else graded, verdict),
         *_far(verdict),
+        _everyday(verdict),
     )
 
 
@@ -123,6 +126,27 @@ def _grade(option: Option, verdict: Verdict) -> Iterator[Phrase]:
         letter=grade(option, scenario).value,
         meaning=MEANINGS[grade(option, scenario)],
         inputs=inputs,
+    )
+
+
+def _everyday(verdict: Verdict) -> Phrase:
+    """Return the case in which the piece tips over most easily without an earthquake, and its margin."""
+    furniture = verdict.scenario.furniture
+    given, body = verdict.scenario.everyday.everyday(furniture.preset), furniture.body()
+    worst = tip_over(body, given, verdict.scenario.gravity)[0]
+    tags = [about.tag(getattr(given, about.name)) for about in parameters(Everyday)]
+    case = phrase(
+        f"verification.everyday_{worst.name}",
+        drawers=given.drawers,
+        load=given.load,
+        pull=given.pull,
+        height=min(given.pull_height, body.height),
+    )
+    return phrase(
+        "verification.everyday_tips" if worst.tips else "verification.everyday_stays",
+        case=case,
+        margin=worst.margin,
+        letter=max(GRADE_OF[tag] for tag in (*tags, furniture_tag(furniture))).value,
     )
 
 

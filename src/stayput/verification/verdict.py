@@ -9,6 +9,7 @@ import numpy as np
 
 from stayput.estimates import ishiyama_velocity, kaneko_hayashi, rocking_acceleration
 from stayput.fragility import PFA, PFV
+from stayput.standards import equipment_loads, position_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.counting import Quantiles
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
+    from stayput.standards import EquipmentLoad
     from stayput.verification.options import Impossible, Option
 
 
@@ -39,21 +41,28 @@ class Estimates:
         Share of the motions that reach both.
     overturning_ratio : float
         Share that overturns by Kaneko and Hayashi, on average over the motions.
+    equipment : tuple of EquipmentLoad
+        Static loads of the Japanese guideline for building equipment where the piece stands, class by class.
     """
 
     rocking_acceleration: float
     overturning_velocity: float
     possible: float
     overturning_ratio: float
+    equipment: tuple[EquipmentLoad, ...]
 
     @classmethod
-    def of(cls, body: Body, floors: FloorMotions, gravity: float) -> Estimates:
-        """Return the estimates of a body under the motions of a level."""
+    def of(cls, body: Body, floors: FloorMotions, scenario: Scenario) -> Estimates:
+        """Return the estimates of a scenario's body under the motions of a level."""
+        gravity, shaking = scenario.gravity, scenario.shaking
         b, h = body.width, body.height
         a, v = floors.measures[PFA], floors.measures[PFV]
         a0, v0 = rocking_acceleration(b, h, gravity), ishiyama_velocity(b, h, gravity)
         ratios = [kaneko_hayashi(b, h, float(x), float(y), gravity).ratio for x, y in zip(a, v, strict=True)]
-        return cls(a0, v0, float(np.mean((a >= a0) & (v >= v0))), float(np.mean(ratios)))
+        building = shaking.building
+        position = "ground" if building is None else position_of(shaking.storey or 1, building.highest() - 1)
+        loads = equipment_loads(body, position, gravity=gravity)
+        return cls(a0, v0, float(np.mean((a >= a0) & (v >= v0))), float(np.mean(ratios)), loads)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import stayput
 from stayput.catalogue import LANGUAGES
+from stayput.everyday import tip_over
 from stayput.fragility.curve import METHOD
 from stayput.measures import parameters
 from stayput.measures.parameters import MEANINGS
@@ -40,6 +41,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
     verdict : Verdict
         The verdict.
     """
+    scenario, furniture = verdict.scenario, verdict.scenario.furniture
     return {
         "stayput": stayput.__version__,
         "title": verdict.scenario.title,
@@ -72,7 +74,29 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
             "overturning_velocity_m_s": number(verdict.estimates.overturning_velocity),
             "possible": number(verdict.estimates.possible),
             "overturning_ratio": number(verdict.estimates.overturning_ratio),
+            "equipment_loads": [
+                {
+                    "equipment_class": load.grade,
+                    "position": load.position,
+                    "k_h": number(load.coefficient),
+                    "overturns": load.overturns,
+                    "tie_force_n": number(load.force),
+                }
+                for load in verdict.estimates.equipment
+            ],
         },
+        "everyday": [
+            {
+                "case": case.name,
+                "restoring_moment_n_m": number(case.restoring),
+                "overturning_moment_n_m": number(case.overturning),
+                "margin": number(case.margin),
+                "tips_over": case.tips,
+            }
+            for case in tip_over(
+                furniture.body(), scenario.everyday.everyday(furniture.preset), scenario.gravity
+            )
+        ],
         "assumptions": [
             {"what": entry.what("en"), "value": entry.value("en"), "confidence": entry.confidence}
             for entry in assumptions(verdict)

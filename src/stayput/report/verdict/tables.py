@@ -263,4 +263,16 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
             text("kaneko_text", share=numbers.share(estimates.overturning_ratio, language)),
             f"{beside}{text('listed')}{text('capacity_short', share='50')}{colon}{median}",
         ),
+        *(
+            (
+                text("equipment", grade=load.grade, position=text(f"position_{load.position}")),
+                text(
+                    "equipment_overturns" if load.overturns else "equipment_stands",
+                    coefficient=f"{load.coefficient:g}",
+                    force=f"{load.force:.0f}",
+                ),
+                beside,
+            )
+            for load in estimates.equipment
+        ),
     ]

@@ -1,0 +1,108 @@
+"""Numbers that the texts quote of the studies beside standards, rules and surveys: see `study_numbers`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+import stayput as sp
+import stayput.studies.tombstones_runs as cemetery
+from stayput.studies.ac156 import passing
+from stayput.studies.ac156_runs import LONG_PERIOD_RATIO, PIECES, SLIDING_FRICTION, TESTS
+from stayput.studies.consumer_centre import GAPS, agreement
+from stayput.studies.consumer_centre import TESTS as SHOWN
+from stayput.studies.study import listed, span
+from stayput.studies.tip_over import LIGHT_CHEST
+from stayput.studies.tombstones import inside
+
+if TYPE_CHECKING:
+    from stayput.studies import Study
+
+Numbers = dict[str, Any]
+
+
+def ac156(study: Study, motion: sp.Motion | None) -> Numbers:
+    data = study.data
+    often = list(study.tables.values())[1]
+    pieces = often["piece"].tolist() if len(often) else []
+    by_building = passing(data, TESTS[0].name).max(("sds", "height", "piece", "floor"))
+    slid, formula = data["slide"].to_numpy().ravel(), data["slide_asce43"].to_numpy().ravel()
+    known = np.isfinite(formula) & (slid > 0.005)
+    return {
+        "pieces": ", ".join(PIECES),
+        "sites": listed(data["sds"]),
+        "tests": data.attrs["tests"],
+        "earthquakes": data.attrs["earthquakes"],
+        "long_ratio": LONG_PERIOD_RATIO,
+        "cases": data["passes"].size // len(TESTS),
+        "often_cases": len(often),
+        "often_pieces": ", ".join(dict.fromkeys(pieces)) or "none",
+        "by_building": ", ".join(
+            f"{name.item()} {100 * float(value):.0f} %"
+            for name, value in zip(by_building["building"], by_building, strict=True)
+        ),
+        "friction": SLIDING_FRICTION,
+        "sliding": span(formula[known] / slid[known], ".1f"),
+    }
+
+
+def tip_over(study: Study, motion: sp.Motion | None) -> Numbers:
+    given = sp.Everyday()
+    return {
+        "load": given.load,
+        "share": 100.0 * given.drawer_share,
+        "extension": 100.0 * given.drawer_extension,
+        "pull": given.pull,
+        "height": given.pull_height,
+        "carpet": 1e3 * given.carpet,
+        "light": f"{1e3 * LIGHT_CHEST.height:g} × {1e3 * LIGHT_CHEST.width:g} mm, {LIGHT_CHEST.mass:g} kg",
+    }
+
+
+def tombstones(study: Study, motion: sp.Motion | None) -> Numbers:
+    data = study.data
+    mean = 100.0 * data["share"].mean("place")
+    names_of = data["setting"].to_numpy().tolist()
+    alone = mean.isel(setting=slice(1, len(names_of) - 1))
+    met = inside(data).sum("level").to_numpy()[1:-1]
+    best = [name for name, count in zip(names_of[1:-1], met, strict=True) if count == met.max()]
+    at_6_lower = alone.sel(level="6-lower")
+    return {
+        "motions": data.sizes["place"],
+        "stones": data.attrs["stones"],
+        "widths": listed(list(cemetery.WIDTHS)),
+        "aspect": cemetery.ASPECT,
+        "aspect_cov": 100.0 * cemetery.ASPECT_COV,
+        "static": cemetery.FRICTION[0],
+        "kinetic": cemetery.FRICTION[1],
+        "restitution": cemetery.RESTITUTION,
+        "family": cemetery.STATED.family,
+        "middles": listed(data["intensity"]),
+        "alone_most": met.max(),
+        "alone_best": "; ".join(best),
+        "alone_6_lower": float(at_6_lower.max()),
+        "alone_6_lower_of": names_of[1 + int(at_6_lower.to_numpy().argmax())],
+        "together": ", ".join(f"{float(share):.0f}" for share in mean[-1]),
+        "together_name": names_of[-1].removeprefix("together: "),
+        "together_met": int(inside(data).sum("level")[-1]),
+    }
+
+
+def consumer_centre(study: Study, motion: sp.Motion | None) -> Numbers:
+    data = study.data
+    agrees = [100.0 * agreement(data, place) for place in range(len(SHOWN))]
+    bare = agrees[0]
+    return {
+        "motions": data.attrs["motions"],
+        "samples": data.attrs["samples"],
+        "gaps": listed(100.0 * np.array([gap for gap in GAPS if gap is not None])),
+        "tests": len(SHOWN),
+        "bare_walls": span(bare.isel(shaking=0, gap=slice(0, -1)), ".0f"),
+        "bare_free": float(bare.isel(shaking=0, gap=-1)),
+        "bare_most": float(bare.max()),
+        "wedge": span(agrees[1], ".0f"),
+        "moved": span(agrees[2], ".0f"),
+        "poles": span(agrees[3], ".0f"),
+        "strongest": span(agrees[4], ".0f"),
+    }

@@ -1,0 +1,223 @@
+"""Tip-over without an earthquake: open drawers, a load on them, a pull at the top, carpet under the back.
+
+Moments about the front edge of the base, at rest; the front is on the right, as for `Room.right_wall`. The
+cases are like those of the US stability rule for clothing storage units (16 CFR 1261, ASTM F2057-23): all
+drawers open and loaded, 60 lb on an open one, a pull, carpet that tilts the piece. It is no test by that rule
+and no certificate: but for the 60 lb its numbers are common knowledge, not re-checked.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from stayput.model.parameters import check_fields, parameter
+from stayput.motion.units import STANDARD_GRAVITY
+from stayput.uncertainty import Confidence
+
+if TYPE_CHECKING:
+    from stayput.model.body import Body
+
+PULL, LOAD, ONE_DRAWER, ALL_DRAWERS = "pull", "load", "one_drawer", "all_drawers"
+"""Cases: a pull at the top; the load on the front edge; the load on one open drawer; on one of all, open."""
+
+PRESET_DRAWERS = {"chest": 4}
+"""Drawers of presets that have some (a guess, low confidence)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Everyday:
+    """What people do to a piece: drawers that open, a load, a pull, the carpet.
+
+    Parameters
+    ----------
+    drawers : int
+        Drawers that can be open at once; with none the load stands on the front edge.
+    drawer_share : float
+        Share of the piece's mass that is in all drawers together, with what is in them.
+    drawer_extension : float
+        How far an open drawer and what is in it move forward [m].
+    load : float
+        Mass on an open drawer's front [kg]; 27.2 kg are 60 lb.
+    pull : float
+        Horizontal pull forward [N].
+    pull_height : float
+        Height of the pull above the floor, or the top where that is lower [m].
+    carpet : float
+        By how much the back stands higher than the front [m].
+
+    Raises
+    ------
+    InputError
+        A value out of range.
+    """
+
+    drawers: int = parameter(
+        0, "", 0, 30, ("Number of drawers", "引き出しの数"), "Drawers that can be open at once.", decides=True
+    )
+    drawer_share: float = parameter(
+        0.5,
+        "",
+        0.0,
+        0.95,
+        ("Share of the mass in drawers", "引き出しの質量の割合"),
+        "Share of the piece's mass in all drawers together, with what is in them.",
+    )
+    drawer_extension: float = parameter(
+        0.25,
+        "m",
+        0.0,
+        2.0,
+        ("Drawer extension", "引き出しの引き出し長さ"),
+        "How far an open drawer moves forward.",
+    )
+    load: float = parameter(
+        27.2,
+        "kg",
+        0.0,
+        500.0,
+        ("Load on an open drawer", "引き出しにかかる荷重"),
+        "Mass on an open drawer's front; the default is 60 lb.",
+        confidence=Confidence.MEDIUM,
+    )
+    pull: float = parameter(
+        45.0,
+        "N",
+        0.0,
+        1e4,
+        ("Horizontal pull", "水平に引く力"),
+        "Horizontal pull forward; the default is 10 lbf.",
+    )
+    pull_height: float = parameter(
+        1.42,
+        "m",
+        0.01,
+        100.0,
+        ("Height of the pull", "引く高さ"),
+        "Height of the pull, or the top where that is lower; the default is 56 in.",
+    )
+    carpet: float = parameter(
+        0.011,
+        "m",
+        0.0,
+        0.5,
+        ("Lift by carpet", "カーペットによる浮き"),
+        "By how much the back stands higher than the front; the default is 0.43 in.",
+    )
+
+    def __post_init__(self) -> None:
+        check_fields(self)
+        object.__setattr__(self, "drawers", int(self.drawers))
+
+
+@dataclass(frozen=True, slots=True)
+class TipOverCase:
+    """Moments about the front edge in one case.
+
+    Parameters
+    ----------
+    name : str
+        `PULL`, `LOAD`, `ONE_DRAWER` or `ALL_DRAWERS`.
+    restoring : float
+        Moment of the closed piece's weight on a level floor [N m].
+    overturning : float
+        What the tilt and the open drawers take off it, and the moments of load and pull [N m].
+    """
+
+    name: str
+    restoring: float
+    overturning: float
+
+    @property
+    def margin(self) -> float:
+        """Restoring over overturning moment: it tips over below 1; infinite where nothing overturns it."""
+        return self.restoring / self.overturning if self.overturning > 0.0 else math.inf
+
+    @property
+    def tips(self) -> bool:
+        """Whether it tips over."""
+        return self.margin < 1.0
+
+
+def tip_over(
+    body: Body, everyday: Everyday | None = None, gravity: float = STANDARD_GRAVITY
+) -> tuple[TipOverCase, ...]:
+    """Return the static stability of a piece in every case that it has, the smallest margin first.
+
+    With the closed piece's weight W, its centre of gravity l behind the front edge and h above the floor, and
+    the tilt θ of the carpet, the restoring moment is W l. Taken off it: W (l − l cos θ + h sin θ) by the
+    tilt, s W e cos θ by drawers of a share s that move e forward; and the load's moment
+    L (a cos θ + z sin θ) at the open drawer's front, a in front of the edge, and at the top z = H (the worst
+    drawer), or the pull's F z.
+
+    Parameters
+    ----------
+    body : Body
+        The piece, closed, with what is in it.
+    everyday : Everyday, optional
+        What people do to it; default `Everyday` without drawers.
+    gravity : float
+        g [m/s²].
+
+    Examples
+    --------
+    >>> from stayput import Body
+    >>> chest = Body(0.45, 1.2, 40.0)
+    >>> [(case.name, round(case.margin, 2)) for case in tip_over(chest, Everyday(drawers=4))]
+    [('all_drawers', 0.68), ('one_drawer', 0.95), ('pull', 1.48)]
+    """
+    given = everyday or Everyday()
+    _, (lever, below), *_ = body.corners_at_rest
+    weight = body.mass * gravity
+    tilt = math.atan2(given.carpet, body.width)
+    cos, sin = math.cos(tilt), math.sin(tilt)
+    by_tilt = weight * (lever * (1.0 - cos) - below * sin)  # the base lies below the centre: below < 0
+    load = given.load * gravity
+
+    def with_drawers(name: str, share: float, extension: float) -> TipOverCase:
+        by_drawers = share * weight * extension * cos
+        return TipOverCase(
+            name,
+            weight * lever,
+            by_tilt + by_drawers + load * (extension * cos + body.height * sin),
+        )
+
+    pull = given.pull * min(given.pull_height, body.height)
+    cases = [TipOverCase(PULL, weight * lever, by_tilt + pull)]
+    if given.drawers:
+        share, extension = given.drawer_share, given.drawer_extension
+        cases.append(with_drawers(ONE_DRAWER, share / given.drawers, extension))
+        cases.append(with_drawers(ALL_DRAWERS, share, extension))
+    else:
+        cases.append(with_drawers(LOAD, 0.0, 0.0))
+    return tuple(sorted(cases, key=lambda case: case.margin))
+
+
+def bearable_load(body: Body, everyday: Everyday, gravity: float = STANDARD_GRAVITY) -> float:
+    """Return the mass on the front of one open drawer at which a piece just tips, the others open [kg].
+
+    Without drawers it stands on the front edge; 0 where the piece tips without a load, infinite where none
+    tips it.
+
+    Parameters
+    ----------
+    body : Body
+        The piece.
+    everyday : Everyday
+        What people do to it; its load does not matter.
+    gravity : float
+        g [m/s²].
+    """
+    name = ALL_DRAWERS if everyday.drawers else LOAD
+
+    def spare(load: float) -> float:
+        cases = tip_over(body, replace(everyday, load=load), gravity)
+        case = next(case for case in cases if case.name == name)
+        return case.restoring - case.overturning
+
+    unloaded = spare(0.0)
+    each = unloaded - spare(1.0)
+    if unloaded <= 0.0:
+        return 0.0
+    return unloaded / each if each > 0.0 else math.inf

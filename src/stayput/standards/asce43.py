@@ -1,0 +1,94 @@
+"""ASCE/SEI 43-05, appendix A: the approximate sliding distance of an unanchored body.
+
+Partly legible: μ_e, c_s and the frequency f_es were read; that the distance is c_s/(2π f_es)² is presumed,
+since the equation itself was not legible. The appendix's method for rocking was not legible enough.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.errors import within
+from stayput.motion.spectrum import response_spectrum
+from stayput.motion.units import STANDARD_GRAVITY
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from stayput.motion import Motion
+
+DAMPING = 0.10
+"""Damping ratio of the vector spectral acceleration."""
+
+FREQUENCIES = np.geomspace(0.1, 33.0, 200)
+"""Frequencies at which the spectrum is taken, increasing [Hz], shape (200,)."""
+FREQUENCIES.setflags(write=False)
+
+
+@dataclass(frozen=True, slots=True)
+class SlidingEstimate:
+    """What the approximate method says of sliding.
+
+    Parameters
+    ----------
+    effective_friction : float
+        μ_e.
+    coefficient : float
+        c_s = 2 μ_e g [m/s²].
+    frequency : float
+        f_es, the lowest frequency at which the spectrum reaches c_s [Hz]; NaN where it nowhere does.
+    distance : float
+        Best-estimate sliding distance, presumably c_s/(2π f_es)² [m]; NaN where the spectrum nowhere reaches
+        c_s, of which what was read says nothing.
+    """
+
+    effective_friction: float
+    coefficient: float
+    frequency: float
+    distance: float
+
+
+def asce43_sliding(motion: Motion, friction: float, gravity: float = STANDARD_GRAVITY) -> SlidingEstimate:
+    """Return the approximate sliding distance of an unanchored body by ASCE/SEI 43-05, appendix A.
+
+    μ_e = μ(1 − 0.4 A_v/g) with the peak vertical acceleration A_v, c_s = 2 μ_e g; f_es is the lowest
+    frequency at which the 10 % damped vector spectral acceleration, √(Sa,x² + Sa,y²), equals c_s.
+
+    Parameters
+    ----------
+    motion : Motion
+        The floor's motion; without y the vector is x alone, without z there is no A_v.
+    friction : float
+        μ.
+    gravity : float
+        g [m/s²].
+
+    Raises
+    ------
+    InputError
+        A friction out of range.
+    """
+    mu = within("standards.friction", friction, 0.001, 10.0, "", "friction")
+    vertical = 0.0 if motion.z is None else float(np.abs(motion.z).max())
+    effective = mu * max(1.0 - 0.4 * vertical / gravity, 0.0)
+    c_s = 2.0 * effective * gravity
+    horizontal = [name for name in ("x", "y") if name in motion.components]
+    sa = [response_spectrum(motion, 1.0 / FREQUENCIES[::-1], DAMPING, name).sa[::-1] for name in horizontal]
+    frequency = _first_crossing(np.sqrt(sum(np.square(row) for row in sa)), c_s)
+    return SlidingEstimate(effective, c_s, frequency, c_s / (2.0 * math.pi * frequency) ** 2)
+
+
+def _first_crossing(sa: NDArray[np.float64], level: float) -> float:
+    """Return the lowest frequency at which a spectrum reaches a level [Hz], in log-log lines, or NaN."""
+    above = np.flatnonzero(sa >= level)
+    if not len(above):
+        return math.nan
+    place = int(above[0])
+    if place == 0:
+        return float(FREQUENCIES[0])
+    ends = slice(place - 1, place + 1)
+    return float(np.exp(np.interp(math.log(level), np.log(sa[ends]), np.log(FREQUENCIES[ends]))))

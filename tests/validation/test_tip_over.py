@@ -1,0 +1,119 @@
+"""Tip-over by statics, beside the dynamic engine with gravity that tilts slowly and loads that move slowly.
+
+A load and open drawers are parts of the body, a pull at the height of the centre of gravity is a horizontal
+acceleration, and carpet is gravity of another direction: the simulated body falls where the margin is below
+1, and stands where it is above.
+"""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import stayput as sp
+from stayput.everyday import ALL_DRAWERS, LOAD, ONE_DRAWER, PULL, bearable_load
+
+G = 9.80665
+ROOM = sp.Room(sp.Floor(3.0, 3.0))
+CHEST = sp.Body(0.45, 1.2, 40.0)
+
+
+def case(body, name, **given):
+    return next(one for one in sp.tip_over(body, sp.Everyday(**given)) if one.name == name)
+
+
+def falls(body, forward):
+    """Tell whether a body falls to the front under a horizontal load, over the weight, that comes slowly."""
+    ramp = np.minimum(np.linspace(0.0, 1.6, 3201), 1.0)
+    run = sp.simulate(body, ROOM, sp.Motion(0.01, -forward * G * ramp))
+    assert not run.overturned or run.tilt[-1] > 0.0
+    return run.overturned
+
+
+@pytest.mark.parametrize("factor", [0.97, 1.03])
+def test_a_pull(factor):
+    limit = CHEST.mass * G * 0.225 / 0.6
+    pulled = case(CHEST, PULL, pull=factor * limit, pull_height=0.6, carpet=0.0)
+    assert pulled.margin == pytest.approx(1.0 / factor)
+    assert falls(CHEST, factor * limit / (CHEST.mass * G)) is pulled.tips
+
+
+@pytest.mark.parametrize("factor", [0.97, 1.03])
+@pytest.mark.parametrize("carpet", [0.005, 0.02])
+def test_open_drawers_with_a_load(factor, carpet):
+    """With the load at the top of the front of a drawer, all being open; the tilt turns gravity."""
+    stated = sp.Everyday(drawers=4, drawer_share=0.4, drawer_extension=0.2, carpet=carpet)
+    load = factor * bearable_load(CHEST, stated)
+    assert load > 0.0
+    tipped = next(one for one in sp.tip_over(CHEST, replace(stated, load=load)) if one.name == ALL_DRAWERS)
+    assert tipped.tips is (factor > 1.0)
+    parts = [
+        sp.Part(0.6 * 40.0, 0.0, 0.6, 0.45, 1.2),
+        sp.Part(0.4 * 40.0, 0.2, 0.6, 0.45, 1.2),
+        sp.Part(load, 0.225 + 0.2, 1.2),
+    ]
+    assert falls(sp.Body.from_parts(0.45, 1.2, parts), math.tan(math.atan2(carpet, 0.45))) is tipped.tips
+
+
+def test_a_centre_of_gravity_off_the_middle_and_a_rising_base():
+    body = sp.Body(0.5, 1.0, 30.0, (0.1, 0.2), base_heights=(0.02, 0.0))
+    x, z = body.as_it_rests(0.25 - 0.1, -0.7)
+    pulled = case(body, PULL, pull=10.0, carpet=0.0)
+    assert pulled.restoring == pytest.approx(30.0 * G * x)
+    assert pulled.overturning == pytest.approx(10.0)
+    on_carpet = case(body, PULL, pull=0.0, carpet=0.1)
+    tilt = math.atan2(0.1, 0.5)
+    assert on_carpet.restoring - on_carpet.overturning == pytest.approx(
+        30.0 * G * (x * math.cos(tilt) + z * math.sin(tilt))
+    )
+
+
+def test_cases_and_their_order():
+    assert {one.name for one in sp.tip_over(CHEST)} == {PULL, LOAD}
+    cases = sp.tip_over(CHEST, sp.Everyday(drawers=3))
+    assert {one.name for one in cases} == {PULL, ONE_DRAWER, ALL_DRAWERS}
+    margins = [one.margin for one in cases]
+    assert margins == sorted(margins)
+    assert case(CHEST, ALL_DRAWERS, drawers=3).margin < case(CHEST, ONE_DRAWER, drawers=3).margin
+    one = case(CHEST, ONE_DRAWER, drawers=1)
+    assert one.margin == pytest.approx(case(CHEST, ALL_DRAWERS, drawers=1).margin)
+
+
+def test_nothing_tips_what_nothing_pulls():
+    still = sp.Everyday(load=0.0, pull=0.0, carpet=0.0)
+    assert all(one.margin == math.inf for one in sp.tip_over(CHEST, still))
+    assert bearable_load(CHEST, still) == math.inf
+    assert bearable_load(CHEST, sp.Everyday(drawers=2, drawer_share=0.9, drawer_extension=0.4)) == 0.0
+
+
+def test_the_scenario_s_table_and_the_verdict_s_line():
+    data = {
+        "furniture": {"preset": "chest"},
+        "everyday": {"load": 40.0, "drawer_extension": 0.3},
+        "shaking": {"intensity": 5.0},
+        "uncertainty": {"samples": 1},
+    }
+    scenario = sp.Scenario.parse(data)
+    given = scenario.everyday.everyday("chest")
+    assert (given.drawers, given.load, given.drawer_extension) == (4, 40.0, 0.3)
+    assert sp.Scenario.parse({**data, "everyday": {"drawers": 0}}).everyday.everyday("chest").drawers == 0
+    verdict = sp.verify(scenario, levels=[])
+    assert "Without an earthquake" in verdict.notes()[-1]
+    assert "40 kg on one of 4 open drawers tips the piece over" in verdict.notes()[-1]
+    assert "not a certificate" in verdict.notes()[-1]
+    assert "地震がなくても" in verdict.notes("ja")[-1]
+    light = sp.Scenario.parse({**data, "everyday": {"load": 0.0, "pull": 1.0}})
+    assert "the piece withstands" in sp.verify(light, levels=[]).notes()[-1]
+
+
+def test_the_study():
+    from stayput import studies
+
+    study = studies.tip_over()
+    margin = study.data["margin"]
+    hard, carpet = (margin.isel(floor=place) for place in (0, 1))
+    assert bool((carpet <= hard).where(hard.notnull(), True).all())
+    chest = margin.sel(piece="light chest of drawers", floor="hard floor", case=ALL_DRAWERS)
+    assert float(chest) == pytest.approx(case(CHEST, ALL_DRAWERS, drawers=4, carpet=0.0).margin)
+    assert study.quantities["on_carpet"].value >= study.quantities["on_floor"].value
