@@ -40,7 +40,7 @@ def test_a_grade_is_that_of_the_weakest_input_that_decides():
     assert grade(option(MEASURES["anti_slip_sheet"]()), scenario()) is Grade.B
     assert grade(option(GelMats()), scenario()) is Grade.C
     assert {one.label[0] for one in weakest(option(LBracket()), scenario())} == {
-        "L-brackets in studs: strength of one"
+        "Screwed L-brackets: strength of one"
     }
     building = {"shaking": {"intensity": 6.0, "building": {"storeys": 5}, "storey": 3}}
     assert grade(option(), scenario(**building)) is Grade.C

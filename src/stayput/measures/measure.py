@@ -77,6 +77,17 @@ class Measure(ABC):
         """Return the place where only one measure can be, or None if it takes up none."""
         return None
 
+    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
+        """Return why it may not do much for this piece in this room, each as a clause; none by default.
+
+        What cannot work at all is refused by `apply`.
+        """
+        return ()
+
+    def fitted_to(self, body: Body) -> Measure:
+        """Return the product that is bought for a piece; by default there is but one."""
+        return self
+
     @abstractmethod
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body and the room with the measure in place.

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.mechanics.devices.columns import (
     DRAWN_OUT,
     DROPPED_OUT,
@@ -25,6 +26,8 @@ from stayput.mechanics.devices.columns import (
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
+    from stayput.measures.element import Element
     from stayput.measures.measure import Held
 
 CAUSES: dict[int, str | None] = {
@@ -60,6 +63,9 @@ class DeviceResult:
         When it failed [s], or nan.
     cause : str or None
         Why it failed.
+    weakest : Phrase or None
+        What gave way, or what would first where it holds: "the screws pull out of the plasterboard"; None
+        where nothing can.
     pull, shear : ndarray of float64, shape [samples]
         Forces along its normal, + where it pulls, and along its tangent, at the samples of the run [N].
     """
@@ -74,6 +80,7 @@ class DeviceResult:
     failed: bool
     failure_time: float
     cause: str | None
+    weakest: Phrase | None
     pull: NDArray[np.float64]
     shear: NDArray[np.float64]
 
@@ -98,6 +105,28 @@ def utilisation(elements: NDArray[np.void], devices: NDArray[np.void]) -> NDArra
     for peak, strength in pairs:
         used = np.maximum(used, np.divide(peak, strength, out=np.zeros_like(used), where=strength > 0.0))
     return np.where(devices["failure"] != HOLDS, np.maximum(used, 1.0), used)
+
+
+def weakest(element: Element, devices: NDArray[np.void]) -> Phrase | None:
+    """Return what gave way most often in runs with a device, or where it held, what was used most.
+
+    Parameters
+    ----------
+    element : Element
+        The device.
+    devices : ndarray of DEVICE, shape [m]
+        What became of it; forces of any one unit.
+    """
+    failed = devices[devices["failure"] != HOLDS]
+    counted = failed if failed.size else devices
+    dropped = np.count_nonzero(counted["failure"] == DROPPED_OUT)
+    if 2 * dropped > counted.size:
+        return phrase("measures.drops_out")
+    normal, tangent = element.normal, element.tangent
+    along = np.maximum(counted["peak_pull"] / normal.limit_plus, counted["peak_push"] / normal.limit_minus)
+    across = counted["peak_shear"] / min(tangent.limit_plus, tangent.limit_minus)
+    line = tangent if 2 * np.count_nonzero(across > along) > counted.size else normal
+    return line.weakest
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -160,6 +189,7 @@ def device_results(
             int(device["failure"]) != HOLDS,
             float(device["failure_time"]),
             CAUSES[int(device["failure"])],
+            weakest(element, devices[n : n + 1]),
             m * forces[:, n, F_NORMAL],
             m * forces[:, n, F_TANGENT],
         )

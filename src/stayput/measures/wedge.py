@@ -6,7 +6,8 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
-from stayput.measures.floor import kinetic_of, static_of
+from stayput.catalogue import phrase
+from stayput.measures.floor import SOFT, kinetic_of, static_of
 from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
 from stayput.model.parameters import parameter
 
@@ -48,6 +49,22 @@ class WedgeStopper(Measure):
     def where(self) -> Phrase | None:
         """Return the place under the base."""
         return UNDER_THE_BASE
+
+    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
+        """Return that it sinks in, and that the piece is too squat for it.
+
+        On its flat base a piece slides and does not tip while the floor's friction is below width/height; the
+        rubber takes that away, and what it gives in lean is little for such a piece.
+        """
+        found: list[Phrase] = []
+        if room.floor.surface in SOFT:
+            found.append(phrase("measures.wedge_sinks", measure=self.label))
+        slender, friction = body.width / body.height, room.floor.kinetic_friction
+        if friction < slender:
+            found.append(
+                phrase("measures.wedge_squat", measure=self.label, slender=slender, friction=friction)
+            )
+        return tuple(found)
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body tilted back, with rubber at the front edge."""

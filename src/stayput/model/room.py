@@ -58,6 +58,8 @@ class Floor:
         tipped. Default: as the other corner's.
     right_edge_static_friction, right_edge_kinetic_friction : float, optional
         The same for the right base corner.
+    surface : str
+        The preset that it was made from, or empty; what sticks to it or sinks in depends on it.
 
     Raises
     ------
@@ -83,6 +85,7 @@ class Floor:
     left_edge_kinetic_friction: float | None = _friction(None, "left_edge_", "kinetic")
     right_edge_static_friction: float | None = _friction(None, "right_edge_", "static")
     right_edge_kinetic_friction: float | None = _friction(None, "right_edge_", "kinetic")
+    surface: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -112,7 +115,13 @@ class Floor:
         if surface not in SURFACES:
             raise unknown("model.surface", surface, SURFACES, field="surface")
         static, kinetic = SURFACES[surface]
-        return cls(static, kinetic, restitution=restitution, normal_restitution=normal_restitution)
+        return cls(
+            static,
+            kinetic,
+            restitution=restitution,
+            normal_restitution=normal_restitution,
+            surface=surface,
+        )
 
 
 SURFACES: dict[str, tuple[float, float]] = {
@@ -131,6 +140,18 @@ SURFACES: dict[str, tuple[float, float]] = {
 """Static and kinetic friction of furniture on common surfaces: defaults to be changed, not citations."""
 
 
+WALLS = ("stud", "plasterboard", "concrete", "hanging strip")
+"""What a device on a wall may be fixed to: a hanging strip is nailed across the posts."""
+
+CEILINGS = ("joist", "plasterboard", "dropped", "concrete")
+"""What a pole may push against: plasterboard is that between the joists, a dropped ceiling hangs on wires."""
+
+
+def _construction(choices: tuple[str, ...], label: Phrase, meaning: str) -> Any:
+    """Return the field of what a surface is made of."""
+    return parameter(choices[0], "", 0.0, 0.0, label, meaning, choices=choices)
+
+
 @dataclass(frozen=True, slots=True)
 class Wall:
     """A rigid wall beside the body.
@@ -143,6 +164,8 @@ class Wall:
         Wall collision factor e_w.
     friction : float
         Coefficient of friction of a corner on the wall, static and kinetic alike.
+    construction : str
+        What devices are fixed to, of `WALLS`; it changes nothing else.
     """
 
     gap: float = field(
@@ -153,6 +176,9 @@ class Wall:
     restitution: float = _restitution(0.3, ("Wall restitution", "壁の反発係数"), "Wall collision factor.")
     friction: float = parameter(
         0.3, "", *FRICTION_RANGE, ("Wall friction", "壁の摩擦係数"), "Friction of a corner on the wall."
+    )
+    construction: str = _construction(
+        WALLS, ("Wall construction", "壁の下地"), "What devices on the wall are fixed to."
     )
 
     def __post_init__(self) -> None:
@@ -169,6 +195,8 @@ class Ceiling:
         Height above the floor [m].
     restitution, friction : float
         As for `Wall`.
+    construction : str
+        What poles push against, of `CEILINGS`; it changes nothing else.
     """
 
     height: float = field(
@@ -181,6 +209,9 @@ class Ceiling:
         *FRICTION_RANGE,
         ("Ceiling friction", "天井の摩擦係数"),
         "Friction of a corner on the ceiling.",
+    )
+    construction: str = _construction(
+        CEILINGS, ("Ceiling construction", "天井の下地"), "What poles push against."
     )
 
     def __post_init__(self) -> None:

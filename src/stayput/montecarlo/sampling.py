@@ -180,7 +180,7 @@ def rows_of(
     """Return the rows of a piece under all draws.
 
     The body is drawn before the measures are applied, friction after them: a measure's surface is as
-    uncertain as the floor's.
+    uncertain as the floor's. A product is bought for the piece as stated.
 
     Parameters
     ----------
@@ -200,6 +200,7 @@ def rows_of(
     """
     columns = {name: column.ravel() for name, column in drawn.columns.items()}
     count = len(columns["mass"])
+    measures = tuple(measure.fitted_to(body) for measure in measures)
     held = hold(body, room, measures)
     numbers: dict[str, NumberOrColumn] = {**flat_fields(held.body, held.room, initial or State(), gravity)}
     if not held.elements and _same_mass(body, held.body):

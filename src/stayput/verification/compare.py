@@ -11,6 +11,7 @@ import numpy as np
 from stayput.errors import InputError
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.measures import hold
+from stayput.measures.results import weakest
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.montecarlo.counting import (
     DEVICE_FAILED,
@@ -247,6 +248,7 @@ def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:
                 failure_time=float(np.median(times)) if times.size else np.nan,
                 peak=Quantiles.of(force, nowhere),
                 used=Quantiles.of(runs.used[:, :, number], nowhere),
+                weakest=weakest(element, device[~runs.missing]),
             )
         )
     return tuple(summaries)

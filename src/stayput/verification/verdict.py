@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, Difference, FragilityCurve, IntensityMeasure, Probability
     from stayput.measures.parameters import Grade
     from stayput.model.body import Body
@@ -75,6 +76,8 @@ class DeviceSummary:
     used : Quantiles
         Largest force over strength: below 1 there was a margin, where it failed it is at least 1; 0 for a
         device without a strength to reach.
+    weakest : Phrase, optional
+        What gave way in most of the runs in which it failed, or would first; none where nothing can.
     """
 
     kind: str
@@ -83,6 +86,7 @@ class DeviceSummary:
     failure_time: float
     peak: Quantiles
     used: Quantiles
+    weakest: Phrase | None
 
 
 @dataclass(frozen=True, slots=True)

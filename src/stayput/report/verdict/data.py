@@ -114,6 +114,7 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
                 "failure_time_s": number(device.failure_time),
                 "peak_force_n": _quantiles(device.peak),
                 "utilisation": _quantiles(device.used),
+                "weakest": None if device.weakest is None else _texts(device.weakest),
             }
             for device in result.devices
         ],

@@ -126,7 +126,7 @@ def impossible_rows(verdict: Verdict, language: str) -> list[tuple[str, str]]:
     ]
 
 
-DEVICE_COLUMNS = ("device", "failed", "failure_time", "peak_force", "used")
+DEVICE_COLUMNS = ("device", "failed", "failure_time", "weakest", "peak_force", "used")
 """Keys of the headings of `device_rows`."""
 
 
@@ -143,7 +143,7 @@ def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
     Returns
     -------
     list of tuple
-        Name, share of failures with its interval, median time of failure, and median and 90 % of the peak
+        Name, share of failures with its interval, median time of failure, its weakest link, and median and 90 % of the peak
         force and of the part of the strength that was used.
     """
     names = {measure.kind: say(measure.label, language) for measure in result.option.measures}
@@ -153,6 +153,7 @@ def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
             _device_name(device, names, language),
             numbers.with_interval(device.failed, language),
             numbers.moment(device.failure_time, language),
+            numbers.NO_NUMBER if device.weakest is None else say(device.weakest, language),
             listed.join(numbers.forces(device.peak, language)),
             listed.join(numbers.used(device.used, language)) or numbers.NO_NUMBER,
         )
