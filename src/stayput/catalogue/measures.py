@@ -37,8 +37,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "「{measure}」を下地のない石こうボードに留めています。小さな力で抜けるので、下地を探してください",
     ),
     "pole_on_board": (
-        "{measure} push against plasterboard between the joists, which they break; put a board between, or "
-        "move them under a joist",
+        (
+            "{measure} push against plasterboard between the joists, which they break; put a board between, "
+            "or move them under a joist"
+        ),
         "「{measure}」が野縁のない石こうボードを押しています。突き破るので、当て板をするか野縁の下に移してください",
     ),
     "pole_long": (
@@ -50,10 +52,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "「{measure}」は柔らかい床では沈み込み、傾きが小さくなります",
     ),
     "wedge_squat": (
-        "{measure}: on its own base this piece slides before it tips (width/height {slender:.2f}, friction "
-        "{friction:.2f}); the rubber stops the sliding and may tip it",
-        "「{measure}」なしでは転倒する前に滑る家具です（奥行き／高さ{slender:.2f}、摩擦{friction:.2f}）。ゴムで滑りが"
-        "止まり、かえって転倒することがあります",
+        (
+            "{measure}: on its own base this piece slides before it tips (width/height {slender:.2f}, friction "
+            "{friction:.2f}); the rubber stops the sliding and may tip it"
+        ),
+        (
+            "「{measure}」なしでは転倒する前に滑る家具です（奥行き／高さ{slender:.2f}、摩擦{friction:.2f}）。"
+            "ゴムで滑りが止まり、かえって転倒することがあります"
+        ),
     ),
     # Measures whose numbers do not go with the piece, the room or each other
     "no_wall": (

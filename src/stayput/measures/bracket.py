@@ -9,7 +9,16 @@ from typing import TYPE_CHECKING, ClassVar
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest, damper
-from stayput.measures.fixing import BRACKET, FASTENINGS, PRYING, PRYING_STIFFNESS, TOPS, in_series, panel
+from stayput.measures.fixing import (
+    BRACKET,
+    FASTENINGS,
+    PRYING,
+    PRYING_STIFFNESS,
+    TOP_BOARDS,
+    TOPS,
+    in_series,
+    panel,
+)
 from stayput.measures.measure import Held, wall_behind
 from stayput.measures.parameters import choice
 from stayput.measures.wall import WallDevice, height_of
@@ -60,7 +69,8 @@ class Bracket(WallDevice):
             TOPS[self.top].shear.times(screws),
             panel(wall, height, span),
         )
-        return self._as_given(pull), self._as_given(in_series(fastening.shear.times(screws), BRACKET))
+        along = in_series(fastening.shear.times(screws), BRACKET, TOP_BOARDS[self.top])
+        return self._as_given(pull), self._as_given(along)
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its back to the wall."""

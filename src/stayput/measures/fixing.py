@@ -211,8 +211,8 @@ FASTENINGS: Mapping[str, Fastening] = {
             361.0 / 0.001,
             361.0,
             0.001,
-            "maker's test of three anchors in 12.5 mm of board at Kokushikan University: 341-376 N, 1.7-2.5 mm at "
-            "the peak, of which half is taken as plastic",
+            "a maker's test of three anchors in 12.5 mm of board (Kokushikan University): 341-376 N, "
+            "1.7-2.5 mm at the peak, of which half is taken as plastic",
             Confidence.MEDIUM,
         ),
         Link(
@@ -277,6 +277,20 @@ TOPS: Mapping[str, Fastening] = {
     ),
 }
 """A fastener by what the furniture's top board is made of."""
+
+_TOP_LABEL = ("top board of 18 mm that bends, 0.1 m from a side", "曲がる天板（18 mm、側板から0.1 m）")
+_TOP_FAILS = ("the furniture's top board breaks", "家具の天板が割れる")
+
+TOP_BOARDS: Mapping[str, Link] = {
+    top: Link(
+        _TOP_LABEL,
+        _TOP_FAILS,
+        bending_stiffness(modulus, 0.3, 0.018, 0.8, 0.1),
+        source="bending between the sides of a piece of 0.8 m; the modulus is assumed",
+    )
+    for top, modulus in (("particle board", 2.5e9), ("solid wood", 8e9))
+}
+"""What bends where a device lifts or presses the top board, by what that is made of."""
 
 BRACKET = Link(
     ("steel bracket, 40 × 2.3 mm", "鋼製のL型金具（40×2.3 mm）"),

@@ -59,15 +59,10 @@ MEANINGS: Mapping[Grade, tuple[str, str]] = MappingProxyType(
 
 
 def choice(
-    default: str,
-    choices: tuple[str, ...],
-    label: Phrase,
-    confidence: Confidence = Confidence.LOW,
-    *,
-    decides: bool = False,
+    default: str, choices: tuple[str, ...], label: Phrase, confidence: Confidence = Confidence.LOW
 ) -> Any:
     """Return the field of a measure for one of several words."""
-    return parameter(default, "", 0.0, 0.0, label, confidence=confidence, choices=choices, decides=decides)
+    return parameter(default, "", 0.0, 0.0, label, confidence=confidence, choices=choices)
 
 
 def check(about: Parameter, value: Any, measure: Phrase) -> None:

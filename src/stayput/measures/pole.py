@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, ClassVar
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest
-from stayput.measures.fixing import CEILING_LINKS, POLE, in_series
+from stayput.measures.fixing import CEILING_LINKS, POLE, TOP_BOARDS, in_series
 from stayput.measures.measure import Held, Measure
+from stayput.measures.parameters import choice
 from stayput.model.parameters import parameter
 from stayput.model.room import FRICTION_RANGE, Ceiling
 
@@ -44,8 +45,8 @@ class TensionPole(Measure):
     label: ClassVar[tuple[str, str]] = ("Tension poles", "ポール式（突っ張り棒）")
     about: ClassVar[tuple[str, str]] = (
         (
-            "Poles jammed against the ceiling press the piece down; they drop out when the ceiling gives way, "
-            "the top moves away from it, or they lean too far."
+            "Poles jammed against the ceiling press the piece down; they drop out when the ceiling gives "
+            "way, the top moves away from it, or they lean too far."
         ),
         (
             "天井との間に突っ張って家具を押さえるが、天井が弱くてへこんだり、上部が離れて緩んだり、傾いたりす"
@@ -68,6 +69,9 @@ class TensionPole(Measure):
     )
     give: float | None = parameter(
         None, "m", 0.0, 0.5, ("dent at which the ceiling breaks", "天井が破れるまでのへこみ")
+    )
+    top: str = choice(
+        "particle board", tuple(TOP_BOARDS), ("what the furniture's top board is made of", "家具の天板の材質")
     )
     pad: float = parameter(
         0.07, "m", 0.005, 1.0, ("width of the pads at its ends", "両端の受け座の幅"), decides=True
@@ -126,7 +130,7 @@ class TensionPole(Measure):
             if self.strength is None:
                 raise InputError("measures.dropped_ceiling", "room.ceiling", measure=self.label)
             ceiling = "joist"
-        link = in_series(POLE, CEILING_LINKS[ceiling])
+        link = in_series(POLE, CEILING_LINKS[ceiling], TOP_BOARDS[self.top])
         given = {"strength": self.strength, "stiffness": self.stiffness, "ultimate": self.give}
         return replace(link, **{name: value for name, value in given.items() if value is not None})
 

@@ -63,11 +63,11 @@ class DeviceResult:
         When it failed [s], or nan.
     cause : str or None
         Why it failed.
+    pull, shear : ndarray of float64, shape [samples]
+        Forces along its normal, + where it pulls, and along its tangent, at the samples of the run [N].
     weakest : Phrase or None
         What gave way, or what would first where it holds: "the screws pull out of the plasterboard"; None
         where nothing can.
-    pull, shear : ndarray of float64, shape [samples]
-        Forces along its normal, + where it pulls, and along its tangent, at the samples of the run [N].
     """
 
     kind: str
@@ -80,9 +80,9 @@ class DeviceResult:
     failed: bool
     failure_time: float
     cause: str | None
-    weakest: Phrase | None
     pull: NDArray[np.float64]
     shear: NDArray[np.float64]
+    weakest: Phrase | None = None
 
 
 def utilisation(elements: NDArray[np.void], devices: NDArray[np.void]) -> NDArray[np.float64]:
@@ -189,9 +189,9 @@ def device_results(
             int(device["failure"]) != HOLDS,
             float(device["failure_time"]),
             CAUSES[int(device["failure"])],
-            weakest(element, devices[n : n + 1]),
             m * forces[:, n, F_NORMAL],
             m * forces[:, n, F_TANGENT],
+            weakest(element, devices[n : n + 1]),
         )
         for n, (element, device) in enumerate(zip(held.elements, devices, strict=True))
     )

@@ -26,23 +26,16 @@ class WallDevice(Measure):
     """Something between the piece and the wall, as strong as its weakest link or as given."""
 
     count: int = parameter(2, "", 1, 20, ("number of them", "個数"))
-    strength: float | None = parameter(
-        None, "N", 1.0, 1e6, ("strength of one, if not that of its weakest link", "1個の強さ"), decides=True
-    )
+    strength: float | None = parameter(None, "N", 1.0, 1e6, ("strength of one", "1個の強さ"), decides=True)
     stiffness: float | None = parameter(
         None, "N/m", 1e3, 1e8, ("stiffness of one with what it is fixed to", "取付け部を含む1個の剛性")
     )
     ultimate: float | None = parameter(
         None, "m", 0.0, 0.1, ("plastic elongation at failure", "破断までの塑性伸び")
     )
-    wall: str = choice(
-        AS_ROOM, (AS_ROOM, *FASTENINGS), ("what it is fixed to on the wall", "壁側の取付け先"), decides=True
-    )
+    wall: str = choice(AS_ROOM, (AS_ROOM, *FASTENINGS), ("what it is fixed to on the wall", "壁側の取付け先"))
     top: str = choice(
-        "particle board",
-        tuple(TOPS),
-        ("what the furniture's top board is made of", "家具の天板の材質"),
-        decides=True,
+        "particle board", tuple(TOPS), ("what the furniture's top board is made of", "家具の天板の材質")
     )
     height: float = parameter(
         1.0,

@@ -86,7 +86,7 @@ class DeviceSummary:
     failure_time: float
     peak: Quantiles
     used: Quantiles
-    weakest: Phrase | None
+    weakest: Phrase | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -126,7 +126,7 @@ def impossible_rows(verdict: Verdict, language: str) -> list[tuple[str, str]]:
     ]
 
 
-DEVICE_COLUMNS = ("device", "failed", "failure_time", "weakest", "peak_force", "used")
+DEVICE_COLUMNS = ("device", "failed", "failure_time", "weakest_link", "peak_force", "used")
 """Keys of the headings of `device_rows`."""
 
 
@@ -143,8 +143,8 @@ def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
     Returns
     -------
     list of tuple
-        Name, share of failures with its interval, median time of failure, its weakest link, and median and 90 % of the peak
-        force and of the part of the strength that was used.
+        Name, share of failures with its interval, median time of failure, weakest link, and median and 90 %
+        of the peak force and of the part of the strength that was used.
     """
     names = {measure.kind: say(measure.label, language) for measure in result.option.measures}
     listed = word("listed", language)
