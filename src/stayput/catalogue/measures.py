@@ -31,6 +31,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     "mats_peel": ("the mats peel off", "マットがはがれる"),
     "mats_shear": ("the mats shear off", "マットがずれてはがれる"),
     "drops_out": ("the poles lose their hold and drop out", "ポールが緩んで外れる"),
+    # How a measure is often installed
+    "beside_the_studs": (
+        "screws beside the studs, in plasterboard",
+        "ねじが下地を外れて石こうボードだけに留まる",
+    ),
+    "hangs_loose": ("hangs loose", "たるませたまま取り付ける"),
+    "hardly_tightened": ("hardly tightened", "締付けが足りない"),
+    "on_dust": ("on dust or an uneven floor", "ほこりや凹凸のある床に貼る"),
+    "too_short": ("too short, with its thin part under the edge", "短く、薄い部分だけが挟まる"),
     # Why a measure may not do much here
     "in_plasterboard": (
         "{measure} are fixed to plasterboard alone, which lets go at a small force; look for the studs",

@@ -19,7 +19,7 @@ from stayput.measures.fixing import (
     in_series,
     panel,
 )
-from stayput.measures.measure import Held, wall_behind
+from stayput.measures.measure import BadlyInstalled, Held, wall_behind
 from stayput.measures.parameters import choice
 from stayput.measures.wall import WallDevice, height_of
 from stayput.model.parameters import other_default, parameter
@@ -125,6 +125,13 @@ class LBracket(Bracket):
     upward_strength: float = parameter(
         0.7, "", 0.0, 1.0, ("strength with the screws up, of that with them down", "上向き取付けの強さの比")
     )
+
+    def badly_installed(self) -> BadlyInstalled | None:
+        """Return it with its screws in the plasterboard beside the studs."""
+        if self.wall == "plasterboard":
+            return None
+        beside = replace(self, wall="plasterboard", strength=None, stiffness=None, ultimate=None)
+        return BadlyInstalled(beside, phrase("measures.beside_the_studs"))
 
     def _factor(self) -> float:
         return self.upward_strength if self.screws == "up" else 1.0

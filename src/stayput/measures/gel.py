@@ -10,7 +10,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, damper
 from stayput.measures.floor import SOFT
-from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
+from stayput.measures.measure import UNDER_THE_BASE, BadlyInstalled, Held, Measure
 from stayput.model.parameters import parameter
 from stayput.uncertainty import Confidence
 
@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.model.body import Body
     from stayput.model.room import Room
+
+
+ON_DUST = 0.3
+"""What is left of the bond on dust or an uneven floor: an assumption."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +85,10 @@ class GelMats(Measure):
     def where(self) -> Phrase | None:
         """Return the place under the base."""
         return UNDER_THE_BASE
+
+    def badly_installed(self) -> BadlyInstalled | None:
+        """Return them on dust."""
+        return BadlyInstalled(replace(self, realism=ON_DUST * self.realism), phrase("measures.on_dust"))
 
     def fitted_to(self, body: Body) -> GelMats:
         """Return the mats that the label asks for under the piece."""

@@ -9,7 +9,7 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest
 from stayput.measures.fixing import CEILING_LINKS, POLE, TOP_BOARDS, in_series
-from stayput.measures.measure import Held, Measure
+from stayput.measures.measure import BadlyInstalled, Held, Measure
 from stayput.measures.parameters import choice
 from stayput.model.parameters import parameter
 from stayput.model.room import FRICTION_RANGE, Ceiling
@@ -26,6 +26,9 @@ SHORTEST, LONGEST = 0.02, 2.0
 
 TIGHTENED = 0.5
 """What a pole is tightened to at most, in what the ceiling bears: it is seen to lift before it gives way."""
+
+HARDLY_TIGHTENED = 20.0
+"""Preload of a pole that was not tightened, or has worked loose [N]: an assumption."""
 
 LONG = 0.6
 """From this length on a pole is called too long for much effect [m]: advice to residents."""
@@ -112,6 +115,11 @@ class TensionPole(Measure):
         if height is not None and height - body.height > LONG:
             found.append(phrase("measures.pole_long", measure=self.label, most=LONG))
         return tuple(found)
+
+    def badly_installed(self) -> BadlyInstalled | None:
+        """Return them hardly tightened."""
+        loose = replace(self, preload=min(self.preload, HARDLY_TIGHTENED))
+        return BadlyInstalled(loose, phrase("measures.hardly_tightened"))
 
     def chain(self, ceiling: str) -> Link:
         """Return one pole with the ceiling; what is given takes the place of what follows from the links.

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest, damper
 from stayput.measures.fixing import BELT, CHAIN, FASTENINGS, TOPS, in_series, panel
-from stayput.measures.measure import Held, wall_behind
+from stayput.measures.measure import BadlyInstalled, Held, wall_behind
 from stayput.measures.wall import WallDevice, height_of
 from stayput.model.parameters import other_default, parameter
 
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.model.room import Room
 
+
+MORE_SLACK = 0.05
+"""What a tie that was put up carelessly hangs through more [m]: an assumption."""
 
 ANGLE = ("rise of the line towards the wall", "壁側への上がり角度")
 
@@ -38,6 +41,11 @@ class Tie(WallDevice):
     def where(self) -> Phrase | None:
         """Return the height on the wall."""
         return phrase("measures.tied", height=self.height)
+
+    def badly_installed(self) -> BadlyInstalled | None:
+        """Return it with more slack."""
+        slack = max(self.slack, min(0.5, self.slack + MORE_SLACK))
+        return BadlyInstalled(replace(self, slack=slack), phrase("measures.hangs_loose"))
 
     def chain(self, wall: str, height: float, span: float) -> Link:
         """Return one of them with what it is fixed to: plates of two screws at either end.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import phrase
 from stayput.measures.floor import SOFT, kinetic_of, static_of
-from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
+from stayput.measures.measure import UNDER_THE_BASE, BadlyInstalled, Held, Measure
 from stayput.model.parameters import parameter
 
 if TYPE_CHECKING:
@@ -65,6 +65,11 @@ class WedgeStopper(Measure):
                 phrase("measures.wedge_squat", measure=self.label, slender=slender, friction=friction)
             )
         return tuple(found)
+
+    def badly_installed(self) -> BadlyInstalled | None:
+        """Return it too short, so that the edge stands on its thin part."""
+        thin = max(5e-4, 0.5 * self.thickness)
+        return BadlyInstalled(replace(self, thickness=thin), phrase("measures.too_short"))
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body tilted back, with rubber at the front edge."""

@@ -90,6 +90,28 @@ class DeviceSummary:
 
 
 @dataclass(frozen=True, slots=True)
+class AsInstalled:
+    """An option as people install it: well, or in a share of the homes badly.
+
+    Parameters
+    ----------
+    share : float
+        Share that is badly installed.
+    how : tuple of Phrase
+        What is wrong with it then.
+    badly : mapping of str to Probability
+        Of each of `EVENTS` where it is badly installed, at the scenario's shaking and under the same draws.
+    usual : mapping of str to float
+        The same as people install it: (1 − share) times that when well installed + share times `badly`.
+    """
+
+    share: float
+    how: tuple[Phrase, ...]
+    badly: Mapping[str, Probability]
+    usual: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True)
 class Member:
     """A representative run: its place among motions and samples."""
 
@@ -121,6 +143,8 @@ class OptionVerdict:
         JMA intensity of the ground at which this share overturns: 0.1 and 0.5.
     typical, worst : Member
         A run of median severity, and the worst.
+    installed : AsInstalled, optional
+        As people install it, where the scenario asks for that and it can be badly installed.
     """
 
     option: Option
@@ -134,6 +158,7 @@ class OptionVerdict:
     capacities: Mapping[float, Capacity]
     typical: Member
     worst: Member
+    installed: AsInstalled | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -221,6 +221,8 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
         }
     record["grade"] = verdict.grade(result).value
     record["weakest_inputs"] = weakest_inputs(result, verdict, "en")
+    installed = result.installed
+    record["overturned_as_installed"] = None if installed is None else number(installed.usual[OVERTURNED])
     record["not_possible"] = None
     return record
 
