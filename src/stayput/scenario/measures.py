@@ -203,10 +203,6 @@ class UncertaintyTable(Table):
 
     def badly(self, share: float) -> float:
         """Return the share of a measure that is badly installed, given that which is so usually."""
-        match self.installation:
-            case "well":
-                return 0.0
-            case "as people install it":
-                return share
-            case _:
-                return self.installation
+        if isinstance(self.installation, str):
+            return share if self.installation == USUALLY else 0.0
+        return self.installation

@@ -67,10 +67,11 @@ def _numbers(path: str, value: Body | Floor | Wall | Ceiling | State) -> dict[st
     """
     found: dict[str, float] = {}
     for about in parameters(value):
-        given = getattr(value, about.name)
+        given: Any = getattr(value, about.name)
         if about.choices:
-            given = float(about.choices.index(given))
-        numbers = given if about.name in PAIRS else (math.nan if given is None else given,)
+            numbers = (about.choices.index(given),)
+        else:
+            numbers = given if about.name in PAIRS else (math.nan if given is None else given,)
         found |= zip(_paths(path, about), numbers, strict=True)
     return found
 
