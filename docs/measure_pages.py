@@ -104,12 +104,11 @@ def links() -> str:
 
 def chains() -> str:
     """Return the table of what is weakest, by device and by what it is fixed to."""
-    rows: list[list[str]] = []
-    for wall in FASTENINGS:
-        for device in (LBracket(), Belt(), Chain()):
-            link = device.chain(wall, 1.8, 2.4)
-            link = link[0] if isinstance(link, tuple) else link
-            rows.append([wall, *_of_chain(device.label[0], link)])
+    rows = [
+        [wall, *_of_chain(device.label[0], device.drawn(wall, 1.8, 2.4))]
+        for wall in FASTENINGS
+        for device in (LBracket(), Belt(), Chain())
+    ]
     rows += [
         [f"ceiling: {ceiling}", *_of_chain(TensionPole.label[0], TensionPole().chain(ceiling))]
         for ceiling in CEILING_LINKS

@@ -118,17 +118,16 @@ def test_a_brackets_leg_pries_on_its_screws():
     ],
 )
 def test_the_weakest_link_of_each_device(measure, wall, strength, fails):
-    chain = measure.chain(wall, 1.8, 2.4)
-    weakest = chain[0] if isinstance(chain, tuple) else chain
+    weakest = measure.drawn(wall, 1.8, 2.4)
     assert weakest.strength == pytest.approx(strength, rel=1e-3)
     assert weakest.fails[0] == fails
 
 
 def test_what_is_given_takes_the_place_of_the_links():
-    link = Belt(strength=700.0, stiffness=2e4, ultimate=0.0).chain("stud", 1.8, 2.4)
+    link = Belt(strength=700.0, stiffness=2e4, ultimate=0.0).drawn("stud", 1.8, 2.4)
     assert (link.strength, link.stiffness, link.ultimate) == (700.0, 2e4, 0.0)
     assert link.fails[0] == "they reach the strength that is given for them"
-    assert Belt(stiffness=2e4).chain("stud", 1.8, 2.4).fails == Belt().chain("stud", 1.8, 2.4).fails
+    assert Belt(stiffness=2e4).drawn("stud", 1.8, 2.4).fails == Belt().drawn("stud", 1.8, 2.4).fails
 
 
 def test_a_device_takes_the_wall_of_the_room_unless_told():

@@ -45,7 +45,7 @@ def test_a_bracket_holds_a_bookcase_that_falls_without_it():
     assert bracket.cause is None
     assert 0.0 < bracket.utilisation < 1.0
     assert bracket.peak_pull == pytest.approx(
-        bracket.utilisation * 2.0 * LBracket().chain("stud", 1.8, 2.4)[0].strength
+        bracket.utilisation * 2.0 * LBracket().drawn("stud", 1.8, 2.4).strength
     )
     assert bracket.weakest == ("the screws pull out of the stud", "下地からねじが抜ける")
     assert held.device_failures == 0

@@ -14,6 +14,7 @@ from stayput.measures.fixing import (
     FASTENINGS,
     PRYING,
     PRYING_STIFFNESS,
+    SCREWS,
     TOP_BOARDS,
     TOPS,
     in_series,
@@ -49,28 +50,25 @@ class Bracket(WallDevice):
         """Return what is left of the strength as it is screwed on."""
         return 1.0
 
-    def chain(self, wall: str, height: float, span: float) -> tuple[Link, Link]:
-        """Return one bracket with what it is fixed to, drawn from the wall and pushed along it.
-
-        Along the wall the screws in the top board bear no pull: the back of a piece that tips rises, and
-        presses the bracket's leg.
-
-        Parameters
-        ----------
-        wall : str
-            What it is fixed to.
-        height, span : float
-            Its height on the wall, and the wall's [m].
-        """
-        fastening, screws = FASTENINGS[wall], 2.0
-        pull = in_series(
-            fastening.pull.times(PRYING, PRYING_STIFFNESS),
-            BRACKET,
-            TOPS[self.top].shear.times(screws),
-            panel(wall, height, span),
+    def drawn(self, wall: str, height: float, span: float) -> Link:
+        """Return one bracket with what it is fixed to, drawn from the wall; see `WallDevice.drawn`."""
+        return self._as_given(
+            in_series(
+                FASTENINGS[wall].pull.times(PRYING, PRYING_STIFFNESS),
+                BRACKET,
+                TOPS[self.top].shear.times(SCREWS),
+                panel(wall, height, span),
+            )
         )
-        along = in_series(fastening.shear.times(screws), BRACKET, TOP_BOARDS[self.top])
-        return self._as_given(pull), self._as_given(along)
+
+    def pushed_along(self, wall: str) -> Link:
+        """Return one bracket with what it is fixed to, pushed along the wall.
+
+        The screws in the top board bear no pull then: the back of a piece that tips rises, and presses the
+        bracket's leg.
+        """
+        shear = FASTENINGS[wall].shear.times(SCREWS)
+        return self._as_given(in_series(shear, BRACKET, TOP_BOARDS[self.top]))
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its back to the wall."""
@@ -80,16 +78,18 @@ class Bracket(WallDevice):
                 "measures.too_far", "room.left_wall.gap", measure=self.label, gap=wall.gap, most=REACH
             )
         point = (-body.width / 2, self.height * body.height)
-        links = self.chain(self.fixed_to(wall), at_rest(body, point)[1], height_of(room))
-        normal, tangent = (self._line(link, body.mass) for link in links)
-        normal = replace(normal, limit_minus=math.inf)  # the wall bears what pushes
+        made_of = self.fixed_to(wall)
+        pull = self.drawn(made_of, at_rest(body, point)[1], height_of(room))
+        # the wall bears what pushes
+        normal = replace(self._line(pull, body.mass), limit_minus=math.inf)
+        tangent = self._line(self.pushed_along(made_of), body.mass)
         element = Element(
             self.kind,
             point,
             normal,
             tangent,
             facing=(1.0, 0.0),
-            interaction=links[0].ultimate == 0.0,
+            interaction=pull.ultimate == 0.0,
         )
         return Held(body, room, (element,), (self,))
 

@@ -145,6 +145,9 @@ TOP_WOOD = 0.45
 SCREW, SCREW_IN_STUD, SCREW_IN_STRIP, SCREW_IN_TOP = 0.004, 0.025, 0.018, 0.013
 """Diameter of a screw, and how deep it is in a stud behind 12.5 mm of board, a strip and a top board [m]."""
 
+SCREWS = 2.0
+"""Screws at either end of a bracket, a belt or a chain."""
+
 PLATE, PLATE_SCREWS = 0.06, (0.015, 0.045)
 """Leg of a bracket, and its screws' distances from the leg's far end [m]; the device pulls at the other."""
 

@@ -90,6 +90,10 @@ class GelMats(Measure):
         """Return them on dust."""
         return BadlyInstalled(replace(self, realism=ON_DUST * self.realism), phrase("measures.on_dust"))
 
+    def in_a_usual_room(self) -> dict[str, float]:
+        """Return the area of one pad under 100 kg."""
+        return {"area": 100.0 / (self.rating * self.count)}
+
     def fitted_to(self, body: Body) -> GelMats:
         """Return the mats that the label asks for under the piece."""
         if self.area is not None:

@@ -114,6 +114,10 @@ class Measure(ABC):
         """Return it as it is often installed; None where little can be done wrong."""
         return None
 
+    def in_a_usual_room(self) -> dict[str, float]:
+        """Return what those of its parameters come to there that have no default: a page starts from it."""
+        return {}
+
     def fitted_to(self, body: Body) -> Measure:
         """Return the product that is bought for a piece; by default there is but one."""
         return self

@@ -121,6 +121,11 @@ class TensionPole(Measure):
         loose = replace(self, preload=min(self.preload, HARDLY_TIGHTENED))
         return BadlyInstalled(loose, phrase("measures.hardly_tightened"))
 
+    def in_a_usual_room(self) -> dict[str, float]:
+        """Return what the chain to a ceiling of joists comes to."""
+        link = self.chain("joist")
+        return {"strength": link.strength, "stiffness": link.stiffness, "give": link.ultimate}
+
     def chain(self, ceiling: str) -> Link:
         """Return one pole with the ceiling; what is given takes the place of what follows from the links.
 

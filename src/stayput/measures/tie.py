@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, ClassVar
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest, damper
-from stayput.measures.fixing import BELT, CHAIN, FASTENINGS, TOPS, in_series, panel
+from stayput.measures.fixing import BELT, CHAIN, FASTENINGS, SCREWS, TOPS, in_series, panel
 from stayput.measures.measure import BadlyInstalled, Held, wall_behind
 from stayput.measures.wall import WallDevice, height_of
 from stayput.model.parameters import other_default, parameter
@@ -47,18 +47,9 @@ class Tie(WallDevice):
         slack = max(self.slack, min(0.5, self.slack + MORE_SLACK))
         return BadlyInstalled(replace(self, slack=slack), phrase("measures.hangs_loose"))
 
-    def chain(self, wall: str, height: float, span: float) -> Link:
-        """Return one of them with what it is fixed to: plates of two screws at either end.
-
-        Parameters
-        ----------
-        wall : str
-            What it is fixed to.
-        height, span : float
-            Height of its end on the wall, and the wall's [m].
-        """
-        screws = 2.0
-        ends = FASTENINGS[wall].pull.times(screws), TOPS[self.top].pull.times(screws)
+    def drawn(self, wall: str, height: float, span: float) -> Link:
+        """Return one of them with what it is fixed to, by plates at either end; see `WallDevice.drawn`."""
+        ends = FASTENINGS[wall].pull.times(SCREWS), TOPS[self.top].pull.times(SCREWS)
         return self._as_given(in_series(*ends, self.itself, panel(wall, height, span)))
 
     def apply(self, body: Body, room: Room) -> Held:
@@ -77,7 +68,7 @@ class Tie(WallDevice):
             raise InputError(
                 "measures.anchor", "angle", measure=self.label, angle=self.angle, height=z + rise
             )
-        link = self.chain(self.fixed_to(wall), z + rise, height_of(room))
+        link = self.drawn(self.fixed_to(wall), z + rise, height_of(room))
         k = self.count * link.stiffness
         pulls = Line(
             k,

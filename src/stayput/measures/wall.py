@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -56,6 +57,23 @@ class WallDevice(Measure):
             return ()
         in_board = self.fixed_to(room.left_wall) == "plasterboard"
         return (phrase("measures.in_plasterboard", measure=self.label),) if in_board else ()
+
+    def in_a_usual_room(self) -> dict[str, float]:
+        """Return what its weakest link comes to on a stud at 1.8 m."""
+        link = self.drawn("stud", 1.8, SPAN)
+        return {"strength": link.strength, "stiffness": link.stiffness, "ultimate": link.ultimate}
+
+    @abstractmethod
+    def drawn(self, wall: str, height: float, span: float) -> Link:
+        """Return one of them with what it is fixed to, drawn from the wall.
+
+        Parameters
+        ----------
+        wall : str
+            What it is fixed to.
+        height, span : float
+            Height of its end on the wall, and the wall's [m].
+        """
 
     def _as_given(self, chain: Link) -> Link:
         """Return the chain of one with what is given in place of what follows from its links."""
