@@ -2,13 +2,25 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import validation_run
 from PIL import Image
 
 import stayput as sp
-from stayput.measures import MEASURES, Chain, TensionPole, WedgeStopper, parameters
+from stayput.measures import MEASURES, Belt, Chain, LBracket, TensionPole, WedgeStopper, parameters
+from stayput.measures.fixing import (
+    BELT,
+    BRACKET,
+    CEILING_LINKS,
+    CHAIN,
+    FASTENINGS,
+    POLE,
+    TOP_BOARDS,
+    TOPS,
+    panel,
+)
 from stayput.model.furniture import FURNITURE
 from stayput.report.film import film_of
 from stayput.report.frames import Painter
@@ -17,6 +29,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.measures import Measure, Parameter
+    from stayput.measures.fixing import Link
 
 ROOM = sp.Room(left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.3))
 
@@ -30,7 +43,7 @@ def bookcase() -> sp.Body:
 def _default(about: Parameter) -> str:
     match about.default:
         case None:
-            return "the room's"
+            return "follows"
         case str():
             return f"`{about.default}`"
         case _:
@@ -59,6 +72,55 @@ def _section(kind: str, measure: type[Measure]) -> str:
     )
 
 
+def _number(value: float, form: str) -> str:
+    return format(value, form) if math.isfinite(value) else ""
+
+
+def links() -> str:
+    """Return the table of the links that devices are made of."""
+    screws = [
+        (where, link)
+        for of in (FASTENINGS, TOPS)
+        for fastening in of.values()
+        for where, link in (("drawn out", fastening.pull), ("pushed sideways", fastening.shear))
+    ]
+    walls = [("at 1.8 m of 2.4 m", panel(wall, 1.8, 2.4)) for wall in ("stud", "hanging strip")]
+    others = (BRACKET, BELT, CHAIN, POLE, *CEILING_LINKS.values(), *TOP_BOARDS.values())
+    rows = [
+        [
+            f"{link.label[0]}, {where}" if where else link.label[0],
+            _number(link.stiffness / 1e3, ".0f"),
+            _number(link.strength, ".0f"),
+            f"{1e3 * link.ultimate:g}" if math.isfinite(link.strength) else "",
+            link.fails[0] if math.isfinite(link.strength) else "",
+            str(link.confidence),
+            link.source,
+        ]
+        for where, link in (*screws, *walls, *(("", link) for link in others))
+    ]
+    heads = ["link", "kN/m", "strength [N]", "plastic [mm]", "what happens", "confidence", "source"]
+    return validation_run.markdown(heads, rows, "lrrrlll")
+
+
+def chains() -> str:
+    """Return the table of what is weakest, by device and by what it is fixed to."""
+    rows = [
+        [wall, *_of_chain(device.label[0], device.drawn(wall, 1.8, 2.4))]
+        for wall in FASTENINGS
+        for device in (LBracket(), Belt(), Chain())
+    ]
+    rows += [
+        [f"ceiling: {ceiling}", *_of_chain(TensionPole.label[0], TensionPole().chain(ceiling))]
+        for ceiling in CEILING_LINKS
+    ]
+    heads = ["fixed to", "device", "kN/m of one", "strength of one [N]", "weakest"]
+    return validation_run.markdown(heads, rows, "llrrl")
+
+
+def _of_chain(device: str, link: Link) -> list[str]:
+    return [device, f"{link.stiffness / 1e3:.0f}", f"{link.strength:.0f}", link.fails[0]]
+
+
 def measures() -> str:
     """Return a section for each measure, with the table of its parameters."""
     return "\n".join(_section(kind, measure) for kind, measure in MEASURES.items())
@@ -72,7 +134,9 @@ def outcomes() -> str:
     for chosen in (*sets, (WedgeStopper(), TensionPole())):
         run = sp.simulate(body, ROOM, motion, chosen)
         devices = "; ".join(
-            f"{max(d.peak_pull, d.peak_push, d.peak_shear):.0f} N, {d.cause or 'holds'}" for d in run.devices
+            f"{max(d.peak_pull, d.peak_push, d.peak_shear):.0f} N, "
+            f"{'holds' if not d.failed or d.weakest is None else d.weakest[0]}"
+            for d in run.devices
         )
         names = " + ".join(measure.label[0] for measure in chosen) or "nothing"
         rows.append([names, run.outcome.value, f"{100.0 * run.peak_slide:.1f}", devices])
@@ -80,7 +144,7 @@ def outcomes() -> str:
 
 
 def pictures(folder: Path) -> None:
-    """Draw the bookcase on a chain, taut and just after it broke."""
+    """Draw the bookcase on a chain, taut and just after its hook let go."""
     run = sp.simulate(bookcase(), ROOM, sp.near_fault(), (Chain(),))
     film = film_of(run, "bookcase")
     painter = Painter(film, 560, 420)
@@ -94,5 +158,7 @@ def pictures(folder: Path) -> None:
 def write(folder: Path) -> None:
     """Write every generated part into a folder."""
     (folder / "measures.md").write_text(measures(), encoding="utf-8")
+    (folder / "measures_links.md").write_text(links(), encoding="utf-8")
+    (folder / "measures_chains.md").write_text(chains(), encoding="utf-8")
     (folder / "measures_outcomes.md").write_text(outcomes(), encoding="utf-8")
     pictures(folder)

@@ -36,8 +36,8 @@ def inside(label: str) -> str:
 
     Examples
     --------
-    >>> inside("Wedge stopper + Tension poles"), inside("L-brackets in studs"), inside("PTFE glides")
-    ('wedge stopper + tension poles', 'L-brackets in studs', 'PTFE glides')
+    >>> inside("Wedge stopper + Tension poles"), inside("Screwed L-brackets"), inside("PTFE glides")
+    ('wedge stopper + tension poles', 'Screwed L-brackets', 'PTFE glides')
     """
     return " + ".join(
         part[:1].lower() + part[1:] if part[1:2].islower() else part for part in label.split(" + ")

@@ -104,10 +104,9 @@ def test_values_and_names_are_in_the_sentence(client: httpx.Client) -> None:
     asked = {"scene": {**SCENE, **changed}, "measures": measures}
     problem = client.post("/api/v1/simulate", json=asked).json()
     assert (
-        problem["message"]
-        == "L-brackets in studs stands 0.4 m from the wall; the gap must be at most 0.15 m."
+        problem["message"] == "Screwed L-brackets stands 0.4 m from the wall; the gap must be at most 0.15 m."
     )
     assert (
         problem["message_ja"]
-        == "家具と壁のすき間が0.4 mあります。「L型金具（下地に固定）」を使うには0.15 m以下にしてください。"
+        == "家具と壁のすき間が0.4 mあります。「L型金具（ねじ留め）」を使うには0.15 m以下にしてください。"
     )

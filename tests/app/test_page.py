@@ -119,14 +119,12 @@ def test_measures_several_at_once_one_in_a_place(browser: Browser, server: Runni
         asked, _ = it.simulated(lambda: it.page.get_by_label("Anti-slip sheet").check())
         assert [one["type"] for one in asked["measures"]] == ["l_bracket", "belt", "anti_slip_sheet"]
         assert not it.page.get_by_label("Felt glides").is_checked()
-        it.page.locator(".measure", has=it.page.get_by_label("L-brackets in studs")).locator(
-            "summary"
-        ).click()
+        it.page.locator(".measure", has=it.page.get_by_label("Screwed L-brackets")).locator("summary").click()
         weak = lambda: it.page.get_by_label("strength of one (N)").fill("30")  # noqa: E731
         asked, answer = it.simulated(weak)
         assert asked["measures"][0] == {"type": "l_bracket", "strength": 30}
         assert answer["with"]["devices"][0]["failed"]
-        assert "L-brackets in studs: fails" in it.text("#story")
+        assert "Screwed L-brackets: fails" in it.text("#story")
 
 
 PACE = """milliseconds => new Promise(done => {

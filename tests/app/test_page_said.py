@@ -113,7 +113,7 @@ def test_what_has_no_wall_or_ceiling_is_said_to_be_left_out(browser: Browser, se
     with opened(browser, server, scene(measures="l_bracket,tension_pole")) as it:
         assert not it.page.locator("#notices").is_visible()
         it.simulated(lambda: it.page.get_by_label("There is a wall behind it").uncheck())
-        told = "no wall behind the piece: L-brackets in studs."
+        told = "no wall behind the piece: Screwed L-brackets."
         assert told in it.text("#notices")
         assert told in it.text("#room")
         asked, _ = it.simulated(lambda: it.page.get_by_label("Height of the room (cm)").fill("180"))

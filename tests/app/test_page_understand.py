@@ -54,7 +54,7 @@ def test_the_verdict_has_its_probability(verified: tuple[Opened, dict]) -> None:
     it, verdict = verified
     without = next(one for one in verdict["options"] if not one["measures"])
     assert f"in {shown(without['overturned']['estimate'])} of such earthquakes" in it.text("#verdict")
-    assert "With L-brackets in studs" in it.text("#verdict")
+    assert "With screwed L-brackets" in it.text("#verdict")
     assert it.page.get_attribute("#verdict", "aria-live") == "polite"
     assert it.page.locator("#tens .fell").count() == round(10 * without["overturned"]["estimate"])
 
@@ -81,7 +81,7 @@ def test_the_curves_say_where_the_scene_is(verified: tuple[Opened, dict]) -> Non
 def test_the_twentieth_floor(verified: tuple[Opened, dict]) -> None:
     it, _ = verified
     assert it.text("#whatif").startswith("On storey 20 of a building with 25")
-    assert "With L-brackets in studs it would be" in it.text("#whatif")
+    assert "With screwed L-brackets it would be" in it.text("#whatif")
 
 
 def test_the_map_has_the_users_piece(verified: tuple[Opened, dict]) -> None:

@@ -15,7 +15,9 @@ ROOM = sp.Room(sp.Floor(0.5, 0.4), left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2
 SHAKE = sp.near_fault().trimmed(5.0, 10.0)
 DT = 0.01
 RAMP = sp.Motion(DT, x=-0.5 * np.arange(0.0, 20.0, DT), name="ramp")
-KINDS = [(LBracket(),), (GelMats(), TensionPole()), (WedgeStopper(), TensionPole()), (Belt(),)]
+BRACKET, BELT = LBracket(strength=1500.0, stiffness=2e5), Belt(strength=1000.0, stiffness=5e4)
+MATS, POLE = GelMats(area=0.0025), TensionPole(strength=500.0, stiffness=4e4)
+KINDS = [(BRACKET,), (MATS, POLE), (WedgeStopper(), POLE), (BELT,)]
 
 
 @given(weak=st.floats(20.0, 500.0), more=st.floats(1.0, 3.0), slack=st.floats(0.0, 0.005))

@@ -254,7 +254,8 @@ def test_rows_by_the_column_are_those_of_each_draw(kind):
     rows = rows_of(body, room, measures, draws(4, 5, 3), 9.81)
     cases, elements, masses = [], [], []
     for draw in (one for row in draws(4, 5, 3) for one in row):
-        held = hold(drawn_body(body, draw), drawn_place(room, draw), measures)
+        bought = [measure.fitted_to(body) for measure in measures]
+        held = hold(drawn_body(body, draw), drawn_place(room, draw), bought)
         cases.append(case_columns(held.body, drawn_surfaces(held.room, draw), State(), 9.81))
         elements.append(element_rows(held, draw.strength))
         masses.append(held.body.mass)

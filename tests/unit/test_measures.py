@@ -85,7 +85,7 @@ def test_every_number_out_of_range_is_refused_in_one_sentence(kind):
         (lambda: LBracket(count=1.5), "whole number"),
         (lambda: AntiSlipSheet(kinetic_friction=0.9), "must not be above static_friction, 0.8"),
         (lambda: BaseIsolator(kinetic_friction=0.9), "must not be above static_friction, 0.05"),
-        (lambda: TensionPole(preload=600.0), "below the ceiling's strength, 500 N"),
+        (lambda: TensionPole(preload=600.0, strength=500.0), "below the ceiling's strength, 500 N"),
     ],
 )
 def test_numbers_that_contradict_each_other_are_refused(make, message):
@@ -151,7 +151,8 @@ def test_the_order_of_measures_changes_nothing_but_the_order_of_the_elements():
 
 
 def test_forces_in_newtons_become_forces_per_unit_mass():
-    held = hold(BODY, ROOM, [LBracket()])
+    bracket = LBracket(stiffness=300e3, strength=1500.0)
+    held = hold(BODY, ROOM, [bracket])
     row = element_rows(held)[0]
     assert row["stiffness"][NORMAL] == 2 * 300e3 / 100.0
     assert row["limit_plus"][NORMAL] == row["limit_plus"][TANGENT] == 2 * 1500.0 / 100.0
@@ -162,7 +163,7 @@ def test_forces_in_newtons_become_forces_per_unit_mass():
     weak = element_rows(held, 0.5)[0]
     assert weak["limit_plus"][NORMAL] == 0.5 * row["limit_plus"][NORMAL]
     assert weak["stiffness"][NORMAL] == row["stiffness"][NORMAL]
-    both = element_rows(hold(BODY, ROOM, [GelMats()]), [1.0, 0.25])["limit_plus"][:, TANGENT]
+    both = element_rows(hold(BODY, ROOM, [GelMats(area=0.0016)]), [1.0, 0.25])["limit_plus"][:, TANGENT]
     assert both[1] == 0.25 * both[0] == 0.25 * 0.7 * 2 * 0.0016 * 50e3 / 100.0
 
 
@@ -175,7 +176,75 @@ def test_a_pole_pushes_with_its_preload_at_rest():
     row = element_rows(hold(BODY, ROOM, [TensionPole()]))[0]
     assert -row["slack_minus"][NORMAL] * row["stiffness"][NORMAL] == pytest.approx(2 * 150.0 / 100.0)
     assert row["slack_plus"][NORMAL] == math.inf
-    assert (row["drops_out"], row["friction"]) == (1, 0.4)
+    assert row["drops_out"] == 1
+
+
+def test_a_pole_leans_before_it_slips_where_it_is_long():
+    """Sideways it bears the push times the pad's width over the length, or times the friction if less."""
+    short, long = (
+        element_rows(hold(BODY, sp.Room(ceiling=sp.Ceiling(height)), [TensionPole()]))[0]
+        for height in (1.9, 2.4)
+    )
+    assert short["friction"] == 0.4
+    assert long["friction"] == pytest.approx(0.07 / 0.6)
+    assert short["ultimate"][TANGENT] == long["ultimate"][TANGENT] == 0.07
+
+
+def test_a_pole_is_tightened_as_far_as_its_ceiling_lets_it_be():
+    for construction, preload in (("joist", 150.0), ("plasterboard", 0.5 * 360.0 * 0.35 / 0.455)):
+        room = sp.Room(ceiling=sp.Ceiling(2.4, construction=construction))
+        row = element_rows(hold(BODY, room, [TensionPole(count=1)]))[0]
+        assert -row["slack_minus"][NORMAL] * row["stiffness"][NORMAL] == pytest.approx(preload / 100.0)
+    dropped = sp.Room(ceiling=sp.Ceiling(2.4, construction="dropped"))
+    with pytest.raises(sp.InputError, match="a dropped ceiling lifts"):
+        hold(BODY, dropped, [TensionPole()])
+    given = element_rows(hold(BODY, dropped, [TensionPole(count=1, strength=200.0)]))[0]
+    assert given["limit_minus"][NORMAL] == 2.0
+
+
+def test_mats_are_bought_for_the_mass_and_leave_the_floor_as_it_is():
+    for mass in (18.0, 100.0):
+        body = sp.Body(0.4, 1.0, mass)
+        held = hold(body, ROOM, [GelMats()])
+        assert held.room.floor == ROOM.floor
+        area = mass / 1e4
+        assert sum(element.normal.limit_plus for element in held.elements) == pytest.approx(0.7 * 1e5 * area)
+    assert GelMats().fitted_to(sp.Body(0.4, 1.0, 100.0)).area == pytest.approx(0.0025)
+    assert GelMats(area=0.001).fitted_to(BODY).area == 0.001
+
+
+@pytest.mark.parametrize("surface", ["carpet", "tatami, along the weave"])
+def test_gel_does_not_stick_to_soft_floors(surface):
+    with pytest.raises(sp.InputError, match="do not stick"):
+        hold(BODY, sp.Room(sp.Floor.of(surface)), [GelMats()])
+
+
+@pytest.mark.parametrize(
+    ("measure", "body", "room", "words"),
+    [
+        (
+            LBracket(),
+            BODY,
+            sp.Room(left_wall=sp.Wall(0.0, construction="plasterboard")),
+            "plasterboard alone",
+        ),
+        (LBracketInBoard(), BODY, ROOM, "plasterboard alone"),
+        (Belt(wall="stud"), BODY, sp.Room(left_wall=sp.Wall(0.0, construction="plasterboard")), None),
+        (LBracket(strength=100.0), BODY, sp.Room(left_wall=sp.Wall(0.0, construction="plasterboard")), None),
+        (TensionPole(), BODY, sp.Room(ceiling=sp.Ceiling(2.2, construction="plasterboard")), "put a board"),
+        (TensionPole(), BODY, sp.Room(ceiling=sp.Ceiling(2.2)), None),
+        (TensionPole(), BODY, sp.Room(ceiling=sp.Ceiling(2.5)), "longer than 0.6 m"),
+        (WedgeStopper(), BODY, ROOM, None),
+        (WedgeStopper(), sp.Body(0.27, 0.76, 18.0), ROOM, "slides before it tips"),
+        (WedgeStopper(), BODY, sp.Room(sp.Floor.of("carpet")), "sinks"),
+    ],
+)
+def test_a_measure_tells_why_it_may_not_do_much_here(measure, body, room, words):
+    cautions = measure.cautions(body, room)
+    assert len(cautions) == (words is not None)
+    for english, japanese in cautions:
+        assert words in english
+        assert not japanese.isascii()
 
 
 def test_the_anchor_of_a_belt_is_on_the_wall_at_its_angle():

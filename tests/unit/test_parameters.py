@@ -113,13 +113,22 @@ FIELDS = [
     pytest.param(kind, about, id=f"{kind.__name__}.{about.name}")
     for kind in (*NEEDED, *CONSTANTS)
     for about in parameters(kind)
+    if not about.choices
+]
+
+WORDS = [
+    pytest.param(kind, about, id=f"{kind.__name__}.{about.name}")
+    for kind in NEEDED
+    for about in parameters(kind)
+    if about.choices
 ]
 
 
 def keys() -> Iterator[tuple[str, Any, Parameter]]:
     for table, (kind, _) in TABLES.items():
         for about in parameters(kind):
-            yield f"{table}.{about.name}", kind, about
+            if not about.choices:
+                yield f"{table}.{about.name}", kind, about
     for name in ("masses", "stiffnesses"):
         yield f"shaking.building.{name}", ShearModel, parameter_of(ShearModel, name)
 
@@ -176,7 +185,25 @@ def test_every_number_has_its_parameter(kind: Any) -> None:
         if str(given.annotation).startswith(("float", "int", "Sequence[float]", "tuple[float"))
         and name != NO_FIELD.get(kind.__name__)
     ]
-    assert [about.name for about in parameters(kind)] == of_numbers
+    assert [about.name for about in parameters(kind) if not about.choices] == of_numbers
+
+
+@pytest.mark.parametrize(("kind", "about"), WORDS)
+def test_a_word_is_one_of_its_choices_in_class_and_scenario(kind: Any, about: Parameter) -> None:
+    assert about.default == about.choices[0]
+    assert about.label[0].isascii()
+    assert not about.label[1].isascii()
+    for word in about.choices:
+        assert getattr(kind(**NEEDED[kind], **{about.name: word}), about.name) == word
+    with pytest.raises(InputError, match="is 'straw'; it must be one of"):
+        kind(**NEEDED[kind], **{about.name: "straw"})
+    tables = [table for table, (made, _) in TABLES.items() if made is kind]
+    for table in tables:
+        node = node_of(f"{table}.{about.name}")
+        assert (node["enum"], node["default"]) == (list(about.choices), about.default)
+        assert node["description"] == about.meaning
+        with pytest.raises(InputError, match="it must be one of"):
+            Scenario.parse(scene(f"{table}.{about.name}", "straw"))
 
 
 @pytest.mark.parametrize(("kind", "about"), FIELDS)

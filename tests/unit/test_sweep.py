@@ -14,6 +14,7 @@ import pytest
 from interrupts import hears_interrupts
 
 import stayput as sp
+from stayput.model.parameters import parameters
 from stayput.simulation.grid import Grid
 from stayput.simulation.many import run_grid
 from stayput.simulation.results import OUTCOMES, QUANTITIES
@@ -56,6 +57,11 @@ def test_paths_in_a_tuple_go_together():
     same(data.isel({"body.width": 1, "motion.scale": 0}), sp.simulate(sp.Body(0.5, 2.0), WALLED, PULSE))
 
 
+def word_of(about, number):
+    """Return a number, or of a field of words the word at that place."""
+    return about.choices[number] if about.choices else number
+
+
 def test_every_number_of_a_case_can_change():
     columns = {
         "body.width": [0.4, 0.5],
@@ -83,12 +89,15 @@ def test_every_number_of_a_case_can_change():
         "room.left_wall.gap": [0.05, 0.2],
         "room.left_wall.restitution": [0.2, 0.5],
         "room.left_wall.friction": [0.1, 0.4],
+        "room.left_wall.construction": [0, 1],
         "room.right_wall.gap": [0.1, 0.3],
         "room.right_wall.restitution": [0.1, 0.6],
         "room.right_wall.friction": [0.2, 0.5],
+        "room.right_wall.construction": [3, 2],
         "room.ceiling.height": [1.8, 2.4],
         "room.ceiling.restitution": [0.4, 0.1],
         "room.ceiling.friction": [0.3, 0.6],
+        "room.ceiling.construction": [0, 3],
         "initial.tilt": [0.01, -0.01],
         "initial.tilt_rate": [0.1, -0.2],
         "initial.slide": [0.01, 0.02],
@@ -110,12 +119,14 @@ def test_every_number_of_a_case_can_change():
             (c["body.base_heights.left"], c["body.base_heights.right"]),
             (c["body.base_insets.left"], c["body.base_insets.right"]),
         )
-        floor = sp.Floor(*(c[f"room.floor.{name}"] for name in sp.Floor.__slots__))
+        floor = sp.Floor(*(c[f"room.floor.{about.name}"] for about in parameters(sp.Floor)))
         left, right = (
-            sp.Wall(*(c[f"room.{side}_wall.{name}"] for name in sp.Wall.__slots__))
+            sp.Wall(*(word_of(about, c[f"room.{side}_wall.{about.name}"]) for about in parameters(sp.Wall)))
             for side in ("left", "right")
         )
-        ceiling = sp.Ceiling(*(c[f"room.ceiling.{name}"] for name in sp.Ceiling.__slots__))
+        ceiling = sp.Ceiling(
+            *(word_of(about, c[f"room.ceiling.{about.name}"]) for about in parameters(sp.Ceiling))
+        )
         start = sp.State(*(c[f"initial.{name}"] for name in sp.State.__slots__))
         run = sp.simulate(
             body,

@@ -119,7 +119,7 @@ def test_a_measure_s_name_goes_with_its_sentence(kind):
 
 
 def test_acronyms_and_letters_keep_their_capitals():
-    assert inside("L-brackets in studs + Tension poles") == "L-brackets in studs + tension poles"
+    assert inside("Screwed L-brackets + Tension poles") == "screwed L-brackets + tension poles"
     assert inside("Sliding glides (PTFE)") == "sliding glides (PTFE)"
     assert inside("PTFE glides") == "PTFE glides"
 

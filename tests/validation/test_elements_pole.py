@@ -7,7 +7,7 @@ import pytest
 from setups import G, block, constant, room, still, threshold
 
 import stayput as sp
-from devices import CEILING, SLIDE, held, planar
+from devices import CEILING, SLIDE, SLIDE_RATE, held, planar
 from stayput.measures import TensionPole
 from stayput.mechanics.devices import columns as el
 
@@ -98,6 +98,57 @@ def test_the_shoe_of_a_pole_slips_by_friction():
     assert found.devices["peak_shear"][0] == pytest.approx(limit, rel=1e-6)
 
 
+def test_a_pole_is_lost_where_its_head_has_walked_by_the_width_of_its_pad():
+    """½v² = ½S²/k + S w + ½v₁²: on a smooth floor the body slides on at v₁ from there, S = μ P."""
+    P, mu, v, shear, pad = 5.0, 0.3, 0.7, 4000.0, 0.05
+    head = pole((0.0, 0.25), P, mu=mu, shear=shear, ultimate=(0.0, pad))
+    found = held(sp.Body(4.0, 0.5), room(0.0), still(0.3, 0.001), head, slide_rate=v)
+    limit, device = mu * P, found.devices[0]
+    assert device["failure"] == el.DROPPED_OUT
+    rate = math.sqrt(v * v - limit**2 / shear - 2.0 * limit * pad)
+    assert found.run.history[-1, SLIDE_RATE] == pytest.approx(rate, rel=1e-6)
+    # friction alone from S/k on: the time to slip by w at −S
+    start = math.sqrt(v * v - limit**2 / shear)
+    stuck = math.asin(limit / shear * math.sqrt(shear) / v) / math.sqrt(shear)
+    assert device["failure_time"] == pytest.approx(stuck + (start - rate) / limit, rel=1e-6)
+    wider = pole((0.0, 0.25), P, mu=mu, shear=shear, ultimate=(0.0, 1.01 * 0.5 * v * v / limit))
+    again = held(sp.Body(4.0, 0.5), room(0.0), still(1.0), wider, slide_rate=v)
+    assert again.devices["failure"][0] == el.HOLDS
+
+
+def walked(motion, P, mu, shear, pad, dt=2e-6):
+    """When a body on a smooth floor under a pole loses it, and its slide there, by its own law and steps.
+
+    The head walks to and fro: only how far it is from where it was counts.
+    """
+    x = v = slip = 0.0
+    path, t = 0.0, 0.0
+    while abs(slip) < pad:
+        a = float(np.interp(t, np.arange(len(motion.x)) * motion.dt, motion.x))
+        pull = shear * (x - slip)
+        if abs(pull) > mu * P:
+            kept = math.copysign(mu * P, pull)
+            path += abs(pull - kept) / shear
+            slip += (pull - kept) / shear
+            pull = kept
+        v += dt * (-a - pull)
+        x += dt * v
+        t += dt
+    return t, x, path
+
+
+def test_a_pole_that_walks_to_and_fro_is_lost_by_where_it_is():
+    P, mu, shear, pad = 5.0, 0.3, 2000.0, 0.06
+    t = np.arange(0.0, 4.0, 0.005)
+    motion = sp.Motion(0.005, (1.0 + 1.5 * t) * np.sin(2.0 * math.pi * 1.5 * t))
+    head = pole((0.0, 0.25), P, mu=mu, shear=shear, ultimate=(0.0, pad))
+    found = held(sp.Body(4.0, 0.5), room(0.0), motion, head)
+    time, _, path = walked(motion, P, mu, shear, pad)
+    assert path > 1.5 * pad
+    assert found.devices["failure"][0] == el.DROPPED_OUT
+    assert found.devices["failure_time"][0] == pytest.approx(time, abs=2e-4)
+
+
 def test_a_preload_beyond_the_weight_lifts_a_body():
     """Turned round, a preload that pulls up with more than g takes the body off the floor, with less not."""
     for pull, flies in ((0.9 * G, False), (1.1 * G, True)):
@@ -166,9 +217,10 @@ def test_the_poles_of_a_bookcase_rub_as_documented():
     """Where the ceiling bears 1000 N and yields, the feet rub with 0.4 × 1000 N under a built-in motion."""
     body = sp.Body(0.30, 1.80, 200.0)
     place = sp.Room(sp.Floor.of("wood flooring"), left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
+    held_by = TensionPole(stiffness=40e3, strength=500.0, pad=0.5)  # so wide that it does not lean
     seen = 0
     for scale in (0.6, 0.8, 1.0, 1.2):
-        run = sp.simulate(body, place, sp.near_fault().component("x").scaled(scale), [TensionPole()])
+        run = sp.simulate(body, place, sp.near_fault().component("x").scaled(scale), [held_by])
         (device,) = run.devices
         assert device.peak_push <= 1000.0 * (1 + 1e-9)
         assert device.peak_shear <= 400.0 * (1 + 1e-5)

@@ -153,7 +153,10 @@ def _measure(name: str, kind: type[Measure]) -> MeasureReply:
         place=None if (place := kind().where()) is None else place[0],
         needs=_needs(kind),
         usual=name in USUAL,
-        parameters=[_parameter(parameter) for parameter in parameters(kind)],
+        parameters=[
+            _parameter(parameter, kind().in_a_usual_room().get(parameter.name))
+            for parameter in parameters(kind)
+        ],
     )
 
 
@@ -175,10 +178,11 @@ def _needs(kind: type[Measure]) -> list[Literal["wall", "ceiling"]]:
     return [surface for surface, room in without.items() if not applies(room)]
 
 
-def _parameter(parameter: Parameter) -> ParameterReply:
+def _parameter(parameter: Parameter, usual: float | None = None) -> ParameterReply:
     return ParameterReply(
         name=parameter.name,
         default=None if parameter.default is MISSING else parameter.default,
+        usual=usual,
         unit=parameter.unit,
         low=parameter.low,
         high=parameter.high,

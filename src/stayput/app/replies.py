@@ -99,6 +99,7 @@ class ParameterReply(Reply):
 
     name: str
     default: float | int | str | None
+    usual: float | None = Field(description="What it comes to in a usual room, where it has no default.")
     unit: str
     low: float
     high: float

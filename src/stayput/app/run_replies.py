@@ -52,6 +52,7 @@ class DeviceReply(Reply):
     failed: bool
     failure_time_s: float | None
     cause: str | None
+    weakest: Words | None = Field(description="What gave way, or would first.")
     pull_n: list[float] = Field(description="At the run's times.")
     shear_n: list[float]
 

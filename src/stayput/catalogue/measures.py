@@ -26,6 +26,50 @@ TEXTS: dict[str, tuple[str, str]] = {
     "tied": ("tied to the wall at {height:g} times the height", "家具の高さの{height:g}倍の位置と壁との間"),
     "on_top": ("on the top, {setback:g} m from the back", "天板の上、背面から{setback:g} mの位置"),
     "on_shelves": ("on the shelves", "棚の上"),
+    # What gives way; the links of a chain say it beside their numbers
+    "as_given": ("they reach the strength that is given for them", "指定された強さに達する"),
+    "mats_peel": ("the mats peel off", "マットがはがれる"),
+    "mats_shear": ("the mats shear off", "マットがずれてはがれる"),
+    "drops_out": ("the poles lose their hold and drop out", "ポールが緩んで外れる"),
+    # How a measure is often installed
+    "beside_the_studs": (
+        "screws beside the studs, in plasterboard",
+        "ねじが下地を外れて石こうボードだけに留まる",
+    ),
+    "hangs_loose": ("hangs loose", "たるませたまま取り付ける"),
+    "hardly_tightened": ("hardly tightened", "締付けが足りない"),
+    "on_dust": ("on dust or an uneven floor", "ほこりや凹凸のある床に貼る"),
+    "too_short": ("too short, with its thin part under the edge", "短く、薄い部分だけが挟まる"),
+    # Why a measure may not do much here
+    "in_plasterboard": (
+        "{measure} are fixed to plasterboard alone, which lets go at a small force; look for the studs",
+        "「{measure}」を下地のない石こうボードに留めています。小さな力で抜けるので、下地を探してください",
+    ),
+    "pole_on_board": (
+        (
+            "{measure} push against plasterboard between the joists, which they break; put a board between, "
+            "or move them under a joist"
+        ),
+        "「{measure}」が野縁のない石こうボードを押しています。突き破るので、当て板をするか野縁の下に移してください",
+    ),
+    "pole_long": (
+        "{measure} are longer than {most:g} m and lean at a small force",
+        "「{measure}」が{most:g} mより長く、小さな力で傾きます",
+    ),
+    "wedge_sinks": (
+        "{measure}: it sinks into a soft floor and leans the piece less",
+        "「{measure}」は柔らかい床では沈み込み、傾きが小さくなります",
+    ),
+    "wedge_squat": (
+        (
+            "{measure}: on its own base this piece slides before it tips (width/height {slender:.2f}, friction "
+            "{friction:.2f}); the rubber stops the sliding and may tip it"
+        ),
+        (
+            "「{measure}」なしでは転倒する前に滑る家具です（奥行き／高さ{slender:.2f}、摩擦{friction:.2f}）。"
+            "ゴムで滑りが止まり、かえって転倒することがあります"
+        ),
+    ),
     # Measures whose numbers do not go with the piece, the room or each other
     "no_wall": (
         "{measure} needs a wall at the back; the room must have a left_wall.",
@@ -38,6 +82,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "no_ceiling": (
         "{measure} need a ceiling; the room must have one, or ceiling_height be given.",
         "「{measure}」には天井が必要です。天井の高さを指定してください。",
+    ),
+    "dropped_ceiling": (
+        "{measure} need a ceiling that bears them; a dropped ceiling lifts. Give strength if it is known.",
+        "「{measure}」には力に耐える天井が必要です。吊り天井は持ち上がります。強さが分かる場合は指定してください。",
+    ),
+    "does_not_stick": (
+        "{measure} do not stick to carpet or tatami; the floor must be hard and smooth.",
+        "「{measure}」はカーペットや畳には粘着しません。硬く平らな床で使ってください。",
     ),
     "setback": (
         "{measure} setback is {setback:g} m; it must be at most the width, {width:g} m.",

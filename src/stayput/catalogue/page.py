@@ -149,6 +149,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "choice_down": ("down", "下向き"),
     "choice_up": ("up", "上向き"),
+    "choice_room": ("what the room's is", "部屋の壁のとおり"),
+    "choice_stud": ("a stud", "下地（間柱）"),
+    "choice_plasterboard": ("plasterboard alone", "石こうボードのみ"),
+    "choice_concrete": ("concrete", "コンクリート"),
+    "choice_hanging strip": ("a hanging strip", "付け鴨居・長押"),
+    "choice_particle board": ("particle board", "パーティクルボード"),
+    "choice_solid wood": ("solid wood", "無垢材"),
     "with": ("With the measures", "対策あり"),
     "tower": ("The building, its sway drawn larger", "建物（揺れは拡大表示）"),
     "towerAlt": (

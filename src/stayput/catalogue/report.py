@@ -249,6 +249,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "scale_text": ("Drawn to scale, seen from the side", "縮尺どおり、横から見た図"),
     "device": ("Device", "器具"),
+    "weakest_link": ("Weakest link", "最初に壊れるところ"),
     "failed": ("Failed", "破損・脱落"),
     "failure_time": ("Fails at, median", "破損・脱落の時刻（中央値）"),
     "seconds": ("{value} s", "{value} 秒"),

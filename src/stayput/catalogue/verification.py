@@ -70,6 +70,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "転倒は対策なしより増えて{held}です",
     ),
     "device_fails": ("a device fails in {share}", "器具は{share}の場合に破損または脱落します"),
+    "gives_way": ("mostly {weakest}", "多くは{weakest}ことによります"),
+    "caution": ("caution: {caution}", "注意：{caution}"),
     "slides_far": (
         "in one of ten or more it slides by over {far:g} m, as no wall in front or behind stops it",
         "10回に1回以上は{far:g} mを超えて移動します（止める壁がありません）",
@@ -120,6 +122,16 @@ TEXTS: dict[str, tuple[str, str]] = {
             "of earthquakes and furniture on average)"
         ),
         "この地震動と家具に固有の性質（式のばらつきζ=0.5は、さまざまな地震と家具の平均的な値）",
+    ),
+    "as_installed": (
+        (
+            "“{option}” overturns in {well} % when well installed, in {usual} % as people install it: "
+            "{share} % badly ({how})."
+        ),
+        (
+            "「{option}」での転倒は、正しく取り付けた場合{well}%、実際の取付けでは{usual}%です"
+            "（{share}%が不適切：{how}）。"
+        ),
     ),
     "grade": (
         "The numbers of “{option}” rest on inputs of grade {letter} ({meaning}): {inputs}.",

@@ -8,7 +8,7 @@ from stayput.measures.floor import AntiSlipSheet, FeltGlides, FreeCasters, Locke
 from stayput.measures.gel import GelMats
 from stayput.measures.isolator import BaseIsolator
 from stayput.measures.mass import Ballast, LowerShelves
-from stayput.measures.measure import Held, Measure, element_rows, hold
+from stayput.measures.measure import BadlyInstalled, Held, Measure, element_rows, hold
 from stayput.measures.place import AgainstWall, AwayFromWall
 from stayput.measures.pole import TensionPole
 from stayput.measures.results import DeviceResult
@@ -46,6 +46,7 @@ __all__ = [
     "AgainstWall",
     "AntiSlipSheet",
     "AwayFromWall",
+    "BadlyInstalled",
     "Ballast",
     "BaseIsolator",
     "Belt",

@@ -1,83 +1,124 @@
-"""L-brackets between the top of the furniture and the wall, in a stud or in gypsum board."""
+"""L-brackets between the top of the furniture and the wall."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.measures.element import Element, Line, damper
-from stayput.measures.measure import Held, Measure, wall_behind
+from stayput.measures.element import Element, Line, at_rest, damper
+from stayput.measures.fixing import (
+    BRACKET,
+    FASTENINGS,
+    PRYING,
+    PRYING_STIFFNESS,
+    SCREWS,
+    TOP_BOARDS,
+    TOPS,
+    in_series,
+    panel,
+)
+from stayput.measures.measure import BadlyInstalled, Held, wall_behind
 from stayput.measures.parameters import choice
+from stayput.measures.wall import WallDevice, height_of
 from stayput.model.parameters import other_default, parameter
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
+    from stayput.measures.fixing import Link
     from stayput.model.body import Body
     from stayput.model.room import Room
 
-HEIGHT = ("height on the piece, as a part of its height", "取付け高さ（家具の高さに対する比）")
 REACH = 0.15
 """Farthest from the wall that an L-bracket reaches [m]."""
 
 
 @dataclass(frozen=True, slots=True)
-class Bracket(Measure):
+class Bracket(WallDevice):
     """Brackets that pull, push and shear like springs between the back of the piece and the wall."""
 
     count: int = parameter(2, "", 1, 20, ("number of brackets", "個数"))
-    strength: float = parameter(1500.0, "N", 1.0, 1e6, ("strength of one", "1個の強さ"), decides=True)
-    stiffness: float = parameter(300e3, "N/m", 1e3, 1e8, ("stiffness of one", "1個の剛性"))
     slack: float = parameter(0.0005, "m", 0.0, 0.1, ("slack", "がた"))
-    ultimate: float = parameter(0.005, "m", 0.0, 0.1, ("plastic elongation at failure", "破断までの塑性伸び"))
-    height: float = parameter(1.0, "", 0.1, 1.0, HEIGHT)
-    damping: float = parameter(0.05, "", 0.0, 2.0, ("damping ratio", "減衰定数"))
 
     def where(self) -> Phrase | None:
         """Return the height on the wall."""
         return phrase("measures.on_wall", height=self.height)
 
-    def _strength(self) -> float:
-        return self.count * self.strength
+    def _factor(self) -> float:
+        """Return what is left of the strength as it is screwed on."""
+        return 1.0
+
+    def drawn(self, wall: str, height: float, span: float) -> Link:
+        """Return one bracket with what it is fixed to, drawn from the wall; see `WallDevice.drawn`."""
+        return self._as_given(
+            in_series(
+                FASTENINGS[wall].pull.times(PRYING, PRYING_STIFFNESS),
+                BRACKET,
+                TOPS[self.top].shear.times(SCREWS),
+                panel(wall, height, span),
+            )
+        )
+
+    def pushed_along(self, wall: str) -> Link:
+        """Return one bracket with what it is fixed to, pushed along the wall.
+
+        The screws in the top board bear no pull then: the back of a piece that tips rises, and presses the
+        bracket's leg.
+        """
+        shear = FASTENINGS[wall].shear.times(SCREWS)
+        return self._as_given(in_series(shear, BRACKET, TOP_BOARDS[self.top]))
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its back to the wall."""
-        gap = wall_behind(self, room).gap
-        if gap > REACH:
+        wall = wall_behind(self, room)
+        if wall.gap > REACH:
             raise InputError(
-                "measures.too_far", "room.left_wall.gap", measure=self.label, gap=gap, most=REACH
+                "measures.too_far", "room.left_wall.gap", measure=self.label, gap=wall.gap, most=REACH
             )
-        k, most = self.count * self.stiffness, self._strength()
-        c = damper(self.damping, k, body.mass)
-        pushes = Line(k, c, self.slack, self.slack, most, ultimate=self.ultimate)
-        shears = Line(k, c, self.slack, self.slack, most, most, ultimate=self.ultimate)
+        point = (-body.width / 2, self.height * body.height)
+        made_of = self.fixed_to(wall)
+        pull = self.drawn(made_of, at_rest(body, point)[1], height_of(room))
+        # the wall bears what pushes
+        normal = replace(self._line(pull, body.mass), limit_minus=math.inf)
+        tangent = self._line(self.pushed_along(made_of), body.mass)
         element = Element(
             self.kind,
-            (-body.width / 2, self.height * body.height),
-            pushes,
-            shears,
+            point,
+            normal,
+            tangent,
             facing=(1.0, 0.0),
-            interaction=self.ultimate == 0.0,
+            interaction=pull.ultimate == 0.0,
         )
         return Held(body, room, (element,), (self,))
+
+    def _line(self, link: Link, mass: float) -> Line:
+        k, most = self.count * link.stiffness, self.count * self._factor() * link.strength
+        return Line(
+            k,
+            damper(self.damping, k, mass),
+            self.slack,
+            self.slack,
+            most,
+            most,
+            ultimate=link.ultimate,
+            weakest=link.fails,
+        )
 
 
 @dataclass(frozen=True, slots=True)
 class LBracket(Bracket):
-    """L-brackets screwed into studs."""
+    """L-brackets screwed to what the wall has."""
 
     kind: ClassVar[str] = "l_bracket"
-    label: ClassVar[tuple[str, str]] = ("L-brackets in studs", "L型金具（下地に固定）")
+    label: ClassVar[tuple[str, str]] = ("Screwed L-brackets", "L型金具（ねじ留め）")
     about: ClassVar[tuple[str, str]] = (
         (
-            "Brackets screwed to the top and into studs tie the piece to the wall; they fail where the "
+            "Brackets screwed to the top and to the wall tie the piece to it; they fail where the "
             "screws are drawn out, sooner with the bracket below the edge and its screws pointing up."
         ),
-        (
-            "家具の上部と壁の下地をL型金具でねじ留めするが、ねじが引き抜けると効かなくなり、上向きの取付けは"
-            "弱い。"
-        ),
+        ("家具の上部と壁をL型金具でねじ留めするが、ねじが引き抜けると効かなくなり、上向きの取付けは弱い。"),
     )
 
     screws: str = choice("down", ("down", "up"), ("direction of the screws", "ねじの向き"))
@@ -85,9 +126,15 @@ class LBracket(Bracket):
         0.7, "", 0.0, 1.0, ("strength with the screws up, of that with them down", "上向き取付けの強さの比")
     )
 
-    def _strength(self) -> float:
-        factor = self.upward_strength if self.screws == "up" else 1.0
-        return factor * Bracket._strength(self)
+    def badly_installed(self) -> BadlyInstalled | None:
+        """Return it with its screws in the plasterboard beside the studs."""
+        if self.wall == "plasterboard":
+            return None
+        beside = replace(self, wall="plasterboard", strength=None, stiffness=None, ultimate=None)
+        return BadlyInstalled(beside, phrase("measures.beside_the_studs"))
+
+    def _factor(self) -> float:
+        return self.upward_strength if self.screws == "up" else 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,6 +151,4 @@ class LBracketInBoard(Bracket):
         "下地のない石こうボードに留めたL型金具は、見た目は同じでもほとんど力に耐えず、ボードごと抜ける。",
     )
 
-    strength: float = other_default(150.0, Bracket, "strength")
-    stiffness: float = other_default(100e3, Bracket, "stiffness")
-    ultimate: float = other_default(0.0, Bracket, "ultimate")
+    wall: str = other_default("plasterboard", WallDevice, "wall")

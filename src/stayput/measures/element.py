@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.model.body import Body
 
 
@@ -34,7 +35,10 @@ class Line:
     limit_plus, limit_minus : float
         Strength in pull and in push, or to either side of the tangent [N].
     ultimate : float
-        Plastic elongation at which it parts [m]; 0 is brittle.
+        Plastic elongation at which it parts [m], or of a tangent with friction, how far from where it was it
+        slips before it is lost; 0 is brittle, with friction never.
+    weakest : Phrase, optional
+        What happens at its strength.
     """
 
     stiffness: float = 0.0
@@ -44,6 +48,7 @@ class Line:
     limit_plus: float = math.inf
     limit_minus: float = math.inf
     ultimate: float = 0.0
+    weakest: Phrase | None = None
 
 
 @dataclass(frozen=True, slots=True)

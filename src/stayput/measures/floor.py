@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.model.room import Floor, Room
 
+SOFT = frozenset(("carpet", "tatami, along the weave", "tatami, across the weave"))
+"""Surfaces to which nothing sticks, and into which a thin thing sinks."""
+
 STATIC = ("static friction", "静止摩擦係数")
 KINETIC = ("kinetic friction", "動摩擦係数")
 

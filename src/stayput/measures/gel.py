@@ -6,10 +6,13 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
+from stayput.catalogue import phrase
+from stayput.errors import InputError
 from stayput.measures.element import Element, Line, damper
-from stayput.measures.floor import kinetic_of, static_of, with_friction
-from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
+from stayput.measures.floor import SOFT
+from stayput.measures.measure import UNDER_THE_BASE, BadlyInstalled, Held, Measure
 from stayput.model.parameters import parameter
+from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
@@ -17,12 +20,17 @@ if TYPE_CHECKING:
     from stayput.model.room import Room
 
 
+ON_DUST = 0.3
+"""What is left of the bond on dust or an uneven floor: an assumption."""
+
+
 @dataclass(frozen=True, slots=True)
 class GelMats(Measure):
     """Pads of soft adhesive gel, half of them along each edge of the base.
 
     Each edge is held by a spring that only pulls, and one that shears either way; both tear off for good
-    where (pull/strength)² + (shear/strength)² = 1.
+    where (pull/strength)² + (shear/strength)² = 1. The floor's friction stays what it is: the bond adds to
+    it, and what is torn leaves it. Their area is what the label asks for the piece's mass, unless given.
     """
 
     kind: ClassVar[str] = "gel_mats"
@@ -39,7 +47,22 @@ class GelMats(Measure):
     )
     acts_on: ClassVar[str] = "the base"
 
-    area: float = parameter(0.04 * 0.04, "m²", 1e-5, 1.0, ("area of one pad", "1枚の面積"), decides=True)
+    rating: float = parameter(
+        1e4,
+        "kg/m²",
+        1e2,
+        1e6,
+        ("mass that the label allows on an area", "面積あたりの耐荷重（表示値）"),
+        confidence=Confidence.MEDIUM,
+    )
+    area: float | None = parameter(
+        None,
+        "m²",
+        1e-5,
+        1.0,
+        ("area of one pad, if not by the rating", "1枚の面積（指定する場合）"),
+        decides=True,
+    )
     count: int = parameter(4, "", 2, 100, ("number of pads", "枚数"))
     tension: float = parameter(
         100e3, "Pa", 1e2, 1e7, ("label stress in tension", "引張強さ（表示値）"), decides=True
@@ -58,25 +81,51 @@ class GelMats(Measure):
     thickness: float = parameter(0.005, "m", 5e-4, 0.05, ("thickness", "厚さ"))
     modulus: float = parameter(300e3, "Pa", 1e3, 1e8, ("Young's modulus", "ヤング率"))
     damping: float = parameter(0.1, "", 0.0, 2.0, ("damping ratio", "減衰定数"))
-    static_friction: float = static_of("rubber pad")
-    kinetic_friction: float = kinetic_of("rubber pad")
 
     def where(self) -> Phrase | None:
         """Return the place under the base."""
         return UNDER_THE_BASE
 
+    def badly_installed(self) -> BadlyInstalled | None:
+        """Return them on dust."""
+        return BadlyInstalled(replace(self, realism=ON_DUST * self.realism), phrase("measures.on_dust"))
+
+    def in_a_usual_room(self) -> dict[str, float]:
+        """Return the area of one pad under 100 kg."""
+        return {"area": 100.0 / (self.rating * self.count)}
+
+    def fitted_to(self, body: Body) -> GelMats:
+        """Return the mats that the label asks for under the piece."""
+        if self.area is not None:
+            return self
+        return replace(self, area=min(1.0, max(1e-5, body.mass / (self.rating * self.count))))
+
     def apply(self, body: Body, room: Room) -> Held:
-        """Return the body with an element at each edge of its base, on the gel's friction."""
-        area = 0.5 * self.count * self.area
+        """Return the body with an element at each edge of its base.
+
+        Raises
+        ------
+        InputError
+            On a carpet or on tatami, to which gel does not stick.
+        """
+        if room.floor.surface in SOFT:
+            raise InputError("measures.does_not_stick", "room.floor", measure=self.label)
+        area_of_one = self.fitted_to(body).area
+        assert area_of_one is not None
+        area = 0.5 * self.count * area_of_one
         stiffness = self.modulus * area / self.thickness
         pull, shear = (self.realism * area * stress for stress in (self.tension, self.shear))
-        normal = Line(stiffness, damper(self.damping, stiffness, body.mass), 0.0, math.inf, pull)
+        peeled, sheared = phrase("measures.mats_peel"), phrase("measures.mats_shear")
+        normal = Line(
+            stiffness, damper(self.damping, stiffness, body.mass), 0.0, math.inf, pull, weakest=peeled
+        )
         stiffness /= 3.0  # the gel does not change its volume: G = E/3
-        tangent = Line(stiffness, damper(self.damping, stiffness, body.mass), 0.0, 0.0, shear, shear)
+        tangent = Line(
+            stiffness, damper(self.damping, stiffness, body.mass), 0.0, 0.0, shear, shear, weakest=sheared
+        )
         half, (left, right) = body.width / 2, body.base_heights
         elements = tuple(
             Element(self.kind, point, normal, tangent, facing=(0.0, 1.0), place=place, interaction=True)
             for place, point in (("back", (-half, left)), ("front", (half, right)))
         )
-        floor = with_friction(room.floor, self.static_friction, self.kinetic_friction)
-        return Held(body, replace(room, floor=floor), elements, (self,))
+        return Held(body, room, elements, (self,))

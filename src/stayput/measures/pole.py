@@ -8,12 +8,15 @@ from typing import TYPE_CHECKING, ClassVar
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.element import Element, Line, at_rest
-from stayput.measures.measure import Held, Measure
+from stayput.measures.fixing import CEILING_LINKS, POLE, TOP_BOARDS, in_series
+from stayput.measures.measure import BadlyInstalled, Held, Measure
+from stayput.measures.parameters import choice
 from stayput.model.parameters import parameter
 from stayput.model.room import FRICTION_RANGE, Ceiling
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
+    from stayput.measures.fixing import Link
     from stayput.model.body import Body
     from stayput.model.room import Room
 
@@ -21,42 +24,60 @@ SHORTEST, LONGEST = 0.02, 2.0
 """Least and most space above the piece that a pole is made for [m]."""
 
 
+TIGHTENED = 0.5
+"""What a pole is tightened to at most, in what the ceiling bears: it is seen to lift before it gives way."""
+
+HARDLY_TIGHTENED = 20.0
+"""Preload of a pole that was not tightened, or has worked loose [N]: an assumption."""
+
+LONG = 0.6
+"""From this length on a pole is called too long for much effect [m]: advice to residents."""
+
+
 @dataclass(frozen=True, slots=True)
 class TensionPole(Measure):
     """Poles that are jammed between the top of the piece and the ceiling.
 
-    They push with a preload and a stiffness up to the strength of the ceiling, which then gives way; they rub
-    on the ceiling, and drop out for good once they push no more.
+    They push with a preload and a stiffness up to the strength of the ceiling, which then gives way; and drop
+    out for good once they push no more. Sideways a strut of length L on flat pads of width w bears no more
+    than its push times w/L before it leans, or than friction, if that is less; it falls once its head has
+    walked by w.
     """
 
     kind: ClassVar[str] = "tension_pole"
     label: ClassVar[tuple[str, str]] = ("Tension poles", "ポール式（突っ張り棒）")
     about: ClassVar[tuple[str, str]] = (
         (
-            "Poles jammed against the ceiling press the piece down; they drop out when the ceiling gives way "
-            "or the top moves away from it."
+            "Poles jammed against the ceiling press the piece down; they drop out when the ceiling gives "
+            "way, the top moves away from it, or they lean too far."
         ),
         (
-            "天井との間に突っ張って家具を押さえるが、天井が弱くてへこんだり、上部が離れて緩んだりすると脱落す"
-            "る。"
+            "天井との間に突っ張って家具を押さえるが、天井が弱くてへこんだり、上部が離れて緩んだり、傾いたりす"
+            "ると脱落する。"
         ),
     )
 
     count: int = parameter(2, "", 1, 20, ("number of poles", "本数"))
     preload: float = parameter(150.0, "N", 1.0, 1e4, ("preload of one", "1本の突っ張り力"), decides=True)
-    stiffness: float = parameter(
-        40e3, "N/m", 1e3, 1e8, ("stiffness of one with the ceiling", "天井を含む1本の剛性")
+    stiffness: float | None = parameter(
+        None, "N/m", 1e3, 1e8, ("stiffness of one with the ceiling", "天井を含む1本の剛性")
     )
-    strength: float = parameter(
-        500.0,
+    strength: float | None = parameter(
+        None,
         "N",
         1.0,
         1e6,
         ("force that the ceiling bears from one", "天井の強さ（1本あたり）"),
         decides=True,
     )
-    give: float = parameter(
-        0.01, "m", 0.0, 0.5, ("dent at which the ceiling breaks", "天井が破れるまでのへこみ")
+    give: float | None = parameter(
+        None, "m", 0.0, 0.5, ("dent at which the ceiling breaks", "天井が破れるまでのへこみ")
+    )
+    top: str = choice(
+        "particle board", tuple(TOP_BOARDS), ("what the furniture's top board is made of", "家具の天板の材質")
+    )
+    pad: float = parameter(
+        0.07, "m", 0.005, 1.0, ("width of the pads at its ends", "両端の受け座の幅"), decides=True
     )
     sideways_stiffness: float = parameter(
         20e3, "N/m", 1e2, 1e8, ("stiffness of one sideways", "1本の水平剛性")
@@ -75,7 +96,7 @@ class TensionPole(Measure):
 
     def __post_init__(self) -> None:
         Measure.__post_init__(self)
-        if self.preload >= self.strength:
+        if self.strength is not None and self.preload >= self.strength:
             preload, strength = self.preload, self.strength
             raise InputError(
                 "measures.preload", "preload", measure=self.label, preload=preload, strength=strength
@@ -84,6 +105,47 @@ class TensionPole(Measure):
     def where(self) -> Phrase | None:
         """Return the place on the top."""
         return phrase("measures.on_top", setback=self.setback)
+
+    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
+        """Return that the ceiling's board hardly bears it, and that it is long."""
+        found: list[Phrase] = []
+        if room.ceiling is not None and room.ceiling.construction == "plasterboard" and self.strength is None:
+            found.append(phrase("measures.pole_on_board", measure=self.label))
+        height = self.ceiling_height if room.ceiling is None else room.ceiling.height
+        if height is not None and height - body.height > LONG:
+            found.append(phrase("measures.pole_long", measure=self.label, most=LONG))
+        return tuple(found)
+
+    def badly_installed(self) -> BadlyInstalled | None:
+        """Return them hardly tightened."""
+        loose = replace(self, preload=min(self.preload, HARDLY_TIGHTENED))
+        return BadlyInstalled(loose, phrase("measures.hardly_tightened"))
+
+    def in_a_usual_room(self) -> dict[str, float]:
+        """Return what the chain to a ceiling of joists comes to."""
+        link = self.chain("joist")
+        return {"strength": link.strength, "stiffness": link.stiffness, "give": link.ultimate}
+
+    def chain(self, ceiling: str) -> Link:
+        """Return one pole with the ceiling; what is given takes the place of what follows from the links.
+
+        Parameters
+        ----------
+        ceiling : str
+            What the ceiling is made of, of `stayput.model.room.CEILINGS`.
+
+        Raises
+        ------
+        InputError
+            A dropped ceiling, of which no strength is given.
+        """
+        if ceiling not in CEILING_LINKS:
+            if self.strength is None:
+                raise InputError("measures.dropped_ceiling", "room.ceiling", measure=self.label)
+            ceiling = "joist"
+        link = in_series(POLE, CEILING_LINKS[ceiling], TOP_BOARDS[self.top])
+        given = {"strength": self.strength, "stiffness": self.stiffness, "ultimate": self.give}
+        return replace(link, **{name: value for name, value in given.items() if value is not None})
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its top to the ceiling."""
@@ -107,15 +169,26 @@ class TensionPole(Measure):
                 low=SHORTEST,
                 high=LONGEST,
             )
-        n, k = self.count, self.count * self.stiffness
+        link = self.chain(room.ceiling.construction)
+        # what a user gives, he has; a default pole is tightened as far as its ceiling lets it be
+        most = link.strength if self.strength is not None else TIGHTENED * link.strength
+        preload = min(self.preload, most)
+        n = self.count
         pushes = Line(
-            k,
-            slack_minus=-self.preload / self.stiffness,
-            limit_minus=n * self.strength,
-            ultimate=self.give,
+            n * link.stiffness,
+            slack_minus=-preload / link.stiffness,
+            limit_minus=n * link.strength,
+            ultimate=link.ultimate,
+            weakest=link.fails,
         )
-        rubs = Line(n * self.sideways_stiffness, 0.0, 0.0, 0.0)
+        rubs = Line(n * self.sideways_stiffness, 0.0, 0.0, 0.0, ultimate=self.pad)
         element = Element(
-            self.kind, point, pushes, rubs, facing=(0.0, -1.0), friction=self.friction, drops_out=True
+            self.kind,
+            point,
+            pushes,
+            rubs,
+            facing=(0.0, -1.0),
+            friction=min(self.friction, self.pad / space),
+            drops_out=True,
         )
         return Held(body, room, (element,), (self,))

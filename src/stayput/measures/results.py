@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.catalogue import phrase
 from stayput.mechanics.devices.columns import (
     DRAWN_OUT,
     DROPPED_OUT,
@@ -25,6 +26,8 @@ from stayput.mechanics.devices.columns import (
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
+    from stayput.measures.element import Element
     from stayput.measures.measure import Held
 
 CAUSES: dict[int, str | None] = {
@@ -62,6 +65,9 @@ class DeviceResult:
         Why it failed.
     pull, shear : ndarray of float64, shape [samples]
         Forces along its normal, + where it pulls, and along its tangent, at the samples of the run [N].
+    weakest : Phrase or None
+        What gave way, or what would first where it holds: "the screws pull out of the plasterboard"; None
+        where nothing can.
     """
 
     kind: str
@@ -76,6 +82,7 @@ class DeviceResult:
     cause: str | None
     pull: NDArray[np.float64]
     shear: NDArray[np.float64]
+    weakest: Phrase | None = None
 
 
 def utilisation(elements: NDArray[np.void], devices: NDArray[np.void]) -> NDArray[np.float64]:
@@ -98,6 +105,28 @@ def utilisation(elements: NDArray[np.void], devices: NDArray[np.void]) -> NDArra
     for peak, strength in pairs:
         used = np.maximum(used, np.divide(peak, strength, out=np.zeros_like(used), where=strength > 0.0))
     return np.where(devices["failure"] != HOLDS, np.maximum(used, 1.0), used)
+
+
+def weakest(element: Element, devices: NDArray[np.void]) -> Phrase | None:
+    """Return what gave way most often in runs with a device, or where it held, what was used most.
+
+    Parameters
+    ----------
+    element : Element
+        The device.
+    devices : ndarray of DEVICE, shape [m]
+        What became of it; forces of any one unit.
+    """
+    failed = devices[devices["failure"] != HOLDS]
+    counted = failed if failed.size else devices
+    dropped = np.count_nonzero(counted["failure"] == DROPPED_OUT)
+    if 2 * dropped > counted.size:
+        return phrase("measures.drops_out")
+    normal, tangent = element.normal, element.tangent
+    along = np.maximum(counted["peak_pull"] / normal.limit_plus, counted["peak_push"] / normal.limit_minus)
+    across = counted["peak_shear"] / min(tangent.limit_plus, tangent.limit_minus)
+    line = tangent if 2 * np.count_nonzero(across > along) > counted.size else normal
+    return line.weakest
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -162,6 +191,7 @@ def device_results(
             CAUSES[int(device["failure"])],
             m * forces[:, n, F_NORMAL],
             m * forces[:, n, F_TANGENT],
+            weakest(element, devices[n : n + 1]),
         )
         for n, (element, device) in enumerate(zip(held.elements, devices, strict=True))
     )

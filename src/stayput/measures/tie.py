@@ -3,41 +3,54 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.measures.bracket import HEIGHT
 from stayput.measures.element import Element, Line, at_rest, damper
-from stayput.measures.measure import Held, Measure, wall_behind
+from stayput.measures.fixing import BELT, CHAIN, FASTENINGS, SCREWS, TOPS, in_series, panel
+from stayput.measures.measure import BadlyInstalled, Held, wall_behind
+from stayput.measures.wall import WallDevice, height_of
 from stayput.model.parameters import other_default, parameter
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
+    from stayput.measures.fixing import Link
     from stayput.model.body import Body
     from stayput.model.room import Room
 
+
+MORE_SLACK = 0.05
+"""What a tie that was put up carelessly hangs through more [m]: an assumption."""
 
 ANGLE = ("rise of the line towards the wall", "壁側への上がり角度")
 
 
 @dataclass(frozen=True, slots=True)
-class Tie(Measure):
+class Tie(WallDevice):
     """Something that only pulls, along the line between a point of the piece and one on the wall."""
 
-    count: int
-    strength: float = parameter(1500.0, "N", 1.0, 1e6, ("strength of one", "1本の強さ"), decides=True)
-    stiffness: float = parameter(50e3, "N/m", 1e3, 1e8, ("stiffness of one", "1本の剛性"))
+    itself: ClassVar[Link]
+    """What it is without what it is fixed to."""
+
     slack: float = parameter(0.01, "m", 0.0, 0.5, ("slack", "たるみ"), decides=True)
     setback: float = parameter(0.1, "m", 0.02, 5.0, ("distance from the back of the piece", "背面からの距離"))
     angle: float = parameter(0.5, "rad", -1.4, 1.4, ANGLE)
-    height: float = parameter(1.0, "", 0.1, 1.0, HEIGHT)
-    damping: float = parameter(0.05, "", 0.0, 2.0, ("damping ratio", "減衰定数"))
 
     def where(self) -> Phrase | None:
         """Return the height on the wall."""
         return phrase("measures.tied", height=self.height)
+
+    def badly_installed(self) -> BadlyInstalled | None:
+        """Return it with more slack."""
+        slack = max(self.slack, min(0.5, self.slack + MORE_SLACK))
+        return BadlyInstalled(replace(self, slack=slack), phrase("measures.hangs_loose"))
+
+    def drawn(self, wall: str, height: float, span: float) -> Link:
+        """Return one of them with what it is fixed to, by plates at either end; see `WallDevice.drawn`."""
+        ends = FASTENINGS[wall].pull.times(SCREWS), TOPS[self.top].pull.times(SCREWS)
+        return self._as_given(in_series(*ends, self.itself, panel(wall, height, span)))
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body with an element from its top to the wall."""
@@ -55,9 +68,16 @@ class Tie(Measure):
             raise InputError(
                 "measures.anchor", "angle", measure=self.label, angle=self.angle, height=z + rise
             )
-        k = self.count * self.stiffness
-        most = self.count * self.strength
-        pulls = Line(k, damper(self.damping, k, body.mass), self.slack, limit_plus=most)
+        link = self.drawn(self.fixed_to(wall), z + rise, height_of(room))
+        k = self.count * link.stiffness
+        pulls = Line(
+            k,
+            damper(self.damping, k, body.mass),
+            self.slack,
+            limit_plus=self.count * link.strength,
+            ultimate=link.ultimate,
+            weakest=link.fails,
+        )
         return Held(body, room, (Element(self.kind, point, pulls, to_anchor=(-away, rise)),), (self,))
 
 
@@ -84,6 +104,8 @@ class Belt(Tie):
         ),
     )
 
+    itself: ClassVar[Link] = BELT
+
     count: int = parameter(2, "", 1, 20, ("number of belts", "本数"))
 
 
@@ -95,17 +117,17 @@ class Chain(Tie):
     label: ClassVar[tuple[str, str]] = ("Chains", "チェーン式")
     about: ClassVar[tuple[str, str]] = (
         (
-            "Chains to the wall stop the piece once they are taut; they are stiff and usually slack, so the "
-            "jerk that tears their hooks or screws comes early."
+            "Chains to the wall stop the piece once they are taut; they are usually slack, and the jerk "
+            "bends their hooks open or tears their screws out."
         ),
         (
-            "壁とつないだチェーンが張ると転倒を止めるが、硬くたるみやすいため、急な力で金具やねじが外れやすい"
-            "。"
+            "壁とつないだチェーンが張ると転倒を止めるが、たるみやすく、急な力でフックが伸びたりねじが抜けたり"
+            "する。"
         ),
     )
 
+    itself: ClassVar[Link] = CHAIN
+
     count: int = parameter(2, "", 1, 20, ("number of chains", "本数"))
-    strength: float = other_default(1000.0, Tie, "strength")
-    stiffness: float = other_default(200e3, Tie, "stiffness")
     slack: float = other_default(0.02, Tie, "slack")
-    damping: float = other_default(0.02, Tie, "damping")
+    damping: float = other_default(0.02, WallDevice, "damping")

@@ -6,8 +6,9 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
-from stayput.measures.floor import kinetic_of, static_of
-from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
+from stayput.catalogue import phrase
+from stayput.measures.floor import SOFT, kinetic_of, static_of
+from stayput.measures.measure import UNDER_THE_BASE, BadlyInstalled, Held, Measure
 from stayput.model.parameters import parameter
 
 if TYPE_CHECKING:
@@ -48,6 +49,27 @@ class WedgeStopper(Measure):
     def where(self) -> Phrase | None:
         """Return the place under the base."""
         return UNDER_THE_BASE
+
+    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
+        """Return that it sinks in, and that the piece is too squat for it.
+
+        On its flat base a piece slides and does not tip while the floor's friction is below width/height; the
+        rubber takes that away, and what it gives in lean is little for such a piece.
+        """
+        found: list[Phrase] = []
+        if room.floor.surface in SOFT:
+            found.append(phrase("measures.wedge_sinks", measure=self.label))
+        slender, friction = body.width / body.height, room.floor.kinetic_friction
+        if friction < slender:
+            found.append(
+                phrase("measures.wedge_squat", measure=self.label, slender=slender, friction=friction)
+            )
+        return tuple(found)
+
+    def badly_installed(self) -> BadlyInstalled | None:
+        """Return it too short, so that the edge stands on its thin part."""
+        thin = max(5e-4, 0.5 * self.thickness)
+        return BadlyInstalled(replace(self, thickness=thin), phrase("measures.too_short"))
 
     def apply(self, body: Body, room: Room) -> Held:
         """Return the body tilted back, with rubber at the front edge."""

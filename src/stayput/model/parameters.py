@@ -172,7 +172,7 @@ def parameter_of(of: Any, name: str) -> Parameter:
 
 
 def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> None:
-    """Refuse a dataclass's value with a number out of its range.
+    """Refuse a dataclass's value with a number out of its range, or a word that is none of its choices.
 
     Parameters
     ----------
@@ -186,9 +186,20 @@ def check_fields(value: Any, *, but: Collection[str] = (), place: str = "") -> N
     Raises
     ------
     InputError
-        The first number that is out of its range.
+        The first that is.
     """
     for about in parameters(value):
         number = getattr(value, about.name)
+        if about.choices:
+            if number not in about.choices:
+                raise InputError(
+                    "common.not_one_of",
+                    place + about.name,
+                    name=about.label,
+                    value=repr(number),
+                    hint="",
+                    known=", ".join(about.choices),
+                )
+            continue
         if about.name not in but and not (number is None and about.default is None):
             about.check(number, field=place + about.name)

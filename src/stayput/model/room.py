@@ -65,6 +65,8 @@ class Floor:
     settlement : float
         How far a flat base sinks in under the piece at rest [m]; 0 is a rigid floor. See
         `stayput.model.soft_base`.
+    surface : str
+        The preset that it was made from, or empty; what sticks to it or sinks in depends on it.
 
     Raises
     ------
@@ -106,6 +108,7 @@ class Floor:
         ("Floor settlement", "床の沈み込み"),
         "How far a flat base sinks in under the piece at rest; 0: a rigid floor.",
     )
+    surface: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -141,6 +144,7 @@ class Floor:
             restitution=restitution,
             settlement=known.settlement,
             normal_restitution=normal_restitution,
+            surface=surface,
         )
 
 
@@ -180,6 +184,18 @@ A carpet on which a file cabinet is 40 % easier to tip (Barnett 2020) sinks in b
 """
 
 
+WALLS = ("stud", "plasterboard", "concrete", "hanging strip")
+"""What a device on a wall may be fixed to: a hanging strip is nailed across the posts."""
+
+CEILINGS = ("joist", "plasterboard", "dropped", "concrete")
+"""What a pole may push against: plasterboard is that between the joists, a dropped ceiling hangs on wires."""
+
+
+def _construction(choices: tuple[str, ...], label: Phrase, meaning: str) -> Any:
+    """Return the field of what a surface is made of."""
+    return parameter(choices[0], "", 0.0, 0.0, label, meaning, choices=choices)
+
+
 @dataclass(frozen=True, slots=True)
 class Wall:
     """A rigid wall beside the body.
@@ -192,6 +208,8 @@ class Wall:
         Wall collision factor e_w.
     friction : float
         Coefficient of friction of a corner on the wall, static and kinetic alike.
+    construction : str
+        What devices are fixed to, of `WALLS`; it changes nothing else.
     """
 
     gap: float = field(
@@ -202,6 +220,9 @@ class Wall:
     restitution: float = _restitution(0.3, ("Wall restitution", "壁の反発係数"), "Wall collision factor.")
     friction: float = parameter(
         0.3, "", *FRICTION_RANGE, ("Wall friction", "壁の摩擦係数"), "Friction of a corner on the wall."
+    )
+    construction: str = _construction(
+        WALLS, ("Wall construction", "壁の下地"), "What devices on the wall are fixed to."
     )
 
     def __post_init__(self) -> None:
@@ -218,6 +239,8 @@ class Ceiling:
         Height above the floor [m].
     restitution, friction : float
         As for `Wall`.
+    construction : str
+        What poles push against, of `CEILINGS`; it changes nothing else.
     """
 
     height: float = field(
@@ -230,6 +253,9 @@ class Ceiling:
         *FRICTION_RANGE,
         ("Ceiling friction", "天井の摩擦係数"),
         "Friction of a corner on the ceiling.",
+    )
+    construction: str = _construction(
+        CEILINGS, ("Ceiling construction", "天井の下地"), "What poles push against."
     )
 
     def __post_init__(self) -> None:

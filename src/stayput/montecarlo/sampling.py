@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from stayput.scenario import Scenario
     from stayput.simulation.flat_fields import NumberOrColumn
 
-WALLS = ("left_wall", "right_wall")
+WALL_NAMES = ("left_wall", "right_wall")
 INSETS = ("back_inset", "front_inset")
 
 QUANTITIES = Uncertainty(USUAL)
@@ -152,7 +152,7 @@ def drawn_body(body: Body, draw: Draw) -> Body:
 
 def drawn_place(room: Room, draw: Draw) -> Room:
     """Return the room with the walls at the distances drawn, before measures are put in place."""
-    walls = {name: getattr(room, name) for name in WALLS}
+    walls = {name: getattr(room, name) for name in WALL_NAMES}
     return replace(
         room,
         **{
@@ -221,7 +221,7 @@ def rows_of(
     """Return the rows of a piece under all draws.
 
     The body and its place are drawn before the measures are applied, friction after them: a measure's
-    surface is as uncertain as the floor's.
+    surface is as uncertain as the floor's. A product is bought for the piece as stated.
 
     Parameters
     ----------
@@ -241,6 +241,7 @@ def rows_of(
     """
     columns = {name: column.ravel() for name, column in drawn.columns.items()}
     count = len(columns["mass"])
+    measures = tuple(measure.fitted_to(body) for measure in measures)
     held = hold(body, room, measures)
     numbers: dict[str, NumberOrColumn] = {**flat_fields(held.body, held.room, initial or State(), gravity)}
     if not held.elements and held.body == body:
@@ -255,7 +256,7 @@ def rows_of(
         numbers["body.base_heights.right"] = body.base_heights[1] - columns["lean"] * body.width
         for side, inset, drawn_inset in zip(("left", "right"), body.base_insets, INSETS, strict=True):
             numbers[f"body.base_insets.{side}"] = inset + columns[drawn_inset] * body.width
-        for name in WALLS:
+        for name in WALL_NAMES:
             wall = getattr(room, name)
             if wall is not None and wall == getattr(held.room, name):  # a measure's own gap is as it says
                 numbers[f"room.{name}.gap"] = _drawn_gap(wall.gap, columns["wall_gap"])
@@ -275,7 +276,7 @@ def rows_of(
             numbers[path] = columns["friction"] * numbers[path]
     for name in ("restitution", "landing_place", "settlement"):
         numbers[f"room.floor.{name}"] = columns[name] * numbers[f"room.floor.{name}"]
-    for wall in WALLS:
+    for wall in WALL_NAMES:
         if getattr(held.room, wall) is not None:
             numbers[f"room.{wall}.restitution"] = columns["wall_restitution"]
     return Rows(case_rows(numbers, count), elements, masses)

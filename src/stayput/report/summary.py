@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.catalogue import phrase, say
+from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.catalogue.names import ANY_PIECE, PIECES
 from stayput.simulation.run import Event, EventKind, Outcome
 from stayput.wording import FAR, inside
@@ -127,6 +127,7 @@ def device_results(device: DeviceResult) -> dict[str, Any]:
         "failed": device.failed,
         "failure_time_s": number(device.failure_time),
         "cause": device.cause,
+        "weakest": None if device.weakest is None else dict(zip(LANGUAGES, device.weakest, strict=True)),
     }
 
 
@@ -136,7 +137,7 @@ _DEVICE_KEYS = {
     "peak_pull_N": "peak_pull_n",
     "peak_push_N": "peak_push_n",
     "peak_shear_N": "peak_shear_n",
-    **{key: key for key in ("utilisation", "failed", "failure_time_s", "cause")},
+    **{key: key for key in ("utilisation", "failed", "failure_time_s", "cause", "weakest")},
 }
 """Keys of a device in what ``--json`` prints, and those of `device_results`."""
 
@@ -191,7 +192,11 @@ def _device_rows(run: Run) -> list[tuple[str, str]]:
         peak = max(device.peak_pull, device.peak_push, device.peak_shear)
         used = say("runs.row_used", share=100.0 * device.utilisation) if device.utilisation > 0.0 else ""
         fate = (
-            say("runs.row_failed", cause=device.cause, time=device.failure_time)
+            say(
+                "runs.row_failed",
+                cause=device.cause if device.weakest is None else device.weakest[0],
+                time=device.failure_time,
+            )
             if device.failed
             else say("runs.row_holds")
         )

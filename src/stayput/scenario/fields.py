@@ -19,8 +19,8 @@ from stayput.model.parameters import parameter_of
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection
 
-NAME, TABLE = "<name>", "<table>"
-"""Tags of a value that is a name or a table; not part of a key's dotted name."""
+NAME, TABLE, NUMBER = "<name>", "<table>", "<number>"
+"""Tags of a value that is a name, a table or a number; not part of a key's dotted name."""
 
 
 class Table(BaseModel):
@@ -92,6 +92,11 @@ Pair = Annotated[list[Annotated[float, each(Body, "cg_offset")]], Field(min_leng
 def kind_of(value: object) -> str:
     """Tell a table from a name."""
     return TABLE if isinstance(value, dict | BaseModel) else NAME
+
+
+def name_or_number(value: object) -> str:
+    """Tell a name from a number."""
+    return NAME if isinstance(value, str) else NUMBER
 
 
 def checked(table: str, make: Callable[[], object]) -> None:

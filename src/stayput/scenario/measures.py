@@ -10,7 +10,18 @@ from pydantic import BaseModel, Discriminator, Field, Tag, create_model, model_v
 from stayput.errors import InputError, unknown
 from stayput.measures import MEASURES, Measure, Parameter, parameters
 from stayput.measures.measure import refuse_conflicts
-from stayput.scenario.fields import Table, Text, between, checked, of
+from stayput.scenario.fields import (
+    NAME,
+    NUMBER,
+    Table,
+    Text,
+    between,
+    checked,
+    name_or_number,
+    named,
+    of,
+    one_of,
+)
 
 COMBINE = "combine"
 
@@ -164,6 +175,16 @@ def _wrong_type(name: str, value: object) -> InputError:
     )
 
 
+WELL, USUALLY = "well", "as people install it"
+
+Installation = Annotated[
+    Annotated[str, one_of((WELL, USUALLY)), named((WELL, USUALLY)), Tag(NAME)]
+    | Annotated[float, between(0.0, 1.0), Tag(NUMBER)],
+    Discriminator(name_or_number),
+]
+"""A word, or the share of all measures that is badly installed."""
+
+
 class UncertaintyTable(Table):
     """How much of what is not known is tried out."""
 
@@ -175,3 +196,13 @@ class UncertaintyTable(Table):
         default=None,
         description="Half-width of the 95 % interval of the probability of overturning that is enough.",
     )
+    installation: Installation = Field(
+        default=WELL,
+        description="How measures are installed: well, as people install them, or the share badly installed.",
+    )
+
+    def badly(self, share: float) -> float:
+        """Return the share of a measure that is badly installed, given that which is so usually."""
+        if isinstance(self.installation, str):
+            return share if self.installation == USUALLY else 0.0
+        return self.installation

@@ -14,7 +14,20 @@ from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_vertical
 from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
 from stayput.scenario.building import BuildingTable  # noqa: TC001 - pydantic reads the annotations
-from stayput.scenario.fields import NAME, TABLE, Table, Text, between, checked, kind_of, named, of, one_of
+from stayput.scenario.fields import (
+    NAME,
+    NUMBER,
+    TABLE,
+    Table,
+    Text,
+    between,
+    checked,
+    kind_of,
+    name_or_number,
+    named,
+    of,
+    one_of,
+)
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -49,7 +62,6 @@ Vertical = Annotated[
 ]
 
 
-NUMBER = "<number>"
 CLASS_NAMES = tuple(name for name, _ in CLASSES)
 FAMILY_NAMES = (MIXED, *FAMILIES)
 
@@ -57,13 +69,9 @@ ClassName = Annotated[str, one_of(CLASS_NAMES), named(CLASS_NAMES)]
 FamilyName = Annotated[str, one_of(FAMILY_NAMES), named(FAMILY_NAMES)]
 
 
-def _name_or_number(value: object) -> str:
-    return NAME if isinstance(value, str) else NUMBER
-
-
 Intensity = Annotated[
     Annotated[float, between(-3.0, 9.0), Tag(NUMBER)] | Annotated[ClassName, Tag(NAME)],
-    Discriminator(_name_or_number),
+    Discriminator(name_or_number),
 ]
 
 

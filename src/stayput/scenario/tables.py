@@ -11,11 +11,13 @@ from stayput.errors import InputError
 from stayput.everyday import PRESET_DRAWERS, Everyday
 from stayput.model.body import Body, Part
 from stayput.model.furniture import FURNITURE
-from stayput.model.room import SURFACES, Ceiling, Floor, Room, Wall
+from stayput.model.room import CEILINGS, SURFACES, WALLS, Ceiling, Floor, Room, Wall
 from stayput.model.state import State
 from stayput.scenario.fields import NAME, TABLE, Pair, Table, Text, checked, each, kind_of, named, of, one_of
 
 Surface = Annotated[str, one_of(SURFACES), named(SURFACES)]
+WallConstruction = Annotated[str, one_of(WALLS), named(WALLS)]
+CeilingConstruction = Annotated[str, one_of(CEILINGS), named(CEILINGS)]
 Loads = Annotated[list[Annotated[float, each(Part, "mass")]], Field(min_length=1, max_length=100)]
 Kind = Annotated[str, one_of(FURNITURE), named(FURNITURE)]
 
@@ -118,6 +120,7 @@ class WallTable(Table):
     gap: float = of(Wall, "gap")
     restitution: float = of(Wall, "restitution")
     friction: float = of(Wall, "friction")
+    construction: WallConstruction = of(Wall, "construction", listed=True)
 
 
 class CeilingTable(Table):
@@ -126,6 +129,7 @@ class CeilingTable(Table):
     height: float = of(Ceiling, "height")
     restitution: float = of(Ceiling, "restitution")
     friction: float = of(Ceiling, "friction")
+    construction: CeilingConstruction = of(Ceiling, "construction", listed=True)
 
 
 FloorChoice = Annotated[

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
+from stayput.errors import within
 from stayput.mechanics.columns import CASE
 from stayput.model.body import Body
 from stayput.model.parameters import Parameter, parameters
@@ -61,11 +62,17 @@ def unit_of(path: str) -> str:
 
 
 def _numbers(path: str, value: Body | Floor | Wall | Ceiling | State) -> dict[str, float]:
-    """Return the numbers of a value by their paths; one that follows from others, None, is NaN."""
+    """Return the numbers of a value by their paths.
+
+    One that follows from others, None, is NaN; a word is its place among its choices.
+    """
     found: dict[str, float] = {}
     for about in parameters(value):
-        given = getattr(value, about.name)
-        numbers = given if about.name in PAIRS else (math.nan if given is None else given,)
+        given: Any = getattr(value, about.name)
+        if about.choices:
+            numbers = (about.choices.index(given),)
+        else:
+            numbers = given if about.name in PAIRS else (math.nan if given is None else given,)
         found |= zip(_paths(path, about), numbers, strict=True)
     return found
 
@@ -132,9 +139,17 @@ def _made(path: str, numbers: Mapping[str, float]) -> Any:
         values = tuple(numbers[name] for name in _paths(path, about))
         if about.name in PAIRS:
             given[about.name] = values
+        elif about.choices:
+            given[about.name] = _word(about, values[0])
         elif about.default is not None or not math.isnan(values[0]):
             given[about.name] = values[0]
     return KINDS[path](**given)
+
+
+def _word(about: Parameter, place: float) -> str:
+    """Return the word at a place among its choices."""
+    last = len(about.choices) - 1
+    return about.choices[int(within(about.label, place, 0, last, "", about.name))]
 
 
 def flat_fields(body: Body, room: Room, start: State, gravity: float) -> dict[str, float]:

@@ -273,7 +273,9 @@ def devices_table() -> pd.DataFrame:
                 {
                     "device": measures[0].label[0],
                     "parameter": about.label[0],
-                    "value": ", ".join(f"{value:.4g}" for value in values),
+                    "value": ", ".join(
+                        value if isinstance(value, str) else f"{value:.4g}" for value in values
+                    ),
                     "unit": about.unit,
                     "confidence": str(about.confidence),
                 }

@@ -243,7 +243,7 @@ def _pole(name: str, **values: float) -> Variation:
     return Variation(name, changes={"tension_pole": values})
 
 
-def _mats_with(name: str, **values: float) -> Variation:
+def _mats_with(name: str, **values: float | None) -> Variation:
     return Variation(name, changes={"gel_mats": values})
 
 
@@ -263,9 +263,10 @@ VARIATIONS = (
     _pole("poles: one, not two", count=1),
     _pole("poles: 10 kN/m, not 40", stiffness=10e3),
     _pole("poles: friction 0.2 on the ceiling", friction=0.2),
+    _pole("poles: pads of 25 cm, which do not lean", pad=0.25),
     _pole("poles: at the front edge", setback=BODIES[PIECE].width - 0.05),
     _pole("poles: one, 50 N, ceiling bears 150 N", count=1, preload=50.0, strength=150.0),
-    _mats_with("mats: they slide like wood", static_friction=_WOOD[0], kinetic_friction=_WOOD[1]),
+    _mats_with("mats: as large as the label asks for", area=None),
     _mats_with("mats: 0.35 of the label, not 0.7", realism=0.35),
     _mats_with("mats: all of the label", realism=1.0),
 )

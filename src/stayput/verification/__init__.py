@@ -5,12 +5,13 @@ from __future__ import annotations
 from stayput.montecarlo.counting import EVENTS, SLIDE_LIMIT, Quantiles
 from stayput.verification.compare import LEVELS, verify
 from stayput.verification.options import Option, options_of
-from stayput.verification.verdict import DeviceSummary, OptionVerdict, Verdict
+from stayput.verification.verdict import AsInstalled, DeviceSummary, OptionVerdict, Verdict
 
 __all__ = [
     "EVENTS",
     "LEVELS",
     "SLIDE_LIMIT",
+    "AsInstalled",
     "DeviceSummary",
     "Option",
     "OptionVerdict",

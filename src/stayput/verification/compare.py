@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import time
 from functools import cache, partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from stayput.errors import InputError
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.measures import hold
+from stayput.measures.results import weakest
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.montecarlo.counting import (
     DEVICE_FAILED,
@@ -26,13 +27,14 @@ from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
 from stayput.progress import bar
 from stayput.verification.options import compared_options, require_coulomb
-from stayput.verification.verdict import DeviceSummary, Estimates, Member, OptionVerdict, Verdict
+from stayput.verification.verdict import AsInstalled, DeviceSummary, Estimates, Member, OptionVerdict, Verdict
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.fragility import FragilityCurve, IntensityMeasure, Probability
     from stayput.measures import Held
     from stayput.montecarlo.hazard import FloorMotions
@@ -111,7 +113,8 @@ def verify(
     ground = shaking.ground(scenario.folder)
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, vertical=bool(shaking.vertical))
     settings = Settings.of(scenario, len(ground), slide_limit)
-    total = len(options) * len(ground) * settings.samples * (1 + len(rows))
+    faulty = _faulty(options, scenario)
+    total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
     with bar(total, "Verifying", progress) as advance:
         seen = 0
 
@@ -131,9 +134,16 @@ def verify(
 
         # All options go on together, since they are compared sample by sample.
         here, samples, precise = sample_until_precise(len(options), settings, run, together=True)
-        at_a_level = len(options) * len(ground) * samples
-        if unneeded := total - at_a_level * (1 + len(rows)):  # samples beyond the asked precision
+        at_a_level, badly = len(options) * len(ground) * samples, len(faulty) * len(ground) * samples
+        if unneeded := total - at_a_level * (1 + len(rows)) - badly:  # samples beyond the asked precision
             count(unneeded)
+        installed: dict[str, AsInstalled] = {}
+        if faulty:
+            bad = _rows(tuple(each.option for each in faulty), scenario, settings, samples)
+            found = run_level(bad, floors, threads=threads, progress=count)
+            well = {option.name: runs for option, runs in zip(options, here, strict=True)}
+            for each, runs in zip(faulty, found, strict=True):
+                installed[each.option.name] = _as_installed(each, well[each.option.name], runs, slide_limit)
         floors_at = cache(partial(hazard.at, threads=threads))
         falls: list[Falls] = []
         made = 0
@@ -145,7 +155,7 @@ def verify(
         measures = [floors_at(float(level)) for level in rows]
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures) for option in options]
-    verdicts = _verdicts(options, held, here, falls, measures, slide_limit)
+    verdicts = _verdicts(options, held, here, falls, measures, slide_limit, installed)
     return Verdict(
         scenario=scenario,
         intensity=float(np.median(floors.measures[JMA_INTENSITY])),
@@ -155,7 +165,7 @@ def verify(
         levels=rows,
         motions=len(ground),
         samples=samples,
-        runs=at_a_level + made,
+        runs=at_a_level + badly + made,
         settled=at_a_level * len(rows) - made,
         precise=precise,
         seed=settings.seed,
@@ -172,6 +182,37 @@ def _rows(
     drawn = draws(settings.motions, samples, settings.seed, start)
     initial, gravity = scenario.initial.state(), settings.gravity
     return [rows_of(body, room, option.measures, drawn, gravity, initial) for option in options]
+
+
+class _Faulty(NamedTuple):
+    """An option badly installed, what is wrong with it, and in what share."""
+
+    option: Option
+    how: tuple[Phrase, ...]
+    share: float
+
+
+def _faulty(options: tuple[Option, ...], scenario: Scenario) -> list[_Faulty]:
+    """Return those options badly installed of which the scenario asks a share."""
+    found: list[_Faulty] = []
+    for option in options:
+        worse = option.badly_installed()
+        if worse is None:
+            continue
+        bad, wrong = worse
+        share = scenario.uncertainty.badly(max(each.share for each in wrong))
+        if share > 0.0:
+            found.append(_Faulty(bad, tuple(each.how for each in wrong), share))
+    return found
+
+
+def _as_installed(faulty: _Faulty, well: Runs, badly: Runs, slide_limit: float) -> AsInstalled:
+    share, ends = faulty.share, (well.probabilities(slide_limit), badly.probabilities(slide_limit))
+    usual = {
+        event: (1.0 - share) * chance.estimate + share * ends[1][event].estimate
+        for event, chance in ends[0].items()
+    }
+    return AsInstalled(share, faulty.how, ends[1], usual)
 
 
 def _curves(name: str, falls: Falls, measures: list[FloorMotions]) -> dict[IntensityMeasure, FragilityCurve]:
@@ -193,6 +234,7 @@ def _verdicts(
     falls: list[Falls],
     measures: list[FloorMotions],
     slide_limit: float,
+    installed: Mapping[str, AsInstalled],
 ) -> tuple[OptionVerdict, ...]:
     chances = [runs.probabilities(slide_limit) for runs in stated]
     order = sorted(range(len(options)), key=lambda i: (*severity(chances[i], len(options[i].measures)), i))
@@ -216,6 +258,7 @@ def _verdicts(
                 capacities={p: curves[JMA_INTENSITY].capacity(p) for p in CAPACITIES} if curves else {},
                 typical=typical,
                 worst=worst,
+                installed=installed.get(option.name),
             )
         )
     return tuple(verdicts)
@@ -247,6 +290,7 @@ def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:
                 failure_time=float(np.median(times)) if times.size else np.nan,
                 peak=Quantiles.of(force, nowhere),
                 used=Quantiles.of(runs.used[:, :, number], nowhere),
+                weakest=weakest(element, device[~runs.missing]),
             )
         )
     return tuple(summaries)

@@ -50,6 +50,7 @@ def notes(verdict: Verdict, graded: Option | None = None) -> tuple[Phrase, ...]:
     return (
         *_estimate(verdict),
         *_field(verdict),
+        *_installed(verdict),
         *_grade(verdict.best.option if graded is None else graded, verdict),
         *_far(verdict),
         _everyday(verdict),
@@ -111,6 +112,20 @@ def _left_out(verdict: Verdict) -> Iterator[Phrase]:
     if abs(up - 0.5) > _OFF_MIDDLE:
         yield phrase("verification.centre_off_middle", percent=100.0 * up)
     yield phrase("verification.of_their_own")
+
+
+def _installed(verdict: Verdict) -> Iterator[Phrase]:
+    for result in verdict.options:
+        installed = result.installed
+        if installed is not None:
+            yield phrase(
+                "verification.as_installed",
+                option=(title(result.option, verdict, "en"), title(result.option, verdict, "ja")),
+                well=percent(result.probabilities[OVERTURNED].estimate),
+                usual=percent(installed.usual[OVERTURNED]),
+                share=percent(installed.share),
+                how=_listed(installed.how),
+            )
 
 
 def _grade(option: Option, verdict: Verdict) -> Iterator[Phrase]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase, say
@@ -12,7 +12,7 @@ from stayput.measures import MEASURES, hold
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from stayput.measures import Measure
+    from stayput.measures import BadlyInstalled, Measure
     from stayput.model.body import Body
     from stayput.model.room import Room
     from stayput.scenario import Scenario
@@ -55,6 +55,19 @@ class Option:
         """Whether the name is the user's own, and not made of its measures' types."""
         kinds = [measure.kind for measure in self.measures]
         return bool(kinds) and self.name not in (" + ".join(kinds), "+".join(kinds), YOURS)
+
+    def badly_installed(self) -> tuple[Option, tuple[BadlyInstalled, ...]] | None:
+        """Return the measures as one installs them who does it badly, and what is wrong; None if nothing is.
+
+        All that can be badly installed is, since the same person does it.
+        """
+        each = [measure.badly_installed() for measure in self.measures]
+        wrong = tuple(bad for bad in each if bad is not None)
+        if not wrong:
+            return None
+        pairs = zip(self.measures, each, strict=True)
+        measures = tuple(measure if bad is None else bad.measure for measure, bad in pairs)
+        return replace(self, measures=measures), wrong
 
     def label(self, language: str) -> str:
         """Return its label in "en" or "ja"."""

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, Difference, FragilityCurve, IntensityMeasure, Probability
     from stayput.measures.parameters import Grade
     from stayput.model.body import Body
@@ -84,6 +85,8 @@ class DeviceSummary:
     used : Quantiles
         Largest force over strength: below 1 there was a margin, where it failed it is at least 1; 0 for a
         device without a strength to reach.
+    weakest : Phrase, optional
+        What gave way in most of the runs in which it failed, or would first; none where nothing can.
     """
 
     kind: str
@@ -92,6 +95,29 @@ class DeviceSummary:
     failure_time: float
     peak: Quantiles
     used: Quantiles
+    weakest: Phrase | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class AsInstalled:
+    """An option as people install it: well, or in a share of the homes badly.
+
+    Parameters
+    ----------
+    share : float
+        Share that is badly installed.
+    how : tuple of Phrase
+        What is wrong with it then.
+    badly : mapping of str to Probability
+        Of each of `EVENTS` where it is badly installed, at the scenario's shaking and under the same draws.
+    usual : mapping of str to float
+        The same as people install it: (1 − share) times that when well installed + share times `badly`.
+    """
+
+    share: float
+    how: tuple[Phrase, ...]
+    badly: Mapping[str, Probability]
+    usual: Mapping[str, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +152,8 @@ class OptionVerdict:
         JMA intensity of the ground at which this share overturns: 0.1 and 0.5.
     typical, worst : Member
         A run of median severity, and the worst.
+    installed : AsInstalled, optional
+        As people install it, where the scenario asks for that and it can be badly installed.
     """
 
     option: Option
@@ -139,6 +167,7 @@ class OptionVerdict:
     capacities: Mapping[float, Capacity]
     typical: Member
     worst: Member
+    installed: AsInstalled | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

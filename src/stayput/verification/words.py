@@ -144,10 +144,16 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
         parts.append(phrase("verification.more_often", **values))
     if shares[DEVICE_FAILED] >= 0.05:
         parts.append(phrase("verification.device_fails", share=_percent(shares[DEVICE_FAILED])))
+        worst = max(option.devices, key=lambda device: device.failed.estimate, default=None)
+        if worst is not None and worst.weakest is not None:
+            parts.append(phrase("verification.gives_way", weakest=worst.weakest))
     if slides_off(option, verdict):
         parts.append(phrase("verification.slides_far", far=FAR))
     elif math.isfinite(option.slide.p90) and option.slide.p90 >= 0.01:
         parts.append(phrase("verification.slides", length=length(option.slide.p90)))
     elif shares[SLID] < SMALL and shares[OVERTURNED] < SMALL:
         parts.append(phrase("verification.stays_where_it_is"))
-    return parts
+    scenario = verdict.scenario
+    body, room = scenario.furniture.body(), scenario.room.room()
+    cautions = (caution for measure in option.option.measures for caution in measure.cautions(body, room))
+    return [*parts, *(phrase("verification.caution", caution=caution) for caution in cautions)]

@@ -60,7 +60,7 @@ function give(kind, name, value) {
 
 function field(kind, about) {
   const label = both(about.label),
-    value = current().measures[kind.type]?.[about.name] ?? about.default;
+    value = current().measures[kind.type]?.[about.name] ?? about.default ?? about.usual;
   if (about.choices?.length) {
     const one = choice({
       label,

@@ -34,7 +34,11 @@ ELEMENT = np.dtype(
         ("slack_minus", "f8", (2,)),  # shortening at which it pushes [m]; inf: never, negative: preload
         ("limit_plus", "f8", (2,)),  # strength in pull, or to the tangent's side [N/kg]; inf: none
         ("limit_minus", "f8", (2,)),  # strength in push, or to the other side [N/kg]
-        ("ultimate", "f8", (2,)),  # accumulated plastic elongation at rupture [m]; 0: brittle
+        (
+            "ultimate",
+            "f8",
+            (2,),
+        ),  # accumulated plastic elongation at rupture [m], 0: brittle; of friction: slip
         ("friction", "f8"),  # friction limit of the tangent per push of the normal line; NaN: none
         ("interaction", "i8"),  # 1: breaks where (pull/strength)² + (shear/strength)² = 1
         ("drops_out", "i8"),  # 1: fails once it no longer pushes

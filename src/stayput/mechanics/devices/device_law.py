@@ -17,7 +17,8 @@ On a branch force and margins are linear, so the law is the numbers of a `Branch
 event: F = F₀ + k e + c ė, or where the line slips by friction, a multiple of the normal line's push. The
 margins are: of an ELASTIC line, linear in F; of a SLACK line, the distance of its spring from pulling or
 pushing; of a YIELDING line, unloading and the elongation left to rupture; of a FRICTION line, whether it
-keeps slipping.
+keeps slipping, and the slip left until it is lost: a friction line with an ultimate elongation is lost where
+its slip |p| from where it was at first reaches it, whatever it slipped to and fro.
 """
 
 from __future__ import annotations
@@ -116,6 +117,9 @@ def branch_of(el, link, i):
         low_per_force = 1.0 if plus else -1.0
         if slips_by_friction(el, i):
             state, per_push, low_per_push = FRICTION, low_per_force * el.friction, el.friction
+            low_at_0 = low_per_force * k * elastic_elongation(el, link, i, 0.0)
+            left = el.ultimate[i] - low_per_force * link.plastic[i]
+            high_at_0 = k * left if el.ultimate[i] > 0.0 else math.inf
         else:
             most = limit(el, i, plus, 0.0)
             state, constant = YIELDING, low_per_force * most
@@ -184,7 +188,9 @@ def margins_of(line, e, rate, F, push, push_rate):
         return -min(over, over + c * rate), max(under, under + c * rate)
     side = line.low_per_force
     if state == FRICTION:
-        return SLIP_RATE_TIME * (k * side * rate - line.low_per_push * push_rate), math.inf
+        slipped = line.low_at_0 + k * side * e - line.low_per_push * push
+        back = SLIP_RATE_TIME * (k * side * rate - line.low_per_push * push_rate)
+        return back, line.high_at_0 - slipped
     beyond = line.low_at_0 + k * side * e
     back = min(beyond, 0.0) + (c if c > 0.0 else k * SLIP_RATE_TIME) * side * rate
     return back, line.high_at_0 - max(beyond, 0.0)
@@ -295,7 +301,7 @@ def _update_line(el, link, device, i, time):
     branch = link.branch[i]
     if branch in (SLIP_PLUS, SLIP_MINUS):
         if high < 0.0:
-            fail(link, device, DRAWN_OUT, time)
+            fail(link, device, DROPPED_OUT if slips_by_friction(el, i) else DRAWN_OUT, time)
         elif low <= 0.0:
             _end_slip(el, link, i, branch == SLIP_PLUS)
         return

@@ -64,7 +64,11 @@ def _keeps_sign(line, h, beyond, pressing, pressing_rate):
         return min(_distance_from_contact(line, line.e0), _distance_from_contact(line, line.e)) > k * place
     least = min(line.low0, line.low1)
     if state == FRICTION:
-        return least > SLIP_RATE_TIME * (k * rate + line.low_per_push * pressing_rate)
+        left = min(line.high0, line.high1)
+        return (
+            least > SLIP_RATE_TIME * (k * rate + line.low_per_push * pressing_rate)
+            and left > k * place + line.low_per_push * pressing
+        )
     if state == YIELDING:
         side, damping = line.low_per_force, max(line.damping, k * SLIP_RATE_TIME)
         back = min(line.low_at_0 + k * side * line.e0, line.low_at_0 + k * side * line.e, 0.0)

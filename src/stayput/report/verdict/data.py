@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, FragilityCurve, Probability
     from stayput.measures import Measure
-    from stayput.verification import OptionVerdict, Quantiles, Verdict
+    from stayput.verification import AsInstalled, OptionVerdict, Quantiles, Verdict
 
 
 def verdict_json(verdict: Verdict) -> str:
@@ -119,6 +119,7 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
         ],
         "measures": [_measure(measure) for measure in result.option.measures],
         "probabilities": {event: _probability(value) for event, value in result.probabilities.items()},
+        "as_installed": None if result.installed is None else _as_installed(result.installed),
         "overturned_change": None
         if change is None
         else {
@@ -138,11 +139,21 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
                 "failure_time_s": number(device.failure_time),
                 "peak_force_n": _quantiles(device.peak),
                 "utilisation": _quantiles(device.used),
+                "weakest": None if device.weakest is None else _texts(device.weakest),
             }
             for device in result.devices
         ],
         "capacities": [_capacity(value) for value in result.capacities.values()],
         "curves": [_curve(curve) for curve in result.curves.values()],
+    }
+
+
+def _as_installed(installed: AsInstalled) -> dict[str, Any]:
+    return {
+        "badly_share": installed.share,
+        "badly": {event: _probability(value) for event, value in installed.badly.items()},
+        "usual": {event: number(value) for event, value in installed.usual.items()},
+        "how": [_texts(how) for how in installed.how],
     }
 
 

@@ -241,7 +241,8 @@ def replay_under(verdict: Verdict, option: Option, member: Member, motion: Motio
     scenario = verdict.scenario
     drawn = draws(member.motion + 1, member.sample + 1, verdict.seed)[member.motion][member.sample]
     body = drawn_body(scenario.furniture.body(), drawn)
-    stated = hold(body, drawn_place(scenario.room.room(), drawn), option.measures)
+    bought = [measure.fitted_to(scenario.furniture.body()) for measure in option.measures]
+    stated = hold(body, drawn_place(scenario.room.room(), drawn), bought)
     held = replace(stated, room=drawn_surfaces(stated.room, drawn))
     initial = scenario.initial.state()
     row = case_columns(held.body, held.room, initial, scenario.gravity)

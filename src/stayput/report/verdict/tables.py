@@ -126,7 +126,7 @@ def impossible_rows(verdict: Verdict, language: str) -> list[tuple[str, str]]:
     ]
 
 
-DEVICE_COLUMNS = ("device", "failed", "failure_time", "peak_force", "used")
+DEVICE_COLUMNS = ("device", "failed", "failure_time", "weakest_link", "peak_force", "used")
 """Keys of the headings of `device_rows`."""
 
 
@@ -143,8 +143,8 @@ def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
     Returns
     -------
     list of tuple
-        Name, share of failures with its interval, median time of failure, and median and 90 % of the peak
-        force and of the part of the strength that was used.
+        Name, share of failures with its interval, median time of failure, weakest link, and median and 90 %
+        of the peak force and of the part of the strength that was used.
     """
     names = {measure.kind: say(measure.label, language) for measure in result.option.measures}
     listed = word("listed", language)
@@ -153,6 +153,7 @@ def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
             _device_name(device, names, language),
             numbers.with_interval(device.failed, language),
             numbers.moment(device.failure_time, language),
+            numbers.NO_NUMBER if device.weakest is None else say(device.weakest, language),
             listed.join(numbers.forces(device.peak, language)),
             listed.join(numbers.used(device.used, language)) or numbers.NO_NUMBER,
         )
@@ -220,6 +221,8 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
         }
     record["grade"] = verdict.grade(result).value
     record["weakest_inputs"] = weakest_inputs(result, verdict, "en")
+    installed = result.installed
+    record["overturned_as_installed"] = None if installed is None else number(installed.usual[OVERTURNED])
     record["not_possible"] = None
     return record
 

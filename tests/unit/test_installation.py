@@ -1,0 +1,145 @@
+"""Measures as people install them: what is wrong, in what share, and what the verdict says of it."""
+
+import json
+
+import numpy as np
+import pytest
+
+import stayput as sp
+from stayput.measures import MEASURES, Belt, GelMats, LBracket, LBracketInBoard, TensionPole, WedgeStopper
+from stayput.measures.measure import FAULTY
+from stayput.montecarlo.counting import OVERTURNED
+from stayput.report.verdict.data import verdict_json
+from stayput.report.verdict.html import report_html
+from stayput.report.verdict.markdown import verdict_markdown
+from stayput.report.verdict.tables import verdict_csv
+from stayput.verification.words import reason
+
+FILE = {
+    "furniture": {"preset": "bookcase"},
+    "room": {"back_wall": {"gap": 0.02, "construction": "plasterboard"}, "ceiling": {"height": 2.4}},
+    "shaking": {"intensity": 6.25},
+    "measures": [
+        {"type": "l_bracket", "wall": "stud"},
+        {"type": "anti_slip_sheet"},
+        {"name": "pair", "combine": [{"type": "wedge_stopper"}, {"type": "tension_pole"}]},
+    ],
+}
+
+
+def verdict_of(installation):
+    parsed = sp.Scenario.parse({**FILE, "uncertainty": {"samples": 20, "installation": installation}})
+    return sp.verify(parsed, levels=(), threads=1, progress=False)
+
+
+@pytest.fixture(scope="module")
+def usual():
+    return verdict_of("as people install it")
+
+
+def by_name(verdict):
+    return {result.option.name: result for result in verdict.options}
+
+
+@pytest.mark.parametrize(
+    ("measure", "worse"),
+    [
+        (LBracket(), LBracket(wall="plasterboard")),
+        (LBracket(strength=1500.0), LBracket(wall="plasterboard")),
+        (Belt(), Belt(slack=0.01 + 0.05)),
+        (TensionPole(), TensionPole(preload=20.0)),
+        (TensionPole(preload=10.0), TensionPole(preload=10.0)),
+        (GelMats(), GelMats(realism=0.3 * 0.7)),
+        (WedgeStopper(), WedgeStopper(thickness=0.0035)),
+    ],
+)
+def test_what_is_wrong_with_a_badly_installed_measure(measure, worse):
+    bad = measure.badly_installed()
+    assert (bad.measure, bad.share) == (worse, FAULTY)
+    assert not bad.how[1].isascii()
+
+
+def test_of_some_measures_little_can_be_done_wrong():
+    for measure in (LBracketInBoard(), LBracket(wall="plasterboard"), MEASURES["ballast"]()):
+        assert measure.badly_installed() is None
+
+
+def test_installed_well_is_the_default_and_costs_nothing(usual):
+    well = verdict_of("well")
+    assert all(result.installed is None for result in well.options)
+    assert usual.runs == well.runs + 2 * well.motions * well.samples
+    for name, result in by_name(well).items():
+        assert by_name(usual)[name].probabilities == result.probabilities
+    assert verdict_of(0.0).runs == well.runs
+    assert sp.Scenario.parse(FILE).uncertainty.installation == "well"
+
+
+def test_as_people_install_it_mixes_the_two(usual):
+    options = by_name(usual)
+    assert options["anti_slip_sheet"].installed is options["none"].installed is None
+    for name in ("l_bracket", "pair"):
+        result, mixed = options[name], options[name].installed
+        for event, chance in result.probabilities.items():
+            wanted = (1.0 - FAULTY) * chance.estimate + FAULTY * mixed.badly[event].estimate
+            assert mixed.usual[event] == pytest.approx(wanted)
+    assert len(options["pair"].installed.how) == 2
+    bracket = options["l_bracket"]
+    assert bracket.installed.badly[OVERTURNED].estimate > bracket.probabilities[OVERTURNED].estimate
+    halves = by_name(verdict_of(0.5))["l_bracket"].installed
+    assert (halves.share, halves.badly) == (0.5, bracket.installed.badly)
+
+
+def test_badly_installed_is_the_measure_with_what_is_wrong(usual):
+    """Under the same draws as an option of its own would be."""
+    board = {**FILE, "measures": [{"type": "l_bracket", "wall": "plasterboard"}]}
+    alone = sp.verify(
+        sp.Scenario.parse({**board, "uncertainty": {"samples": 20}}), levels=(), threads=1, progress=False
+    )
+    found = by_name(usual)["l_bracket"].installed.badly
+    assert found == by_name(alone)["l_bracket"].probabilities
+
+
+def test_every_form_of_the_verdict_says_it(usual):
+    line = next(
+        note for note in usual.notes() if "Screwed L-brackets" in note and "as people install it" in note
+    )
+    assert "23 % badly (screws beside the studs, in plasterboard)" in line
+    plain = verdict_markdown(usual).replace("\\", "")
+    assert line in plain
+    assert "when well installed" in report_html(usual, "en")
+    assert "実際の取付けでは" in verdict_markdown(usual, "ja")
+    data = {one["name"]: one for one in json.loads(verdict_json(usual))["options"]}
+    told = data["l_bracket"]["as_installed"]
+    assert told["badly_share"] == FAULTY
+    assert told["usual"][OVERTURNED] == by_name(usual)["l_bracket"].installed.usual[OVERTURNED]
+    assert data["anti_slip_sheet"]["as_installed"] is None
+    heads, *rows = (line.split(",") for line in verdict_csv(usual).splitlines())
+    column = heads.index("overturned_as_installed")
+    assert {row[1]: bool(row[column]) for row in rows}["anti_slip_sheet"] is False
+
+
+def test_cautions_and_the_weakest_link_stand_in_the_reason():
+    measures = [{"type": "l_bracket"}, {"type": "l_bracket_board", "count": 1}]
+    verdict = sp.verify(
+        sp.Scenario.parse({**FILE, "measures": measures, "uncertainty": {"samples": 20}}),
+        levels=(),
+        threads=1,
+        progress=False,
+    )
+    for result in verdict.options:
+        if not result.option.measures:
+            continue
+        english = reason(result, verdict, "en")
+        assert "caution: " in english
+        assert "plasterboard alone" in english
+        assert "注意：" in reason(result, verdict, "ja")
+        (device,) = result.devices
+        assert device.weakest[0] == "the screws pull out of the plasterboard"
+        assert device.weakest[0] in english
+        assert np.isfinite(device.failed.estimate)
+
+
+@pytest.mark.parametrize("wrong", ["badly", -0.1, 1.1, True])
+def test_another_installation_is_refused(wrong):
+    with pytest.raises(sp.InputError, match=r"uncertainty.installation is .*; it must be"):
+        sp.Scenario.parse({**FILE, "uncertainty": {"installation": wrong}})
