@@ -20,6 +20,7 @@ LAYERS = (
     {"motion"},
     {"building", "measures", "estimates", "webassembly"},
     {"simulation", "fragility"},
+    {"contents"},
     {"montecarlo", "scenario"},
     {"verification"},
     {"report"},

@@ -36,6 +36,16 @@ PIECES: dict[str, tuple[str, str]] = {
 ANY_PIECE = ("piece of furniture", "家具")
 """A piece that is no preset."""
 
+CONTENTS: dict[str, tuple[str, str]] = {
+    "books": ("Books", "本"),
+    "files": ("Files", "ファイル"),
+    "dishes": ("Dishes", "食器"),
+    "bottles": ("Bottles", "瓶"),
+    "boxes": ("Boxes", "箱"),
+    "pallet loads": ("Pallet loads", "パレットの荷"),
+}
+"""Presets of contents."""
+
 SURFACES: dict[str, tuple[str, str]] = {
     "wood flooring": ("Wood flooring", "フローリング"),
     "vinyl": ("Vinyl", "ビニル床"),
