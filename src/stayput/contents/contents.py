@@ -16,7 +16,7 @@ DOORS = ("none", "hinged", "hinged, latched", "sliding")
 """Kinds of doors."""
 
 DRAWERS = ("none", "free", "stops", "catches")
-"""Kinds of drawers: ones that come out, ones that a stop holds at the end, and such that a catch holds shut."""
+"""Kinds of drawers: that come out; that a stop holds at the end; that a catch holds shut besides."""
 
 CATCHES = {"hinged": 20.0, "hinged, latched": 300.0, "catches": 30.0}
 """Force at the free edge of a door's leaf, or at a drawer, at which the catch lets go [N]; low confidence."""
@@ -102,7 +102,12 @@ class Contents:
     doors: str = "none"
     drawers: str = "none"
     catch: float | None = parameter(
-        None, "N", 0.0, 1e6, ("holding force of the catch", "留め具の保持力"), "Force at which a catch lets go."
+        None,
+        "N",
+        0.0,
+        1e6,
+        ("holding force of the catch", "留め具の保持力"),
+        "Force at which a catch lets go.",
     )
     door_mass: float = parameter(5.0, "kg", 0.0, 1e3, ("mass of the doors", "扉の質量"), "Mass of all doors.")
     leaf: float = parameter(

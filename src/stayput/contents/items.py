@@ -1,8 +1,8 @@
 """Items on a shelf as cases of the planar mechanics: what slides and topples there, and what that means.
 
-In the shelf's axes an item is a body on a floor. The board behind it is a wall on the left. A lip of height l
-is a wall on the right that meets the item's front at that height only: the corner of the section that hits it
-is moved down from the item's top to the lip's, so that the item is stopped at its foot and topples over the lip.
+In the shelf's axes an item is a body on a floor. The board behind it is a wall on the left. A lip is a wall
+on the right that meets the item's front only as high up as the lip is: the corner of the section that hits it
+is moved down from the item's top, so that the item is stopped at its foot and topples over the lip.
 """
 
 from __future__ import annotations
@@ -127,7 +127,9 @@ def out_of_shelf(items: Items, cases: NDArray[np.void], results: NDArray[np.void
     slid = np.zeros(len(results), np.bool_) if items.blocked else results["peak_slide"] > items.way
     forwards = toppled(results) & (results["residual_tilt"] > 0.0)
     half = -cases["v"][:, 0]  # where the centre of gravity of a lying item is beyond its foot
-    over = np.ones(len(results), np.bool_) if items.blocked else results["residual_slide"] + half > items.front
+    over = (
+        np.ones(len(results), np.bool_) if items.blocked else results["residual_slide"] + half > items.front
+    )
     return slid | (forwards & over)
 
 

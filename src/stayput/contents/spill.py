@@ -154,10 +154,8 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: bool
     """
     items, masses = items_of(contents, body, carrier.gravity), contents.masses(body)
     right, above = items.middle
-    points = [
-        carrier.point(right, height + above, contents.slope) for height in contents.heights(body)
-    ]
-    opened = opening_samples(contents, points, masses, carrier.gravity)
+    points = [carrier.point(right, height + above, contents.slope) for height in contents.heights(body)]
+    opened = opening_samples(contents, points, masses, carrier.gravity, carrier.dt)
     shape = items.cases.shape
     out, over = np.zeros(shape, np.bool_), np.zeros(shape, np.bool_)
     leaving = np.full((4, *shape), np.nan)
@@ -165,7 +163,7 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: bool
     if contents.doors == "sliding":
         middle = _shaking(points[len(points) // 2], 0, carrier.dt)
         part = uncovered(slide_of_a_leaf(contents, middle, carrier.gravity), contents.leaf)
-    exposed = (np.arange(shape[1]) + 0.5) / shape[1] < part
+    exposed: NDArray[np.bool_] = (np.arange(shape[1]) + 0.5) / shape[1] < part
     samples = len(carrier.along)
     for shelf, (point, start) in enumerate(zip(points, opened.tolist(), strict=True)):
         if start > samples - 2 or not exposed.any():  # it stays shut

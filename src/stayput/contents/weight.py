@@ -1,7 +1,7 @@
 """What contents are worth to the piece itself: bodies whose contents are gone, or whose drawers are open.
 
-A piece is computed with its contents fixed to it, all of them taking part in its inertia. Things that slide take
-part in less of it. The other bound is a piece without them: how it stands lies between, as far as it
+A piece is computed with its contents fixed to it, all of them taking part in its inertia. Things that slide
+take part in less of it. The other bound is a piece without them: how it stands lies between, as far as it
 changes steadily with what takes part.
 """
 
