@@ -6,8 +6,8 @@ from .building import Isolation as Isolation
 from .building import ShearModel as ShearModel
 from .contents import CONTENTS as CONTENTS
 from .contents import Contents as Contents
-from .contents import Spill as Spill
-from .contents import spill as spill
+from .contents.spill import Spill as Spill
+from .contents.spill import spill as spill
 from .errors import InputError as InputError
 from .errors import InputWarning as InputWarning
 from .fragility import FragilityCurve as FragilityCurve

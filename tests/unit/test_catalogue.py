@@ -12,6 +12,7 @@ import stayput
 from stayput.building.building import STRUCTURES
 from stayput.catalogue import TEXTS, names, phrase, say
 from stayput.contents import CONTENTS
+from stayput.contents.contents import DOORS, DRAWERS
 from stayput.errors import InputError, InputWarning, within
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import SURFACES
@@ -88,8 +89,10 @@ def test_a_value_may_itself_be_in_two_languages():
         (FURNITURE, names.FURNITURE),
         (STRUCTURES, names.STRUCTURES),
         (CONTENTS, names.CONTENTS),
+        (DOORS, names.DOORS),
+        (DRAWERS, names.DRAWERS),
     ],
-    ids=["surfaces", "furniture", "structures", "contents"],
+    ids=["surfaces", "furniture", "structures", "contents", "doors", "drawers"],
 )
 def test_every_preset_has_a_name_in_both_languages(presets, called):
     assert set(presets) == set(called)

@@ -253,5 +253,6 @@ def test_the_schema_is_json_with_units_and_every_table():
         "gravity",
         "initial",
         "measures",
+        "contents",
         "uncertainty",
     }

@@ -46,6 +46,22 @@ CONTENTS: dict[str, tuple[str, str]] = {
 }
 """Presets of contents."""
 
+DOORS: dict[str, tuple[str, str]] = {
+    "none": ("none", "なし"),
+    "hinged": ("hinged", "開き戸"),
+    "hinged, latched": ("hinged, with latches", "開き戸（耐震ラッチ付き）"),
+    "sliding": ("sliding", "引き戸"),
+}
+"""Kinds of doors, within a sentence."""
+
+DRAWERS: dict[str, tuple[str, str]] = {
+    "none": ("none", "なし"),
+    "free": ("without stops", "ストッパーなし"),
+    "stops": ("with stops", "ストッパー付き"),
+    "catches": ("with stops and catches", "ストッパーと留め具付き"),
+}
+"""Kinds of drawers, within a sentence."""
+
 SURFACES: dict[str, tuple[str, str]] = {
     "wood flooring": ("Wood flooring", "フローリング"),
     "vinyl": ("Vinyl", "ビニル床"),

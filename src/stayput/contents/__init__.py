@@ -4,6 +4,5 @@ from __future__ import annotations
 
 from stayput.contents.contents import Contents
 from stayput.contents.kinds import CONTENTS, ContentsKind
-from stayput.contents.spill import Spill, spill
 
-__all__ = ["CONTENTS", "Contents", "ContentsKind", "Spill", "spill"]
+__all__ = ["CONTENTS", "Contents", "ContentsKind"]

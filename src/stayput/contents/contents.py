@@ -18,6 +18,9 @@ DOORS = ("none", "hinged", "hinged, latched", "sliding")
 DRAWERS = ("none", "free", "stops", "catches")
 """Kinds of drawers: that come out; that a stop holds at the end; that a catch holds shut besides."""
 
+STOPPED = ("stops", "catches")
+"""Drawers that do not come out of the piece."""
+
 CATCHES = {"hinged": 20.0, "hinged, latched": 300.0, "catches": 30.0}
 """Force at the free edge of a door's leaf, or at a drawer, at which the catch lets go [N]; low confidence."""
 
@@ -67,7 +70,7 @@ class Contents:
     leaf : float
         Width of a sliding door's leaf [m].
     restitution : float
-        Restitution of an item on the lip, the back board and a drawer's stop.
+        Restitution of an item on the lip and the back board.
     items : int
         Items on each shelf that are computed, with friction and size drawn for each.
 
@@ -119,10 +122,10 @@ class Contents:
         0.0,
         1.0,
         ("restitution of the items", "物の反発係数"),
-        "Restitution on the lip, the back board and a drawer's stop.",
+        "Restitution on the lip and the back board.",
     )
     items: int = parameter(
-        12, "", 1, 1000, ("items on a shelf", "1段あたりの物の数"), "Items on each shelf that are computed."
+        8, "", 1, 1000, ("items on a shelf", "1段あたりの物の数"), "Items on each shelf that are computed."
     )
 
     def __post_init__(self) -> None:

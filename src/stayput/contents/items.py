@@ -36,9 +36,6 @@ SEED = 1
 _WAY_OF_A_DRAWER = 0.9
 """Part of its depth that a drawer without a stop comes out before it falls."""
 
-_WAY_TO_A_STOP = 0.75
-"""Part of its depth that a drawer comes out before its stop holds it."""
-
 _UPRIGHT_DRAWER = 50.0
 """Width over height with which a drawer does not tip: its runners hold it level."""
 
@@ -57,7 +54,7 @@ class Items(NamedTuple):
     way : float
         Slide with which the centre of gravity is beyond the edge, or the drawer out of its runners [m].
     blocked : bool
-        Whether a lip or a stop keeps things from sliding out.
+        Whether a lip keeps things from sliding out.
     """
 
     cases: NDArray[np.void]
@@ -84,15 +81,13 @@ def items_of(contents: Contents, body: Body, gravity: float) -> Items:
     front, behind = contents.places(body)
     static, kinetic = contents.friction
     way = _WAY_OF_A_DRAWER * width if in_drawers else front + 0.5 * width
-    stop = contents.drawers in ("stops", "catches")
-    blocked = stop or (contents.lip > 0.0 and not in_drawers)
-    clear = _WAY_TO_A_STOP * width if stop else front
+    blocked = contents.lip > 0.0 and not in_drawers
     # A way back that is longer than the way out would hide which of the two the largest slide was.
     left = Wall(min(behind, way), contents.restitution) if contents.back else None
     room = Room(
         Floor(static, kinetic),
         left_wall=left,
-        right_wall=Wall(clear, contents.restitution) if blocked else None,
+        right_wall=Wall(front, contents.restitution) if blocked else None,
     )
     section = Body(width, width / _UPRIGHT_DRAWER if in_drawers else height)
     shape = (contents.levels, contents.items)
@@ -106,7 +101,7 @@ def items_of(contents: Contents, body: Body, gravity: float) -> Items:
     for name in ("static_friction", "kinetic_friction"):
         numbers[f"room.floor.{name}"] = factors["friction"] * numbers[f"room.floor.{name}"]
     cases = case_rows(numbers, heights.size)
-    if blocked and not stop:
+    if blocked:
         cases["v"][:, 3] = np.minimum(contents.lip, heights) - 0.5 * heights
     middle = 0.5 * (body.width - width) - front
     return Items(cases.reshape(shape), (middle, 0.5 * section.height), front, way, blocked)

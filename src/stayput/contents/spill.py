@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.contents.carrier import Carrier
+from stayput.contents.contents import STOPPED
 from stayput.contents.fronts import opening_samples, slide_of_a_leaf
 from stayput.contents.items import items_of, out_of_shelf, toppled, uncovered
 from stayput.errors import InputError
@@ -163,10 +164,13 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: bool
     if contents.doors == "sliding":
         middle = _shaking(points[len(points) // 2], 0, carrier.dt)
         part = uncovered(slide_of_a_leaf(contents, middle, carrier.gravity), contents.leaf)
-    exposed: NDArray[np.bool_] = (np.arange(shape[1]) + 0.5) / shape[1] < part
+    exposed = _exposed(shape[1], part)
     samples = len(carrier.along)
     for shelf, (point, start) in enumerate(zip(points, opened.tolist(), strict=True)):
         if start > samples - 2 or not exposed.any():  # it stays shut
+            continue
+        if contents.drawers in STOPPED:  # and holds what is in it until the piece lies
+            out[shelf] = carrier.overturned
             continue
         cases, shaken = items.cases[shelf, exposed], _shaking(point, start, carrier.dt)
         results = run_cases(cases, shaken)
@@ -191,6 +195,11 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: bool
         speed=speed,
         distance=distance,
     )
+
+
+def _exposed(count: int, part: float) -> NDArray[np.bool_]:
+    """Return which items of a shelf stand before the open part of the front."""
+    return (np.arange(count) + 0.5) / count < part
 
 
 def _shaking(point: PointMotion, start: int, dt: float) -> Shaking:

@@ -25,6 +25,7 @@ from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
 from stayput.progress import bar
+from stayput.verification.contents import contents_verdicts
 from stayput.verification.options import compared_options, require_coulomb
 from stayput.verification.verdict import DeviceSummary, Estimates, Member, OptionVerdict, Verdict
 
@@ -40,6 +41,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.runs import Runs
     from stayput.montecarlo.sampling import Rows
     from stayput.scenario import Scenario
+    from stayput.verification.contents import ContentsVerdict
     from stayput.verification.options import Option
 
 LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
@@ -134,6 +136,7 @@ def verify(
         at_a_level = len(options) * len(ground) * samples
         if unneeded := total - at_a_level * (1 + len(rows)):  # samples beyond the asked precision
             count(unneeded)
+        inside = contents_verdicts(options, scenario, floors, settings.seed, threads)
         floors_at = cache(partial(hazard.at, threads=threads))
         falls: list[Falls] = []
         made = 0
@@ -145,7 +148,7 @@ def verify(
         measures = [floors_at(float(level)) for level in rows]
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures) for option in options]
-    verdicts = _verdicts(options, held, here, falls, measures, slide_limit)
+    verdicts = _verdicts(options, held, here, falls, measures, slide_limit, inside)
     return Verdict(
         scenario=scenario,
         intensity=float(np.median(floors.measures[JMA_INTENSITY])),
@@ -193,6 +196,7 @@ def _verdicts(
     falls: list[Falls],
     measures: list[FloorMotions],
     slide_limit: float,
+    inside: list[ContentsVerdict | None],
 ) -> tuple[OptionVerdict, ...]:
     chances = [runs.probabilities(slide_limit) for runs in stated]
     order = sorted(range(len(options)), key=lambda i: (*severity(chances[i], len(options[i].measures)), i))
@@ -216,6 +220,7 @@ def _verdicts(
                 capacities={p: curves[JMA_INTENSITY].capacity(p) for p in CAPACITIES} if curves else {},
                 typical=typical,
                 worst=worst,
+                contents=inside[i],
             )
         )
     return tuple(verdicts)

@@ -10,7 +10,7 @@ from stayput.fragility.probabilities import percent
 from stayput.measures.parameters import MEANINGS
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.verification.grades import grade, weakest
-from stayput.verification.words import length, slides_off, title
+from stayput.verification.words import length, share_text, slides_off, title
 from stayput.wording import FAR
 
 if TYPE_CHECKING:
@@ -47,6 +47,7 @@ def notes(verdict: Verdict, graded: Option | None = None) -> tuple[Phrase, ...]:
         *_estimate(verdict),
         *_grade(verdict.best.option if graded is None else graded, verdict),
         *_far(verdict),
+        *_contents(verdict),
     )
 
 
@@ -100,6 +101,19 @@ def _grade(option: Option, verdict: Verdict) -> Iterator[Phrase]:
         letter=grade(option, scenario).value,
         meaning=MEANINGS[grade(option, scenario)],
         inputs=inputs,
+    )
+
+
+def _contents(verdict: Verdict) -> Iterator[Phrase]:
+    contents = verdict.without.contents
+    if contents is None or contents.rigid.runs == 0:
+        return
+    wide = contents.opened
+    yield phrase(
+        "verification.contents_bound",
+        rigid=share_text(contents.rigid.estimate),
+        emptied=share_text(contents.emptied.estimate),
+        opened="" if wide is None else phrase("verification.drawers_open", share=share_text(wide.estimate)),
     )
 
 

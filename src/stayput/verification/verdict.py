@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.counting import Quantiles
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
+    from stayput.verification.contents import ContentsVerdict
     from stayput.verification.options import Impossible, Option
 
 
@@ -117,6 +118,8 @@ class OptionVerdict:
         JMA intensity of the ground at which this share overturns: 0.1 and 0.5.
     typical, worst : Member
         A run of median severity, and the worst.
+    contents : ContentsVerdict, optional
+        What comes out of the furniture, where the scenario says what is in it.
     """
 
     option: Option
@@ -130,6 +133,7 @@ class OptionVerdict:
     capacities: Mapping[float, Capacity]
     typical: Member
     worst: Member
+    contents: ContentsVerdict | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
