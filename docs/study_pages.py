@@ -46,6 +46,12 @@ def tested() -> Runs:
     return [(studies.tokyo(motion), motion), (studies.capacity(), None)]
 
 
+def inside() -> Runs:
+    """Run the study of what is in furniture."""
+    motion = three_components()
+    return [(studies.contents(motion), motion)]
+
+
 def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
     """Write a study's figures; return its title, text, numbers, figures and tables."""
     text = (TEXTS / f"{study.name}.md").read_text(encoding="utf-8")
@@ -61,7 +67,7 @@ def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
 
 
 def write(folder: Path) -> None:
-    """Write ``studies.md``, ``tested.md`` and their figures into a folder."""
-    for name, runs in (("studies", of_the_paper()), ("tested", tested())):
+    """Write ``studies.md``, ``tested.md``, ``inside.md`` and their figures into a folder."""
+    for name, runs in (("studies", of_the_paper()), ("tested", tested()), ("inside", inside())):
         text = "\n\n".join(section(study, motion, folder) for study, motion in runs)
         (folder / f"{name}.md").write_text(text + "\n", encoding="utf-8")

@@ -49,6 +49,7 @@ def runs():
             (studies.wall_gap_record(along, gaps=np.linspace(0.0, 0.4, 9)), along),
             (studies.spectrum(along, periods=[1.0, 1.8, 3.0], slenderness=[0.2, 0.4], step=0.05), along),
             (studies.tokyo(record, samples=1), record),
+            (studies.contents(record, intensities=[6.0]), record),
             (studies.capacity(4, corners=(0.4, 1.6), sizes=("chest", "cupboard"), step=0.1), None),
         )
     }

@@ -14,6 +14,7 @@ from stayput.contents.carrier import Carrier
 from stayput.contents.contents import DOORS
 from stayput.measures import element_rows, hold
 from stayput.simulation.flat_fields import case_columns
+from stayput.studies.contents import contents
 
 PIECE = sp.Body(0.45, 1.8, 100.0)
 SQUAT = sp.Body(1.0, 0.02)
@@ -224,3 +225,17 @@ def test_what_leaves_a_shelf_falls_freely():
     fall = np.sqrt(2.0 * thrown.height[out] / 9.80665)
     assert thrown.distance[out] == pytest.approx(thrown.speed[out] * fall)
     assert thrown.height[out] == pytest.approx(np.nonzero(out)[0] * 0.36, abs=0.02)
+
+
+def test_the_study_shows_what_agrees_with_reports_and_what_does_not():
+    """Both misses are of our inputs: the bare bookcase overturns, and friction keeps half of the dishes."""
+    study = contents(intensities=[6.0])
+    table = next(iter(study.tables.values())).set_index("reported")
+    assert set(table.index[table["agrees"] == "no"]) == {
+        "hinged doors: all dishes out",
+        "not fixed: moved and kept them",
+    }
+    assert study.quantities["pallets"].value == 0.0
+    assert study.quantities["pallets_shaken"].value == 0.0
+    held = study.data["out"].sel(setting="books, open", held="L-brackets")
+    assert (np.diff(held) >= 0.0).all()

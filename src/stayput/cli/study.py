@@ -21,11 +21,12 @@ STUDIES = {
     "wall-gap-record": "the same under a record (§4.5, Table 4.3)",
     "spectrum": "overturning and rocking spectra of pulses and of a record",
     "tokyo": "devices alone and together, as in Tokyo's product test of 2015",
+    "contents": "what comes out of shelves and cupboards, beside tests and reports",
     "capacity": "median overturning capacity beside Kaneko and Hayashi's formula",
 }
 """Names of the studies, and what they are about."""
 
-OF_A_RECORD = ("wall-gap-record", "spectrum", "tokyo")
+OF_A_RECORD = ("wall-gap-record", "spectrum", "tokyo", "contents")
 """Studies that take a motion."""
 
 

@@ -5,6 +5,7 @@ furniture* (14WCEE, 2008).
 """
 
 from stayput.studies.capacity import capacity
+from stayput.studies.contents import contents
 from stayput.studies.critical_ratio import critical_ratio
 from stayput.studies.friction import friction
 from stayput.studies.spectrum import spectrum
@@ -17,6 +18,7 @@ __all__ = [
     "Quantity",
     "Study",
     "capacity",
+    "contents",
     "critical_ratio",
     "friction",
     "spectrum",
