@@ -16,6 +16,7 @@ from stayput.app.presets import NUMBERS
 from stayput.app.server import create_app
 from stayput.building import STRUCTURES, Building, Isolation, ShearModel
 from stayput.building.building import Structure
+from stayput.contents import ContentsKind
 from stayput.errors import InputError
 from stayput.mechanics.columns import CASE
 from stayput.model.body import Part
@@ -42,6 +43,7 @@ NEEDED: dict[Any, dict[str, Any]] = {
     Isolation: {},
     Building: {},
     ShearModel: {"masses": [1.0], "stiffnesses": [1.0], "damping": 0.05},
+    sp.Contents: {},
     sp.sine: {"amplitude": 1.0, "frequency": 1.0},
     synthetic_suite: {},
 }
@@ -50,6 +52,7 @@ NEEDED: dict[Any, dict[str, Any]] = {
 CONSTANTS: dict[Any, tuple[Any, ...]] = {
     Preset: tuple(FURNITURE.values()),
     Structure: tuple(STRUCTURES.values()),
+    ContentsKind: tuple(sp.CONTENTS.values()),
 }
 """What stayput alone makes, and all that there is."""
 
@@ -61,6 +64,7 @@ TABLES: dict[str, tuple[Any, dict[str, Any]]] = {
     "room.right_wall": (sp.Wall, {"gap": 0.1}),
     "room.ceiling": (sp.Ceiling, {"height": 2.4}),
     "initial": (sp.State, {}),
+    "contents": (sp.Contents, {}),
     "shaking.sine": (sp.sine, {"amplitude": 1.0, "frequency": 1.0}),
     "shaking.suite": (synthetic_suite, {}),
     "shaking.building": (Building, {"storeys": 3}),
@@ -87,8 +91,16 @@ LIMITED = {
 }
 """Keys for which a server has limits of its own, and says these first."""
 
-DIMENSIONLESS = ("friction", "restitution", "damping", "post_yield", "yield_coefficient", "amplification")
-COUNTS = ("storeys", "count", "seed")
+DIMENSIONLESS = (
+    "friction",
+    "restitution",
+    "damping",
+    "post_yield",
+    "yield_coefficient",
+    "amplification",
+    "share",
+)
+COUNTS = ("storeys", "count", "seed", "shelves", "items")
 
 
 NO_FIELD = {"synthetic_suite": "band"}

@@ -4,7 +4,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "kind": ("Contents", "収納物の種類（kind）"),
     "doors": ("Doors", "扉（doors）"),
     "drawers": ("Drawers", "引き出し（drawers）"),
-    "load": ("The load of a shelf", "棚の荷重"),
     "doors_and_drawers": (
         "Doors are {doors!r} and drawers are {drawers!r}; contents are behind doors or in drawers, not both.",
         "扉が{doors!r}、引き出しが{drawers!r}になっています。どちらか一方だけを指定してください。",

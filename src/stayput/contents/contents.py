@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from stayput.contents.kinds import CONTENTS, ContentsKind
-from stayput.errors import InputError, unknown, within
+from stayput.errors import InputError, unknown
+from stayput.model.body import MASS_RANGE
 from stayput.model.parameters import check_fields, other_default, parameter, parameter_of
 
 if TYPE_CHECKING:
@@ -88,7 +89,14 @@ class Contents:
 
     kind: str = "books"
     shelves: int = parameter(5, "", 1, 100, ("number of shelves", "棚の数"), "Number of shelves.")
-    loads: tuple[float, ...] | None = None
+    loads: tuple[float, ...] | None = parameter(
+        None,
+        "kg",
+        0.0,
+        MASS_RANGE[1],
+        ("load of a shelf", "棚の荷重"),
+        "Mass on each shelf from the lowest up.",
+    )
     mass_share: float | None = other_default(None, ContentsKind, "mass_share")
     width: float | None = other_default(None, ContentsKind, "width")
     height: float | None = other_default(None, ContentsKind, "height")
@@ -134,14 +142,14 @@ class Contents:
         for field, words in (("doors", DOORS), ("drawers", DRAWERS)):
             if getattr(self, field) not in words:
                 raise unknown(f"contents.{field}", getattr(self, field), words, field=field)
-        check_fields(self)
+        check_fields(self, but=("loads",))
         if self.drawers != "none" and self.doors != "none":
             raise InputError("contents.doors_and_drawers", "drawers", doors=self.doors, drawers=self.drawers)
         if self.loads is not None:
             if not self.loads:
                 raise InputError("contents.no_loads", "loads")
             for load in self.loads:
-                within("contents.load", load, 0.0, 1e6, "kg", "loads")
+                parameter_of(Contents, "loads").check(load)
         static, kinetic = self.friction
         if kinetic > static:
             raise InputError(

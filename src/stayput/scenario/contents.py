@@ -8,7 +8,6 @@ from pydantic import Field, model_validator
 
 from stayput.contents.contents import DOORS, DRAWERS, Contents
 from stayput.contents.kinds import CONTENTS
-from stayput.model.body import Part
 from stayput.scenario.fields import Table, checked, each, named, of, one_of
 
 if TYPE_CHECKING:
@@ -17,7 +16,7 @@ if TYPE_CHECKING:
 KindOfContents = Annotated[str, one_of(CONTENTS), named(CONTENTS)]
 KindOfDoors = Annotated[str, one_of(DOORS), named(DOORS)]
 KindOfDrawers = Annotated[str, one_of(DRAWERS), named(DRAWERS)]
-ShelfLoads = Annotated[list[Annotated[float, each(Part, "mass")]], Field(min_length=1, max_length=100)]
+ShelfLoads = Annotated[list[Annotated[float, each(Contents, "loads")]], Field(min_length=1, max_length=100)]
 
 
 class ContentsTable(Table):
@@ -25,8 +24,11 @@ class ContentsTable(Table):
 
     kind: KindOfContents = Field(default="books", description="Kind of contents; a default, not a citation.")
     shelves: int = of(Contents, "shelves")
-    loads: ShelfLoads | None = Field(
-        default=None, description="Mass on each shelf from the lowest up; default the furniture's shelves."
+    loads: ShelfLoads | None = of(
+        Contents,
+        "loads",
+        listed=True,
+        description="Mass on each shelf from the lowest up; default the furniture's shelves.",
     )
     mass_share: float | None = of(
         Contents, "mass_share", description="Without loads: mass of the contents, of the furniture's."
