@@ -96,7 +96,7 @@ def items_of(contents: Contents, body: Body, gravity: float) -> Items:
     numbers: dict[str, NumberOrColumn] = {**flat_fields(section, room, State(), gravity)}
     heights = np.full(shape, section.height).ravel()
     if not in_drawers:
-        heights = np.minimum(factors["height"] * heights, 1.1 * height)
+        heights = np.minimum(factors["height"] * heights, body.height / contents.levels)
     numbers["body.height"] = heights
     for name in ("static_friction", "kinetic_friction"):
         numbers[f"room.floor.{name}"] = factors["friction"] * numbers[f"room.floor.{name}"]
@@ -108,7 +108,9 @@ def items_of(contents: Contents, body: Body, gravity: float) -> Items:
 
 
 def out_of_shelf(items: Items, cases: NDArray[np.void], results: NDArray[np.void]) -> NDArray[np.bool_]:
-    """Return which items came out: they slid with their centre of gravity over the edge, or toppled over it.
+    """Return which items came out: they slid with their centre of gravity over an edge, or toppled over it.
+
+    A lip holds the foot of an item nearer to the edge than that, and lets out what topples over it.
 
     Parameters
     ----------
@@ -119,13 +121,12 @@ def out_of_shelf(items: Items, cases: NDArray[np.void], results: NDArray[np.void
     results : ndarray of RESULT, shape [n]
         What became of these.
     """
-    slid = np.zeros(len(results), np.bool_) if items.blocked else results["peak_slide"] > items.way
-    forwards = toppled(results) & (results["residual_tilt"] > 0.0)
+    slid = results["peak_slide"] > items.way
+    side = np.sign(results["residual_tilt"])
+    to_an_edge = toppled(results) & ((side > 0.0) | np.isinf(cases["left_distance"]))
     half = -cases["v"][:, 0]  # where the centre of gravity of a lying item is beyond its foot
-    over = (
-        np.ones(len(results), np.bool_) if items.blocked else results["residual_slide"] + half > items.front
-    )
-    return slid | (forwards & over)
+    over = side * results["residual_slide"] + half > items.front
+    return slid | (to_an_edge & (over | (items.blocked & (side > 0.0))))
 
 
 def toppled(results: NDArray[np.void]) -> NDArray[np.bool_]:

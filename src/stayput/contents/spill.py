@@ -58,9 +58,9 @@ class Spill:
     height : ndarray
         Height above the floor of the shelf at that time [m].
     speed : ndarray
-        Horizontal speed in the room's frame, that of its floor [m/s].
+        Horizontal velocity in the room's frame, that of its floor, + to the front [m/s].
     distance : ndarray
-        How far from the edge of the shelf it lands, by free fall from there [m].
+        How far from the edge of the shelf it lands, by free fall from there, + to the front [m].
     """
 
     contents: Contents
@@ -214,9 +214,8 @@ def _leaving(
     It leaves as its centre of gravity passes the edge, or as it lies on it.
     """
     slide, tilt = traced.history[:, col.H_SLIDE], traced.history[:, col.H_TILT]
-    beyond = slide > items.way
-    last = len(slide) - 1
-    sample = int(beyond.argmax()) if beyond.any() and not items.blocked else last
+    beyond = np.abs(slide) > items.way
+    sample = int(beyond.argmax()) if beyond.any() else len(slide) - 1
     place = start + sample
     along = traced.history[sample, col.H_SLIDE_RATE]
     if abs(tilt[sample]) > 0.25 * math.pi:  # its centre of gravity turns about the foot
