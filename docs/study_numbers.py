@@ -27,6 +27,7 @@ from stayput.model.room import Wall
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.run import LAWS
 from stayput.studies.capacity import inside, stated
+from stayput.studies.contents import LIP, RANGES, SEVEN, SIX_UPPER, SLOPE, WALL
 from stayput.studies.study import listed, span
 from stayput.studies.tokyo import names
 from stayput.studies.wall_gap import NEAR, SHARES, TURNS_OVER, WIDE, WIDTHS, nearest_walls, ruled
@@ -432,6 +433,24 @@ def capacity(study: Study, motion: sp.Motion | None) -> Numbers:
     }
 
 
+def contents(study: Study, motion: sp.Motion | None) -> Numbers:
+    reports = next(table for caption, table in study.tables.items() if caption.startswith("Reports"))
+    missed = reports[reports["agrees"] == "no"]
+    shares = [f"“{row.reported}” ({row.out} %)" for row in missed.itertuples()]
+    ranges = [f"{word}: {100 * low:.0f} to {100 * high:.0f} %" for word, (low, high) in RANGES.items()]
+    return {
+        "motion": "" if motion is None else motion.name,
+        "gap": 100.0 * WALL,
+        "lip": 100.0 * LIP,
+        "slope": float(np.degrees(SLOPE)),
+        "six_upper": SIX_UPPER,
+        "seven": SEVEN,
+        "ranges": "; ".join(ranges),
+        "missed": "; ".join(shares) or "none",
+        "reports": len(reports),
+    }
+
+
 NUMBERS: dict[str, Callable[[Study, sp.Motion | None], Numbers]] = {
     "friction": friction,
     "critical-ratio": critical_ratio,
@@ -445,5 +464,6 @@ NUMBERS: dict[str, Callable[[Study, sp.Motion | None], Numbers]] = {
     "consumer-centre": consumer_centre,
     "ac156": ac156,
     "capacity": capacity,
+    "contents": contents,
 }
 """The function of each study."""

@@ -66,6 +66,12 @@ def of_stones() -> Runs:
     return [(studies.tombstones(), None)]
 
 
+def inside() -> Runs:
+    """Run the study of what is in furniture."""
+    motion = three_components()
+    return [(studies.contents(motion), motion)]
+
+
 def section(study: Study, motion: sp.Motion | None, folder: Path) -> str:
     """Write a study's figures; return its title, text, numbers, figures and tables."""
     text = (TEXTS / f"{study.name}.md").read_text(encoding="utf-8")
@@ -85,6 +91,7 @@ def write(folder: Path) -> None:
     pages = {
         "studies": of_the_paper,
         "tested": tested,
+        "inside": inside,
         "standards": of_standards,
         "everyday": of_everyday,
         "fallen": of_stones,

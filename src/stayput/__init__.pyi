@@ -4,6 +4,10 @@
 from .building import Building as Building
 from .building import Isolation as Isolation
 from .building import ShearModel as ShearModel
+from .contents import CONTENTS as CONTENTS
+from .contents import Contents as Contents
+from .contents.spill import Spill as Spill
+from .contents.spill import spill as spill
 from .errors import InputError as InputError
 from .errors import InputWarning as InputWarning
 from .everyday import Everyday as Everyday

@@ -11,6 +11,8 @@ import pytest
 import stayput
 from stayput.building.building import STRUCTURES
 from stayput.catalogue import TEXTS, names, phrase, say
+from stayput.contents import CONTENTS
+from stayput.contents.contents import DOORS, DRAWERS
 from stayput.errors import InputError, InputWarning, within
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import SURFACES
@@ -82,8 +84,15 @@ def test_a_value_may_itself_be_in_two_languages():
 
 @pytest.mark.parametrize(
     ("presets", "called"),
-    [(SURFACES, names.SURFACES), (FURNITURE, names.FURNITURE), (STRUCTURES, names.STRUCTURES)],
-    ids=["surfaces", "furniture", "structures"],
+    [
+        (SURFACES, names.SURFACES),
+        (FURNITURE, names.FURNITURE),
+        (STRUCTURES, names.STRUCTURES),
+        (CONTENTS, names.CONTENTS),
+        (DOORS, names.DOORS),
+        (DRAWERS, names.DRAWERS),
+    ],
+    ids=["surfaces", "furniture", "structures", "contents", "doors", "drawers"],
 )
 def test_every_preset_has_a_name_in_both_languages(presets, called):
     assert set(presets) == set(called)

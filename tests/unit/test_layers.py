@@ -20,6 +20,7 @@ LAYERS = (
     {"motion"},
     {"building", "measures", "estimates", "everyday", "standards", "webassembly"},
     {"simulation", "fragility"},
+    {"contents"},
     {"montecarlo", "scenario"},
     {"verification", "fallen"},
     {"report"},

@@ -254,5 +254,6 @@ def test_the_schema_is_json_with_units_and_every_table():
         "initial",
         "everyday",
         "measures",
+        "contents",
         "uncertainty",
     }

@@ -54,6 +54,7 @@ def runs():
             (studies.consumer_centre(3, samples=1), None),
             (studies.tombstones(4, stones=4), None),
             (studies.ac156(sds=[0.5, 1.0], tests=1, motions=2), None),
+            (studies.contents(record, intensities=[6.0]), record),
             (studies.capacity(4, corners=(0.4, 1.6), sizes=("chest", "cupboard"), step=0.1), None),
         )
     }

@@ -24,6 +24,8 @@ from stayput.app.replies import (
 from stayput.building.building import STOREY_HEIGHT
 from stayput.building.building import STRUCTURES as BUILDINGS
 from stayput.catalogue.names import (
+    CONTENTS,
+    DOORS,
     EVENTS,
     FAMILIES,
     FURNITURE,
@@ -91,6 +93,8 @@ def presets(limits: Limits) -> PresetsReply:
             )
             for name, surface in FRICTIONS.items()
         ],
+        contents=[NamedReply(id=name, label=Words.of(label)) for name, label in CONTENTS.items()],
+        doors=[NamedReply(id=name, label=Words.of(label)) for name, label in DOORS.items()],
         structures=[
             StructureReply(
                 id=name,

@@ -156,6 +156,8 @@ class PresetsReply(Reply):
     version: str
     furniture: list[FurnitureReply]
     surfaces: list[SurfaceReply]
+    contents: list[NamedReply]
+    doors: list[NamedReply]
     structures: list[StructureReply]
     families: list[FamilyReply]
     intensities: list[IntensityReply]

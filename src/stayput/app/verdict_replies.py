@@ -89,6 +89,19 @@ class DeviceSummaryReply(Reply):
     peak_n: QuantilesReply
 
 
+class ContentsReply(Reply):
+    """What comes out of the furniture, and how often it overturns with its contents fixed and without."""
+
+    contents_out_share: float | None
+    contents_out_share_low: float | None
+    contents_out_share_high: float | None
+    contents_toppled_share: float | None
+    contents_out_mass_kg: float | None
+    overturned_contents_fixed: float | None
+    overturned_without_contents: float | None
+    overturned_drawers_open: float | None
+
+
 class OptionReply(Reply):
     """One of the things that may be done."""
 
@@ -108,6 +121,7 @@ class OptionReply(Reply):
     slide_m: QuantilesReply
     tilt_rad: QuantilesReply
     devices: list[DeviceSummaryReply]
+    contents: ContentsReply | None = Field(description="Where the scene says what is in the furniture.")
     capacity: CapacitiesReply | None
     curve: CurveReply | None
 

@@ -30,6 +30,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "building",
         "cli",
         "common",
+        "contents",
         "fragility",
         "inventory",
         "measures",

@@ -36,6 +36,32 @@ PIECES: dict[str, tuple[str, str]] = {
 ANY_PIECE = ("piece of furniture", "家具")
 """A piece that is no preset."""
 
+CONTENTS: dict[str, tuple[str, str]] = {
+    "books": ("Books", "本"),
+    "files": ("Files", "ファイル"),
+    "dishes": ("Dishes", "食器"),
+    "bottles": ("Bottles", "瓶"),
+    "boxes": ("Boxes", "箱"),
+    "pallet loads": ("Pallet loads", "パレットの荷"),
+}
+"""Presets of contents."""
+
+DOORS: dict[str, tuple[str, str]] = {
+    "none": ("none", "なし"),
+    "hinged": ("hinged", "開き戸"),
+    "hinged, latched": ("hinged, with latches", "開き戸（耐震ラッチ付き）"),
+    "sliding": ("sliding", "引き戸"),
+}
+"""Kinds of doors, within a sentence."""
+
+DRAWERS: dict[str, tuple[str, str]] = {
+    "none": ("none", "なし"),
+    "free": ("without stops", "ストッパーなし"),
+    "stops": ("with stops", "ストッパー付き"),
+    "catches": ("with stops and catches", "ストッパーと留め具付き"),
+}
+"""Kinds of drawers, within a sentence."""
+
 SURFACES: dict[str, tuple[str, str]] = {
     "wood flooring": ("Wood flooring", "フローリング"),
     "vinyl": ("Vinyl", "ビニル床"),

@@ -6,6 +6,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "frequencies": ("frequencies", "振動数"),
     "coefficients": ("coefficients", "摩擦係数"),
     "ratios": ("ratios", "幅高さ比"),
+    "intensities": ("JMA intensities", "計測震度"),
     "one_of": ("One of the {name}", "{name}の値"),
     "amplitude": ("Amplitude", "振幅"),
     "frequency": ("Frequency", "振動数"),

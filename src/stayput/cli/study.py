@@ -26,11 +26,12 @@ STUDIES = {
     "tombstones": "gravestones that fall against intensity, beside surveys",
     "consumer-centre": "the Japanese consumer centre's shake table of 2018, as far as published",
     "ac156": "does a piece that passes AC156 survive the floors of buildings?",
+    "contents": "what comes out of shelves and cupboards, beside tests and reports",
     "capacity": "median overturning capacity beside Kaneko and Hayashi's formula",
 }
 """Names of the studies, and what they are about."""
 
-OF_A_RECORD = ("wall-gap-record", "spectrum", "tokyo")
+OF_A_RECORD = ("wall-gap-record", "spectrum", "tokyo", "contents")
 """Studies that take a motion."""
 
 

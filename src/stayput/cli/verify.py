@@ -116,7 +116,8 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     limit = numbers.length(verdict.slide_limit, lang)
     events = (text(f"brief_{event}", limit=limit) for event in EVENTS)
     capacities = (text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
-    for heading in (*events, text("brief_slide"), *capacities):
+    inside = (text("brief_contents_out"),) if verdict.without.contents is not None else ()
+    for heading in (*events, *inside, text("brief_slide"), *capacities):
         table.add_column(heading, justify="right", no_wrap=True, overflow="fold")
     rows = ranking(verdict, lang)
     for row in rows:
@@ -128,7 +129,8 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
         reached = (numbers.capacity(result.capacities.get(share), lang, brief=True) for share in SHARES)
         slide = text("brief_falls") if math.isinf(result.slide.median) else row.slide[0]
         share = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
-        table.add_row(str(result.rank), row.name or row.label, share, *others, slide, *reached)
+        out = () if row.contents is None else (numbers.probability(row.contents, lang),)
+        table.add_row(str(result.rank), row.name or row.label, share, *others, *out, slide, *reached)
     impossible = impossible_rows(verdict, lang)
     for (label, _), rejected in zip(impossible, verdict.impossible, strict=True):
         name = rejected.option.name if rejected.option.own_name else label

@@ -10,8 +10,10 @@ import tomli_w
 from pydantic import Field, PrivateAttr, ValidationError, field_validator, model_validator
 from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
+from stayput.contents.weight import emptied
 from stayput.errors import InputError
 from stayput.motion.units import STANDARD_GRAVITY
+from stayput.scenario.contents import ContentsTable  # noqa: TC001 - pydantic reads the annotation
 from stayput.scenario.fields import Table, Text, between
 from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, refuse_wrong_type
 from stayput.scenario.messages import refusal_of
@@ -23,6 +25,7 @@ from stayput.simulation.run import Case
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from stayput.contents import Contents
     from stayput.measures import Measure
 
 
@@ -55,6 +58,11 @@ class Scenario(Table):
     measure_tables: Annotated[list[MeasureChoice], Field(min_length=1, max_length=100)] | None = Field(
         default=None, alias="measures", description="What may hold the furniture; each is verified by itself."
     )
+    contents_table: ContentsTable | None = Field(
+        default=None,
+        alias="contents",
+        description="What is in the furniture: a verification then tells how much of it comes out.",
+    )
     uncertainty: UncertaintyTable = Field(
         default_factory=UncertaintyTable, description="How much of what is not known is tried out."
     )
@@ -66,6 +74,12 @@ class Scenario(Table):
     def _typed(cls, given: object) -> object:
         refuse_wrong_type(given)
         return given
+
+    @model_validator(mode="after")
+    def _light_enough(self) -> Self:
+        if self.contents is not None:
+            emptied(self.furniture.body(), self.contents)
+        return self
 
     @model_validator(mode="after")
     def _named_apart(self) -> Self:
@@ -126,6 +140,12 @@ class Scenario(Table):
     def folder(self) -> Path:
         """Where the relative path of a record begins."""
         return self._folder
+
+    @property
+    def contents(self) -> Contents | None:
+        """What is in the furniture; None where the file says nothing."""
+        table = self.contents_table
+        return None if table is None else table.contents(self.furniture)
 
     @property
     def measures(self) -> tuple[NamedMeasures, ...]:

@@ -8,6 +8,7 @@ from stayput.studies.ac156 import ac156
 from stayput.studies.baseline import baseline
 from stayput.studies.capacity import capacity
 from stayput.studies.consumer_centre import consumer_centre
+from stayput.studies.contents import contents
 from stayput.studies.critical_ratio import critical_ratio
 from stayput.studies.friction import friction
 from stayput.studies.spectrum import spectrum
@@ -25,6 +26,7 @@ __all__ = [
     "baseline",
     "capacity",
     "consumer_centre",
+    "contents",
     "critical_ratio",
     "friction",
     "spectrum",

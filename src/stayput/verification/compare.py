@@ -26,6 +26,7 @@ from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
 from stayput.progress import bar
+from stayput.verification.contents import contents_verdicts
 from stayput.verification.options import compared_options, require_coulomb
 from stayput.verification.verdict import AsInstalled, DeviceSummary, Estimates, Member, OptionVerdict, Verdict
 
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.runs import Runs
     from stayput.montecarlo.sampling import Rows
     from stayput.scenario import Scenario
+    from stayput.verification.contents import ContentsVerdict
     from stayput.verification.options import Option
 
 LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
@@ -144,6 +146,7 @@ def verify(
             well = {option.name: runs for option, runs in zip(options, here, strict=True)}
             for each, runs in zip(faulty, found, strict=True):
                 installed[each.option.name] = _as_installed(each, well[each.option.name], runs, slide_limit)
+        inside = contents_verdicts(options, scenario, floors, settings.seed, threads)
         floors_at = cache(partial(hazard.at, threads=threads))
         falls: list[Falls] = []
         made = 0
@@ -155,7 +158,7 @@ def verify(
         measures = [floors_at(float(level)) for level in rows]
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures) for option in options]
-    verdicts = _verdicts(options, held, here, falls, measures, slide_limit, installed)
+    verdicts = _verdicts(options, held, here, falls, measures, slide_limit, installed, inside)
     return Verdict(
         scenario=scenario,
         intensity=float(np.median(floors.measures[JMA_INTENSITY])),
@@ -235,6 +238,7 @@ def _verdicts(
     measures: list[FloorMotions],
     slide_limit: float,
     installed: Mapping[str, AsInstalled],
+    inside: list[ContentsVerdict | None],
 ) -> tuple[OptionVerdict, ...]:
     chances = [runs.probabilities(slide_limit) for runs in stated]
     order = sorted(range(len(options)), key=lambda i: (*severity(chances[i], len(options[i].measures)), i))
@@ -259,6 +263,7 @@ def _verdicts(
                 typical=typical,
                 worst=worst,
                 installed=installed.get(option.name),
+                contents=inside[i],
             )
         )
     return tuple(verdicts)

@@ -14,7 +14,7 @@ from stayput.measures.parameters import GRADE_OF, MEANINGS
 from stayput.model.parameters import parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.verification.grades import furniture_tag, grade, weakest
-from stayput.verification.words import length, slides_off, title
+from stayput.verification.words import length, share_text, slides_off, title
 from stayput.wording import FAR
 
 if TYPE_CHECKING:
@@ -53,6 +53,7 @@ def notes(verdict: Verdict, graded: Option | None = None) -> tuple[Phrase, ...]:
         *_installed(verdict),
         *_grade(verdict.best.option if graded is None else graded, verdict),
         *_far(verdict),
+        *_contents(verdict),
         _everyday(verdict),
     )
 
@@ -162,6 +163,19 @@ def _everyday(verdict: Verdict) -> Phrase:
         case=case,
         margin=worst.margin,
         letter=max(GRADE_OF[tag] for tag in (*tags, furniture_tag(furniture))).value,
+    )
+
+
+def _contents(verdict: Verdict) -> Iterator[Phrase]:
+    contents = verdict.without.contents
+    if contents is None or contents.rigid.runs == 0:
+        return
+    wide = contents.opened
+    yield phrase(
+        "verification.contents_bound",
+        rigid=share_text(contents.rigid.estimate),
+        emptied=share_text(contents.emptied.estimate),
+        opened="" if wide is None else phrase("verification.drawers_open", share=share_text(wide.estimate)),
     )
 
 

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
     from stayput.standards import EquipmentLoad
+    from stayput.verification.contents import ContentsVerdict
     from stayput.verification.options import Impossible, Option
 
 
@@ -154,6 +155,8 @@ class OptionVerdict:
         A run of median severity, and the worst.
     installed : AsInstalled, optional
         As people install it, where the scenario asks for that and it can be badly installed.
+    contents : ContentsVerdict, optional
+        What comes out of the furniture, where the scenario says what is in it.
     """
 
     option: Option
@@ -168,6 +171,7 @@ class OptionVerdict:
     typical: Member
     worst: Member
     installed: AsInstalled | None = None
+    contents: ContentsVerdict | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

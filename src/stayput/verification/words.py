@@ -9,7 +9,7 @@ import math
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase, say
-from stayput.catalogue.names import INTENSITIES
+from stayput.catalogue.names import CONTENTS, INTENSITIES
 from stayput.fragility.probabilities import percent
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED, SLID
 from stayput.motion.intensity import intensity_class
@@ -36,7 +36,7 @@ def class_label(intensity: float, language: str) -> str:
     return say(_class(intensity), language)
 
 
-def _percent(share: float) -> Phrase:
+def share_text(share: float) -> Phrase:
     """Return a share in per cent, with a word where only a bound is told: "12 %", "under 0.1 %"."""
     shown = percent(share)
     number = shown.lstrip("<>")
@@ -47,14 +47,14 @@ def _percent(share: float) -> Phrase:
 
 def _of_the_cases(share: float) -> str:
     """Return a share in English: "in 12 % of the cases", "in none of the cases"."""
-    amount = {0.0: "none", 1.0: "all"}.get(share, _percent(share)[0])
+    amount = {0.0: "none", 1.0: "all"}.get(share, share_text(share)[0])
     return f"in {amount} of the cases"
 
 
 def _falls(share: float) -> Phrase:
     """Return how often it overturns: "in 12 % of the cases", "12%の場合に転倒します"."""
     key = {0.0: "verification.never_falls", 1.0: "verification.always_falls"}.get(share, "verification.falls")
-    return phrase(key, share=_percent(share))
+    return phrase(key, share=share_text(share))
 
 
 def title(option: Option, verdict: Verdict, language: str) -> str:
@@ -91,7 +91,45 @@ def slides_off(option: OptionVerdict, verdict: Verdict) -> bool:
 
 def headline(verdict: Verdict, language: str) -> str:
     """Return the verdict in one sentence."""
-    return say(_headline(verdict), language)
+    sentences = [say(_headline(verdict), language)]
+    if verdict.best.contents is not None:
+        sentences.append(say(_of_contents(verdict), language))
+    return (" " if language == "en" else "").join(sentences)
+
+
+def contents_name(verdict: Verdict) -> Phrase:
+    """Return what is in the furniture, within a sentence."""
+    contents = verdict.scenario.contents
+    assert contents is not None
+    english, japanese = CONTENTS[contents.kind]
+    return inside(english), japanese
+
+
+def contents_out(option: OptionVerdict, verdict: Verdict) -> Phrase:
+    """Return how much of what is in the furniture comes out, as a clause."""
+    assert option.contents is not None
+    share = option.contents.out.estimate
+    if math.isnan(share):
+        return phrase("verification.contents_unknown", contents=contents_name(verdict))
+    key = "verification.contents_stay" if share == 0.0 else "verification.contents_out"
+    return phrase(key, share=share_text(share), contents=contents_name(verdict))
+
+
+def _of_contents(verdict: Verdict) -> Phrase:
+    best, without = verdict.best, verdict.without
+    assert best.contents is not None
+    assert without.contents is not None
+    share, bare = best.contents.out.estimate, without.contents.out.estimate
+    clause = contents_out(best, verdict)
+    stands = best.probabilities[OVERTURNED].estimate < SMALL and share >= SMALL
+    aside = ""
+    if best.option.measures and math.isfinite(bare):
+        aside = phrase("verification.contents_without", share=share_text(bare))
+    if stands:
+        return phrase("verification.stands_but", clause=clause, aside=aside)
+    measure = _title_inside(best.option, verdict)
+    key = "verification.contents_with" if best.option.measures else "verification.contents_alone"
+    return phrase(key, measure=measure, clause=clause, aside=aside)
 
 
 def _headline(verdict: Verdict) -> Phrase:
@@ -111,7 +149,7 @@ def _headline(verdict: Verdict) -> Phrase:
             name=name,
             falls=falls,
             measure=_title_inside(best.option, verdict),
-            then=phrase(then, share=_percent(held)),
+            then=phrase(then, share=share_text(held)),
             chance=phrase("verification.may_be_chance") if unclear else "",
         )
     key = "verification.stays_upright" if share < SMALL else "verification.none_helps"
@@ -130,7 +168,7 @@ def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
 def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
     shares = {event: chance.estimate for event, chance in option.probabilities.items()}
     bare, held = verdict.without.probabilities[OVERTURNED].estimate, shares[OVERTURNED]
-    values = {"bare": _percent(bare), "held": (_of_the_cases(held), _percent(held)[1])}
+    values = {"bare": share_text(bare), "held": (_of_the_cases(held), share_text(held)[1])}
     parts: list[Phrase] = []
     if option.change is None:
         parts.append(phrase("verification.overturns", falls=_falls(bare)))
@@ -142,8 +180,10 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
         parts.append(phrase("verification.less_often", **values))
     else:
         parts.append(phrase("verification.more_often", **values))
+    if option.contents is not None:
+        parts.append(contents_out(option, verdict))
     if shares[DEVICE_FAILED] >= 0.05:
-        parts.append(phrase("verification.device_fails", share=_percent(shares[DEVICE_FAILED])))
+        parts.append(phrase("verification.device_fails", share=share_text(shares[DEVICE_FAILED])))
         worst = max(option.devices, key=lambda device: device.failed.estimate, default=None)
         if worst is not None and worst.weakest is not None:
             parts.append(phrase("verification.gives_way", weakest=worst.weakest))

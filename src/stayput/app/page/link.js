@@ -16,7 +16,7 @@ const NUMBERS = [
   "member",
 ];
 const WHOLE = ["storeys", "storey", "member"];
-const NAMES = ["piece", "floor", "structure", "family"];
+const NAMES = ["piece", "floor", "structure", "family", "contents", "doors"];
 const FLAGS = ["wall", "scaled"];
 
 /** The scene as the part of an address after "#". */
@@ -74,6 +74,8 @@ export function fromHash(hash, presets, start) {
     floor: presets.surfaces,
     structure: presets.structures,
     family: presets.families,
+    contents: presets.contents,
+    doors: presets.doors,
   };
   if (!pairs.has("piece")) return { scene, record: null };
   for (const name of NAMES)

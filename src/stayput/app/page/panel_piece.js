@@ -1,6 +1,6 @@
 // "Set the scene": the piece of furniture, its size, and how it is loaded.
 
-import { slider } from "./controls.js";
+import { choice, slider } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { details, pathOf } from "./canvas/furniture.js";
 import { balance, change, current, fromPreset, numberOf } from "./scene.js";
@@ -41,7 +41,8 @@ export function build(presets) {
     }),
   };
   const loads = scene.shelves ? shelves(presets, scene) : [centre(presets)];
-  fill(part("sizes"), fields.height.element, fields.width.element, fields.mass.element, ...loads);
+  const sizes = [fields.height.element, fields.width.element, fields.mass.element];
+  fill(part("sizes"), ...sizes, ...loads, ...inside(presets));
   update();
 }
 
@@ -65,6 +66,22 @@ function centre(presets) {
     changed: (value) => change({ centre: value }),
   });
   return fields.centre.element;
+}
+
+/** What is inside, and the doors before it: what comes out is told with the measures. */
+function inside(presets) {
+  const named = (list) => list.map((one) => ({ id: one.id, label: both(one.label) }));
+  fields.contents = choice({
+    label: t("contents"),
+    options: [{ id: "nothing", label: t("noContents") }, ...named(presets.contents)],
+    changed: (contents) => change({ contents }),
+  });
+  fields.doors = choice({
+    label: t("doors"),
+    options: named(presets.doors),
+    changed: (doors) => change({ doors }),
+  });
+  return [fields.contents.element, fields.doors.element];
 }
 
 function shelves(presets, scene) {
@@ -155,6 +172,9 @@ export function update() {
   for (const [id, button] of Object.entries(cards))
     button.setAttribute("aria-pressed", String(id === scene.piece));
   for (const key of ["width", "height", "mass", "centre"]) fields[key]?.set(scene[key]);
+  fields.contents.set(scene.contents);
+  fields.doors.set(scene.doors);
+  fields.doors.element.hidden = scene.contents === "nothing";
   fields.shelves?.forEach((field, i) => field.set(scene.shelves?.[i] ?? 0));
   drawSketch(scene);
 }

@@ -8,6 +8,8 @@ export const plain = {
   mass: 35,
   shelves: [33, 33, 33, 33, 33],
   centre: 0.5,
+  contents: "nothing",
+  doors: "none",
   floor: "wood flooring",
   wall: true,
   gap: 0.02,
@@ -135,5 +137,6 @@ export function forServer(s) {
   if (!s.record || s.scaled) shaking.intensity = s.intensity;
   if (s.storeys > 0)
     Object.assign(shaking, { building: { storeys: s.storeys, structure: s.structure }, storey: s.storey });
-  return { furniture, room, shaking };
+  if (s.contents === "nothing") return { furniture, room, shaking };
+  return { furniture, room, shaking, contents: { kind: s.contents, doors: s.doors } };
 }

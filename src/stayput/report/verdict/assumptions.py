@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase, say
+from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS
 from stayput.model.parameters import GIVEN
 from stayput.report.verdict.words import named
 from stayput.uncertainty import USUAL, Lognormal, Normal, Uniform
@@ -58,6 +59,7 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
         _furniture(scenario),
         _floor(scenario),
         *_walls(scenario),
+        *_contents(scenario),
         _motions(scenario, verdict.motions),
         *([] if scenario.shaking.building is None else [_building(scenario)]),
         *(_drawn(name, marginal) for name, marginal in USUAL.items()),
@@ -96,6 +98,29 @@ def _walls(scenario: Scenario) -> Iterator[Assumption]:
             yield Assumption((_text(key), _text("gap_text", gap=100.0 * wall.gap)), GIVEN)
     if room.ceiling is not None:
         yield Assumption((_text("ceiling"), _text("height_text", height=room.ceiling.height)), GIVEN)
+
+
+def _contents(scenario: Scenario) -> Iterator[Assumption]:
+    contents = scenario.contents
+    if contents is None:
+        return
+    static, kinetic = contents.friction
+    front = ""
+    if contents.doors != "none":
+        front = _text("inside_doors", doors=DOORS[contents.doors])
+    elif contents.drawers != "none":
+        front = _text("inside_drawers", drawers=DRAWERS[contents.drawers])
+    value = _text(
+        "inside_text",
+        kind=CONTENTS[contents.kind],
+        shelves=contents.levels,
+        mass=sum(contents.masses(scenario.furniture.body())),
+        static=static,
+        kinetic=kinetic,
+        lip=100.0 * contents.lip,
+        front=front,
+    )
+    yield Assumption((_text("inside"), value), contents.tag)
 
 
 def _motions(scenario: Scenario, count: int) -> Assumption:

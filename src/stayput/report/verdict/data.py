@@ -14,6 +14,7 @@ from stayput.measures.parameters import MEANINGS
 from stayput.motion.intensity import intensity_class
 from stayput.report.summary import number
 from stayput.report.verdict.assumptions import assumptions
+from stayput.report.verdict.tables import contents_data
 from stayput.verification.grades import inputs
 from stayput.verification.notes import notes
 from stayput.verification.words import headline, reason
@@ -143,6 +144,7 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
             }
             for device in result.devices
         ],
+        "contents": None if result.contents is None else contents_data(result.contents),
         "capacities": [_capacity(value) for value in result.capacities.values()],
         "curves": [_curve(curve) for curve in result.curves.values()],
     }

@@ -96,6 +96,7 @@ def _columns(verdict: Verdict, language: str) -> tuple[str, ...]:
         word("slid", language, limit=far),
         word("hit_wall", language),
         word("device_failed", language),
+        *((word("contents_out", language),) if verdict.without.contents is not None else ()),
         word("slide_both", language),
         *(word("capacity", language, share=f"{100.0 * share:g}") for share in SHARES),
         word("grade", language),
@@ -110,7 +111,8 @@ def _cells(row: RankingRow, language: str) -> tuple[str, ...]:
     label = with_aside(row.label, row.name, language) if row.name else row.label
     capacities = (with_aside(middle, ends, language) if ends else middle for middle, ends in row.capacities)
     slide = word("listed", language).join(row.slide)
-    return str(row.option.rank), label, *shares, slide, *capacities, row.grade, row.reason
+    contents = () if row.contents is None else (with_interval(row.contents, language),)
+    return str(row.option.rank), label, *shares, *contents, slide, *capacities, row.grade, row.reason
 
 
 def _table(heading: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:

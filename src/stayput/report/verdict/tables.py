@@ -24,6 +24,7 @@ from stayput.wording import with_aside
 if TYPE_CHECKING:
     from stayput.fragility import Probability
     from stayput.verification import DeviceSummary, OptionVerdict, Verdict
+    from stayput.verification.contents import ContentsVerdict
 
 SHARES = (0.1, 0.5)
 """Shares of overturning whose intensities stand in the tables."""
@@ -56,6 +57,8 @@ class RankingRow:
         Grade of its weakest inputs.
     weakest : str
         These inputs.
+    contents : Probability, optional
+        Share of the contents that comes out; none where nothing is said of contents.
     """
 
     option: OptionVerdict
@@ -68,6 +71,7 @@ class RankingRow:
     capacities: tuple[tuple[str, str], ...]
     grade: str
     weakest: str
+    contents: Probability | None
 
 
 def grades_text(language: str) -> str:
@@ -115,6 +119,7 @@ def _row(result: OptionVerdict, verdict: Verdict, language: str) -> RankingRow:
         ),
         grade=verdict.grade(result).value,
         weakest=weakest_inputs(result, verdict, language),
+        contents=None if result.contents is None else result.contents.out,
     )
 
 
@@ -219,12 +224,28 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
             f"{key}_high": None if capacity is None else number(capacity.high),
             f"{key}_text": None if capacity is None else capacity.text,
         }
+    if result.contents is not None:
+        record |= contents_data(result.contents)
     record["grade"] = verdict.grade(result).value
     record["weakest_inputs"] = weakest_inputs(result, verdict, "en")
     installed = result.installed
     record["overturned_as_installed"] = None if installed is None else number(installed.usual[OVERTURNED])
     record["not_possible"] = None
     return record
+
+
+def contents_data(contents: ContentsVerdict) -> dict[str, float | None]:
+    """Return what comes out of the furniture as plain values, by keys that name their units."""
+    return {
+        "contents_out_share": number(contents.out.estimate),
+        "contents_out_share_low": number(contents.out.low),
+        "contents_out_share_high": number(contents.out.high),
+        "contents_toppled_share": number(contents.toppled),
+        "contents_out_mass_kg": number(contents.mass_out),
+        "overturned_contents_fixed": number(contents.rigid.estimate),
+        "overturned_without_contents": number(contents.emptied.estimate),
+        "overturned_drawers_open": None if contents.opened is None else number(contents.opened.estimate),
+    }
 
 
 def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]:

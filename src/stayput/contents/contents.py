@@ -1,0 +1,229 @@
+"""`Contents`: what stands on the shelves of a piece of furniture, and what keeps it there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from stayput.contents.kinds import CONTENTS, ContentsKind
+from stayput.errors import InputError, unknown
+from stayput.model.body import MASS_RANGE
+from stayput.model.parameters import check_fields, other_default, parameter, parameter_of
+
+if TYPE_CHECKING:
+    from stayput.model.body import Body
+
+DOORS = ("none", "hinged", "hinged, latched", "sliding")
+"""Kinds of doors."""
+
+DRAWERS = ("none", "free", "stops", "catches")
+"""Kinds of drawers: that come out; that a stop holds at the end; that a catch holds shut besides."""
+
+STOPPED = ("stops", "catches")
+"""Drawers that do not come out of the piece."""
+
+CATCHES = {"hinged": 20.0, "hinged, latched": 300.0, "catches": 30.0}
+"""Force at the free edge of a door's leaf, or at a drawer, at which the catch lets go [N]; low confidence."""
+
+RUNNERS = (0.10, 0.08)
+"""Static and kinetic friction of drawers on their runners; low confidence."""
+
+FILLED = 0.9
+"""Largest height of an item as a part of the clear height between shelves."""
+
+
+@dataclass(frozen=True, slots=True)
+class Contents:
+    """What is in a piece of furniture: like items on equally spaced shelves, and what is in front of them.
+
+    The piece's back is on the left, so that things come out to the right. What is not given is the kind's.
+
+    Parameters
+    ----------
+    kind : str
+        One of `stayput.contents.CONTENTS`.
+    shelves : int
+        Number of shelves, the lowest at the base.
+    loads : tuple of float, optional
+        Mass on each shelf from the lowest up [kg]; there are then as many shelves.
+    mass_share : float, optional
+        Without loads: mass of all contents as a part of the furniture's.
+    width, height : float, optional
+        Depth, along the shaking, and height of an item [m].
+    static_friction, kinetic_friction : float, optional
+        Friction on the shelf; of drawers on their runners.
+    setback : float, optional
+        Distance from the front edge of the shelf to the items [m].
+    lip : float
+        Height of a lip along the front edge [m].
+    slope : float
+        Inclination of the shelves [rad], + where the front edge is the higher one.
+    back : bool
+        Whether there is a board or a wall behind the items; without, they stand in the middle.
+    doors : str
+        One of `DOORS`.
+    drawers : str
+        One of `DRAWERS`; the items are then drawers, one on each shelf, with what is in them.
+    catch : float, optional
+        Force at which the catch of a door's leaf or of a drawer lets go [N]; default `CATCHES`.
+    door_mass : float
+        Mass of all doors [kg].
+    leaf : float
+        Width of a sliding door's leaf [m].
+    restitution : float
+        Restitution of an item on the lip and the back board.
+    items : int
+        Items on each shelf that are computed, with friction and size drawn for each.
+
+    Raises
+    ------
+    InputError
+        A number or a word that is not possible.
+
+    Examples
+    --------
+    >>> from stayput.contents import Contents
+    >>> Contents("dishes", shelves=4, doors="hinged, latched").of_kind.static_friction
+    0.25
+    """
+
+    kind: str = "books"
+    shelves: int = parameter(5, "", 1, 100, ("number of shelves", "棚の数"), "Number of shelves.")
+    loads: tuple[float, ...] | None = parameter(
+        None,
+        "kg",
+        0.0,
+        MASS_RANGE[1],
+        ("load of a shelf", "棚の荷重"),
+        "Mass on each shelf from the lowest up.",
+    )
+    mass_share: float | None = other_default(None, ContentsKind, "mass_share")
+    width: float | None = other_default(None, ContentsKind, "width")
+    height: float | None = other_default(None, ContentsKind, "height")
+    static_friction: float | None = other_default(None, ContentsKind, "static_friction")
+    kinetic_friction: float | None = other_default(None, ContentsKind, "kinetic_friction")
+    setback: float | None = other_default(None, ContentsKind, "setback")
+    lip: float = parameter(
+        0.0, "m", 0.0, 10.0, ("lip height", "棚の縁の高さ"), "Height of a lip along the front edge."
+    )
+    slope: float = parameter(
+        0.0, "rad", -0.5, 0.5, ("slope of the shelves", "棚の傾き"), "Inclination, + with the front higher."
+    )
+    back: bool = True
+    doors: str = "none"
+    drawers: str = "none"
+    catch: float | None = parameter(
+        None,
+        "N",
+        0.0,
+        1e6,
+        ("holding force of the catch", "留め具の保持力"),
+        "Force at which a catch lets go.",
+    )
+    door_mass: float = parameter(5.0, "kg", 0.0, 1e3, ("mass of the doors", "扉の質量"), "Mass of all doors.")
+    leaf: float = parameter(
+        0.45, "m", 0.01, 10.0, ("width of a sliding leaf", "引き戸1枚の幅"), "Width of a sliding door's leaf."
+    )
+    restitution: float = parameter(
+        0.2,
+        "",
+        0.0,
+        1.0,
+        ("restitution of the items", "物の反発係数"),
+        "Restitution on the lip and the back board.",
+    )
+    items: int = parameter(
+        8, "", 1, 1000, ("items on a shelf", "1段あたりの物の数"), "Items on each shelf that are computed."
+    )
+
+    def __post_init__(self) -> None:
+        if self.kind not in CONTENTS:
+            raise unknown("contents.kind", self.kind, CONTENTS, field="kind")
+        for field, words in (("doors", DOORS), ("drawers", DRAWERS)):
+            if getattr(self, field) not in words:
+                raise unknown(f"contents.{field}", getattr(self, field), words, field=field)
+        check_fields(self, but=("loads",))
+        if self.drawers != "none" and self.doors != "none":
+            raise InputError("contents.doors_and_drawers", "drawers", doors=self.doors, drawers=self.drawers)
+        if self.loads is not None:
+            if not self.loads:
+                raise InputError("contents.no_loads", "loads")
+            for load in self.loads:
+                parameter_of(Contents, "loads").check(load)
+        static, kinetic = self.friction
+        if kinetic > static:
+            raise InputError(
+                "contents.kinetic_above_static", "kinetic_friction", kinetic=kinetic, static=static
+            )
+
+    @property
+    def of_kind(self) -> ContentsKind:
+        """The preset, with what is given in its place."""
+        preset = CONTENTS[self.kind]
+        names = ContentsKind.__dataclass_fields__
+        values = {name: getattr(self, name) for name in names}
+        values = {name: getattr(preset, name) if v is None else v for name, v in values.items()}
+        return ContentsKind(**values)
+
+    @property
+    def friction(self) -> tuple[float, float]:
+        """Static and kinetic coefficient of what slides: the items, or the drawers."""
+        kind = self.of_kind
+        static, kinetic = (kind.static_friction, kind.kinetic_friction) if self.drawers == "none" else RUNNERS
+        given = self.static_friction, self.kinetic_friction
+        return static if given[0] is None else given[0], kinetic if given[1] is None else given[1]
+
+    @property
+    def levels(self) -> int:
+        """Number of shelves."""
+        return self.shelves if self.loads is None else len(self.loads)
+
+    @property
+    def holding_force(self) -> float:
+        """Force at which the catch lets go [N]; 0 where there is none."""
+        usual = CATCHES.get(self.doors, CATCHES.get(self.drawers, 0.0))
+        return usual if self.catch is None else self.catch
+
+    @property
+    def tag(self) -> str:
+        """How well founded the friction is: `stayput.model.parameters.GIVEN`, or the preset's confidence."""
+        return parameter_of(Contents, "static_friction").tag(self.static_friction)
+
+    def heights(self, body: Body) -> tuple[float, ...]:
+        """Return the heights of the shelves above the base [m]."""
+        return tuple(i * body.height / self.levels for i in range(self.levels))
+
+    def masses(self, body: Body) -> tuple[float, ...]:
+        """Return the mass on each shelf [kg].
+
+        Raises
+        ------
+        InputError
+            The loads leave nothing of the furniture's mass.
+        """
+        if self.loads is None:
+            return (self.of_kind.mass_share * body.mass / self.levels,) * self.levels
+        if sum(self.loads) >= body.mass:
+            raise InputError("contents.too_heavy", "loads", loads=sum(self.loads), mass=body.mass)
+        return self.loads
+
+    def item_size(self, body: Body) -> tuple[float, float]:
+        """Return depth and height of an item that fits into the furniture [m]."""
+        kind, clear = self.of_kind, FILLED * body.height / self.levels
+        if self.drawers != "none":
+            return body.width, clear
+        return min(kind.width, body.width), min(kind.height, clear)
+
+    def places(self, body: Body) -> tuple[float, float]:
+        """Return the clear distances from the items to the front edge and to the back board [m].
+
+        What the depth leaves behind the last full row of items is behind the first.
+        """
+        width, _ = self.item_size(body)
+        if self.drawers != "none":
+            return 0.0, 0.0
+        spare = body.width - width
+        if not self.back:
+            return 0.5 * spare, 0.5 * spare
+        front = min(self.of_kind.setback, spare)
+        return front, (spare - front) % width

@@ -1,0 +1,32 @@
+"""The page asks what is inside; the scene, the link and the ranking have it."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from browsing import browser, opened  # noqa: F401
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
+    from serving import Running
+
+
+def test_what_is_inside_is_asked_and_the_ranking_says_what_comes_out(
+    browser: Browser, server: Running
+) -> None:
+    with opened(browser, server, verify=True) as it:
+        assert not it.page.get_by_label("Doors").is_visible()
+        asked, _ = it.simulated(lambda: it.page.get_by_label("What may come out").select_option("dishes"))
+        assert asked["scene"]["contents"] == {"kind": "dishes", "doors": "none"}
+        asked, _ = it.simulated(lambda: it.page.get_by_label("Doors").select_option("hinged"))
+        assert asked["scene"]["contents"]["doors"] == "hinged"
+        it.kept("contents=dishes", "doors=hinged")
+        it.go("understand")
+        it.wait("() => /dishes (come out|stay inside)/.test(document.querySelector('#ranking').innerText)")
+
+
+def test_a_link_brings_the_contents_back(browser: Browser, server: Running) -> None:
+    with opened(browser, server, "#piece=bookcase&contents=books&doors=sliding") as it:
+        assert it.page.get_by_label("What may come out").input_value() == "books"
+        assert it.page.get_by_label("Doors").input_value() == "sliding"
