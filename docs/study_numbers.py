@@ -28,7 +28,7 @@ from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.run import LAWS
 from stayput.studies.capacity import inside, stated
 from stayput.studies.contents import LIP, RANGES, SEVEN, SIX_UPPER, SLOPE, WALL
-from stayput.studies.study import listed, span
+from stayput.studies.study import NO, listed, span
 from stayput.studies.tokyo import names
 from stayput.studies.wall_gap import NEAR, SHARES, TURNS_OVER, WIDE, WIDTHS, nearest_walls, ruled
 from stayput.studies.wall_gap_record import differences, nearest, rows_of
@@ -337,7 +337,7 @@ def tokyo(study: Study, motion: sp.Motion | None) -> Numbers:
     data, room = study.data, tokyo_test.ROOM
     full, reduced = tokyo_test.LEVELS
     outcomes = tokyo_test.shares(data)
-    verdicts = study.tables["The published result beside ours"]["comes out"].tolist()
+    verdicts = [claim.outcome for claim in study.claims]
     pieces = [
         f"a {name} ({1e3 * body.height:g} mm high, {1e3 * body.width:g} mm deep, {body.mass:g} kg)"
         for name, body in tokyo_test.BODIES.items()
@@ -434,9 +434,7 @@ def capacity(study: Study, motion: sp.Motion | None) -> Numbers:
 
 
 def contents(study: Study, motion: sp.Motion | None) -> Numbers:
-    reports = next(table for caption, table in study.tables.items() if caption.startswith("Reports"))
-    missed = reports[reports["agrees"] == "no"]
-    shares = [f"“{row.reported}” ({row.out} %)" for row in missed.itertuples()]
+    missed = [f"“{one.published}” ({one.ours})" for one in study.claims if one.outcome == NO]
     ranges = [f"{word}: {100 * low:.0f} to {100 * high:.0f} %" for word, (low, high) in RANGES.items()]
     return {
         "motion": "" if motion is None else motion.name,
@@ -446,8 +444,8 @@ def contents(study: Study, motion: sp.Motion | None) -> Numbers:
         "six_upper": SIX_UPPER,
         "seven": SEVEN,
         "ranges": "; ".join(ranges),
-        "missed": "; ".join(shares) or "none",
-        "reports": len(reports),
+        "missed": "; ".join(missed) or "none",
+        "reports": len(study.claims),
     }
 
 

@@ -10,10 +10,11 @@ import study_numbers
 import stayput as sp
 import workload
 from stayput import studies
-from stayput.studies.study import table_as_markdown
+from stayput.studies.study import claims_table, table_as_markdown
 
 if TYPE_CHECKING:
     from stayput.studies import Study
+    from stayput.studies.study import Claim
 
 TEXTS = Path(__file__).parent / "studies"
 """What was done and found, study by study; ``{{name}}`` stands for a number of the run."""
@@ -96,6 +97,11 @@ def write(folder: Path) -> None:
         "everyday": of_everyday,
         "fallen": of_stones,
     }
+    claims: list[Claim] = []
     for name, run in pages.items():
-        text = "\n\n".join(section(study, motion, folder) for study, motion in run())
+        runs = run()
+        claims += [claim for study, _ in runs for claim in study.claims]
+        text = "\n\n".join(section(study, motion, folder) for study, motion in runs)
         (folder / f"{name}.md").write_text(text + "\n", encoding="utf-8")
+    world = table_as_markdown(claims_table(claims))
+    (folder / "validation_world.md").write_text(world + "\n", encoding="utf-8")

@@ -16,7 +16,7 @@ from stayput.verification import verify
 DATA = {
     "furniture": {"preset": "bookcase"},
     "room": {"back_wall": {"gap": 0.02}},
-    "shaking": {"intensity": 6.6, "suite": {"count": 4}},
+    "shaking": {"intensity": 6.25, "suite": {"count": 4}},
     "contents": {"kind": "books"},
     "measures": [{"type": "l_bracket"}],
     "uncertainty": {"samples": 8},

@@ -79,9 +79,12 @@ def test_the_levels_have_the_published_intensities(kobe):
 
 @needs_record
 def test_a_stopper_and_poles_hold_the_cupboard(found):
-    """Published: no overturning, 10 cm or less. With the stronger poles so in every draw of every facing."""
+    """Published: no overturning, 10 cm or less. With the stronger poles so in every draw of every facing.
+
+    With the weaker ones it is so in most draws over all facings, but not in the severest.
+    """
     pairs = found.sel(body="cupboard", device=named(TOGETHER), level=FULL)
-    assert float(pairs["little"].min("facing").min()) > MOST
+    assert float(pairs["little"].mean("facing").min()) > MOST
     strong = [name for name in named(TOGETHER) if POLES[1].name in name]
     assert float(pairs["little"].sel(device=strong).min()) == 1.0
     assert float(found["little"].sel(body="cupboard", device=named(TOGETHER), level=REDUCED).min()) == 1.0
@@ -114,14 +117,14 @@ def test_the_order_of_the_kinds(found):
 @needs_record
 def test_what_does_not_come_out_is_said(kobe, found):
     said = claims(found, kobe.data.attrs["severest_facing"])
-    assert [claim.verdict for claim in said] == ["partly", "no", "no", "yes"]
-    table = kobe.tables["The published result beside ours"]
-    assert list(table["comes out"]) == [claim.verdict for claim in said]
+    assert [claim.outcome for claim in said] == ["partly", "partly", "no", "partly"]
+    table = kobe.tables["The published result beside ours, severest facing"]
+    assert list(table["comes out"]) == [claim.outcome for claim in said]
     for place, claim in enumerate(said, 1):
         shown = kobe.quantities[f"claim_{place}"]
         assert (shown.value, shown.paper) == (claim.ours, claim.published)
-        assert shown.label.endswith(f"comes out: {claim.verdict}")
-    assert float(found["overturned"].sel(device=named(POLES), level=REDUCED).max()) == 0.0
+        assert shown.label.endswith(f"comes out: {claim.outcome}")
+    assert 0.0 < float(found["overturned"].sel(device=named(POLES), level=REDUCED).max()) < 0.2
 
 
 @needs_record
@@ -162,7 +165,7 @@ def test_the_four_outcomes_are_all_there_are(built_in):
 def test_the_sense_of_the_pulses_matters_with_a_wall_behind(found):
     alone = found["overturned"].sel(device=named(ALONE), level=FULL).mean(("body", "device"))
     assert float(alone.sel(facing="+x")) > 0.3
-    assert float(alone.sel(facing="−x")) == 0.0
+    assert float(alone.sel(facing="−x")) < 0.02
 
 
 def test_another_motion_is_said_to_be_another(built_in):

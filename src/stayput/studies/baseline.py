@@ -39,7 +39,7 @@ from stayput.studies.baseline_runs import (
     run_baselines,
     run_storeys,
 )
-from stayput.studies.study import Quantity, Study, span
+from stayput.studies.study import NO, PARTLY, YES, Claim, Quantity, Study, outcome_of, span
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -60,8 +60,15 @@ OBSERVED = {
 }
 """What was observed: JMA's explanatory table, and the survey of Kobe by architects."""
 
-REPORTED = ("low storeys: about 20 %", "middle storeys: about 40 %", "upper storeys: over 60 %")
-"""Furniture that fell in Kobe, by storey; the intensities of the ground were 6-lower to 7 (second hand)."""
+WORDS = {"5-upper": (0.0, 0.1), "6-lower": (0.02, 0.25), "6-upper": (0.2, 0.6), "7": (0.5, 1.0)}
+"""What JMA's words are taken to mean here, as shares of pieces that fall: may, some, more, nearly all."""
+
+REPORTED = {
+    "low storeys: about 20 %": (0.1, 0.3),
+    "middle storeys: about 40 %": (0.3, 0.5),
+    "upper storeys: over 60 %": (0.6, 1.0),
+}
+"""Furniture that fell in Kobe, by storey, the ground at 6-lower to 7 (second hand); and as a range."""
 
 EFFECTS_CAPTION = (
     "What the ideal block leaves out: peak floor velocity at which half overturn, over the ideal block's, "
@@ -150,6 +157,7 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
             HOME_CAPTION: home_table(data),
             STOREY_CAPTION: storey_table(data),
         },
+        claims=claims(data),
     )
 
 
@@ -346,6 +354,49 @@ def storey_table(data: xr.Dataset) -> pd.DataFrame:
             row[f"ground {level:g}"] = f"{float(share.sel(storey=storey, ground=level)):.0f}"
         rows.append(row)
     return pd.DataFrame(rows)
+
+
+def claims(data: xr.Dataset) -> tuple[Claim, ...]:
+    """Return what was observed and what formulas say, beside a verdict with everything drawn."""
+    found: list[Claim] = []
+    at_home = data["share"].mean("home")
+    for name, (low, high) in WORDS.items():
+        share = float(at_home.interp(level=CLASSES[name]))
+        found.append(
+            Claim(
+                f"Furniture at home, JMA {name}",
+                OBSERVED[name],
+                f"{100 * share:.0f} % of seven pieces fall, a wall {100 * STANDS:g} cm behind",
+                outcome_of(int(low <= share <= high), 1),
+            )
+        )
+    by_storey = data["storey_share"].mean("home")
+    for storey, (reported, (low, high)) in zip(STOREYS, REPORTED.items(), strict=True):
+        weak, strong = (float(by_storey.sel(storey=storey, ground=level)) for level in GROUND_LEVELS[1:])
+        found.append(
+            Claim(
+                "Kobe 1995 by storey (second hand)",
+                reported,
+                f"storey {storey} of {STOREYS[-1]}: {100 * weak:.0f} to {100 * strong:.0f} %, the ground at "
+                f"{GROUND_LEVELS[1]:g} to {GROUND_LEVELS[2]:g}",
+                YES if weak <= high and strong >= low else NO,
+            )
+        )
+    free, wall = field_of(data, FREE), field_of(data, WALL)
+    for name, one, other in (
+        ("Kaneko and Hayashi's formula, free pieces", free.formula, wall.formula),
+        ("FEMA P-58's formula, unanchored", free.loss_model, wall.loss_model),
+    ):
+        near = abs(one - 1.0) <= 0.2
+        found.append(
+            Claim(
+                name,
+                "median velocities of nine pieces",
+                f"{one:.2f} times it free, {other:.2f} times with a wall {100 * STANDS:g} cm behind",
+                PARTLY if near else NO,
+            )
+        )
+    return tuple(found)
 
 
 def draw_effects(data: xr.Dataset) -> Figure:

@@ -32,7 +32,7 @@ from stayput.studies.capacity_runs import (
     of_spectra,
     overturning,
 )
-from stayput.studies.study import Quantity, Study
+from stayput.studies.study import Claim, Quantity, Study, outcome_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -152,6 +152,18 @@ def capacity(
         data=data,
         figures={"medians": draw_medians(data), "shares": draw_shares(data)},
         tables=tables,
+        claims=(_claim(data),),
+    )
+
+
+def _claim(data: xr.Dataset) -> Claim:
+    """Return the formula beside the simulated medians of bodies that stand free and do not slip."""
+    ratio = stated(data)["ratio"].to_numpy()
+    return Claim(
+        "Kaneko and Hayashi 2004, formula",
+        "median acceleration that overturns free pieces that do not slide",
+        f"{_span(ratio.ravel())} times it; {int(inside(ratio).sum())} of {ratio.size} within ±20 %",
+        outcome_of(int(inside(ratio).sum()), ratio.size),
     )
 
 

@@ -21,7 +21,7 @@ from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import INK, MUTED
 from stayput.simulation.run import Case
-from stayput.studies.study import Quantity, Study, increasing
+from stayput.studies.study import YES, Claim, Quantity, Study, claims_table, increasing, outcome_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -91,7 +91,7 @@ class Report:
     words: tuple[str, ...]
 
 
-_CENTRE, _RESIDENTS = "consumer centre, 2018", "residents, 2011"
+_CENTRE, _RESIDENTS = "Consumer centre 2018", "Residents' reports 2011"
 
 REPORTS = (
     Report("no latches: all dishes out", _CENTRE, "dishes, hinged doors", HELD[0], SEVEN, ("all",)),
@@ -137,12 +137,12 @@ def contents(motion: Motion | None = None, intensities: ArrayLike = INTENSITIES)
         data = _computed(shaking, levels, advance)
     results = claims(data)
     pallets = _pallets()
-    agree = (results["agrees"] == "yes").sum()
+    agree = [claim.outcome for claim in results].count(YES)
     return Study(
         name="contents",
         title="What is inside, beside tests and reports",
         quantities={
-            "agree": Quantity("Reports that ours agrees with", int(agree), len(results), "d"),
+            "agree": Quantity("Reports that ours agrees with", agree, len(results), "d"),
             "out_held": Quantity(
                 "Books out of a bookcase with L-brackets at 6-upper",
                 f"{100.0 * _share(data, 'books, open', HELD[1], SIX_UPPER):.0f} %",
@@ -157,9 +157,10 @@ def contents(motion: Motion | None = None, intensities: ArrayLike = INTENSITIES)
         data=data,
         figures={"shares": draw_shares(data)},
         tables={
-            "Reports beside ours: share of the items that come out [%]": results,
+            "Reports beside ours: share of the items that come out": claims_table(results),
             "Presets of contents (assumed but for the friction of pallet loads)": presets_table(),
         },
+        claims=results,
     )
 
 
@@ -195,26 +196,21 @@ def _share(data: xr.Dataset, setting: str, held: str, intensity: float) -> float
     return float(data["out"].sel(setting=setting, held=held, intensity=intensity))
 
 
-def claims(data: xr.Dataset) -> pd.DataFrame:
-    """Return each report beside our share, and whether it agrees by `RANGES`."""
-    rows: list[dict[str, object]] = []
+def claims(data: xr.Dataset) -> tuple[Claim, ...]:
+    """Return each report beside our share; whether it agrees is by `RANGES`."""
+    found: list[Claim] = []
     for report in REPORTS:
         share = _share(data, report.setting, report.held, report.intensity)
         agrees = any(RANGES[word][0] <= share <= RANGES[word][1] for word in report.words)
         fell = float(
             data["overturned"].sel(setting=report.setting, held=report.held, intensity=report.intensity)
         )
-        rows.append(
-            {
-                "reported": report.claim,
-                "by": report.source,
-                "ours": f"{report.setting}; {report.held}; {report.intensity:g}",
-                "out": f"{100.0 * share:.0f}",
-                "piece overturns": f"{100.0 * fell:.0f}",
-                "agrees": "yes" if agrees else "no",
-            }
+        ours = (
+            f"{report.setting}; {report.held}; {report.intensity:g}: {100.0 * share:.0f} % come out, the "
+            f"piece overturns in {100.0 * fell:.0f} %"
         )
-    return pd.DataFrame(rows)
+        found.append(Claim(report.source, report.claim, ours, outcome_of(int(agrees), 1)))
+    return tuple(found)
 
 
 def _pallets() -> tuple[float, float]:

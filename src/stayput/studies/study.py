@@ -15,6 +15,8 @@ from stayput.files import draft
 from stayput.report.figures import saved
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     import xarray as xr
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
@@ -65,6 +67,50 @@ class Quantity:
         return format(value, self.form) if np.isfinite(value) else "none"
 
 
+YES, PARTLY, NO = "yes", "partly", "no"
+"""Whether something published comes out of a study."""
+
+
+def outcome_of(met: int, wanted: int) -> str:
+    """Return whether something published comes out, of which so many of the wanted parts are met."""
+    return YES if met >= wanted else PARTLY if met else NO
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """Something published beside ours.
+
+    Parameters
+    ----------
+    source : str
+        Where it was published, and for what.
+    published, ours : str
+        What was found there, and here.
+    outcome : str
+        `YES`, `PARTLY` or `NO`: whether it comes out.
+    """
+
+    source: str
+    published: str
+    ours: str
+    outcome: str
+
+
+def claims_table(claims: Iterable[Claim]) -> pd.DataFrame:
+    """Return a row for each claim."""
+    return pd.DataFrame(
+        [
+            {
+                "source": claim.source,
+                "published": claim.published,
+                "ours": claim.ours,
+                "comes out": claim.outcome,
+            }
+            for claim in claims
+        ]
+    )
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Study:
     """A study's outcome.
@@ -83,6 +129,8 @@ class Study:
         Figures by name; the first is the main one.
     tables : dict of str to pandas.DataFrame
         Small tables by their caption.
+    claims : tuple of Claim
+        What was published of tests and surveys, beside ours; misses among them.
     """
 
     name: str
@@ -91,6 +139,7 @@ class Study:
     data: xr.Dataset
     figures: dict[str, Figure]
     tables: dict[str, pd.DataFrame]
+    claims: tuple[Claim, ...] = ()
 
     @property
     def summary(self) -> pd.DataFrame:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,7 +15,7 @@ from stayput.motion import near_fault
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK, MUTED
-from stayput.studies.study import Quantity, Study, span
+from stayput.studies.study import NO, PARTLY, YES, Claim, Quantity, Study, claims_table, outcome_of, span
 from stayput.studies.tokyo_runs import (
     ALONE,
     BODIES,
@@ -102,7 +101,7 @@ def tokyo(
     facing = severest(outcomes, names(ALONE))
     results = claims(outcomes, facing)
     name = f"{shaking.name or 'the record'}{' (synthetic)' if shaking.synthetic else ''}"
-    tables = {"The published result beside ours": claims_table(results)}
+    tables = {"The published result beside ours, severest facing": claims_table(results)}
     for level in LEVELS:
         caption = (
             f"At {100 * level:g} % of the record: shares of the draws [%] facing {facing}, "
@@ -126,31 +125,8 @@ def tokyo(
         ),
         figures=figures,
         tables=tables,
+        claims=tuple(results),
     )
-
-
-@dataclass(frozen=True, slots=True)
-class Claim:
-    """A published result beside ours.
-
-    Parameters
-    ----------
-    level : float
-        Factor on the record.
-    published, ours : str
-        What became of the devices.
-    verdict : str
-        "yes", "partly" or "no": whether it comes out.
-    """
-
-    level: float
-    published: str
-    ours: str
-    verdict: str
-
-
-def _verdict(met: int, wanted: int) -> str:
-    return "yes" if met >= wanted else "partly" if met else "no"
 
 
 def _percent(share: xr.DataArray) -> str:
@@ -160,6 +136,11 @@ def _percent(share: xr.DataArray) -> str:
 def names(options: tuple[Option, ...]) -> list[str]:
     """Return the names of options."""
     return [option.name for option in options]
+
+
+def source_of(level: float) -> str:
+    """Return what the test at a level of the record is called."""
+    return f"Tokyo's product test 2015, {100.0 * level:g} % of JMA Kobe"
 
 
 def claims(outcomes: xr.Dataset, facing: str) -> list[Claim]:
@@ -186,49 +167,34 @@ def claims(outcomes: xr.Dataset, facing: str) -> list[Claim]:
     held = int((pairs["little"] >= MOST).sum())
     return [
         Claim(
-            ALL,
+            source_of(ALL),
             f"all {len(ALONE)} devices alone fail: six let the piece overturn, with one mat it moves 30 cm "
             "or more",
             f"{fail} of {len(ALONE)} fail in most draws with one piece at least, {over} of them by "
             f"overturning; {any_fail} fail in some draw of some facing",
-            _verdict(fail, len(ALONE)),
+            outcome_of(fail, len(ALONE)),
         ),
         Claim(
-            REDUCED,
+            source_of(REDUCED),
             "with one pole the cupboard overturns",
             f"with poles it overturns in {_percent(poles)} of the draws, with mats or stoppers a piece does "
             f"in {_percent(others)}",
-            "yes" if float(poles.max()) >= MOST else "partly" if float(poles.max()) > 0.0 else "no",
+            YES if float(poles.max()) >= MOST else PARTLY if float(poles.max()) > 0.0 else NO,
         ),
         Claim(
-            REDUCED,
+            source_of(REDUCED),
             "with two others the piece moves 10 to 30 cm",
             f"with {moved} of {len(ALONE)} in most draws; by device and piece in {_percent(reduced['some'])}",
-            _verdict(moved, 2),
+            outcome_of(moved, 2),
         ),
         Claim(
-            ALL,
+            source_of(ALL),
             "the cupboard with a stopper and a pole does not overturn, and moves 10 cm or less",
             f"so in {_percent(pairs['little'])} of the draws by pair, in most with {held} of {len(TOGETHER)} "
             f"pairs; it overturns in {_percent(pairs['overturned'])}",
-            _verdict(held, len(TOGETHER)),
+            outcome_of(held, len(TOGETHER)),
         ),
     ]
-
-
-def claims_table(outcomes: list[Claim]) -> pd.DataFrame:
-    """Return a row for each published result."""
-    return pd.DataFrame(
-        [
-            {
-                "record": f"{100 * claim.level:g} %",
-                "published": claim.published,
-                "ours, severest facing": claim.ours,
-                "comes out": claim.verdict,
-            }
-            for claim in outcomes
-        ]
-    )
 
 
 def outcomes_table(outcomes: xr.Dataset, facing: str, level: float) -> pd.DataFrame:
@@ -286,7 +252,7 @@ def devices_table() -> pd.DataFrame:
 def _quantities(outcomes: xr.Dataset, facing: str, results: list[Claim]) -> dict[str, Quantity]:
     quantities = {"facing": Quantity("Facing in which most overturn", facing)}
     for place, claim in enumerate(results, 1):
-        label = f"At {100.0 * claim.level:g} %, comes out: {claim.verdict}"
+        label = f"{claim.source}, comes out: {claim.outcome}"
         quantities[f"claim_{place}"] = Quantity(label, claim.ours, claim.published)
     kinds = {"mats": MATS, "stoppers": STOPPERS, "poles": POLES, "both": TOGETHER}
     for kind, options in kinds.items():

@@ -16,7 +16,7 @@ from stayput.motion.suites import synthetic_suite
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import ALARM, INK, MUTED
-from stayput.studies.study import Quantity, Study
+from stayput.studies.study import Claim, Quantity, Study, outcome_of
 from stayput.studies.tombstones_runs import (
     ASPECT,
     DENSITY,
@@ -112,6 +112,22 @@ def tombstones(
             "The inverse: intensity, with its 95 % interval, of a place where so many of "
             f"{COUNTED} stones of 9 sun fell": inverse_table(count, seed),
         },
+        claims=claims(data),
+    )
+
+
+def claims(data: xr.Dataset) -> tuple[Claim, ...]:
+    """Return the surveys of each class beside our mean share, as stated."""
+    share = 100.0 * data["share"].isel(setting=0).mean("place")
+    met = inside(data).isel(setting=0)
+    return tuple(
+        Claim(
+            f"Gravestones, surveys: JMA {level}",
+            f"{100.0 * low:.0f} to {100.0 * high:.0f} % fell",
+            f"{float(share.sel(level=level)):.0f} %, {STATED.name}",
+            outcome_of(int(met.sel(level=level)), 1),
+        )
+        for level, (low, high) in OBSERVED.items()
     )
 
 

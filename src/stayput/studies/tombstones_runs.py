@@ -81,6 +81,8 @@ class CemeterySetting:
         Static and kinetic.
     restitution : float
         Factor on Housner's rate.
+    settlement : float
+        How far a stone sinks into the joint under it [m].
     stone_scatter, place_scatter : float
         Standard deviation of the intensity from stone to stone, and from the stated one to a place's.
     """
@@ -95,6 +97,7 @@ class CemeterySetting:
     lean: float = 0.0
     friction: tuple[float, float] = field(default=FRICTION)
     restitution: float = RESTITUTION
+    settlement: float = 0.0
     stone_scatter: float = 0.0
     place_scatter: float = 0.0
 
@@ -118,6 +121,8 @@ SETTINGS = (
     replace(STATED, name="friction 0.4 and 0.35", friction=(0.4, 0.35)),
     replace(STATED, name="friction 0.8 and 0.7", friction=(0.8, 0.7)),
     replace(STATED, name="landings of 0.85 times Housner's rate", restitution=0.85),
+    replace(STATED, name="joints that give by 0.1 mm", settlement=1e-4),
+    replace(STATED, name="joints that give by 0.5 mm", settlement=5e-4),
     replace(STATED, name="near-fault motions", family="near-fault"),
     replace(STATED, name="subduction motions", family="subduction"),
     replace(STATED, name="without vertical motion", vertical=False),
@@ -197,7 +202,7 @@ def cemeteries(setting: CemeterySetting, motions: int, count: int, seed: int) ->
     suite = synthetic_suite(setting.family, motions, seed)
     factors = factors_to_level_zero(JMA_INTENSITY, suite)
     drawn = draws(motions, count, seed)
-    room = Room(Floor(*setting.friction, restitution=setting.restitution))
+    room = Room(Floor(*setting.friction, restitution=setting.restitution, settlement=setting.settlement))
     cases = np.stack(
         [
             rows_of(stone, room, (), _of_stone(drawn, place), STANDARD_GRAVITY).cases
