@@ -118,7 +118,7 @@ def test_the_order_of_the_kinds(found):
 def test_what_does_not_come_out_is_said(kobe, found):
     said = claims(found, kobe.data.attrs["severest_facing"])
     assert [claim.outcome for claim in said] == ["partly", "partly", "no", "partly"]
-    table = kobe.tables["The published result beside ours, severest facing"]
+    table = kobe.tables["The published result beside ours"]
     assert list(table["comes out"]) == [claim.outcome for claim in said]
     for place, claim in enumerate(said, 1):
         shown = kobe.quantities[f"claim_{place}"]

@@ -101,7 +101,7 @@ def tokyo(
     facing = severest(outcomes, names(ALONE))
     results = claims(outcomes, facing)
     name = f"{shaking.name or 'the record'}{' (synthetic)' if shaking.synthetic else ''}"
-    tables = {"The published result beside ours, severest facing": claims_table(results)}
+    tables = {"The published result beside ours": claims_table(results)}
     for level in LEVELS:
         caption = (
             f"At {100 * level:g} % of the record: shares of the draws [%] facing {facing}, "
