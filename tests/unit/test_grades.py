@@ -139,3 +139,17 @@ def test_what_the_formula_leaves_out_is_what_there_is():
     for said in ("the wall in front (10 cm away)", "the ceiling", "may slide", "centre of gravity at 33 %"):
         assert said in english
     assert "the wall behind" not in english
+
+
+@pytest.mark.parametrize(
+    ("floor", "tag"),
+    [
+        ("wood flooring", None),
+        ("carpet", "low"),
+        ({"surface": "carpet", "settlement": 0.0008}, "given"),
+    ],
+)
+def test_a_floor_that_gives_is_among_the_inputs(floor, tag):
+    scenario = sp.Scenario.parse({"furniture": {"preset": "chest"}, "room": {"floor": floor}})
+    found = {item.label[0]: item.tag for item in inputs(Option("none"), scenario)}
+    assert found.get("how far the floor gives") == tag

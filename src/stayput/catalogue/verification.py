@@ -206,6 +206,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # inputs that decide an outcome
     "size_and_mass": ("size and mass of the piece", "家具の寸法と質量"),
+    "floor_settlement": ("how far the floor gives", "床の沈み込み"),
     "floor_friction": ("friction on the floor", "床の摩擦"),
     "the_building": ("the building", "建物"),
     "of_a_measure": ("{measure}: {parameter}", "{measure}：{parameter}"),

@@ -27,6 +27,10 @@ if TYPE_CHECKING:
     from stayput.verification.options import Option
 
 
+SOFT = 0.2e-3
+"""From so far on that the floor gives, it decides whether a flat base overturns [m]: tatami and carpet."""
+
+
 @dataclass(frozen=True, slots=True)
 class Input:
     """An input that decides the outcome, and how well founded its value is.
@@ -80,6 +84,8 @@ def _inputs(option: Option, scenario: Scenario) -> Iterator[Input]:
     before, after = room.floor, held.room.floor
     if (after.static_friction, after.kinetic_friction) == (before.static_friction, before.kinetic_friction):
         yield Input(phrase("verification.floor_friction"), floor_tag(scenario))
+    if after.settlement >= SOFT:
+        yield Input(phrase("verification.floor_settlement"), settlement_tag(scenario))
     building = scenario.shaking.building
     if building is not None:
         yield Input(phrase("verification.the_building"), building_tag(building))
@@ -112,6 +118,12 @@ def floor_tag(scenario: Scenario) -> str:
     table = scenario.room.floor
     surface = table if isinstance(table, str) else table.surface
     return GIVEN if surface is None else Confidence.MEDIUM.value
+
+
+def settlement_tag(scenario: Scenario) -> str:
+    """Return the tag of how far the floor gives."""
+    table = scenario.room.floor
+    return Confidence.LOW.value if isinstance(table, str) or table.settlement is None else GIVEN
 
 
 def building_tag(table: BuildingTable) -> str:
