@@ -60,7 +60,7 @@ OBSERVED = {
 }
 """What was observed: JMA's explanatory table, and the survey of Kobe by architects."""
 
-WORDS = {"5-upper": (0.0, 0.1), "6-lower": (0.02, 0.25), "6-upper": (0.2, 0.6), "7": (0.5, 1.0)}
+WORDS = {"5-upper": (0.005, 0.1), "6-lower": (0.02, 0.25), "6-upper": (0.2, 0.6), "7": (0.5, 1.0)}
 """What JMA's words are taken to mean here, as shares of pieces that fall: may, some, more, nearly all."""
 
 REPORTED = {
