@@ -15,6 +15,8 @@ from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.tables import verdict_csv
 from stayput.verification.words import reason
 
+ROOM = sp.Room(left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
+
 FILE = {
     "furniture": {"preset": "bookcase"},
     "room": {"back_wall": {"gap": 0.02, "construction": "plasterboard"}, "ceiling": {"height": 2.4}},
@@ -54,14 +56,14 @@ def by_name(verdict):
     ],
 )
 def test_what_is_wrong_with_a_badly_installed_measure(measure, worse):
-    bad = measure.badly_installed()
+    bad = measure.badly_installed(ROOM)
     assert (bad.measure, bad.share) == (worse, FAULTY)
     assert not bad.how[1].isascii()
 
 
 def test_of_some_measures_little_can_be_done_wrong():
     for measure in (LBracketInBoard(), LBracket(wall="plasterboard"), MEASURES["ballast"]()):
-        assert measure.badly_installed() is None
+        assert measure.badly_installed(ROOM) is None
 
 
 def test_installed_well_is_the_default_and_costs_nothing(usual):
@@ -100,13 +102,13 @@ def test_badly_installed_is_the_measure_with_what_is_wrong(usual):
 
 
 def test_every_form_of_the_verdict_says_it(usual):
-    line = next(
-        note for note in usual.notes() if "Screwed L-brackets" in note and "as people install it" in note
-    )
-    assert "23 % badly (screws beside the studs, in plasterboard)" in line
-    plain = verdict_markdown(usual).replace("\\", "")
-    assert line in plain
-    assert "when well installed" in report_html(usual, "en")
+    clause = "as people install it,"
+    line = reason(by_name(usual)["l_bracket"], usual, "en")
+    assert clause in line
+    assert "23 % of such devices are badly installed (screws beside the studs, in plasterboard)" in line
+    assert "As people install it, it overturns in" in usual.sentence()
+    assert clause in verdict_markdown(usual).replace("\\", "")
+    assert clause in report_html(usual, "en")
     assert "実際の取付けでは" in verdict_markdown(usual, "ja")
     data = {one["name"]: one for one in json.loads(verdict_json(usual))["options"]}
     told = data["l_bracket"]["as_installed"]

@@ -56,8 +56,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{measure} are longer than {most:g} m and lean at a small force",
         "「{measure}」が{most:g} mより長く、小さな力で傾きます",
     ),
+    "glides_stick": (
+        "“{measure}” slides like this on hard floors; on a soft one it sinks in and slides less easily",
+        "「{measure}」のすべりやすさは硬い床での値です。柔らかい床では沈み込み、滑りにくくなります",
+    ),
     "wedge_sinks": (
-        "{measure}: it sinks into a soft floor and leans the piece less",
+        "“{measure}” sinks into a soft floor, and leans the piece less",
         "「{measure}」は柔らかい床では沈み込み、傾きが小さくなります",
     ),
     "wedge_squat": (

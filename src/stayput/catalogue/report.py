@@ -356,26 +356,35 @@ TEXTS: dict[str, tuple[str, str]] = {
     "limit_body": ("Rigid body in a plane", "平面内の剛体"),
     "limit_body_text": (
         (
-            "No shaking across the piece, no turning about its vertical axis, no bending; contents do "
-            "not fall out, doors stay shut."
+            "No shaking across the piece, no turning about its vertical axis, no bending. What is inside does "
+            "not act on the piece; whether it comes out is computed where the scenario says what is inside."
         ),
-        "奥行方向以外の水平動、水平面内の回転、家具の変形、中身の飛び出しや扉の開きは考慮しません。",
+        (
+            "奥行方向以外の水平動、水平面内の回転、家具の変形は考慮しません。収納物は家具の動きに影響しないもの"
+            "とし、飛び出しは収納物が指定されている場合にだけ計算します。"
+        ),
     ),
     "limit_contacts": ("Contacts", "接触"),
     "limit_contacts_text": (
         (
             "Coulomb friction; a landing corner does not bounce, and rocking loses what the momentum "
-            "balance demands (Housner)."
+            "balance about the place of the landing demands, and a drawn part more."
         ),
         (
-            "クーロン摩擦。着地した角は跳ね返らず、ロッキングは運動量のつり合い（ハウスナー）に"
-            "従って減衰します。"
+            "クーロン摩擦。着地した角は跳ね返らず、ロッキングは着地点まわりの運動量のつり合いと、"
+            "ばらつきとして与えた損失に従って減衰します。"
         ),
     ),
     "limit_devices": ("Devices", "器具"),
     "limit_devices_text": (
-        "Springs with slack, damping and a strength; age, dirt and faulty mounting are not in it.",
-        "がた・減衰・強さをもつばねです。経年劣化、汚れ、取付け不良は含みません。",
+        (
+            "Springs with slack, damping and the strength of their weakest link. Age is not in it; faulty "
+            "mounting only where “as people install it” is asked for."
+        ),
+        (
+            "がた・減衰と、最も弱い部分の強さをもつばねです。経年劣化は含みません。取付け不良は"
+            "「実際の取付け」を指定した場合にだけ含みます。"
+        ),
     ),
     # What became of one of the runs in the report.
     "outcome_rested": ("stays where it is", "動きません"),

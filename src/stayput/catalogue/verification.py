@@ -89,14 +89,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     # notes beside the numbers
     "field": (
         (
-            "Against the field: half of such pieces overturn at a peak floor velocity of {median:.0f} cm/s here; "
-            "formulas for unanchored furniture that stands free and does not slide say {low:.0f} cm/s (FEMA "
-            "P-58) to {high:.0f} cm/s (Kaneko and Hayashi), {least:.2g} to {most:.2g} times less{wall}."
+            "Against the field: half of such pieces overturn at a peak floor velocity of {median:.0f} cm/s here, "
+            "which is {least:.2g} to {most:.2g} times what formulas say of unanchored furniture that stands free "
+            "and does not slide: {low:.0f} cm/s (FEMA P-58) to {high:.0f} cm/s (Kaneko and Hayashi){wall}."
         ),
         (
-            "既往の式との比較：この家具の半数が転倒する床の最大速度は、ここでは{median:.0f} cm/sです。"
-            "壁のない、滑らない未固定家具の式では{low:.0f} cm/s（FEMA P-58）～{high:.0f} cm/s（金子・林）で、"
-            "その{least:.2g}～{most:.2g}倍にあたります{wall}。"
+            "既往の式との比較：この家具の半数が転倒する床の最大速度は、ここでは{median:.0f} cm/sです。これは、"
+            "壁のない、滑らない未固定家具の式の値（FEMA P-58：{low:.0f} cm/s、金子・林：{high:.0f} cm/s）の"
+            "{least:.2g}～{most:.2g}倍です{wall}。"
         ),
     ),
     "field_wall": (
@@ -148,13 +148,18 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "as_installed": (
         (
-            "“{option}” overturns in {well} % when well installed, in {usual} % as people install it: "
-            "{share} % badly ({how})."
+            "as people install it, {usual} overturn, not {well}: {share} % of such devices are badly installed "
+            "({how})"
         ),
-        (
-            "「{option}」での転倒は、正しく取り付けた場合{well}%、実際の取付けでは{usual}%です"
-            "（{share}%が不適切：{how}）。"
-        ),
+        "実際の取付けでは転倒{usual}（正しく取り付けた場合{well}。{share}%が取付け不良：{how}）",
+    ),
+    "best_as_installed": (
+        "As people install it, it overturns in {share}.",
+        "実際の取付けでは{share}の場合に転倒します。",
+    ),
+    "latches_hold": (
+        "Latched doors are taken to stay shut when the furniture falls.",
+        "ラッチ付きの扉は、家具が倒れても閉じたままと仮定しています。",
     ),
     "grade": (
         "The numbers of “{option}” rest on inputs of grade {letter} ({meaning}): {inputs}.",

@@ -126,9 +126,9 @@ class LBracket(Bracket):
         0.7, "", 0.0, 1.0, ("strength with the screws up, of that with them down", "上向き取付けの強さの比")
     )
 
-    def badly_installed(self) -> BadlyInstalled | None:
-        """Return it with its screws in the plasterboard beside the studs."""
-        if self.wall == "plasterboard":
+    def badly_installed(self, room: Room) -> BadlyInstalled | None:
+        """Return it with its screws in the plasterboard beside the studs, where there are studs to miss."""
+        if room.left_wall is None or self.fixed_to(room.left_wall) not in ("stud", "hanging strip"):
             return None
         beside = replace(self, wall="plasterboard", strength=None, stiffness=None, ultimate=None)
         return BadlyInstalled(beside, phrase("measures.beside_the_studs"))

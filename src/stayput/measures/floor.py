@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.measures.measure import UNDER_THE_BASE, Held, Measure
 from stayput.model.parameters import parameter
@@ -103,7 +104,16 @@ class AntiSlipSheet(OtherFriction):
 
 
 @dataclass(frozen=True, slots=True)
-class FeltGlides(OtherFriction):
+class Glides(OtherFriction):
+    """Something hard and smooth under the base, which slides on hard floors."""
+
+    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
+        """Return that it does not slide so easily on a soft floor."""
+        return (phrase("measures.glides_stick", measure=self.label),) if room.floor.surface in SOFT else ()
+
+
+@dataclass(frozen=True, slots=True)
+class FeltGlides(Glides):
     """Felt glides under the base."""
 
     kind: ClassVar[str] = "felt_glides"
@@ -121,7 +131,7 @@ class FeltGlides(OtherFriction):
 
 
 @dataclass(frozen=True, slots=True)
-class SlidingGlides(OtherFriction):
+class SlidingGlides(Glides):
     """Glides of PTFE under the base."""
 
     kind: ClassVar[str] = "sliding_glides"

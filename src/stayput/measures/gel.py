@@ -86,7 +86,7 @@ class GelMats(Measure):
         """Return the place under the base."""
         return UNDER_THE_BASE
 
-    def badly_installed(self) -> BadlyInstalled | None:
+    def badly_installed(self, room: Room) -> BadlyInstalled | None:
         """Return them on dust."""
         return BadlyInstalled(replace(self, realism=ON_DUST * self.realism), phrase("measures.on_dust"))
 

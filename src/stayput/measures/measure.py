@@ -110,8 +110,8 @@ class Measure(ABC):
         """
         return ()
 
-    def badly_installed(self) -> BadlyInstalled | None:
-        """Return it as it is often installed; None where little can be done wrong."""
+    def badly_installed(self, room: Room) -> BadlyInstalled | None:
+        """Return it as it is often installed in a room; None where little can be done wrong."""
         return None
 
     def in_a_usual_room(self) -> dict[str, float]:

@@ -116,7 +116,7 @@ class TensionPole(Measure):
             found.append(phrase("measures.pole_long", measure=self.label, most=LONG))
         return tuple(found)
 
-    def badly_installed(self) -> BadlyInstalled | None:
+    def badly_installed(self, room: Room) -> BadlyInstalled | None:
         """Return them hardly tightened."""
         loose = replace(self, preload=min(self.preload, HARDLY_TIGHTENED))
         return BadlyInstalled(loose, phrase("measures.hardly_tightened"))

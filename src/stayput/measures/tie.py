@@ -42,7 +42,7 @@ class Tie(WallDevice):
         """Return the height on the wall."""
         return phrase("measures.tied", height=self.height)
 
-    def badly_installed(self) -> BadlyInstalled | None:
+    def badly_installed(self, room: Room) -> BadlyInstalled | None:
         """Return it with more slack."""
         slack = max(self.slack, min(0.5, self.slack + MORE_SLACK))
         return BadlyInstalled(replace(self, slack=slack), phrase("measures.hangs_loose"))

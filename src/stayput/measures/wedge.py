@@ -66,7 +66,7 @@ class WedgeStopper(Measure):
             )
         return tuple(found)
 
-    def badly_installed(self) -> BadlyInstalled | None:
+    def badly_installed(self, room: Room) -> BadlyInstalled | None:
         """Return it too short, so that the edge stands on its thin part."""
         thin = max(5e-4, 0.5 * self.thickness)
         return BadlyInstalled(replace(self, thickness=thin), phrase("measures.too_short"))

@@ -198,8 +198,9 @@ class _Faulty(NamedTuple):
 def _faulty(options: tuple[Option, ...], scenario: Scenario) -> list[_Faulty]:
     """Return those options badly installed of which the scenario asks a share."""
     found: list[_Faulty] = []
+    room = scenario.room.room()
     for option in options:
-        worse = option.badly_installed()
+        worse = option.badly_installed(room)
         if worse is None:
             continue
         bad, wrong = worse

@@ -50,7 +50,6 @@ def notes(verdict: Verdict, graded: Option | None = None) -> tuple[Phrase, ...]:
     return (
         *_estimate(verdict),
         *_field(verdict),
-        *_installed(verdict),
         *_grade(verdict.best.option if graded is None else graded, verdict),
         *_far(verdict),
         *_contents(verdict),
@@ -115,20 +114,6 @@ def _left_out(verdict: Verdict) -> Iterator[Phrase]:
     yield phrase("verification.of_their_own")
 
 
-def _installed(verdict: Verdict) -> Iterator[Phrase]:
-    for result in verdict.options:
-        installed = result.installed
-        if installed is not None:
-            yield phrase(
-                "verification.as_installed",
-                option=(title(result.option, verdict, "en"), title(result.option, verdict, "ja")),
-                well=percent(result.probabilities[OVERTURNED].estimate),
-                usual=percent(installed.usual[OVERTURNED]),
-                share=percent(installed.share),
-                how=_listed(installed.how),
-            )
-
-
 def _grade(option: Option, verdict: Verdict) -> Iterator[Phrase]:
     scenario = verdict.scenario
     deciding = weakest(option, scenario)
@@ -167,9 +152,11 @@ def _everyday(verdict: Verdict) -> Phrase:
 
 
 def _contents(verdict: Verdict) -> Iterator[Phrase]:
-    contents = verdict.without.contents
+    contents, inside = verdict.without.contents, verdict.scenario.contents
     if contents is None or contents.rigid.runs == 0:
         return
+    if inside is not None and "latched" in inside.doors:
+        yield phrase("verification.latches_hold")
     wide = contents.opened
     yield phrase(
         "verification.contents_bound",

@@ -56,12 +56,12 @@ class Option:
         kinds = [measure.kind for measure in self.measures]
         return bool(kinds) and self.name not in (" + ".join(kinds), "+".join(kinds), YOURS)
 
-    def badly_installed(self) -> tuple[Option, tuple[BadlyInstalled, ...]] | None:
+    def badly_installed(self, room: Room) -> tuple[Option, tuple[BadlyInstalled, ...]] | None:
         """Return the measures as one installs them who does it badly, and what is wrong; None if nothing is.
 
         All that can be badly installed is, since the same person does it.
         """
-        each = [measure.badly_installed() for measure in self.measures]
+        each = [measure.badly_installed(room) for measure in self.measures]
         wrong = tuple(bad for bad in each if bad is not None)
         if not wrong:
             return None

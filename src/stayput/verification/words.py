@@ -92,6 +92,9 @@ def slides_off(option: OptionVerdict, verdict: Verdict) -> bool:
 def headline(verdict: Verdict, language: str) -> str:
     """Return the verdict in one sentence."""
     sentences = [say(_headline(verdict), language)]
+    if verdict.best.installed is not None:
+        share = share_text(verdict.best.installed.usual[OVERTURNED])
+        sentences.append(say(phrase("verification.best_as_installed", share=share), language))
     if verdict.best.contents is not None:
         sentences.append(say(_of_contents(verdict), language))
     return (" " if language == "en" else "").join(sentences)
@@ -187,6 +190,17 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
         worst = max(option.devices, key=lambda device: device.failed.estimate, default=None)
         if worst is not None and worst.weakest is not None:
             parts.append(phrase("verification.gives_way", weakest=worst.weakest))
+    if (installed := option.installed) is not None:
+        english, japanese = zip(*installed.how, strict=True)
+        parts.append(
+            phrase(
+                "verification.as_installed",
+                well=share_text(held),
+                usual=share_text(installed.usual[OVERTURNED]),
+                share=percent(installed.share),
+                how=("; ".join(english), "、".join(japanese)),
+            )
+        )
     if slides_off(option, verdict):
         parts.append(phrase("verification.slides_far", far=FAR))
     elif math.isfinite(option.slide.p90) and option.slide.p90 >= 0.01:
