@@ -10,7 +10,7 @@ import study_numbers
 import stayput as sp
 import workload
 from stayput import studies
-from stayput.studies.study import claims_table, table_as_markdown
+from stayput.studies.study import NO, PARTLY, YES, claims_table, table_as_markdown
 
 if TYPE_CHECKING:
     from stayput.studies import Study
@@ -103,5 +103,10 @@ def write(folder: Path) -> None:
         claims += [claim for study, _ in runs for claim in study.claims]
         text = "\n\n".join(section(study, motion, folder) for study, motion in runs)
         (folder / f"{name}.md").write_text(text + "\n", encoding="utf-8")
-    world = table_as_markdown(claims_table(claims))
+    outcomes = [claim.outcome for claim in claims]
+    counts = ", ".join(f"{outcomes.count(word)} {word}" for word in (YES, PARTLY, NO))
+    world = (
+    table = table_as_markdown(claims_table(claims))
+    world = f"Of {len(claims)} rows, whether it comes out: {counts}.\n\n{table}"
+    )
     (folder / "validation_world.md").write_text(world + "\n", encoding="utf-8")

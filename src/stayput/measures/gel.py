@@ -123,9 +123,9 @@ class GelMats(Measure):
         tangent = Line(
             stiffness, damper(self.damping, stiffness, body.mass), 0.0, 0.0, shear, shear, weakest=sheared
         )
-        half, (left, right) = body.width / 2, body.base_heights
+        half, (left, right), (back, front) = body.width / 2, body.base_heights, body.base_insets
         elements = tuple(
             Element(self.kind, point, normal, tangent, facing=(0.0, 1.0), place=place, interaction=True)
-            for place, point in (("back", (-half, left)), ("front", (half, right)))
+            for place, point in (("back", (back - half, left)), ("front", (half - front, right)))
         )
         return Held(body, room, elements, (self,))

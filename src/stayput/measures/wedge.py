@@ -77,9 +77,10 @@ class WedgeStopper(Measure):
         low = right - self.thickness
         if room.left_wall is not None:
             # tilted by φ, the top's back corner stands (h − z_A) sin φ right of the base's
-            sine = (_reach(body)[0] - room.left_wall.gap) / (body.height - left)
+            reach = _reach(body)[0] + body.base_insets[0]
+            sine = (reach - room.left_wall.gap) / (body.height - left)
             if sine > -1.0:
-                low = max(low, left + body.width * math.tan(math.asin(sine)))
+                low = max(low, left + _span(body) * math.tan(math.asin(sine)))
         leaning = replace(body, base_heights=(left, low))
         room = _seen_from_the_leaning_body(room, body, leaning)
         floor = replace(
@@ -110,13 +111,19 @@ def _reach(body: Body) -> tuple[float, float]:
     Its centre of gravity plays no part, not even in the last bit: draws of it do not move the walls.
     """
     left, right = body.base_heights
-    tilt = math.atan2(right - left, body.width)
+    span, inset = _span(body), body.base_insets[0]
+    tilt = math.atan2(right - left, span)
     sin, cos = math.sin(tilt), math.cos(tilt)
     corners = (
-        (0.0, 0.0),
-        (body.width, right - left),
-        (0.0, body.height - left),
-        (body.width, body.height - left),
+        (-inset, 0.0),
+        (body.width - inset, right - left),
+        (-inset, body.height - left),
+        (body.width - inset, body.height - left),
     )
     across = [u * cos + v * sin for u, v in corners]
     return min(across), max(across)
+
+
+def _span(body: Body) -> float:
+    """Return the distance between the base corners along the base [m]."""
+    return body.width - body.base_insets[0] - body.base_insets[1]

@@ -171,7 +171,8 @@ def scale_change_of_fulcrum(contacts, fulcrum, case, s, before):
     """Multiply the rotation rate by the floor's restitution, keeping the velocity of the new fulcrum.
 
     The factor is bounded where it would create energy: above 1 by the energy before the impact, twice per
-    unit mass; on a slipping fulcrum, where less rotation can mean more energy, below 1 by that after it.
+    unit mass; on a slipping fulcrum, where less rotation can mean more energy, below 1 by that after it. A
+    landing corner that bounces is no fulcrum: above 1 it has no factor.
     """
     con = contacts[fulcrum]
     sigma, kappa = arm(con, s)
@@ -179,7 +180,7 @@ def scale_change_of_fulcrum(contacts, fulcrum, case, s, before):
     tangential, normal = to_plane_axes(con, s.vx, s.vz)
     lift = normal - s.omega * sigma
     inertia = case.inertia + sigma * sigma + kappa * kappa
-    if s.omega == 0.0:
+    if s.omega == 0.0 or (case.restitution > 1.0 and lift > STICK_RATE):
         return
     spin = inertia * s.omega
     across = kappa * slip + sigma * lift

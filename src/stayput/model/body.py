@@ -18,6 +18,9 @@ SIZE_RANGE = (1e-3, 100.0)
 MASS_RANGE = (1e-3, 1e6)
 """Smallest and largest mass that is accepted [kg]."""
 
+MOST_INSET = 0.45
+"""Largest inset of a base corner, as a part of the width."""
+
 _SIZE, _MASS = ("m", *SIZE_RANGE), ("kg", *MASS_RANGE)
 _OFFSET = ("m", -SIZE_RANGE[1], SIZE_RANGE[1])
 _PART_SIZE = ("m", 0.0, SIZE_RANGE[1])
@@ -137,7 +140,7 @@ class Body:
         if len(self.base_insets) != 2:
             raise InputError("model.base_insets_not_two", "base_insets", value=repr(self.base_insets))
         for value in self.base_insets:
-            parameter_of(Body, "base_insets").check(value, bounds=(0.0, 0.45 * self.width))
+            parameter_of(Body, "base_insets").check(value, bounds=(0.0, MOST_INSET * self.width))
         (left, _), (right, _), _, _ = self.corners
         if not left < 0.0 < right:
             raise InputError(

@@ -54,7 +54,8 @@ def rigid_half_base(half_base: ArrayLike, height: ArrayLike, settlement: ArrayLi
         # √θ* is the largest root of z s³ − a s + (2/3) √(a w₀) = 0
         cosine = np.minimum(1.0, np.sqrt(3.0 * z * w) / a)
         root = np.sqrt(4.0 * a / (3.0 * z)) * np.cos(np.arccos(-cosine) / 3.0)
-        energy = a * root**2 - z * root**4 / 2.0 - (4.0 / 3.0) * np.sqrt(a * w) * root + w / 2.0
+        tilt = root * root  # a power of a scalar may differ from that of a column in its last bit
+        energy = a * tilt - z * tilt * tilt / 2.0 - (4.0 / 3.0) * np.sqrt(a * w) * root + w / 2.0
         stands = 3.0 * z * w < a * a  # else the whole base, still pressed, holds less than the tilt takes
         softer = np.sqrt(np.where(stands, np.maximum(0.0, 2.0 * z * energy), 0.0))
     return np.where(w > 0.0, np.minimum(a, np.maximum(LEAST * a, softer)), a)
@@ -80,7 +81,7 @@ def landing_factor(
         J_G/m [m²].
     """
     xi, a2, z, I = (np.asarray(value, np.float64) for value in (place, half_base_squared, height, inertia))
-    K = I + z**2
+    K = I + z * z
     at_corner = np.maximum(1e-3, (K - a2) / (K + a2))  # a body so squat does not rock on after a landing
     inside = (K - xi * a2) / (K + xi * a2)
     return np.where(xi < 1.0, np.maximum(1.0, inside / at_corner), 1.0)

@@ -14,6 +14,7 @@ import numpy as np
 from stayput.fragility import samples_needed
 from stayput.measures import element_rows, hold
 from stayput.measures.bracket import REACH
+from stayput.model.body import MOST_INSET
 from stayput.mechanics.devices.runner import no_elements
 from stayput.model.state import State
 from stayput.simulation.flat_fields import body_fields, case_rows, flat_fields, room_fields
@@ -137,7 +138,11 @@ def draws(motions: int, samples: int, seed: int, start: int = 0) -> DrawTable:
 def drawn_body(body: Body, draw: Draw) -> Body:
     """Return the body with its mass, the height of its centre of gravity and how it stands as drawn."""
     x, z = body.cg_offset
-    (back, front), (back_inset, front_inset) = body.base_heights, body.base_insets
+    back, front = body.base_heights
+    insets = (
+        float(_drawn_inset(body, 0, draw.back_inset)),
+        float(_drawn_inset(body, 1, draw.front_inset)),
+    )
     height = min(0.95, draw.gravity_height * (0.5 + z / body.height)) * body.height
     inertia = None if body.inertia is None else draw.mass * body.inertia
     return replace(
@@ -145,9 +150,18 @@ def drawn_body(body: Body, draw: Draw) -> Body:
         mass=draw.mass * body.mass,
         cg_offset=(x, height - 0.5 * body.height),
         inertia=inertia,
-        base_heights=(back, front - draw.lean * body.width),
-        base_insets=(back_inset + draw.back_inset * body.width, front_inset + draw.front_inset * body.width),
+        base_heights=(back, front - draw.lean * (body.width - insets[0] - insets[1])),
+        base_insets=insets,
     )
+
+
+def _drawn_inset(body: Body, side: int, share: NumberOrColumn) -> NumberOrColumn:
+    """Return drawn insets of the back (0) or the front [m]: at most half of what is left of the base there.
+
+    So a base that carries the centre of gravity as stated does so in every draw.
+    """
+    stated, foot = body.base_insets[side], abs(body.corners[side][0])
+    return stated + np.minimum(share * body.width, min(0.5 * foot, MOST_INSET * body.width - stated))
 
 
 def drawn_place(room: Room, draw: Draw) -> Room:
@@ -253,9 +267,11 @@ def rows_of(
         numbers |= {"body.mass": masses, "body.cg_offset.z": height - 0.5 * body.height}
         if body.inertia is not None:
             numbers["body.inertia"] = columns["mass"] * body.inertia
-        numbers["body.base_heights.right"] = body.base_heights[1] - columns["lean"] * body.width
-        for side, inset, drawn_inset in zip(("left", "right"), body.base_insets, INSETS, strict=True):
-            numbers[f"body.base_insets.{side}"] = inset + columns[drawn_inset] * body.width
+        left, right = (_drawn_inset(body, side, columns[name]) for side, name in enumerate(INSETS))
+        numbers |= {"body.base_insets.left": left, "body.base_insets.right": right}
+        numbers["body.base_heights.right"] = body.base_heights[1] - columns["lean"] * (
+            body.width - left - right
+        )
         for name in WALL_NAMES:
             wall = getattr(room, name)
             if wall is not None and wall == getattr(held.room, name):  # a measure's own gap is as it says

@@ -176,7 +176,7 @@ def low_cutoff(resonance: float | None = None) -> float:
 def ac156_motion(
     required: RequiredSpectrum, number: int = 1, *, seed: int = 1, lowest: float | None = None
 ) -> Motion:
-    """Return a motion of three independent components whose spectra meet a required one.
+    """Return a motion of three independent components whose spectra meet a required one on average.
 
     Broadband noise under an envelope of 5 s build-up, 20 s of strong shaking and 5 s of decay, matched at 5 %
     from the low cut-off to 33.3 Hz; below the cut-off its amplitudes fall, since no test asks for them. It

@@ -160,7 +160,7 @@ def anchor_tension(
     coefficient : float
         K_H.
     spacing : float, optional
-        l between the two rows of anchors [m]; default the width of the base.
+        l between the two rows of anchors [m]; default the distance of the feet.
     anchors : int
         n, anchors in the row that is pulled.
     gravity : float
@@ -177,9 +177,10 @@ def anchor_tension(
     >>> round(anchor_tension(Body(0.4, 1.8, 100.0), 1.0), 1)
     858.1
     """
-    length = within("standards.spacing", body.width if spacing is None else spacing, 1e-3, body.width, "m")
+    feet = body.width - body.base_insets[0] - body.base_insets[1]
+    length = within("standards.spacing", feet if spacing is None else spacing, 1e-3, feet, "m")
     count = int(within("standards.anchors", anchors, 1, 1000, "", "anchors"))
-    inset = 0.5 * (body.width - length)
+    inset = 0.5 * (feet - length)  # of the anchors from the edge that the moment is about
     moment = _moment(body, coefficient, gravity) + body.mass * gravity * inset
     return max(moment / (count * length), 0.0)
 

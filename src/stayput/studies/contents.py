@@ -21,7 +21,7 @@ from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
 from stayput.report.palette import INK, MUTED
 from stayput.simulation.run import Case
-from stayput.studies.study import YES, Claim, Quantity, Study, claims_table, increasing, outcome_of
+from stayput.studies.study import PARTLY, YES, Claim, Quantity, Study, claims_table, increasing, outcome_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -209,7 +209,10 @@ def claims(data: xr.Dataset) -> tuple[Claim, ...]:
             f"{report.setting}; {report.held}; {report.intensity:g}: {100.0 * share:.0f} % come out, the "
             f"piece overturns in {100.0 * fell:.0f} %"
         )
-        found.append(Claim(report.source, report.claim, ours, outcome_of(int(agrees), 1)))
+        outcome = outcome_of(int(agrees), 1)
+        if agrees and report.words == ("none",) and fell >= 0.5:
+            outcome = PARTLY  # latched doors are taken to stay shut in a fall
+        found.append(Claim(report.source, report.claim, ours, outcome))
     return tuple(found)
 
 

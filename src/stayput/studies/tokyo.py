@@ -99,7 +99,7 @@ def tokyo(
         change = varied(shaking, changed, count, seed, advance)
     outcomes = shares(runs)
     facing = severest(outcomes, names(ALONE))
-    results = claims(outcomes, facing)
+    results = claims(outcomes, facing, "under a synthetic motion: " if shaking.synthetic else "")
     name = f"{shaking.name or 'the record'}{' (synthetic)' if shaking.synthetic else ''}"
     tables = {"The published result beside ours": claims_table(results)}
     for level in LEVELS:
@@ -143,7 +143,7 @@ def source_of(level: float) -> str:
     return f"Tokyo's product test 2015, {100.0 * level:g} % of JMA Kobe"
 
 
-def claims(outcomes: xr.Dataset, facing: str) -> list[Claim]:
+def claims(outcomes: xr.Dataset, facing: str, under: str = "") -> list[Claim]:
     """Return each published result beside ours in one facing.
 
     Parameters
@@ -152,6 +152,8 @@ def claims(outcomes: xr.Dataset, facing: str) -> list[Claim]:
         Shares over body, level, device and facing.
     facing : str
         The facing.
+    under : str
+        The motion, where it is not that of the test.
     """
     here = outcomes.sel(facing=facing)
     alone, reduced = (here.sel(device=names(ALONE), level=level) for level in LEVELS)
@@ -170,28 +172,29 @@ def claims(outcomes: xr.Dataset, facing: str) -> list[Claim]:
             source_of(ALL),
             f"all {len(ALONE)} devices alone fail: six let the piece overturn, with one mat it moves 30 cm "
             "or more",
-            f"{fail} of {len(ALONE)} fail in most draws with one piece at least, {over} of them by "
+            f"{under}{fail} of {len(ALONE)} fail in most draws with one piece at least, {over} of them by "
             f"overturning; {any_fail} fail in some draw of some facing",
             outcome_of(fail, len(ALONE)),
         ),
         Claim(
             source_of(REDUCED),
             "with one pole the cupboard overturns",
-            f"with poles it overturns in {_percent(poles)} of the draws, with mats or stoppers a piece does "
-            f"in {_percent(others)}",
+            f"{under}with poles it overturns in {_percent(poles)} of the draws, with mats or stoppers a piece "
+            f"does in {_percent(others)}",
             YES if float(poles.max()) >= MOST else PARTLY if float(poles.max()) > 0.0 else NO,
         ),
         Claim(
             source_of(REDUCED),
             "with two others the piece moves 10 to 30 cm",
-            f"with {moved} of {len(ALONE)} in most draws; by device and piece in {_percent(reduced['some'])}",
+            f"{under}with {moved} of {len(ALONE)} in most draws; by device and piece in "
+            f"{_percent(reduced['some'])}",
             outcome_of(moved, 2),
         ),
         Claim(
             source_of(ALL),
             "the cupboard with a stopper and a pole does not overturn, and moves 10 cm or less",
-            f"so in {_percent(pairs['little'])} of the draws by pair, in most with {held} of {len(TOGETHER)} "
-            f"pairs; it overturns in {_percent(pairs['overturned'])}",
+            f"{under}so in {_percent(pairs['little'])} of the draws by pair, in most with {held} of "
+            f"{len(TOGETHER)} pairs; it overturns in {_percent(pairs['overturned'])}",
             outcome_of(held, len(TOGETHER)),
         ),
     ]
