@@ -21,8 +21,10 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from stayput.catalogue import Phrase
+    from stayput.everyday import TipOverCase
+    from stayput.scenario import Scenario
     from stayput.verification.options import Option
-    from stayput.verification.verdict import Verdict
+    from stayput.verification.verdict import OptionVerdict, Verdict
 
 APART = 0.20
 """A quick estimate that is farther from the simulation than this is explained."""
@@ -37,24 +39,36 @@ _OFF_MIDDLE = 0.05
 """From so far off half the height, in heights, the centre of gravity is not the formula's."""
 
 
-def notes(verdict: Verdict, graded: Option | None = None) -> tuple[Phrase, ...]:
+def notes(verdict: Verdict) -> tuple[Phrase, ...]:
     """Return the notes beside the numbers of a verdict, each in English and Japanese.
 
     Parameters
     ----------
     verdict : Verdict
         The verdict.
-    graded : Option, optional
-        The option whose grade is explained, by default the best.
+    """
+    return *shaken_notes(verdict, verdict.best.option, verdict.options), everyday_note(verdict)
+
+
+def shaken_notes(verdict: Verdict, graded: Option, installed: Iterable[OptionVerdict]) -> tuple[Phrase, ...]:
+    """Return the notes of a verdict but that on the piece without an earthquake.
+
+    Parameters
+    ----------
+    verdict : Verdict
+        The verdict.
+    graded : Option
+        The option whose grade is explained.
+    installed : iterable of OptionVerdict
+        The options of which is said how they are as people install them.
     """
     return (
         *_estimate(verdict),
         *_field(verdict),
-        *_installed(verdict),
-        *_grade(verdict.best.option if graded is None else graded, verdict),
+        *_installed(installed, verdict),
+        *_grade(graded, verdict),
         *_far(verdict),
         *_contents(verdict),
-        _everyday(verdict),
     )
 
 
@@ -115,8 +129,8 @@ def _left_out(verdict: Verdict) -> Iterator[Phrase]:
     yield phrase("verification.of_their_own")
 
 
-def _installed(verdict: Verdict) -> Iterator[Phrase]:
-    for result in verdict.options:
+def _installed(options: Iterable[OptionVerdict], verdict: Verdict) -> Iterator[Phrase]:
+    for result in options:
         installed = result.installed
         if installed is not None:
             yield phrase(
@@ -145,22 +159,34 @@ def _grade(option: Option, verdict: Verdict) -> Iterator[Phrase]:
     )
 
 
-def _everyday(verdict: Verdict) -> Phrase:
+def everyday_cases(scenario: Scenario) -> tuple[tuple[TipOverCase, Phrase], ...]:
+    """Return the cases of tip-over without an earthquake, the smallest margin first, each in words."""
+    furniture = scenario.furniture
+    given, body = scenario.everyday.everyday(furniture.preset), furniture.body()
+    return tuple(
+        (
+            case,
+            phrase(
+                f"verification.everyday_{case.name}",
+                drawers=given.drawers,
+                load=given.load,
+                pull=given.pull,
+                height=min(given.pull_height, body.height),
+            ),
+        )
+        for case in tip_over(body, given, scenario.gravity)
+    )
+
+
+def everyday_note(verdict: Verdict) -> Phrase:
     """Return the case in which the piece tips over most easily without an earthquake, and its margin."""
     furniture = verdict.scenario.furniture
-    given, body = verdict.scenario.everyday.everyday(furniture.preset), furniture.body()
-    worst = tip_over(body, given, verdict.scenario.gravity)[0]
+    given = verdict.scenario.everyday.everyday(furniture.preset)
     tags = [about.tag(getattr(given, about.name)) for about in parameters(Everyday)]
-    case = phrase(
-        f"verification.everyday_{worst.name}",
-        drawers=given.drawers,
-        load=given.load,
-        pull=given.pull,
-        height=min(given.pull_height, body.height),
-    )
+    worst, said = everyday_cases(verdict.scenario)[0]
     return phrase(
         "verification.everyday_tips" if worst.tips else "verification.everyday_stays",
-        case=case,
+        case=said,
         margin=worst.margin,
         letter=max(GRADE_OF[tag] for tag in (*tags, furniture_tag(furniture))).value,
     )

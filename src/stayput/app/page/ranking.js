@@ -25,6 +25,7 @@ export function show(verdict, take) {
           grade(one, one.grade),
         ),
         el("p", { class: "hint", text: both(one.reason) }),
+        one.as_installed ? el("p", { class: "hint", text: installed(one.as_installed) }) : null,
         one.yours
           ? null
           : el("button", {
@@ -60,6 +61,14 @@ export function grade(one, text = t("grade", { grade: one.grade })) {
   const meaning = t("gradeOf", { grade: one.grade, inputs: weakest });
   return el("span", { class: `tag grade${one.grade}`, title: meaning, text });
 }
+
+/** How often it overturns as people install it, and what is wrong where it is badly done. */
+const installed = ({ usual, badly_share: badly, how }) =>
+  t("asInstalled", {
+    share: percent(usual.overturned),
+    badly: percent(badly),
+    how: how.map(both).join(t("listed")),
+  });
 
 function bar({ estimate, low, high }) {
   const at = (share) => (2 + 196 * share).toFixed(1);

@@ -5,12 +5,13 @@ import * as api from "./api.js";
 import { patiently } from "./connection.js";
 import { oneOf } from "./controls.js";
 import { fill, part, settled } from "./dom.js";
+import * as everyday from "./everyday.js";
 import * as fragility from "./fragility.js";
 import * as keep from "./keep.js";
 import * as ranking from "./ranking.js";
 import { recalled, remember } from "./memory.js";
 import { worded } from "./refusals.js";
-import { change } from "./scene.js";
+import { change, sampled } from "./scene.js";
 import * as sizemap from "./sizemap.js";
 import { line } from "./verification.js";
 import * as verdict from "./verdict.js";
@@ -84,7 +85,7 @@ async function work() {
   stop();
   const mine = round,
     { scene, measures } = question();
-  const content = { scene: { ...scene, uncertainty: { samples: samples() } }, measures };
+  const content = { scene: sampled(scene, samples()), measures };
   state("running");
   progress(0);
   try {
@@ -92,6 +93,7 @@ async function work() {
     if (!first || mine !== round) return;
     part("understand").dataset.old = "false";
     verdict.show(first.result);
+    everyday.show(first.result);
     base = first.result;
     const job = await jobs.run({ ...content, compare_usual: true }, (running) => progress(running.progress));
     if (!job || mine !== round) return;
@@ -164,7 +166,10 @@ export function again(presets) {
   whatif.build(presets, elsewhere);
   choose();
   if (result) display();
-  if (base) verdict.show(base);
+  if (base) {
+    verdict.show(base);
+    everyday.show(base);
+  }
   if (map) showMap();
   state(part("understand").dataset.state);
   if (part("understand").dataset.state === "done") keep.point(part("understand").dataset.job);
