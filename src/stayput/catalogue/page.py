@@ -129,7 +129,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "whatHolds": ("What holds it?", "どんな対策をしますか"),
     "moreMeasures": ("More measures", "ほかの対策"),
-    "installed": ("Tell how it is as people install it, too", "実際の取付けの不備も考える"),
+    "installed": ("Show how it is as people install it, too", "実際の取付けの不備も考える"),
     "installedHint": (
         "Some measures are put up badly in many homes: into plasterboard instead of a stud, or loosely. The ranking then has both numbers.",
         "下地のない石こうボードに留める、緩いまま使うなど、取付けに不備のある例は多くあります。対策の比較に両方の数値を示します。",

@@ -19,6 +19,7 @@ import * as whatif from "./whatif.js";
 import { number, perCent, t } from "./words.js";
 
 const SETTLED = 900,
+  FIRST = ["everyday", "everyday-cases"],
   REST = ["ranking", "fragility", "map"];
 const jobs = line();
 let question = null,
@@ -59,7 +60,7 @@ export function build(presets, request) {
 /** What is shown no longer belongs to the scene; the answer is asked for when it has settled. */
 export function outdated() {
   part("understand").dataset.old = "true";
-  date(REST, true);
+  date([...FIRST, ...REST], true);
   base = null;
   stop();
   keep.point(null);
@@ -92,6 +93,7 @@ async function work() {
     const first = await jobs.run({ ...content, compare_usual: false, curves: false }, () => {});
     if (!first || mine !== round) return;
     part("understand").dataset.old = "false";
+    date(FIRST, false);
     verdict.show(first.result);
     everyday.show(first.result);
     base = first.result;
