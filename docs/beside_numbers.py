@@ -8,6 +8,7 @@ import numpy as np
 
 import stayput as sp
 import stayput.studies.tombstones_runs as cemetery
+from stayput.everyday import CARPET
 from stayput.studies.ac156 import passing
 from stayput.studies.ac156_runs import LONG_PERIOD_RATIO, PIECES, SLIDING_FRICTION, TESTS
 from stayput.studies.consumer_centre import GAPS, agreement
@@ -55,7 +56,7 @@ def tip_over(study: Study, motion: sp.Motion | None) -> Numbers:
         "extension": 100.0 * given.drawer_extension,
         "pull": given.pull,
         "height": given.pull_height,
-        "carpet": 1e3 * given.carpet,
+        "carpet": 1e3 * CARPET,
         "light": f"{1e3 * LIGHT_CHEST.height:g} × {1e3 * LIGHT_CHEST.width:g} mm, {LIGHT_CHEST.mass:g} kg",
     }
 

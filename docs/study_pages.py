@@ -105,8 +105,6 @@ def write(folder: Path) -> None:
         (folder / f"{name}.md").write_text(text + "\n", encoding="utf-8")
     outcomes = [claim.outcome for claim in claims]
     counts = ", ".join(f"{outcomes.count(word)} {word}" for word in (YES, PARTLY, NO))
-    world = (
     table = table_as_markdown(claims_table(claims))
     world = f"Of {len(claims)} rows, whether it comes out: {counts}.\n\n{table}"
-    )
     (folder / "validation_world.md").write_text(world + "\n", encoding="utf-8")

@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 PULL, LOAD, ONE_DRAWER, ALL_DRAWERS = "pull", "load", "one_drawer", "all_drawers"
 """Cases: a pull at the top; the load on the front edge; the load on one open drawer; on one of all, open."""
 
+CARPET = 0.011
+"""By how much the rule's carpet lifts the back: 0.43 in [m]."""
+
 PRESET_DRAWERS = {"chest": 4}
 """Drawers of presets that have some (a guess, low confidence)."""
 
@@ -45,7 +48,7 @@ class Everyday:
     pull_height : float
         Height of the pull above the floor, or the top where that is lower [m].
     carpet : float
-        By how much the back stands higher than the front [m].
+        By how much the back stands higher than the front [m]; `CARPET` is that of the rule.
 
     Raises
     ------
@@ -98,12 +101,12 @@ class Everyday:
         "Height of the pull, or the top where that is lower; the default is 56 in.",
     )
     carpet: float = parameter(
-        0.011,
+        0.0,
         "m",
         0.0,
         0.5,
         ("Lift by carpet", "カーペットによる浮き"),
-        "By how much the back stands higher than the front; the default is 0.43 in.",
+        "By how much the back stands higher than the front.",
     )
 
     def __post_init__(self) -> None:
@@ -120,9 +123,10 @@ class TipOverCase:
     name : str
         `PULL`, `LOAD`, `ONE_DRAWER` or `ALL_DRAWERS`.
     restoring : float
-        Moment of the closed piece's weight on a level floor [N m].
+        Moment of the closed piece's weight as it stands, tilted by the carpet [N m]; negative where that tips
+        it.
     overturning : float
-        What the tilt and the open drawers take off it, and the moments of load and pull [N m].
+        What the open drawers take off it, and the moments of load and pull [N m].
     """
 
     name: str
@@ -132,7 +136,9 @@ class TipOverCase:
     @property
     def margin(self) -> float:
         """Restoring over overturning moment: it tips over below 1; infinite where nothing overturns it."""
-        return self.restoring / self.overturning if self.overturning > 0.0 else math.inf
+        if self.overturning > 0.0:
+            return max(0.0, self.restoring / self.overturning)
+        return math.inf if self.restoring > 0.0 else 0.0
 
     @property
     def tips(self) -> bool:
@@ -145,11 +151,11 @@ def tip_over(
 ) -> tuple[TipOverCase, ...]:
     """Return the static stability of a piece in every case that it has, the smallest margin first.
 
-    With the closed piece's weight W, its centre of gravity l behind the front edge and h above the floor, and
-    the tilt θ of the carpet, the restoring moment is W l. Taken off it: W (l − l cos θ + h sin θ) by the
-    tilt, s W e cos θ by drawers of a share s that move e forward; and the load's moment
-    L (a cos θ + z sin θ) at the open drawer's front, a in front of the edge, and at the top z = H (the worst
-    drawer), or the pull's F z.
+    With the closed piece's weight W, its centre of gravity l behind the front edge of the base and h above
+    the floor, and the tilt θ of the carpet, the restoring moment is W (l cos θ − h sin θ). Against it: s W e
+    cos θ by drawers of a share s that move e forward; and the load's moment L (a cos θ + z sin θ) at the open
+    drawer's front, a in front of the edge, and at the top z = H (the worst drawer), or the pull's F z: the
+    margin of a pull is by how many times it may grow.
 
     Parameters
     ----------
@@ -165,26 +171,26 @@ def tip_over(
     >>> from stayput import Body
     >>> chest = Body(0.45, 1.2, 40.0)
     >>> [(case.name, round(case.margin, 2)) for case in tip_over(chest, Everyday(drawers=4))]
-    [('all_drawers', 0.68), ('one_drawer', 0.95), ('pull', 1.48)]
+    [('all_drawers', 0.76), ('one_drawer', 1.12), ('pull', 1.63)]
     """
     given = everyday or Everyday()
     _, (lever, below), *_ = body.corners_at_rest
     weight = body.mass * gravity
-    tilt = math.atan2(given.carpet, body.width)
+    tilt = math.atan2(given.carpet, body.width - sum(body.base_insets))
     cos, sin = math.cos(tilt), math.sin(tilt)
-    by_tilt = weight * (lever * (1.0 - cos) - below * sin)  # the base lies below the centre: below < 0
-    load = given.load * gravity
+    restoring = weight * (lever * cos + below * sin)  # the base lies below the centre: below < 0
+    load, overhang = given.load * gravity, body.base_insets[1]
 
     def with_drawers(name: str, share: float, extension: float) -> TipOverCase:
         by_drawers = share * weight * extension * cos
         return TipOverCase(
             name,
-            weight * lever,
-            by_tilt + by_drawers + load * (extension * cos + body.height * sin),
+            restoring,
+            by_drawers + load * ((overhang + extension) * cos + body.height * sin),
         )
 
     pull = given.pull * min(given.pull_height, body.height)
-    cases = [TipOverCase(PULL, weight * lever, by_tilt + pull)]
+    cases = [TipOverCase(PULL, restoring, pull)]
     if given.drawers:
         share, extension = given.drawer_share, given.drawer_extension
         cases.append(with_drawers(ONE_DRAWER, share / given.drawers, extension))

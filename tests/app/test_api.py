@@ -278,3 +278,27 @@ def test_numbers_that_are_not_finite_are_null(client: httpx.Client) -> None:
     assert found["motion"]["ground_intensity"] is None
     assert found["without"]["outcome"] == "rested"
     assert math.isfinite(found["floor"]["scale_shown"])
+
+
+def test_a_verdict_has_measures_as_installed_and_the_tip_over(client: httpx.Client) -> None:
+    scene = {
+        **SCENE,
+        "furniture": {"preset": "chest"},
+        "shaking": {"suite": {"count": 3}, "intensity": 6.0},
+        "everyday": {"load": 300.0},
+        "uncertainty": {"samples": 3, "installation": 0.5},
+    }
+    asked = {"scene": scene, "measures": BRACKET, "compare_usual": False, "curves": False}
+    verdict = finished(client, asked)["result"]
+    without, held = sorted(verdict["options"], key=lambda one: len(one["measures"]))
+    assert without["as_installed"] is None
+    installed = held["as_installed"]
+    assert installed["badly_share"] == 0.5
+    ends = (held["overturned"]["estimate"], installed["badly"]["overturned"]["estimate"])
+    assert installed["usual"]["overturned"] == pytest.approx(sum(ends) / 2.0)
+    assert installed["how"][0]["ja"]
+    cases = verdict["everyday"]["cases"]
+    assert [one["case"] for one in cases] == ["all_drawers", "one_drawer", "pull"]
+    assert [one["tips_over"] for one in cases] == [True, True, False]
+    assert cases[0]["label"]["en"] in verdict["everyday"]["sentence"]["en"]
+    assert verdict["everyday"]["sentence"] not in verdict["notes"]

@@ -58,6 +58,7 @@ def test_axe_finds_nothing_serious(
 def test_the_keyboard_reaches_and_works_everything(browser: Browser, server: Running) -> None:
     with opened(browser, server, size=PHONE) as it:
         page = it.page
+        it.wait("() => document.querySelector('#understand').dataset.state === 'running'")  # it stays so
         for screen in ("scene", "see", "understand", "keep"):
             page.focus(f"#steps button[data-screen={screen}]")
             page.keyboard.press("Enter")

@@ -396,3 +396,45 @@ def test_the_example_runs(tmp_path):
     scenario = city(tmp_path, text.replace("count = 10", "count = 2").replace("samples = 20", "samples = 2"))
     done = assess(examples / "inventory.csv", scenario, tmp_path / "out", progress=False)
     assert done.facts["rejects"] == 0
+
+
+@pytest.mark.parametrize(("floor", "wall"), [("carpet", "plasterboard"), ("vinyl", "concrete")])
+def test_floor_and_wall_of_a_row_are_those_of_a_verification(tmp_path, floor, wall):
+    header = "id,preset,floor,gap,wall,measures"
+    row = f"shelf,bookcase,{floor},0.03,{wall},l_bracket;gel_mats"
+    done = assess(table(tmp_path, [row], header), city(tmp_path), tmp_path / "out", threads=1, progress=False)
+    (found,) = rows_of_results(done)
+    scenario = {
+        "furniture": {"preset": "bookcase"},
+        "room": {
+            "floor": floor,
+            "back_wall": {"gap": 0.03, "construction": wall},
+            "ceiling": {"height": 2.4},
+        },
+        "shaking": {"intensity": 6.0, "suite": {"family": "crustal", "count": 3, "seed": 1}},
+        "uncertainty": {"samples": 6, "seed": 1},
+        "measures": [{"type": "l_bracket"}, {"type": "gel_mats"}],
+    }
+    verdict = verify(sp.Scenario.parse(scenario), levels=(), progress=False)
+    assert (
+        {one["name"] for one in found["not_possible"]}
+        == {one.option.name for one in verdict.impossible}
+        == ({"gel_mats"} if floor == "carpet" else set())
+    )
+    told = {one.option.name if one.option.measures else "none": one for one in verdict.options}
+    for option in found["options"]:
+        assert option["slide_median"] == told[option["name"]].slide.median
+        for event, of in told[option["name"]].probabilities.items():
+            assert option[event] == of.estimate
+
+
+def test_a_wall_must_be_known_and_there(tmp_path):
+    text = CITY.replace("back_wall = { gap = 0.05 }\n", "")
+    rows = ["a,chest,,concrete", "b,chest,0.1,concrete", "c,chest,0.1,brick"]
+    inventory = table(tmp_path, rows, "id,preset,gap,wall")
+    done = assess(inventory, city(tmp_path, text), tmp_path / "out", threads=1, progress=False)
+    assert [row["id"] for row in rows_of_results(done)] == ["b"]
+    missing, unknown = (row["reason"] for row in done.rejects.to_pylist())
+    assert missing.startswith("gap is missing")
+    assert "'brick'" in unknown
+    assert "'concrete'" in unknown

@@ -12,7 +12,7 @@ from stayput.measures import MEASURES
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, HIT_WALL, OVERTURNED, SLID, Quantiles
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.runs import Runs
-from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
+from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws, rows_of
 from stayput.report.verdict.pairs import replay
 from stayput.scenario import Scenario
 from stayput.verification import LEVELS, options_of, verify
@@ -149,11 +149,26 @@ def test_draws_change_what_is_not_known_only():
     assert 0.9 + drawn.cg_offset[1] == pytest.approx(draw.gravity_height * 0.8)
     assert around.floor.kinetic_friction == pytest.approx(draw.friction * 0.3)
     assert around.left_wall.gap == pytest.approx(draw.wall_gap * 0.02)
-    assert drawn.base_heights == pytest.approx((0.0, -draw.lean * 0.4))
-    assert drawn.base_insets == pytest.approx((draw.back_inset * 0.4, draw.front_inset * 0.4))
+    insets = draw.back_inset * 0.4, draw.front_inset * 0.4
+    assert drawn.base_insets == pytest.approx(insets)
+    assert drawn.base_heights == pytest.approx((0.0, -draw.lean * (0.4 - sum(insets))))
     assert around.floor.landing_place == draw.landing_place
     assert around.left_wall.restitution == draw.wall_restitution
     assert 0.9 <= around.floor.restitution <= 1.0
+
+
+@pytest.mark.parametrize("held", [(), (sp.measures.Belt(),)])
+def test_a_base_that_carries_its_weight_as_stated_does_so_in_every_draw(held):
+    """Insets near the centre of gravity or the largest allowed, on both ways of making rows."""
+    room = sp.Room(sp.Floor.of("carpet"), sp.Wall(0.02))
+    drawn = draws(3, 16, 1)
+    for body in (
+        sp.Body(0.4, 1.8, 100.0, cg_offset=(0.03, 0.0), base_insets=(0.0, 0.16)),
+        sp.Body(0.3, 1.2, 60.0, base_insets=(0.134, 0.134)),
+    ):
+        left, right = rows_of(body, room, held, drawn, 9.81).cases["u"][:, :2].T
+        assert (left < 0.0).all()
+        assert (right > 0.0).all()
 
 
 @pytest.mark.parametrize("building", [None, {"storeys": 5}, {"storeys": 5, "nonlinear": False}])

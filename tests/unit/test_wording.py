@@ -24,7 +24,7 @@ from stayput.report.summary import piece_sentences, rows, sentence
 from stayput.report.verdict import numbers
 from stayput.report.verdict.words import word
 from stayput.simulation.run import Outcome
-from stayput.verification.notes import notes
+from stayput.verification.notes import shaken_notes
 from stayput.verification.options import Option
 from stayput.verification.words import headline, reason, title
 from stayput.wording import FAR, counted, inside
@@ -199,8 +199,8 @@ def test_outcomes_of_the_report(tilt, slide):
 def test_the_note_on_grades_is_about_the_option_that_is_asked_for():
     verdict = verdict_cases.made()
     best, bare = (
-        " ".join(english for english, _ in notes(verdict, graded))
-        for graded in (None, verdict.without.option)
+        " ".join(english for english, _ in shaken_notes(verdict, graded, ()))
+        for graded in (verdict.best.option, verdict.without.option)
     )
     assert "The numbers of “Belts” rest on" in best
     assert "The numbers of “Without measures” rest on" in bare

@@ -101,6 +101,23 @@ def test_landings_inside_the_base_never_create_energy() -> None:
         assert np.diff(levels).max() < 2e-3 * (energy[0] - GRAVITY * run.z.min() + 1e-3) + 1e-4
 
 
+def test_a_bouncing_corner_is_no_fulcrum() -> None:
+    """A squat box that bounces and lands inside its base comes to rest on a still floor."""
+    floor = sp.Floor(10.0, 10.0, normal_restitution=0.3, landing_place=0.7)
+    still = sp.Motion(dt=0.005, x=np.zeros(600))
+    run = sp.simulate(sp.Body(0.4, 0.3, 10.0), sp.Room(floor), still, initial=sp.State(tilt=0.5564))
+    assert not run.overturned
+    assert np.abs(run.tilt[-20:]).max() < 0.05
+
+
+def test_one_number_has_the_bits_of_a_column() -> None:
+    """A run that is made again, alone, is that of the ensemble: scalars and columns agree to the last bit."""
+    rng = np.random.default_rng(2)
+    a, z, w = rng.uniform(0.05, 0.4, 2000), rng.uniform(0.2, 1.0, 2000), rng.lognormal(-8.0, 1.0, 2000)
+    alone = [float(rigid_half_base(*one)) for one in zip(a.tolist(), z.tolist(), w.tolist(), strict=True)]
+    assert rigid_half_base(a, z, w).tolist() == alone
+
+
 @numba.njit
 def falls_on_springs(a, z, inertia, settlement, ratio, strips, x, dt, parts, scale):  # pragma: no cover
     """Whether a body on a row of springs that only push turns over; the middle of its base does not slip."""

@@ -80,6 +80,24 @@ def test_cases_and_their_order():
     assert one.margin == pytest.approx(case(CHEST, ALL_DRAWERS, drawers=1).margin)
 
 
+def test_feet_inside_the_outline_tip_earlier():
+    """By hand: feet 0.1 m inside the edges, carpet that lifts the back by 0.05 m, a load at the edge."""
+    body, given = sp.Body(0.4, 1.8, 100.0, base_insets=(0.1, 0.1)), sp.Everyday(carpet=0.05)
+    tilt, weight = math.atan2(0.05, 0.2), 100.0 * G
+    restoring = weight * (0.1 * math.cos(tilt) - 0.9 * math.sin(tilt))
+    found = {one.name: one for one in sp.tip_over(body, given)}
+    assert found[PULL].restoring == pytest.approx(restoring)
+    load = 27.2 * G * (0.1 * math.cos(tilt) + 1.8 * math.sin(tilt))
+    assert found[LOAD].overturning == pytest.approx(load)
+    assert found[PULL].margin == 0.0  # the carpet alone tips it
+
+
+def test_a_carpeted_floor_lifts_the_back_as_the_rule_says():
+    for floor, lifted in (("carpet", 0.011), ("wood flooring", 0.0)):
+        scenario = sp.Scenario.parse({"furniture": {"preset": "chest"}, "room": {"floor": floor}})
+        assert scenario.everyday.everyday("chest", floor).carpet == lifted
+
+
 def test_nothing_tips_what_nothing_pulls():
     still = sp.Everyday(load=0.0, pull=0.0, carpet=0.0)
     assert all(one.margin == math.inf for one in sp.tip_over(CHEST, still))
@@ -100,7 +118,7 @@ def test_the_scenario_s_table_and_the_verdict_s_line():
     assert sp.Scenario.parse({**data, "everyday": {"drawers": 0}}).everyday.everyday("chest").drawers == 0
     verdict = sp.verify(scenario, levels=[])
     assert "Without an earthquake" in verdict.notes()[-1]
-    assert "40 kg on one of 4 open drawers tips the piece over" in verdict.notes()[-1]
+    assert "40 kg on one of 4 drawers, all of them open, tips the piece over" in verdict.notes()[-1]
     assert "not a certificate" in verdict.notes()[-1]
     assert "地震がなくても" in verdict.notes("ja")[-1]
     light = sp.Scenario.parse({**data, "everyday": {"load": 0.0, "pull": 1.0}})

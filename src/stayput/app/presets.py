@@ -38,6 +38,7 @@ from stayput.catalogue.names import (
     SURFACES,
 )
 from stayput.errors import InputError
+from stayput.everyday import PRESET_DRAWERS, Everyday
 from stayput.measures import MEASURES, hold, parameters
 from stayput.model.body import Body, Part
 from stayput.model.furniture import FURNITURE as PIECES
@@ -73,10 +74,15 @@ NUMBERS = {
     "furniture.mass": parameter_of(Body, "mass"),
     "furniture.shelves": parameter_of(Part, "mass"),
     "room.left_wall.gap": parameter_of(Wall, "gap"),
+    "room.left_wall.construction": parameter_of(Wall, "construction"),
     "room.ceiling.height": parameter_of(Ceiling, "height"),
+    "room.ceiling.construction": parameter_of(Ceiling, "construction"),
+    "everyday.drawers": parameter_of(Everyday, "drawers"),
+    "everyday.load": parameter_of(Everyday, "load"),
+    "everyday.pull": parameter_of(Everyday, "pull"),
     "shaking.suite.count": parameter_of(synthetic_suite, "count"),
 }
-"""Numbers of a scene that the page asks for."""
+"""Numbers and words of a scene that the page asks for."""
 
 
 def presets(limits: Limits) -> PresetsReply:
@@ -134,6 +140,7 @@ def _furniture(name: str, preset: Preset) -> FurnitureReply:
         mass_kg=preset.mass,
         carcass_mass_kg=preset.carcass_mass,
         shelves=None if preset.carcass_mass is None else SHELVES,
+        drawers=PRESET_DRAWERS.get(name, 0),
         centre_of_gravity_m=body.centre_of_gravity,
     )
 

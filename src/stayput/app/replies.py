@@ -53,6 +53,7 @@ class FurnitureReply(Reply):
     mass_kg: float
     carcass_mass_kg: float | None
     shelves: int | None
+    drawers: int = Field(description="Drawers that can be open at once.")
     centre_of_gravity_m: TwoNumbers
 
 
@@ -162,7 +163,9 @@ class PresetsReply(Reply):
     families: list[FamilyReply]
     intensities: list[IntensityReply]
     measures: list[MeasureReply]
-    numbers: dict[str, ParameterReply] = Field(description="Numbers of a scene by their dotted names.")
+    numbers: dict[str, ParameterReply] = Field(
+        description="Numbers and words of a scene by their dotted names."
+    )
     modes: list[ModeReply]
     outcomes: list[NamedReply]
     events: list[NamedReply]

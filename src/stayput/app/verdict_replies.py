@@ -102,6 +102,15 @@ class ContentsReply(Reply):
     overturned_drawers_open: float | None
 
 
+class AsInstalledReply(Reply):
+    """A measure as people install it: well, or in a share of the homes badly."""
+
+    badly_share: float
+    badly: dict[str, ChanceReply] = Field(description="Each event where it is badly installed.")
+    usual: dict[str, float | None] = Field(description="Each event as people install it.")
+    how: list[Words] = Field(description="What is wrong where it is badly installed.")
+
+
 class OptionReply(Reply):
     """One of the things that may be done."""
 
@@ -121,6 +130,9 @@ class OptionReply(Reply):
     slide_m: QuantilesReply
     tilt_rad: QuantilesReply
     devices: list[DeviceSummaryReply]
+    as_installed: AsInstalledReply | None = Field(
+        description="Where the scene asks for it, and it can be badly installed."
+    )
     contents: ContentsReply | None = Field(description="Where the scene says what is in the furniture.")
     capacity: CapacitiesReply | None
     curve: CurveReply | None
@@ -154,6 +166,24 @@ class EstimatesReply(Reply):
     equipment_loads: list[EquipmentLoadReply]
 
 
+class TipOverReply(Reply):
+    """Moments about the front edge in one case without an earthquake."""
+
+    case: str
+    label: Words
+    restoring_moment_n_m: float
+    overturning_moment_n_m: float
+    margin: float | None = Field(description="The one over the other; null where nothing overturns it.")
+    tips_over: bool
+
+
+class EverydayReply(Reply):
+    """What the piece withstands without an earthquake."""
+
+    sentence: Words = Field(description="The worst case.")
+    cases: list[TipOverReply] = Field(description="The smallest margin first.")
+
+
 class VerdictReply(Reply):
     """The outcome of a verification, the best option first."""
 
@@ -173,6 +203,7 @@ class VerdictReply(Reply):
     options: list[OptionReply]
     not_possible: list[ImpossibleReply]
     estimates: EstimatesReply
+    everyday: EverydayReply
 
 
 class JobReply(Reply):

@@ -22,7 +22,7 @@ from stayput.report.verdict.data import verdict_data
 from stayput.scenario import Scenario
 from stayput.scenario.shaking import SuiteTable
 from stayput.verification.grades import weakest
-from stayput.verification.notes import notes
+from stayput.verification.notes import everyday_note, shaken_notes
 from stayput.verification.options import YOURS, options_of, usual_options
 
 if TYPE_CHECKING:
@@ -35,7 +35,6 @@ if TYPE_CHECKING:
     from stayput.fragility import FragilityCurve
     from stayput.measures import Measure
     from stayput.verification import Verdict
-    from stayput.verification.options import Option
     from stayput.verification.verdict import OptionVerdict
 
 CURVE_POINTS = 96
@@ -106,7 +105,8 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
         made = SuiteTable() if shaking.suite is None or isinstance(shaking.suite, str) else shaking.suite
         motions = made.count
     most = max(1, -(-scenario.uncertainty.samples // motions))
-    runs = options * motions * most * (1 + levels)
+    badly = 1 if scenario.uncertainty.badly(1.0) > 0.0 else 0
+    runs = options * motions * most * (1 + badly + levels)
     if runs > limits.runs:
         raise refused(422, "app.many_runs", "scene.uncertainty.samples", runs=runs, most=limits.runs)
     return runs
@@ -139,20 +139,22 @@ def verdict_reply(verdict: Verdict) -> VerdictReply:
     """Return a verdict as plain data: that of its JSON file, as the page reads it."""
     data = verdict_data(verdict)
     pairs = zip(verdict.options, data["options"], strict=True)
+    looked_at = _looked_at(verdict)
     data |= {
         "headline": data["verdict"],
-        "notes": [Words.of(note) for note in notes(verdict, _looked_at(verdict))],
+        "notes": [Words.of(note) for note in shaken_notes(verdict, looked_at.option)],
         "intensity": data["jma_intensity"],
         "seconds": round(verdict.seconds, 3),
         "options": [_option_data(result, option, verdict) for result, option in pairs],
+        "everyday": {"sentence": Words.of(everyday_note(verdict)), "cases": data["everyday"]},
     }
     return VerdictReply.model_validate(data)
 
 
-def _looked_at(verdict: Verdict) -> Option:
+def _looked_at(verdict: Verdict) -> OptionVerdict:
     """Return the option that the page's reader has put together: without measures where there is none."""
-    options = [result.option for result in verdict.options]
-    return next((one for one in options if one.name == YOURS and one.measures), verdict.without.option)
+    own = (each for each in verdict.options if each.option.name == YOURS and each.option.measures)
+    return next(own, verdict.without)
 
 
 def _option_data(result: OptionVerdict, data: dict[str, Any], verdict: Verdict) -> dict[str, Any]:

@@ -154,6 +154,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "column_floor": ("a surface, or static;kinetic friction", "床材、または静止;動摩擦係数"),
     "column_gap": ("distance to the wall behind [m]", "背後の壁とのすき間 [m]"),
+    "column_wall": (
+        "what the wall behind offers to fix things to: stud, plasterboard, concrete, hanging strip",
+        "背後の壁の下地：stud、plasterboard、concrete、hanging stripのいずれか",
+    ),
     "column_building": (
         "a building of the scenario, or storeys and structure such as 10 RC",
         "シナリオにある建物、または「10 RC」のように階数と構造",
@@ -220,6 +224,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "lat_and_lon": (
         "{name} is missing; lat and lon must be given together.",
         "{name}がありません。latとlonは両方とも指定してください。",
+    ),
+    "wall": ("wall", "wall"),
+    "wall_without_gap": (
+        "gap is missing; a wall needs it where the scenario has no wall behind.",
+        "gapがありません。シナリオに背後の壁がないとき、wallには必要です。",
     ),
     "place_missing": (
         "{name} is missing; it must be given where there are stations or a shake map.",

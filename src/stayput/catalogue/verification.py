@@ -178,23 +178,27 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "everyday_tips": (
         (
-            "Without an earthquake, {case} tips the piece over: the moment that holds it is {margin:.2f} of "
-            "what it would need (grade {letter}; not a certificate by any stability rule)."
+            "Without an earthquake, {case} tips the piece over: its weight holds {margin:.2f} times the moment "
+            "of that (grade {letter}; not a certificate by any stability rule)."
         ),
         (
-            "地震がなくても、{case}に倒れます：支えるモーメントは必要な値の{margin:.2f}倍"
+            "地震がなくても、{case}に倒れます：自重で支えられるモーメントは、かかるモーメントの{margin:.2f}倍です"
             "（根拠は{letter}。いかなる安定性基準の認証でもありません）。"
         ),
     ),
     "everyday_stays": (
         (
-            "Without an earthquake, the piece withstands {case}: the moment that holds it is {margin:.2f} "
-            "times what it needs (grade {letter}; not a certificate by any stability rule)."
+            "Without an earthquake, the piece withstands {case}: its weight holds {margin:.2f} times the moment "
+            "of that (grade {letter}; not a certificate by any stability rule)."
         ),
         (
-            "地震がないとき、{case}でも倒れません：支えるモーメントは必要な値の{margin:.2f}倍"
-            "（根拠は{letter}。いかなる安定性基準の認証でもありません）。"
+            "地震がないとき、{case}でも倒れません：自重で支えられるモーメントは、かかるモーメントの"
+            "{margin:.2f}倍です（根拠は{letter}。いかなる安定性基準の認証でもありません）。"
         ),
+    ),
+    "everyday_on_carpet": (
+        "{case}, with carpet that lifts its back by {carpet:.0f} mm,",
+        "カーペットで背面が{carpet:.0f} mm浮き、{case}",
     ),
     "everyday_pull": (
         "a forward pull of {pull:g} N at {height:.2f} m",
@@ -206,7 +210,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "開いた引き出し1つに{load:g} kgの荷重がかかった場合",
     ),
     "everyday_all_drawers": (
-        "{load:g} kg on one of {drawers} open drawers",
+        "{load:g} kg on one of {drawers} drawers, all of them open,",
         "引き出し{drawers}つをすべて開け、その1つに{load:g} kgの荷重がかかった場合",
     ),
     # inputs that decide an outcome

@@ -26,6 +26,7 @@ COLUMNS = (
     "load",
     "floor",
     "gap",
+    "wall",
     "building",
     "storey",
     "measures",

@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, within
+from stayput.errors import InputError, unknown, within
 from stayput.inventory.cells import number_of, numbers_of, plain, shown, text_of, whole_of
 from stayput.inventory.scenarios import stated_building
 from stayput.inventory.store import ground_spec, measures_spec, piece_spec
 from stayput.measures import MEASURES, hold
 from stayput.measures.measure import refuse_conflicts
-from stayput.model.room import Floor, Wall
+from stayput.model.room import WALLS, Floor, Wall
 from stayput.model.state import State, refuse_bad_start
 from stayput.scenario import Scenario
 from stayput.scenario.tables import FurnitureTable
@@ -39,7 +39,7 @@ MOST_OPTIONS = 20
 """Most sets of measures that a row compares."""
 
 OF_THE_BODY = ("preset", "width", "height", "mass", "cg_offset", "load")
-OF_THE_ROOM = ("floor", "gap", "measures")
+OF_THE_ROOM = ("floor", "gap", "wall", "measures")
 UNITS = {"width": "m", "height": "m", "mass": "kg"}
 NO_MEASURE = "none"
 
@@ -283,12 +283,12 @@ def body_of(cells: Mapping[str, Cell]) -> Body:
 
 
 def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:
-    """Return the room of a row: the scenario's, with the row's floor and gap.
+    """Return the room of a row: the scenario's, with the row's floor, gap and wall.
 
     Raises
     ------
     InputError
-        No such surface, or a number that cannot be.
+        No such surface or wall, a number that cannot be, or a wall without a gap to it.
     """
     room = scenario.room.room()
     floor, gap = plain("floor", cells.get("floor")), number_of("gap", cells.get("gap"), "m")
@@ -297,21 +297,24 @@ def room_of(cells: Mapping[str, Cell], scenario: Scenario) -> Room:
     if gap is not None:
         within("gap", gap, 0.0, 1e4, "m")
         room = replace(room, left_wall=replace(room.left_wall or Wall(0.0), gap=gap))
+    wall = text_of("wall", cells.get("wall"))
+    if wall is not None:
+        if wall not in WALLS:
+            raise unknown("inventory.wall", wall, WALLS, field="wall")
+        if room.left_wall is None:
+            raise InputError("inventory.wall_without_gap", "wall")
+        room = replace(room, left_wall=replace(room.left_wall, construction=wall))
     return room
 
 
 def _floor(value: str | float, default: Floor) -> Floor:
+    losses = {name: getattr(default, name) for name in ("restitution", "normal_restitution")}
     if isinstance(value, str) and ";" not in value:
-        preset = Floor.of(value)
-        static, kinetic = preset.static_friction, preset.kinetic_friction
-    else:
-        pair = numbers_of("floor", value)
-        if len(pair) != 2:
-            raise InputError("inventory.floor", "floor", value=shown(value))
-        static, kinetic = pair
-    return Floor(
-        static, kinetic, restitution=default.restitution, normal_restitution=default.normal_restitution
-    )
+        return Floor.of(value, **losses)
+    pair = numbers_of("floor", value)
+    if len(pair) != 2:
+        raise InputError("inventory.floor", "floor", value=shown(value))
+    return Floor(*pair, **losses)
 
 
 def options_of(cells: Mapping[str, Cell], scenario: Scenario) -> tuple[MeasureSet, ...]:

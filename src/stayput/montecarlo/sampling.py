@@ -14,8 +14,8 @@ import numpy as np
 from stayput.fragility import samples_needed
 from stayput.measures import element_rows, hold
 from stayput.measures.bracket import REACH
-from stayput.model.body import MOST_INSET
 from stayput.mechanics.devices.runner import no_elements
+from stayput.model.body import MOST_INSET
 from stayput.model.state import State
 from stayput.simulation.flat_fields import body_fields, case_rows, flat_fields, room_fields
 from stayput.uncertainty import USUAL, Uncertainty

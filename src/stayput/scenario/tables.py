@@ -8,7 +8,7 @@ from typing import Annotated, Self
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from stayput.errors import InputError
-from stayput.everyday import PRESET_DRAWERS, Everyday
+from stayput.everyday import CARPET, PRESET_DRAWERS, Everyday
 from stayput.model.body import Body, Part
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import CEILINGS, SURFACES, WALLS, Ceiling, Floor, Room, Wall
@@ -180,12 +180,20 @@ class EverydayTable(Table):
     load: float = of(Everyday, "load")
     pull: float = of(Everyday, "pull")
     pull_height: float = of(Everyday, "pull_height")
-    carpet: float = of(Everyday, "carpet")
+    carpet: float | None = of(
+        Everyday,
+        "carpet",
+        default=None,
+        description="By how much the back stands higher than the front; default 11 mm on carpet, else 0.",
+    )
 
-    def everyday(self, preset: str | None) -> Everyday:
-        """Make the value for a piece of a preset, or of none."""
+    def everyday(self, preset: str | None, surface: str = "") -> Everyday:
+        """Make the value for a piece of a preset, or of none, on a floor of a surface."""
         drawers = PRESET_DRAWERS.get(preset or "", 0) if self.drawers is None else self.drawers
-        return Everyday(**{**self.model_dump(), "drawers": drawers})
+        lifted = CARPET if surface == "carpet" else 0.0
+        carpet = lifted if self.carpet is None else self.carpet
+        given = self.model_dump(exclude={"drawers", "carpet"})
+        return Everyday(drawers=drawers, carpet=carpet, **given)
 
 
 class InitialTable(Table):

@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from stayput.everyday import ALL_DRAWERS, LOAD, ONE_DRAWER, PULL, Everyday, bearable_load
+from stayput.everyday import ALL_DRAWERS, CARPET, LOAD, ONE_DRAWER, PULL, Everyday, bearable_load
 from stayput.everyday import tip_over as cases_of
 from stayput.model.body import Body
 from stayput.model.furniture import FURNITURE
@@ -52,8 +52,8 @@ def tip_over(everyday: Everyday | None = None) -> Study:
     Parameters
     ----------
     everyday : Everyday, optional
-        What people do to every piece; its drawers are those of pieces that have some, its carpet is left out
-        on the hard floor.
+        What people do to every piece; its drawers are those of pieces that have some, its carpet is left out:
+        on carpet the back is lifted as the rule says.
 
     Returns
     -------
@@ -66,7 +66,10 @@ def tip_over(everyday: Everyday | None = None) -> Study:
     for name in PRESETS:
         preset = FURNITURE[name]
         bodies[name] = Body(preset.width, preset.height, preset.mass)
-    floors = {"hard floor": replace(given, carpet=0.0), "carpet under the back": given}
+    floors = {
+        "hard floor": replace(given, carpet=0.0),
+        "carpet under the back": replace(given, carpet=CARPET),
+    }
     margin = np.full((len(bodies), len(floors), len(CASES)), np.nan)
     load = np.zeros((len(bodies), len(floors)))
     for row, (name, body) in enumerate(bodies.items()):

@@ -179,8 +179,8 @@ def claims(outcomes: xr.Dataset, facing: str, under: str = "") -> list[Claim]:
         Claim(
             source_of(REDUCED),
             "with one pole the cupboard overturns",
-            f"{under}with poles it overturns in {_percent(poles)} of the draws, with mats or stoppers a piece "
-            f"does in {_percent(others)}",
+            f"{under}with poles it overturns in {_percent(poles)} of the draws, with mats or stoppers a "
+            f"piece does in {_percent(others)}",
             YES if float(poles.max()) >= MOST else PARTLY if float(poles.max()) > 0.0 else NO,
         ),
         Claim(

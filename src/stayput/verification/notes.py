@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from stayput.catalogue import Phrase
+    from stayput.everyday import TipOverCase
+    from stayput.scenario import Scenario
     from stayput.verification.options import Option
     from stayput.verification.verdict import Verdict
 
@@ -37,23 +39,33 @@ _OFF_MIDDLE = 0.05
 """From so far off half the height, in heights, the centre of gravity is not the formula's."""
 
 
-def notes(verdict: Verdict, graded: Option | None = None) -> tuple[Phrase, ...]:
+def notes(verdict: Verdict) -> tuple[Phrase, ...]:
     """Return the notes beside the numbers of a verdict, each in English and Japanese.
 
     Parameters
     ----------
     verdict : Verdict
         The verdict.
-    graded : Option, optional
-        The option whose grade is explained, by default the best.
+    """
+    return *shaken_notes(verdict, verdict.best.option), everyday_note(verdict)
+
+
+def shaken_notes(verdict: Verdict, graded: Option) -> tuple[Phrase, ...]:
+    """Return the notes of a verdict but that on the piece without an earthquake.
+
+    Parameters
+    ----------
+    verdict : Verdict
+        The verdict.
+    graded : Option
+        The option whose grade is explained.
     """
     return (
         *_estimate(verdict),
         *_field(verdict),
-        *_grade(verdict.best.option if graded is None else graded, verdict),
+        *_grade(graded, verdict),
         *_far(verdict),
         *_contents(verdict),
-        _everyday(verdict),
     )
 
 
@@ -130,22 +142,35 @@ def _grade(option: Option, verdict: Verdict) -> Iterator[Phrase]:
     )
 
 
-def _everyday(verdict: Verdict) -> Phrase:
+def everyday_cases(scenario: Scenario) -> tuple[tuple[TipOverCase, Phrase], ...]:
+    """Return the cases of tip-over without an earthquake, the smallest margin first, each in words."""
+    given, body = _everyday(scenario), scenario.furniture.body()
+
+    def said(case: TipOverCase) -> Phrase:
+        height = min(given.pull_height, body.height)
+        key = f"verification.everyday_{case.name}"
+        words = phrase(key, drawers=given.drawers, load=given.load, pull=given.pull, height=height)
+        if given.carpet == 0.0:
+            return words
+        return phrase("verification.everyday_on_carpet", case=words, carpet=1e3 * given.carpet)
+
+    return tuple((case, said(case)) for case in tip_over(body, given, scenario.gravity))
+
+
+def _everyday(scenario: Scenario) -> Everyday:
+    """Return what people do to the piece where it stands."""
+    return scenario.everyday.everyday(scenario.furniture.preset, scenario.room.room().floor.surface)
+
+
+def everyday_note(verdict: Verdict) -> Phrase:
     """Return the case in which the piece tips over most easily without an earthquake, and its margin."""
     furniture = verdict.scenario.furniture
-    given, body = verdict.scenario.everyday.everyday(furniture.preset), furniture.body()
-    worst = tip_over(body, given, verdict.scenario.gravity)[0]
+    given = _everyday(verdict.scenario)
     tags = [about.tag(getattr(given, about.name)) for about in parameters(Everyday)]
-    case = phrase(
-        f"verification.everyday_{worst.name}",
-        drawers=given.drawers,
-        load=given.load,
-        pull=given.pull,
-        height=min(given.pull_height, body.height),
-    )
+    worst, said = everyday_cases(verdict.scenario)[0]
     return phrase(
         "verification.everyday_tips" if worst.tips else "verification.everyday_stays",
-        case=case,
+        case=said,
         margin=worst.margin,
         letter=max(GRADE_OF[tag] for tag in (*tags, furniture_tag(furniture))).value,
     )

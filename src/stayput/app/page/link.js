@@ -1,6 +1,6 @@
 // The scene in the page's address, so that a link shows it again.
 
-import { clamp, limitsOf, plain } from "./scene.js";
+import { clamp, limitsOf, plain, wordsOf } from "./scene.js";
 
 const round = (value) => String(Number(value.toPrecision(6)));
 const NUMBERS = [
@@ -14,10 +14,14 @@ const NUMBERS = [
   "storey",
   "intensity",
   "member",
+  "drawers",
+  "drawerLoad",
+  "pull",
 ];
-const WHOLE = ["storeys", "storey", "member"];
-const NAMES = ["piece", "floor", "structure", "family", "contents", "doors"];
-const FLAGS = ["wall", "scaled"];
+const WHOLE = ["storeys", "storey", "member", "drawers"];
+const WORDS = ["wallConstruction", "ceilingConstruction"];
+const NAMES = ["piece", "floor", "structure", "family", "contents", "doors", ...WORDS];
+const FLAGS = ["wall", "scaled", "installed"];
 
 /** The scene as the part of an address after "#". */
 export function toHash(scene) {
@@ -76,6 +80,7 @@ export function fromHash(hash, presets, start) {
     family: presets.families,
     contents: presets.contents,
     doors: presets.doors,
+    ...Object.fromEntries(WORDS.map((name) => [name, wordsOf(presets, name).map((id) => ({ id }))])),
   };
   if (!pairs.has("piece")) return { scene, record: null };
   for (const name of NAMES)

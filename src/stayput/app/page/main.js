@@ -2,6 +2,7 @@
 
 import * as api from "./api.js";
 import { patiently, untilBack } from "./connection.js";
+import * as everyday from "./everyday.js";
 import { beforeNextFrame } from "./canvas/clock.js";
 import { readInks } from "./canvas/pen.js";
 import { fill, part, settled } from "./dom.js";
@@ -22,7 +23,7 @@ import * as understand from "./understand.js";
 import * as upload from "./upload.js";
 import { both, number, t } from "./words.js";
 
-const PANELS = [piece, room, shaking, measures];
+const PANELS = [piece, room, shaking, measures, everyday];
 const SLOW = 400,
   PAUSE = 1500,
   BUSY = [429, 503];

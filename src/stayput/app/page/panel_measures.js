@@ -3,10 +3,11 @@
 import { choice, slider, toggle } from "./controls.js";
 import { el, fill, part } from "./dom.js";
 import { change, current } from "./scene.js";
-import { both, known, t } from "./words.js";
+import { both, choiceLabel, t } from "./words.js";
 
 let rows = {},
-  kinds = [];
+  kinds = [],
+  installed = null;
 
 /** The kinds of measures, as the server has them. */
 export const measureOf = (type) => kinds.find((one) => one.type === type);
@@ -14,6 +15,11 @@ export const measureOf = (type) => kinds.find((one) => one.type === type);
 /** Builds the panel; called again for another language. */
 export function build(presets) {
   kinds = presets.measures;
+  installed = toggle({
+    label: t("installed"),
+    hint: t("installedHint"),
+    changed: (installed) => change({ installed }),
+  });
   const open = part("measures").querySelector("details.more")?.open ?? false;
   rows = Object.fromEntries(kinds.map((one) => [one.type, row(one)]));
   const of = (usual) => kinds.filter((one) => one.usual === usual).map((one) => rows[one.type].element);
@@ -21,6 +27,7 @@ export function build(presets) {
     part("measures"),
     of(true),
     el("details", { class: "more", open }, el("summary", { text: t("moreMeasures") }), ...of(false)),
+    installed.element,
   );
   update();
 }
@@ -64,7 +71,7 @@ function field(kind, about) {
   if (about.choices?.length) {
     const one = choice({
       label,
-      options: about.choices.map((id) => ({ id, label: known(`choice_${id}`) ? t(`choice_${id}`) : id })),
+      options: about.choices.map((id) => ({ id, label: choiceLabel(id) })),
       changed: (value) => give(kind, about.name, value),
     });
     one.set(value);
@@ -108,6 +115,7 @@ export const inPlace = (scene) =>
 /** Puts the scene's values into the switches; what cannot be put there says why. */
 export function update() {
   const scene = current();
+  installed.set(scene.installed);
   for (const kind of kinds) {
     const { box, settings, why } = rows[kind.type],
       on = kind.type in scene.measures;

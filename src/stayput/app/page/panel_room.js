@@ -4,9 +4,11 @@ import { choice, oneOf, slider, toggle } from "./controls.js";
 import { fill, part } from "./dom.js";
 import { recalled, remember } from "./memory.js";
 import { ceilingTooLow, missing } from "./notices.js";
-import { change, current, limitsOf, numberOf } from "./scene.js";
-import { both, number, t } from "./words.js";
+import { change, current, limitsOf, numberOf, wordsOf } from "./scene.js";
+import { both, choiceLabel, number, t } from "./words.js";
 
+const ROOM = ["floor", "wall", "gap", "wallConstruction", "ceiling", "ceilingConstruction"],
+  BUILDING = ["storeys", "storey", "structure"];
 let fields = {},
   most = 1;
 
@@ -17,6 +19,14 @@ const building = () => {
     ? { storeys: Math.round(storeys), storey: Math.round(storey) }
     : { storeys: 10, storey: 5 };
 };
+
+/** A choice of what a surface is made of, from those that the server has. */
+const construction = (presets, key) =>
+  choice({
+    label: t(key),
+    options: wordsOf(presets, key).map((id) => ({ id, label: choiceLabel(id) })),
+    changed: (made) => change({ [key]: made }),
+  });
 
 /** Builds the panel; called again for another language. */
 export function build(presets) {
@@ -38,12 +48,14 @@ export function build(presets) {
       step: 0.005,
       changed: (gap) => change({ gap }),
     }),
+    wallConstruction: construction(presets, "wallConstruction"),
     ceiling: slider({
       label: t("ceiling"),
       ...numberOf(presets, "ceiling"),
       step: 0.05,
       changed: (ceiling) => change({ ceiling }),
     }),
+    ceilingConstruction: construction(presets, "ceilingConstruction"),
     inside: oneOf({
       label: t("where"),
       options: [
@@ -72,11 +84,11 @@ export function build(presets) {
   };
   fill(
     part("room"),
-    ["floor", "wall", "gap", "ceiling"].map((key) => fields[key].element),
+    ROOM.map((key) => fields[key].element),
   );
   fill(
     part("building"),
-    ["inside", "storeys", "storey", "structure"].map((key) => fields[key].element),
+    ["inside", ...BUILDING].map((key) => fields[key].element),
   );
   update();
 }
@@ -84,12 +96,12 @@ export function build(presets) {
 /** Puts the scene's values into the fields; fields that do not apply are hidden. */
 export function update() {
   const scene = current();
-  for (const key of ["floor", "wall", "gap", "ceiling", "storeys", "storey", "structure"])
-    fields[key]?.set(scene[key]);
+  for (const key of [...ROOM, ...BUILDING]) fields[key].set(scene[key]);
   fields.inside.set(scene.storeys > 0 ? "building" : "ground");
-  fields.gap.element.hidden = !scene.wall;
+  fields.gap.element.hidden = fields.wallConstruction.element.hidden = !scene.wall;
+  fields.ceilingConstruction.element.hidden = scene.ceiling <= scene.height;
   fields.wall.note(missing(scene, "wall"));
   fields.ceiling.note([ceilingTooLow(scene), missing(scene, "ceiling")].filter(Boolean).join(t("space")));
   if (scene.storeys > 0) remember("building", `${scene.storey}/${scene.storeys}`);
-  for (const key of ["storeys", "storey", "structure"]) fields[key].element.hidden = scene.storeys === 0;
+  for (const key of BUILDING) fields[key].element.hidden = scene.storeys === 0;
 }

@@ -13,7 +13,9 @@ export const plain = {
   floor: "wood flooring",
   wall: true,
   gap: 0.02,
+  wallConstruction: "stud",
   ceiling: 2.4,
+  ceilingConstruction: "joist",
   storeys: 0,
   structure: "RC",
   storey: 1,
@@ -24,9 +26,13 @@ export const plain = {
   gone: null,
   scaled: false,
   measures: {},
+  installed: false,
+  drawers: 0,
+  drawerLoad: 27.2,
+  pull: 45,
 };
 
-/** How far the sliders reach: lengths in m, masses in kg. */
+/** How far the sliders reach: lengths in m, masses in kg, forces in N. */
 const REACH = {
   width: [0.15, 1.2],
   height: [0.3, 2.6],
@@ -36,16 +42,24 @@ const REACH = {
   gap: [0, 0.5],
   ceiling: [1.8, 3.5],
   intensity: [3.5, 7],
+  drawers: [0, 10],
+  drawerLoad: [0, 100],
+  pull: [0, 300],
 };
 
-/** What the server calls the numbers of which it knows more. */
+/** What the server calls the numbers and words of which it knows more. */
 const NAMES = {
   width: "furniture.width",
   height: "furniture.height",
   mass: "furniture.mass",
   load: "furniture.shelves",
   gap: "room.left_wall.gap",
+  wallConstruction: "room.left_wall.construction",
   ceiling: "room.ceiling.height",
+  ceilingConstruction: "room.ceiling.construction",
+  drawers: "everyday.drawers",
+  drawerLoad: "everyday.load",
+  pull: "everyday.pull",
 };
 
 /** The smallest and the largest value of a number of the scene. */
@@ -63,6 +77,9 @@ export function numberOf(presets, name) {
     unit = presets.numbers[NAMES[name]]?.unit ?? "";
   return { range: REACH[name] ?? limits, limits, ...(unit === "m" ? { unit: "cm", factor: 100 } : { unit }) };
 }
+
+/** The words that one of the scene may be. */
+export const wordsOf = (presets, name) => presets.numbers[NAMES[name]].choices;
 
 /** A value within a range. */
 export const clamp = (value, [low, high]) => Math.min(high, Math.max(low, value));
@@ -83,9 +100,10 @@ export function change(part) {
 /** Calls a function with the keys that changed, after every change. */
 export const watch = (listener) => listeners.add(listener);
 
-/** What a preset stands with: its size, and shelves loaded evenly where it has any. */
+/** What a preset stands with: its size and drawers, and shelves loaded evenly where it has any. */
 export function fromPreset(preset) {
-  const size = { piece: preset.id, width: preset.width_m, height: preset.height_m, centre: 0.5 };
+  const { id: piece, width_m: width, height_m: height, drawers } = preset;
+  const size = { piece, width, height, centre: 0.5, drawers };
   if (!preset.shelves || !preset.carcass_mass_kg) return { ...size, mass: preset.mass_kg, shelves: null };
   const each = Math.round((preset.mass_kg - preset.carcass_mass_kg) / preset.shelves);
   return { ...size, mass: preset.carcass_mass_kg, shelves: Array(preset.shelves).fill(each) };
@@ -131,12 +149,18 @@ export function forServer(s) {
   if (s.shelves) furniture.shelves = s.shelves;
   else if (s.centre !== 0.5) furniture.cg_offset = [0, (s.centre - 0.5) * s.height];
   const room = { floor: s.floor };
-  if (s.wall) room.left_wall = { gap: s.gap };
-  if (s.ceiling > s.height) room.ceiling = { height: s.ceiling };
+  if (s.wall) room.left_wall = { gap: s.gap, construction: s.wallConstruction };
+  if (s.ceiling > s.height) room.ceiling = { height: s.ceiling, construction: s.ceilingConstruction };
   const shaking = s.record ? { ...s.record.shaking } : { suite: { family: s.family }, member: s.member };
   if (!s.record || s.scaled) shaking.intensity = s.intensity;
   if (s.storeys > 0)
     Object.assign(shaking, { building: { storeys: s.storeys, structure: s.structure }, storey: s.storey });
-  if (s.contents === "nothing") return { furniture, room, shaking };
-  return { furniture, room, shaking, contents: { kind: s.contents, doors: s.doors } };
+  const everyday = { drawers: s.drawers, load: s.drawerLoad, pull: s.pull };
+  const read = { furniture, room, shaking, everyday };
+  if (s.contents !== "nothing") read.contents = { kind: s.contents, doors: s.doors };
+  if (s.installed) read.uncertainty = { installation: "as people install it" };
+  return read;
 }
+
+/** The same with so many samples of each set of measures, as a verification asks for it. */
+export const sampled = (read, samples) => ({ ...read, uncertainty: { ...read.uncertainty, samples } });

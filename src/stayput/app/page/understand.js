@@ -5,12 +5,13 @@ import * as api from "./api.js";
 import { patiently } from "./connection.js";
 import { oneOf } from "./controls.js";
 import { fill, part, settled } from "./dom.js";
+import * as everyday from "./everyday.js";
 import * as fragility from "./fragility.js";
 import * as keep from "./keep.js";
 import * as ranking from "./ranking.js";
 import { recalled, remember } from "./memory.js";
 import { worded } from "./refusals.js";
-import { change } from "./scene.js";
+import { change, sampled } from "./scene.js";
 import * as sizemap from "./sizemap.js";
 import { line } from "./verification.js";
 import * as verdict from "./verdict.js";
@@ -18,6 +19,7 @@ import * as whatif from "./whatif.js";
 import { number, perCent, t } from "./words.js";
 
 const SETTLED = 900,
+  FIRST = ["everyday", "everyday-cases"],
   REST = ["ranking", "fragility", "map"];
 const jobs = line();
 let question = null,
@@ -58,7 +60,7 @@ export function build(presets, request) {
 /** What is shown no longer belongs to the scene; the answer is asked for when it has settled. */
 export function outdated() {
   part("understand").dataset.old = "true";
-  date(REST, true);
+  date([...FIRST, ...REST], true);
   base = null;
   stop();
   keep.point(null);
@@ -84,14 +86,16 @@ async function work() {
   stop();
   const mine = round,
     { scene, measures } = question();
-  const content = { scene: { ...scene, uncertainty: { samples: samples() } }, measures };
+  const content = { scene: sampled(scene, samples()), measures };
   state("running");
   progress(0);
   try {
     const first = await jobs.run({ ...content, compare_usual: false, curves: false }, () => {});
     if (!first || mine !== round) return;
     part("understand").dataset.old = "false";
+    date(FIRST, false);
     verdict.show(first.result);
+    everyday.show(first.result);
     base = first.result;
     const job = await jobs.run({ ...content, compare_usual: true }, (running) => progress(running.progress));
     if (!job || mine !== round) return;
@@ -164,7 +168,10 @@ export function again(presets) {
   whatif.build(presets, elsewhere);
   choose();
   if (result) display();
-  if (base) verdict.show(base);
+  if (base) {
+    verdict.show(base);
+    everyday.show(base);
+  }
   if (map) showMap();
   state(part("understand").dataset.state);
   if (part("understand").dataset.state === "done") keep.point(part("understand").dataset.job);

@@ -3,7 +3,7 @@
 import { el, fill, part } from "./dom.js";
 import { recalled, remember } from "./memory.js";
 import { worded } from "./refusals.js";
-import { change, current, forServer } from "./scene.js";
+import { change, current, forServer, sampled } from "./scene.js";
 import { line } from "./verification.js";
 import { without, yours } from "./verdict.js";
 import { number, percent, t, within } from "./words.js";
@@ -59,7 +59,7 @@ export async function ask(base, measures, samples) {
   part("whatif").dataset.state = "running";
   const elsewhere = forServer({ ...scene, storeys, storey });
   const content = {
-    scene: { ...elsewhere, uncertainty: { samples } },
+    scene: sampled(elsewhere, samples),
     measures,
     compare_usual: false,
     curves: false,

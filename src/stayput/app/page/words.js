@@ -29,7 +29,10 @@ export function t(key, values = {}) {
 }
 
 /** Whether there are words for a key. */
-export const known = (key) => key in TABLES[language];
+const known = (key) => key in TABLES[language];
+
+/** The words for one of the choices that a field has. */
+export const choiceLabel = (id) => (known(`choice_${id}`) ? t(`choice_${id}`) : id);
 
 /** Of a text in both languages, as the server sends them, the one that is spoken. */
 export const both = (pair) => tight(typeof pair === "string" ? pair : (pair?.[language] ?? pair?.en ?? ""));

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import stayput
 from stayput.catalogue import LANGUAGES
-from stayput.everyday import tip_over
 from stayput.fragility.curve import METHOD
 from stayput.measures import parameters
 from stayput.measures.parameters import MEANINGS
@@ -16,7 +15,7 @@ from stayput.report.summary import number
 from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.tables import contents_data
 from stayput.verification.grades import inputs
-from stayput.verification.notes import notes
+from stayput.verification.notes import everyday_cases, notes
 from stayput.verification.words import headline, reason
 
 if TYPE_CHECKING:
@@ -42,7 +41,6 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
     verdict : Verdict
         The verdict.
     """
-    scenario, furniture = verdict.scenario, verdict.scenario.furniture
     return {
         "stayput": stayput.__version__,
         "title": verdict.scenario.title,
@@ -89,14 +87,13 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "everyday": [
             {
                 "case": case.name,
+                "label": _texts(said),
                 "restoring_moment_n_m": number(case.restoring),
                 "overturning_moment_n_m": number(case.overturning),
                 "margin": number(case.margin),
                 "tips_over": case.tips,
             }
-            for case in tip_over(
-                furniture.body(), scenario.everyday.everyday(furniture.preset), scenario.gravity
-            )
+            for case, said in everyday_cases(verdict.scenario)
         ],
         "assumptions": [
             {"what": entry.what("en"), "value": entry.value("en"), "confidence": entry.confidence}

@@ -1,0 +1,54 @@
+// "And without an earthquake?": what people do to the piece, and the margin in each case.
+
+import { slider } from "./controls.js";
+import { el, fill, part } from "./dom.js";
+import { change, current, numberOf } from "./scene.js";
+import { both, number, t } from "./words.js";
+
+const STEPS = { drawers: 1, drawerLoad: 1, pull: 5 };
+let fields = {};
+
+/** Builds the fields; called again for another language. */
+export function build(presets) {
+  fields = Object.fromEntries(
+    Object.entries(STEPS).map(([key, step]) => [
+      key,
+      slider({
+        label: t(key),
+        ...numberOf(presets, key),
+        step,
+        changed: (value) => change({ [key]: key === "drawers" ? Math.round(value) : value }),
+      }),
+    ]),
+  );
+  fill(
+    part("everyday-ask"),
+    Object.values(fields).map((field) => field.element),
+  );
+  update();
+}
+
+/** Puts the scene's values into the fields. */
+export function update() {
+  const scene = current();
+  for (const [key, field] of Object.entries(fields)) field.set(scene[key]);
+}
+
+/** Writes the worst case in words, and the margin of each. */
+export function show({ everyday }) {
+  part("everyday").textContent = both(everyday.sentence);
+  fill(
+    part("everyday-cases"),
+    everyday.cases.map((one) =>
+      el(
+        "li",
+        {},
+        both(one.label),
+        el("span", {
+          class: one.tips_over ? "tag gradeC" : "tag",
+          text: t("everydayMargin", { margin: number(one.margin, 2) }),
+        }),
+      ),
+    ),
+  );
+}

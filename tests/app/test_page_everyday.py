@@ -1,0 +1,82 @@
+"""What the page asks of wall, ceiling, installation and everyday use, and what it says of them."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+from browsing import browser, opened  # noqa: F401
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
+    from serving import Running
+
+
+def test_what_wall_and_ceiling_are_made_of_goes_to_the_server(browser: Browser, server: Running) -> None:
+    with opened(browser, server) as it:
+        wall, ceiling = (it.page.get_by_label(name) for name in ("What the wall offers", "above the ceiling"))
+        asked, _ = it.simulated(lambda: wall.select_option(label="concrete"))
+        assert asked["scene"]["room"]["left_wall"]["construction"] == "concrete"
+        asked, _ = it.simulated(lambda: ceiling.select_option(label="a dropped ceiling"))
+        assert asked["scene"]["room"]["ceiling"]["construction"] == "dropped"
+        it.kept("wallConstruction=concrete", "ceilingConstruction=dropped")
+        it.simulated(lambda: it.page.get_by_label("There is a wall behind it").uncheck())
+        assert not wall.is_visible()
+
+
+def test_measures_are_told_as_people_install_them(browser: Browser, server: Running) -> None:
+    with opened(browser, server, verify=True) as it:
+        switch = it.page.get_by_label("as people install it")
+        asked, _ = it.simulated(switch.check)
+        assert asked["scene"]["uncertainty"] == {"installation": "as people install it"}
+        it.kept("installed=1")
+        it.go("understand")
+        it.wait("() => /as people install it,/.test(document.querySelector('#ranking').innerText)")
+        it.wait("() => document.querySelector('#understand').dataset.state === 'done'")
+        own = it.text("#ranking .option.yours")
+        assert "as people install it," in own
+        assert "in plasterboard" in own
+        assert "Against the field" in it.text("#also")
+
+
+def test_the_tip_over_without_an_earthquake(browser: Browser, server: Running) -> None:
+    with opened(browser, server, verify=True) as it:
+        it.page.get_by_role("button", name="Chest of drawers").click()
+        it.kept("piece=chest", "drawers=4")
+        it.go("understand")
+        it.wait("() => document.querySelectorAll('#everyday-cases li').length === 3")
+        assert "Without an earthquake" not in it.text("#also")
+        asked, _ = it.simulated(lambda: it.page.get_by_label("Load on an open drawer").nth(1).fill("300"))
+        assert asked["scene"]["everyday"] == {"drawers": 4, "load": 300, "pull": 45}
+        it.wait("() => /300\\skg.* tips the piece over/.test(document.querySelector('#everyday').innerText)")
+        assert it.page.locator("#everyday-cases .gradeC").count() == 2
+        asked, _ = it.simulated(lambda: it.page.get_by_label("Drawers that can be open").nth(1).fill("0"))
+        assert asked["scene"]["everyday"]["drawers"] == 0
+        it.wait("() => /front edge/.test(document.querySelector('#everyday').innerText)")
+        it.kept("drawers=0", "drawerLoad=300", "pull=45")
+
+
+@pytest.mark.parametrize("reload", [False, True])
+def test_a_link_and_a_reload_bring_all_of_it_back(browser: Browser, server: Running, reload: bool) -> None:
+    link = (
+        "#piece=chest&drawers=3&drawerLoad=40&pull=90&installed=1"
+        "&wallConstruction=hanging+strip&ceilingConstruction=plasterboard"
+    )
+    with opened(browser, server, link) as it:
+        if reload:
+            it.page.reload()
+            it.settle()
+        page = it.page
+        assert page.get_by_label("What the wall offers").input_value() == "hanging strip"
+        assert page.get_by_label("above the ceiling").input_value() == "plasterboard"
+        assert page.get_by_label("as people install it").is_checked()
+        shown = page.locator("#everyday-ask input[type=number]").all()
+        assert [one.input_value() for one in shown] == ["3", "40", "90"]
+
+
+def test_a_link_with_senseless_words_leaves_what_is_usual(browser: Browser, server: Running) -> None:
+    with opened(browser, server, "#piece=chest&wallConstruction=gold&drawers=-2&pull=1e99") as it:
+        assert it.page.get_by_label("What the wall offers").input_value() == "stud"
+        shown = it.page.locator("#everyday-ask input[type=number]").all()
+        assert [one.input_value() for one in shown] == ["0", "27.2", "10000"]
