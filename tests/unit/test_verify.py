@@ -160,8 +160,10 @@ def test_draws_change_what_is_not_known_only():
 @pytest.mark.parametrize("held", [(), (sp.measures.Belt(),)])
 def test_a_base_that_carries_its_weight_as_stated_does_so_in_every_draw(held):
     """Insets near the centre of gravity or the largest allowed, on both ways of making rows."""
-    room = sp.Room(sp.Floor.of("carpet"), sp.Wall(0.02))
+    room = sp.Room(sp.Floor(0.4, 0.3, settlement=0.05), sp.Wall(0.02))
     drawn = draws(3, 16, 1)
+    for draw in drawn[0]:
+        assert drawn_surfaces(room, draw).floor.settlement <= 0.05
     for body in (
         sp.Body(0.4, 1.8, 100.0, cg_offset=(0.03, 0.0), base_insets=(0.0, 0.16)),
         sp.Body(0.3, 1.2, 60.0, base_insets=(0.134, 0.134)),

@@ -12,6 +12,9 @@ from stayput.model.parameters import check_fields, parameter, quantity
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
 
+MOST_SETTLEMENT = 0.05
+"""How far a piece may sink in at most [m]."""
+
 FRICTION_RANGE = (0.0, 1e6)
 """Smallest and largest coefficient of friction: 1e3, say, is for a body that must not slip."""
 
@@ -104,7 +107,7 @@ class Floor:
         0.0,
         "m",
         0.0,
-        0.05,
+        MOST_SETTLEMENT,
         ("Floor settlement", "床の沈み込み"),
         "How far a flat base sinks in under the piece at rest; 0: a rigid floor.",
     )

@@ -16,6 +16,7 @@ from stayput.measures import element_rows, hold
 from stayput.measures.bracket import REACH
 from stayput.mechanics.devices.runner import no_elements
 from stayput.model.body import MOST_INSET
+from stayput.model.room import MOST_SETTLEMENT
 from stayput.model.state import State
 from stayput.simulation.flat_fields import body_fields, case_rows, flat_fields, room_fields
 from stayput.uncertainty import USUAL, Uncertainty
@@ -190,7 +191,7 @@ def _drawn_floor(floor: Floor, draw: Draw) -> Floor:
         **changed,
         restitution=draw.restitution * floor.restitution,
         landing_place=draw.landing_place * floor.landing_place,
-        settlement=draw.settlement * floor.settlement,
+        settlement=min(draw.settlement * floor.settlement, MOST_SETTLEMENT),
     )
 
 
@@ -292,6 +293,7 @@ def rows_of(
             numbers[path] = columns["friction"] * numbers[path]
     for name in ("restitution", "landing_place", "settlement"):
         numbers[f"room.floor.{name}"] = columns[name] * numbers[f"room.floor.{name}"]
+    numbers["room.floor.settlement"] = np.minimum(numbers["room.floor.settlement"], MOST_SETTLEMENT)
     for wall in WALL_NAMES:
         if getattr(held.room, wall) is not None:
             numbers[f"room.{wall}.restitution"] = columns["wall_restitution"]
