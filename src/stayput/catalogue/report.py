@@ -314,6 +314,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "floor": ("Floor", "床"),
     "piece": ("Furniture", "家具"),
     "wall": ("Wall behind", "背後の壁"),
+    "wall_fixing": ("What devices are fixed to in the wall behind", "背後の壁で器具を留める相手"),
+    "ceiling_fixing": ("What poles push against in the ceiling", "天井でポールが押す相手"),
     "front_wall": ("Wall in front", "前方の壁"),
     "ceiling": ("Ceiling", "天井"),
     "building": ("Building", "建物"),

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase, say
 from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS
-from stayput.model.parameters import GIVEN
+from stayput.model.parameters import GIVEN, parameter_of
 from stayput.report.verdict.words import named
 from stayput.uncertainty import USUAL, Lognormal, Normal, Uniform
 from stayput.verification.grades import building_tag, floor_tag, furniture_tag
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from stayput.catalogue import Phrase
+    from stayput.model.room import Ceiling, Wall
     from stayput.scenario import Scenario
     from stayput.uncertainty import Marginal
     from stayput.verification import Verdict
@@ -96,8 +97,17 @@ def _walls(scenario: Scenario) -> Iterator[Assumption]:
     for key, wall in (("wall", room.left_wall), ("front_wall", room.right_wall)):
         if wall is not None:
             yield Assumption((_text(key), _text("gap_text", gap=100.0 * wall.gap)), GIVEN)
+    if room.left_wall is not None:
+        yield _fixed_to("wall_fixing", room.left_wall)
     if room.ceiling is not None:
         yield Assumption((_text("ceiling"), _text("height_text", height=room.ceiling.height)), GIVEN)
+        yield _fixed_to("ceiling_fixing", room.ceiling)
+
+
+def _fixed_to(key: str, surface: Wall | Ceiling) -> Assumption:
+    """Return what devices meet in a wall or a ceiling; its default is taken, not known."""
+    tag = parameter_of(type(surface), "construction").tag(surface.construction)
+    return Assumption((_text(key), phrase(f"page.choice_{surface.construction}")), tag)
 
 
 def _contents(scenario: Scenario) -> Iterator[Assumption]:
