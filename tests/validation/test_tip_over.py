@@ -118,7 +118,7 @@ def test_the_scenario_s_table_and_the_verdict_s_line():
     assert sp.Scenario.parse({**data, "everyday": {"drawers": 0}}).everyday.everyday("chest").drawers == 0
     verdict = sp.verify(scenario, levels=[])
     assert "Without an earthquake" in verdict.notes()[-1]
-    assert "40 kg on one of 4 drawers, all of them open, tips the piece over" in verdict.notes()[-1]
+    assert "40 kg on one of its 4 drawers with all of them open tips the piece over" in verdict.notes()[-1]
     assert "not a certificate" in verdict.notes()[-1]
     assert "地震がなくても" in verdict.notes("ja")[-1]
     light = sp.Scenario.parse({**data, "everyday": {"load": 0.0, "pull": 1.0}})

@@ -210,7 +210,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "開いた引き出し1つに{load:g} kgの荷重がかかった場合",
     ),
     "everyday_all_drawers": (
-        "{load:g} kg on one of {drawers} drawers, all of them open,",
+        "{load:g} kg on one of its {drawers} drawers with all of them open",
         "引き出し{drawers}つをすべて開け、その1つに{load:g} kgの荷重がかかった場合",
     ),
     # inputs that decide an outcome
