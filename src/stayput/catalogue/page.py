@@ -324,6 +324,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "開いた引き出し（なければ前縁）にかかる荷重",
     ),
     "pull": ("Forward pull", "手前に引く力"),
+    "everydayNever": ("cannot tip it", "倒れません"),
     "everydayMargin": ("margin {margin}", "余裕 {margin}"),
     "mapTitle": ("And if it were taller, or smaller?", "もっと高い家具、小さい家具なら"),
     "heightAxis": ("height [cm]", "高さ [cm]"),

@@ -46,7 +46,8 @@ export function show({ everyday }) {
         both(one.label),
         el("span", {
           class: one.tips_over ? "tag gradeC" : "tag",
-          text: t("everydayMargin", { margin: number(one.margin, 2) }),
+          // without a margin there is no moment that could tip it
+          text: one.margin === null ? t("everydayNever") : t("everydayMargin", { margin: number(one.margin, 2) }),
         }),
       ),
     ),
