@@ -199,7 +199,7 @@ def test_outcomes_of_the_report(tilt, slide):
 def test_the_note_on_grades_is_about_the_option_that_is_asked_for():
     verdict = verdict_cases.made()
     best, bare = (
-        " ".join(english for english, _ in shaken_notes(verdict, graded, ()))
+        " ".join(english for english, _ in shaken_notes(verdict, graded))
         for graded in (verdict.best.option, verdict.without.option)
     )
     assert "The numbers of “Belts” rest on" in best
