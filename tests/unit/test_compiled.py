@@ -191,7 +191,10 @@ def test_where_a_disk_is_full_the_next_folder_is_taken(monkeypatch, tmp_path, ca
     assert f"({full}: no space left on device); every start compiles anew." in caplog.text
 
 
-def test_an_interrupt_ends_the_wait_for_llvm_and_not_its_work():
+def test_an_interrupt_ends_the_wait_for_llvm_and_not_its_work(request):
+    # a shell that starts the tests in the background has them ignore interrupts
+    usual = signal.signal(signal.SIGINT, signal.default_int_handler)
+    request.addfinalizer(lambda: signal.signal(signal.SIGINT, usual))
     begun, ended = Event(), Event()
 
     def work():
