@@ -10,7 +10,15 @@ from stayput.measures import Belt, FeltGlides
 from stayput.montecarlo.counting import EVENTS, Quantiles
 from stayput.standards import equipment_loads
 from stayput.verification.options import Option
-from stayput.verification.verdict import DeviceSummary, Estimates, Member, OptionVerdict, Verdict
+from stayput.verification.verdict import (
+    Ac156Estimate,
+    DeviceSummary,
+    Estimates,
+    Member,
+    OptionVerdict,
+    SlidingShare,
+    Verdict,
+)
 
 SCENARIO = {
     "title": "Study",
@@ -73,7 +81,15 @@ def made(scenario=None, **changes):
         intensity=6.123,
         slide_limit=0.1,
         options=options,
-        estimates=Estimates(1.63, 0.23, 1.0, 0.94, equipment_loads(sp.Body(0.3, 1.8, 200.0), "ground")),
+        estimates=Estimates(
+            1.63,
+            0.23,
+            1.0,
+            0.94,
+            equipment_loads(sp.Body(0.3, 1.8, 200.0), "ground"),
+            Ac156Estimate.of(1.63, 0.0),
+            SlidingShare(0.5, 0.12),
+        ),
         levels=LEVELS,
         motions=MOTIONS,
         samples=SAMPLES,

@@ -251,6 +251,17 @@ TEXTS: dict[str, tuple[str, str]] = {
         "does not overturn under the static load K_H = {coefficient}",
         "静的な水平震度K_H = {coefficient}では転倒しない",
     ),
+    "ac156": ("AC156 shake-table test (ASCE 7-16), z/h {ratio}", "AC156の振動台試験（ASCE 7-16）、z/h {ratio}"),
+    "ac156_text": (
+        "rocks the piece where it is made for S_DS of {value} g or more (A_rig reaches West's acceleration)",
+        "S_DSが{value} g以上の試験でロッキングを始める（A_rigがウェストの式の加速度に達する）",
+    ),
+    "asce43": ("ASCE 43-05, approximate sliding", "ASCE 43-05の滑りの略算"),
+    "asce43_text": (
+        "slides under {share} of the motions, by {distance} in the median of these",
+        "地震動の{share}で滑る。その距離の中央値は{distance}",
+    ),
+    "asce43_still": ("does not slide under any of the motions", "どの地震動でも滑らない"),
     "details": ("Each measure", "対策ごとの詳細"),
     "drawing_alt": (
         ("Drawing to scale, seen from the side: {piece}, {width} cm deep and {height} cm high; {label}"),

@@ -164,7 +164,7 @@ def verify(
         intensity=float(np.median(floors.measures[JMA_INTENSITY])),
         slide_limit=slide_limit,
         options=verdicts,
-        estimates=Estimates.of(body, floors, scenario),
+        estimates=Estimates.of(body, floors, scenario, threads),
         levels=rows,
         motions=len(ground),
         samples=samples,

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.estimates import ishiyama_velocity, kaneko_hayashi, rocking_acceleration
+from stayput.execution import Call, ThreadExecutor
 from stayput.fragility import PFA, PFV
-from stayput.standards import equipment_loads, position_of
+from stayput.motion.units import STANDARD_GRAVITY
+from stayput.standards import RequiredSpectrum, asce43_sliding, equipment_loads, position_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
+    from typing import Self
 
     from numpy.typing import NDArray
 
@@ -27,6 +31,58 @@ if TYPE_CHECKING:
     from stayput.standards import EquipmentLoad
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.options import Impossible, Option
+
+
+@dataclass(frozen=True, slots=True)
+class Ac156Estimate:
+    """From which strength on a shake-table test by AC156 rocks a piece.
+
+    Parameters
+    ----------
+    height_ratio : float
+        z/h of the floor.
+    sds : float
+        S_DS at which the test's acceleration of a rigid body, A_rig, starts rocking [g].
+    """
+
+    height_ratio: float
+    sds: float
+
+    @classmethod
+    def of(cls, rocking: float, height_ratio: float) -> Self:
+        """Return it for an acceleration at which rocking starts [m/s²]; A_rig is proportional to S_DS."""
+        required = RequiredSpectrum(1.0, height_ratio)
+        return cls(height_ratio, rocking / (required.rigid * STANDARD_GRAVITY))
+
+
+@dataclass(frozen=True, slots=True)
+class SlidingShare:
+    """How far the piece slides by ASCE 43, over the motions under it.
+
+    Parameters
+    ----------
+    share : float
+        Share of the motions that make it slide.
+    distance : float
+        Median distance under those [m]; nan where there are none.
+    """
+
+    share: float
+    distance: float
+
+    @classmethod
+    def of(cls, floors: FloorMotions, friction: float, gravity: float, threads: int | None) -> Self:
+        """Return it for the motions of a level and the static friction of the floor."""
+
+        def estimated(place: int) -> float:
+            motion = floors.motions[place].scaled(float(floors.scales[place]))
+            return asce43_sliding(motion, friction, gravity).distance
+
+        with ThreadExecutor(threads) as executor:
+            calls = (Call(estimated, place) for place in range(len(floors.motions)))
+            distances = np.sort([distance for _, distance in executor.as_completed(calls)])
+        slides = distances[np.isfinite(distances)]  # NaN where the spectrum nowhere reaches the friction
+        return cls(len(slides) / len(distances), float(np.median(slides)) if len(slides) else math.nan)
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +101,10 @@ class Estimates:
         Share that overturns by Kaneko and Hayashi, on average over the motions.
     equipment : tuple of EquipmentLoad
         Static loads of the Japanese guideline for building equipment where the piece stands, class by class.
+    ac156 : Ac156Estimate
+        The shake-table test of AC156 where the piece stands.
+    sliding : SlidingShare
+        Sliding by the approximate method of ASCE 43.
     """
 
     rocking_acceleration: float
@@ -52,9 +112,11 @@ class Estimates:
     possible: float
     overturning_ratio: float
     equipment: tuple[EquipmentLoad, ...]
+    ac156: Ac156Estimate
+    sliding: SlidingShare
 
     @classmethod
-    def of(cls, body: Body, floors: FloorMotions, scenario: Scenario) -> Estimates:
+    def of(cls, body: Body, floors: FloorMotions, scenario: Scenario, threads: int | None) -> Estimates:
         """Return the estimates of a scenario's body under the motions of a level."""
         gravity, shaking = scenario.gravity, scenario.shaking
         b, h = body.width, body.height
@@ -62,9 +124,16 @@ class Estimates:
         a0, v0 = rocking_acceleration(b, h, gravity), ishiyama_velocity(b, h, gravity)
         ratios = [kaneko_hayashi(b, h, float(x), float(y), gravity).ratio for x, y in zip(a, v, strict=True)]
         building = shaking.building
-        position = "ground" if building is None else position_of(shaking.storey or 1, building.highest() - 1)
-        loads = equipment_loads(body, position, gravity=gravity)
-        return cls(a0, v0, float(np.mean((a >= a0) & (v >= v0))), float(np.mean(ratios)), loads)
+        storey, storeys = (1, 1) if building is None else (shaking.storey or 1, building.highest() - 1)
+        return cls(
+            a0,
+            v0,
+            float(np.mean((a >= a0) & (v >= v0))),
+            float(np.mean(ratios)),
+            equipment_loads(body, position_of(storey, storeys), gravity=gravity),
+            Ac156Estimate.of(a0, (storey - 1) / storeys),
+            SlidingShare.of(floors, scenario.room.room().floor.static_friction, gravity, threads),
+        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -83,6 +83,10 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
                 }
                 for load in verdict.estimates.equipment
             ],
+            "ac156_height_ratio": number(verdict.estimates.ac156.height_ratio),
+            "ac156_rocking_s_ds_g": number(verdict.estimates.ac156.sds),
+            "asce43_sliding_share": number(verdict.estimates.sliding.share),
+            "asce43_sliding_median_m": number(verdict.estimates.sliding.distance),
         },
         "everyday": [
             {

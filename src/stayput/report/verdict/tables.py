@@ -18,7 +18,7 @@ from stayput.report.verdict.words import named, word
 from stayput.spreadsheets import text_cell
 from stayput.verification import EVENTS
 from stayput.verification.grades import weakest
-from stayput.verification.words import reason, title
+from stayput.verification.words import length, reason, title
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
@@ -262,6 +262,8 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
     simulated = numbers.probability(verdict.without.probabilities[OVERTURNED], language)
     capacity = verdict.without.curves[JMA_INTENSITY].capacity(0.5) if verdict.without.curves else None
     rocking, _ = numbers.angles(verdict.without.tilt, language)
+    slid, _ = numbers.slides(verdict.without.slide, verdict.scenario.room.room(), language)
+    sliding = estimates.sliding
 
     text = partial(word, language=language)
     median = numbers.capacity(capacity, language)
@@ -298,5 +300,19 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
                 beside,
             )
             for load in estimates.equipment
+        ),
+        (
+            text("ac156", ratio=f"{estimates.ac156.height_ratio:.2f}"),
+            text("ac156_text", value=f"{estimates.ac156.sds:.2f}"),
+            f"{text('tilt')}{colon}{rocking}",
+        ),
+        (
+            text("asce43"),
+            text(
+                "asce43_text" if sliding.share else "asce43_still",
+                share=numbers.share(sliding.share, language),
+                distance=length(sliding.distance),
+            ),
+            f"{text('slide')}{colon}{slid}",
         ),
     ]
