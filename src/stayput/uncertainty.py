@@ -256,23 +256,23 @@ def _latin_hypercube(n: int, d: int, seed: int, streams: int, start: int) -> NDA
 
 USUAL: Mapping[str, Marginal] = MappingProxyType(
     {
-        "friction factor": Lognormal(1.0, 0.2, low=0.3, high=3.0),
-        "restitution factor": Uniform(0.9, 1.0),
-        "wall restitution": Uniform(0.2, 0.4),
-        "mass factor": Lognormal(1.0, 0.1, low=0.5, high=2.0),
-        "height of gravity factor": Normal(1.0, 0.05, low=0.8, high=1.2),
-        "device strength factor": Lognormal(1.0, 0.3, low=0.2, high=5.0),
-        "wall gap factor": Lognormal(1.0, 0.5, low=0.2, high=3.0),
+        "friction": Lognormal(1.0, 0.2, low=0.3, high=3.0),
+        "restitution": Uniform(0.9, 1.0),
+        "wall_restitution": Uniform(0.2, 0.4),
+        "mass": Lognormal(1.0, 0.1, low=0.5, high=2.0),
+        "gravity_height": Normal(1.0, 0.05, low=0.8, high=1.2),
+        "strength": Lognormal(1.0, 0.3, low=0.2, high=5.0),
+        "wall_gap": Lognormal(1.0, 0.5, low=0.2, high=3.0),
         "lean": Normal(0.0, 0.003, low=-0.01, high=0.01, unit="rad"),
-        "back inset": Uniform(0.0, 0.04),
-        "front inset": Uniform(0.0, 0.04),
-        "settlement factor": Lognormal(1.0, 0.7, low=0.1, high=5.0),
-        "landing place": Uniform(0.3, 1.0, confidence=Confidence.MEDIUM),
+        "back_inset": Uniform(0.0, 0.04),
+        "front_inset": Uniform(0.0, 0.04),
+        "settlement": Lognormal(1.0, 0.7, low=0.1, high=5.0),
+        "landing_place": Uniform(0.3, 1.0, confidence=Confidence.MEDIUM),
     }
 )
-"""Common uncertainties (defaults, mostly of low confidence).
+"""Common uncertainties (defaults, mostly of low confidence), by the fields of `stayput.montecarlo.sampling.Draw`.
 
-Factors are on the stated values, the restitution's on Housner's; the wall's restitution is that of gypsum
+Most are factors on the stated values, the restitution's on Housner's; the wall's restitution is that of gypsum
 board. A floor leans by some 3 mm in a metre; feet and a plinth stand inside the outline by a part of the
 depth. Landings push between the edge and a third of the way to it: rocking over a region of contact loses
 less than Housner's corner in tests (Kalliontzis, Sritharan and Schultz 2016), and so do bodies on springs

@@ -82,10 +82,10 @@ def test_motions_are_independent_of_each_other() -> None:
 
 def test_usual_ranges_are_tagged() -> None:
     graded = {name for name, marginal in USUAL.items() if marginal.confidence != Confidence.LOW}
-    assert graded == {"landing place"}
+    assert graded == {"landing_place"}
     drawn = Uncertainty(USUAL).sample(1024, 1)
-    assert drawn["friction factor"].std() == pytest.approx(0.2, rel=0.05)
-    assert drawn["restitution factor"].min() >= 0.9
+    assert drawn["friction"].std() == pytest.approx(0.2, rel=0.05)
+    assert drawn["restitution"].min() >= 0.9
     assert Uncertainty().sample(4, 1) == {}
 
 

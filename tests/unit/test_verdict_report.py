@@ -54,7 +54,7 @@ def test_every_mode_outcome_preset_and_quantity_has_its_words():
     assert set(names.EVENTS) == set(EventKind)
     assert {outcome.value for outcome in Outcome} <= set(runs.TEXTS)
     assert {f"outcome_{outcome.value}" for outcome in Outcome} <= set(TEXTS)
-    assert {f"quantity_{name.replace(' ', '_')}" for name in USUAL} <= set(TEXTS)
+    assert {f"quantity_{name}" for name in USUAL} <= set(TEXTS)
     assert set(names.FURNITURE) == set(names.PIECES) == set(FURNITURE)
     assert set(names.SURFACES) == set(SURFACES)
     assert set(FAMILIES) <= {*names.FAMILIES, *names.MOTIONS}

@@ -414,15 +414,16 @@ TEXTS: dict[str, tuple[str, str]] = {
         "ほとんど動きません（傾き{tilt}、移動{slide}）",
     ),
     # What is drawn at random.
-    "quantity_friction_factor": ("Friction, factor on its value", "摩擦係数に掛ける倍率"),
-    "quantity_restitution_factor": ("Rebound of the rocking, factor", "ロッキングの反発に掛ける倍率"),
+    "as_stated": ("as stated, not drawn", "入力値のまま（ばらつきなし）"),
+    "quantity_friction": ("Friction, factor on its value", "摩擦係数に掛ける倍率"),
+    "quantity_restitution": ("Rebound of the rocking, factor", "ロッキングの反発に掛ける倍率"),
     "quantity_wall_restitution": ("Restitution of the walls", "壁の反発係数"),
-    "quantity_mass_factor": ("Mass, factor on its value", "質量に掛ける倍率"),
-    "quantity_height_of_gravity_factor": (
+    "quantity_mass": ("Mass, factor on its value", "質量に掛ける倍率"),
+    "quantity_gravity_height": (
         "Height of the centre of gravity, factor",
         "重心の高さに掛ける倍率",
     ),
-    "quantity_wall_gap_factor": ("Gaps to the walls, factor on their value", "壁とのすき間に掛ける倍率"),
+    "quantity_wall_gap": ("Gaps to the walls, factor on their value", "壁とのすき間に掛ける倍率"),
     "quantity_lean": ("Lean of the floor, forwards [rad]", "床の傾き（前方へ、rad）"),
     "quantity_back_inset": (
         "Feet or plinth inside the back, part of the depth",
@@ -432,12 +433,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Feet or plinth inside the front, part of the depth",
         "前面から脚・台輪までの距離（奥行きに対する比）",
     ),
-    "quantity_settlement_factor": ("Sinking into the floor, factor on its value", "床の沈み込みに掛ける倍率"),
+    "quantity_settlement": ("Sinking into the floor, factor on its value", "床の沈み込みに掛ける倍率"),
     "quantity_landing_place": (
         "Where a landing pushes (1: at the edge, Housner), part of half the base",
         "着地の力の位置（1：底の角、ハウスナー）",
     ),
-    "quantity_device_strength_factor": ("Strength of the devices, factor", "器具の強さに掛ける倍率"),
+    "quantity_strength": ("Strength of the devices, factor", "器具の強さに掛ける倍率"),
     # What is left out of the files of curves, and why.
     "in_no_file": (
         "{option} is in no file: it cannot be put in place. {reason}",

@@ -79,7 +79,7 @@ def _block(
     def run(places: list[int], samples: int, start: int) -> list[Outcomes]:
         nonlocal runs
         runs += len(places) * settings.motions * samples
-        drawn = _draws(settings.motions, samples, settings.seed, start)
+        drawn = _draws(settings.motions, samples, settings.seed, start, as_stated=settings.as_stated)
         rows = [_rows_or_none(specs[place], option, drawn, settings.gravity) for place in places]
         possible = [row for row in rows if row is not None]
         outcomes = iter(run_prepared(possible, floor) if possible else ())

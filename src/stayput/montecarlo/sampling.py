@@ -6,6 +6,7 @@ between measures are not blurred by chance.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, TypeVar
 
@@ -22,7 +23,7 @@ from stayput.simulation.flat_fields import body_fields, case_rows, flat_fields, 
 from stayput.uncertainty import USUAL, Uncertainty
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Collection, Iterator, Sequence
     from typing import Self
 
     from numpy.typing import NDArray
@@ -62,6 +63,8 @@ class Settings:
         Slide that counts as too far [m].
     gravity : float
         Acceleration of gravity [m/s²].
+    as_stated : tuple of str
+        Quantities that are not drawn.
     """
 
     motions: int
@@ -70,20 +73,23 @@ class Settings:
     precision: float | None
     slide_limit: float
     gravity: float
+    as_stated: tuple[str, ...]
 
     @classmethod
     def of(cls, scenario: Scenario, motions: int, slide_limit: float) -> Self:
         """Return the settings of a scenario, its samples spread evenly over a number of motions."""
         stated = scenario.uncertainty
         samples = max(1, -(-stated.samples // motions))
-        return cls(motions, samples, stated.seed, stated.precision, slide_limit, scenario.gravity)
+        measured = tuple(stated.as_stated)
+        return cls(motions, samples, stated.seed, stated.precision, slide_limit, scenario.gravity, measured)
 
 
 @dataclass(frozen=True, slots=True)
 class Draw:
-    """One draw: factors on what the scenario states, the wall's restitution, how the piece stands.
+    """One draw of the quantities of `stayput.uncertainty.USUAL`, in its order.
 
-    The fields are in the order of `stayput.uncertainty.USUAL`.
+    Factors on what the scenario states, how the piece stands, and the restitution of the walls, of which NaN
+    leaves that which is stated.
     """
 
     friction: float
@@ -98,6 +104,10 @@ class Draw:
     front_inset: float
     settlement: float
     landing_place: float
+
+
+AS_STATED = Draw(1.0, 1.0, math.nan, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0)
+"""The draw that leaves everything as the scenario states it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -130,10 +140,26 @@ class DrawTable:
         return (self[motion] for motion in range(len(self)))
 
 
-def draws(motions: int, samples: int, seed: int, start: int = 0) -> DrawTable:
-    """Return the draws of every motion; ``start`` continues an earlier call after so many samples."""
+def draws(
+    motions: int, samples: int, seed: int, start: int = 0, *, as_stated: Collection[str] = ()
+) -> DrawTable:
+    """Return the draws of every motion.
+
+    Parameters
+    ----------
+    motions, samples : int
+        Motions, and samples of each.
+    seed : int
+        Seed of the draws.
+    start : int
+        Continues an earlier call after so many samples.
+    as_stated : collection of str
+        Quantities that are not drawn; the draws of the others stay as they are.
+    """
     drawn = QUANTITIES.sample(samples, seed, motions=motions, start=start)
-    return DrawTable(dict(zip(Draw.__slots__, (drawn[name] for name in USUAL), strict=True)))
+    for name in as_stated:
+        drawn[name] = np.full((motions, samples), getattr(AS_STATED, name))
+    return DrawTable(drawn)
 
 
 def drawn_body(body: Body, draw: Draw) -> Body:
@@ -197,13 +223,18 @@ def _drawn_floor(floor: Floor, draw: Draw) -> Floor:
 
 def drawn_surfaces(room: Room, draw: Draw) -> Room:
     """Return the room with friction, restitution and softness as drawn, after measures were put in place."""
-    left, right = room.left_wall, room.right_wall
-    return replace(
-        room,
-        floor=_drawn_floor(room.floor, draw),
-        left_wall=None if left is None else replace(left, restitution=draw.wall_restitution),
-        right_wall=None if right is None else replace(right, restitution=draw.wall_restitution),
-    )
+    walls = {name: getattr(room, name) for name in WALL_NAMES}
+    drawn = {
+        name: replace(wall, restitution=float(_drawn_rebound(wall.restitution, draw.wall_restitution)))
+        for name, wall in walls.items()
+        if wall is not None
+    }
+    return replace(room, floor=_drawn_floor(room.floor, draw), **drawn)
+
+
+def _drawn_rebound(stated: float, drawn: NumberOrColumn) -> NumberOrColumn:
+    """Return drawn restitutions of a wall: the stated one where none is drawn."""
+    return np.where(np.isnan(drawn), stated, drawn)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -294,9 +325,10 @@ def rows_of(
     for name in ("restitution", "landing_place", "settlement"):
         numbers[f"room.floor.{name}"] = columns[name] * numbers[f"room.floor.{name}"]
     numbers["room.floor.settlement"] = np.minimum(numbers["room.floor.settlement"], MOST_SETTLEMENT)
-    for wall in WALL_NAMES:
-        if getattr(held.room, wall) is not None:
-            numbers[f"room.{wall}.restitution"] = columns["wall_restitution"]
+    for name in WALL_NAMES:
+        if getattr(held.room, name) is not None:
+            path = f"room.{name}.restitution"
+            numbers[path] = _drawn_rebound(numbers[path], columns["wall_restitution"])
     return Rows(case_rows(numbers, count), elements, masses)
 
 

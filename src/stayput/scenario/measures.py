@@ -22,6 +22,7 @@ from stayput.scenario.fields import (
     of,
     one_of,
 )
+from stayput.uncertainty import USUAL
 
 COMBINE = "combine"
 
@@ -185,6 +186,9 @@ Installation = Annotated[
 """A word, or the share of all measures that is badly installed."""
 
 
+Quantity = Annotated[str, one_of(USUAL), named(USUAL)]
+
+
 class UncertaintyTable(Table):
     """How much of what is not known is tried out."""
 
@@ -195,6 +199,10 @@ class UncertaintyTable(Table):
     precision: Annotated[float, between(0.001, 0.5)] | None = Field(
         default=None,
         description="Half-width of the 95 % interval of the probability of overturning that is enough.",
+    )
+    as_stated: list[Quantity] = Field(
+        default_factory=list[Quantity],
+        description="Quantities that were measured: they are as stated in every sample, and not drawn.",
     )
     installation: Installation = Field(
         default=WELL,

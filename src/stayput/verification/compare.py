@@ -182,7 +182,7 @@ def _rows(
 ) -> list[Rows]:
     """Return the rows of every option, for some samples of each motion."""
     body, room = scenario.furniture.body(), scenario.room.room()
-    drawn = draws(settings.motions, samples, settings.seed, start)
+    drawn = draws(settings.motions, samples, settings.seed, start, as_stated=settings.as_stated)
     initial, gravity = scenario.initial.state(), settings.gravity
     return [rows_of(body, room, option.measures, drawn, gravity, initial) for option in options]
 

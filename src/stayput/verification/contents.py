@@ -90,7 +90,8 @@ def contents_verdicts(
     contents = scenario.contents
     if contents is None:
         return [None] * len(options)
-    body, drawn = scenario.furniture.body(), draws(len(floors.motions), 1, seed)
+    body, measured = scenario.furniture.body(), scenario.uncertainty.as_stated
+    drawn = draws(len(floors.motions), 1, seed, as_stated=measured)
     floors, drawn = _first(floors, drawn)
     rows = [_rows(body, option, scenario, drawn) for option in options]
     followed = _followed(rows, body, contents, floors, threads)

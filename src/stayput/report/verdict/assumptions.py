@@ -56,6 +56,7 @@ LIMITS = ("body", "contacts", "devices")
 def assumptions(verdict: Verdict) -> list[Assumption]:
     """Return the assumptions of a verdict, apart from the parameters of the measures."""
     scenario = verdict.scenario
+    measured = scenario.uncertainty.as_stated
     return [
         _furniture(scenario),
         _floor(scenario),
@@ -63,7 +64,8 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
         *_contents(scenario),
         _motions(scenario, verdict.motions),
         *([] if scenario.shaking.building is None else [_building(scenario)]),
-        *(_drawn(name, marginal) for name, marginal in USUAL.items()),
+        *(_drawn(name, marginal) for name, marginal in USUAL.items() if name not in measured),
+        *(Assumption((_text(f"quantity_{name}"), _text("as_stated")), GIVEN) for name in measured),
         *(Assumption((_text(f"limit_{key}"), _text(f"limit_{key}_text")), MODEL) for key in LIMITS),
     ]
 
@@ -156,8 +158,7 @@ def _building(scenario: Scenario) -> Assumption:
 
 
 def _drawn(name: str, marginal: Marginal) -> Assumption:
-    key = f"quantity_{name.replace(' ', '_')}"
-    return Assumption((_text(key), _distribution(marginal)), marginal.confidence.value)
+    return Assumption((_text(f"quantity_{name}"), _distribution(marginal)), marginal.confidence.value)
 
 
 def _distribution(marginal: Marginal) -> Phrase:

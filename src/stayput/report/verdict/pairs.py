@@ -239,7 +239,8 @@ def floor_motion(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motio
 def replay_under(verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float) -> Run:
     """Run a member again under its motion and the factor on it; see `replay`."""
     scenario = verdict.scenario
-    drawn = draws(member.motion + 1, member.sample + 1, verdict.seed)[member.motion][member.sample]
+    motions, samples, measured = member.motion + 1, member.sample + 1, scenario.uncertainty.as_stated
+    drawn = draws(motions, samples, verdict.seed, as_stated=measured)[member.motion][member.sample]
     body = drawn_body(scenario.furniture.body(), drawn)
     bought = [measure.fitted_to(scenario.furniture.body()) for measure in option.measures]
     stated = hold(body, drawn_place(scenario.room.room(), drawn), bought)
