@@ -9,7 +9,15 @@ import stayput as sp
 from stayput.model.body import Body
 from stayput.model.room import Floor, Room, Wall
 from stayput.model.state import State
-from stayput.montecarlo.sampling import AS_STATED, Draw, draws, drawn_body, drawn_place, drawn_surfaces, rows_of
+from stayput.montecarlo.sampling import (
+    AS_STATED,
+    Draw,
+    drawn_body,
+    drawn_place,
+    drawn_surfaces,
+    draws,
+    rows_of,
+)
 from stayput.simulation.flat_fields import case_columns
 from stayput.uncertainty import USUAL
 
@@ -46,8 +54,8 @@ def test_the_other_draws_stay_as_they_are():
     assert np.all(some.columns["lean"] == 0.0)
 
 
-def _verdict(*as_stated, samples=20):
-    uncertainty = {"samples": samples, "as_stated": list(as_stated)}
+def _verdict(*as_stated: str, samples: int = 20) -> sp.Verdict:
+    uncertainty = {"samples": samples, "as_stated": [*as_stated]}
     return sp.verify(sp.Scenario.parse({**SCENARIO, "uncertainty": uncertainty}), levels=[])
 
 

@@ -251,7 +251,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "does not overturn under the static load K_H = {coefficient}",
         "静的な水平震度K_H = {coefficient}では転倒しない",
     ),
-    "ac156": ("AC156 shake-table test (ASCE 7-16), z/h {ratio}", "AC156の振動台試験（ASCE 7-16）、z/h {ratio}"),
+    "ac156": (
+        "AC156 shake-table test (ASCE 7-16), z/h {ratio}",
+        "AC156の振動台試験（ASCE 7-16）、z/h {ratio}",
+    ),
     "ac156_text": (
         "rocks the piece where it is made for S_DS of {value} g or more (A_rig reaches West's acceleration)",
         "S_DSが{value} g以上の試験でロッキングを始める（A_rigがウェストの式の加速度に達する）",

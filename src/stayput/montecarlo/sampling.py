@@ -232,7 +232,7 @@ def drawn_surfaces(room: Room, draw: Draw) -> Room:
     return replace(room, floor=_drawn_floor(room.floor, draw), **drawn)
 
 
-def _drawn_rebound(stated: float, drawn: NumberOrColumn) -> NumberOrColumn:
+def _drawn_rebound(stated: NumberOrColumn, drawn: NumberOrColumn) -> NumberOrColumn:
     """Return drawn restitutions of a wall: the stated one where none is drawn."""
     return np.where(np.isnan(drawn), stated, drawn)
 

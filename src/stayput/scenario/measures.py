@@ -186,7 +186,7 @@ Installation = Annotated[
 """A word, or the share of all measures that is badly installed."""
 
 
-Quantity = Annotated[str, one_of(USUAL), named(USUAL)]
+DrawnQuantity = Annotated[str, one_of(USUAL), named(USUAL)]
 
 
 class UncertaintyTable(Table):
@@ -200,8 +200,8 @@ class UncertaintyTable(Table):
         default=None,
         description="Half-width of the 95 % interval of the probability of overturning that is enough.",
     )
-    as_stated: list[Quantity] = Field(
-        default_factory=list[Quantity],
+    as_stated: Annotated[list[DrawnQuantity], Field(min_length=1, max_length=len(USUAL))] = Field(
+        default_factory=list[DrawnQuantity],
         description="Quantities that were measured: they are as stated in every sample, and not drawn.",
     )
     installation: Installation = Field(

@@ -12,6 +12,7 @@ import numpy as np
 from stayput.fragility import JMA_INTENSITY, PFV, Trials, fragility_curve
 from stayput.measures import Element, Held
 from stayput.measures.element import Line, damper
+from stayput.model.panel import panel_restitution
 from stayput.model.room import SURFACES, Floor, Room, Wall
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.levels import run_levels
@@ -45,7 +46,14 @@ STANDS = 0.02
 """Gap to the wall behind in the rows with one [m]; it is the default of the app."""
 
 PARTITION = 100e3
-"""Stiffness of a partition wall at the height of the piece's top, in the row with one that gives [N/m]."""
+"""Stiffness of a partition wall at the height of the piece's top, in the rows with a massless one [N/m]."""
+
+STUDS = 45.0
+"""Mass that two studs with boards on both sides move where a piece of 1.8 m hits them [kg]: half of it, 22 kg
+over the span, for either is in the first mode, which has half its swing there."""
+
+STUD_DAMPING = 0.05
+"""Damping ratio of such a wall; assumed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,14 +108,28 @@ def _lean(angle: float) -> Callable[[Body], Held]:
     return _body(base_heights=lambda body: (0.0, -angle * body.width))
 
 
-def _wall(gap: float) -> Callable[[Body], Held]:
-    return lambda body: Held(body, replace(IDEAL, left_wall=Wall(gap)))
+def _wall(gap: float, restitution: float = Wall(0.0).restitution) -> Callable[[Body], Held]:
+    return lambda body: Held(body, replace(IDEAL, left_wall=Wall(gap, restitution)))
 
 
-def _partition(body: Body) -> Held:
-    push = Line(PARTITION, damper(0.2, PARTITION, body.mass), slack_minus=STANDS)
-    element = Element("wall", (-body.width / 2, body.height), push, facing=(1.0, 0.0))
-    return Held(body, IDEAL, (element,))
+def _studs(body: Body) -> Held:
+    """Return a wall of studs: a rigid one that returns as much of the speed."""
+    x, z = body.centre_of_gravity
+    about_front = body.inertia_about_cg + body.mass * ((body.width / 2 - x) ** 2 + z**2)
+    effective = about_front / body.height**2
+    wall = Wall(STANDS, restitution=panel_restitution(effective, STUDS, STUD_DAMPING))
+    return Held(body, replace(IDEAL, left_wall=wall))
+
+
+def _partition(damping: float) -> Callable[[Body], Held]:
+    """Return a wall without a mass: a spring, damped so far with the whole mass of the piece on it."""
+
+    def held(body: Body) -> Held:
+        push = Line(PARTITION, damper(damping, PARTITION, body.mass), slack_minus=STANDS)
+        element = Element("wall", (-body.width / 2, body.height), push, facing=(1.0, 0.0))
+        return Held(body, IDEAL, (element,))
+
+    return held
 
 
 def _raised(factor: float) -> Callable[[Body], Held]:
@@ -155,7 +177,10 @@ EFFECTS = (
     Effect("a wall behind, touching", "the app's choice", _wall(0.0)),
     Effect("a wall 2 cm behind", "default, not measured", _wall(STANDS)),
     Effect("a wall 5 cm behind", "the same", _wall(0.05)),
-    Effect("a wall 2 cm behind that gives, 100 kN/m", "stud wall; assumed", _partition),
+    Effect("a wall 2 cm behind that returns 0.6 of the speed", "upper end of the draws", _wall(STANDS, 0.6)),
+    Effect("a wall of two studs with boards 2 cm behind", "law of the theory page", _studs),
+    Effect("a spring of 100 kN/m 2 cm behind that returns 0.4", "bound: wall without mass", _partition(0.2)),
+    Effect("the same that returns 0.8 of the speed", "the same, hardly damped", _partition(0.05)),
 )
 """What the ideal block leaves out."""
 
