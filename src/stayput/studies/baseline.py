@@ -241,7 +241,8 @@ class Field:
     Parameters
     ----------
     formula, loss_model : float
-        Geometric means of the simulated medians over Kaneko and Hayashi's and over the loss model's.
+        Geometric means of the simulated medians over Kaneko and Hayashi's and over the loss model's, over the
+        sizes that have a median in every setting, so that settings can be compared.
     """
 
     formula: float
@@ -250,7 +251,8 @@ class Field:
 
 def field_of(data: xr.Dataset, setting: str) -> Field:
     """Return where a setting lies against the published medians."""
-    simulated = data["simulated"].sel(setting=setting).to_numpy()
+    known = np.isfinite(data["simulated"]).all("setting")
+    simulated = data["simulated"].sel(setting=setting).where(known).to_numpy()
     return Field(
         mean_ratio(simulated / data["formula"].to_numpy()),
         mean_ratio(simulated / data["loss_model"].to_numpy()),
