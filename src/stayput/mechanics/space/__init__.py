@@ -1,0 +1,1 @@
+"""Rigid bodies in space: nonsmooth time stepping, compiled."""

@@ -1,0 +1,73 @@
+"""Records of the engine in space: bodies, where they are, planes of the room, contacts.
+
+A body's own axes are its principal axes through its centre of gravity G. Places, velocities and momenta are in
+the room's axes, which move with the floor: x along the depth, y across, z up.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+SOLID = np.dtype(
+    [
+        ("mass", "f8"),
+        ("i1", "f8"),
+        ("i2", "f8"),
+        ("i3", "f8"),
+        ("first_point", "i8"),
+        ("points", "i8"),
+        ("first_rim", "i8"),
+        ("rims", "i8"),
+        ("ux", "f8"),
+        ("uy", "f8"),
+        ("uz", "f8"),
+    ],
+    align=True,
+)
+"""A body: mass, principal moments of inertia, its points and rims, and its upward direction in its own axes."""
+
+POINT = np.dtype([("x", "f8"), ("y", "f8"), ("z", "f8"), ("floor", "i8"), ("walls", "i8")], align=True)
+"""A point of a body in its axes: whether it may touch the floor, and walls and ceiling.
+
+Of the floor, 2 tells a point that no standing body touches it with.
+"""
+
+RIM = np.dtype(
+    [("x", "f8"), ("y", "f8"), ("z", "f8"), ("ax", "f8"), ("ay", "f8"), ("az", "f8"), ("radius", "f8")]
+    + [("floor", "i8"), ("walls", "i8")],
+    align=True,
+)
+"""A circular edge of a body: its centre, the direction of its axis, its radius; the rest as of a point."""
+
+PLANE = np.dtype(
+    [("nx", "f8"), ("ny", "f8"), ("nz", "f8"), ("offset", "f8")]
+    + [("mu_static", "f8"), ("mu_kinetic", "f8"), ("restitution", "f8"), ("floor", "i8")],
+    align=True,
+)
+"""A plane n·x = offset of the room, its normal into the room: the floor, a wall, the ceiling."""
+
+POSE = np.dtype(
+    [(name, "f8") for name in ("x", "y", "z", "qw", "qx", "qy", "qz")]
+    + [(name, "f8") for name in ("vx", "vy", "vz", "lx", "ly", "lz", "wx", "wy", "wz")]
+    + [(name, "f8") for name in ("jxx", "jxy", "jxz", "jyy", "jyz", "jzz")],
+    align=True,
+)
+"""Where a body is and how it moves: G, the quaternion that turns its axes into the room's, velocity of G,
+angular momentum, rotation rate, and the inverse of the inertia in the room's axes.
+"""
+
+CONTACT = np.dtype(
+    [("a", "i8"), ("b", "i8"), ("key", "i8"), ("stuck", "i8"), ("kind", "i8")]
+    + [(name, "f8") for name in ("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz")]
+    + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz")]
+    + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "target")]
+    + [(name, "f8") for name in ("pn", "ps", "pt")]
+    + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")],
+    align=True,
+)
+"""A closed contact: bodies a and b (−1: the room), the normal towards a and two tangents, the levers about
+both G, coefficients of friction, the normal velocity wanted, impulses, and the inverse mass that they see.
+"""
+
+HISTORY = ("x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz")
+"""Columns of a body's history."""

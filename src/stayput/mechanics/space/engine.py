@@ -1,0 +1,265 @@
+"""The engine in space: steps between samples of the floor's motion, shortened where bodies meet.
+
+A step of length h is symmetric (Strang): bodies drift freely for h/2, get gravity, the floor's acceleration and
+the impulses of all contacts that are closed there, and drift for h/2 again. Between impacts it is of second
+order; free flight keeps energy and momentum. A step in which a body would enter another is shortened to where
+they meet. What is left of it (`ENTERS`) is moved out without a change of velocity.
+
+Axes move with the floor: its acceleration acts on bodies against its direction.
+"""
+
+from __future__ import annotations
+
+import math
+
+from stayput.compiled import entry, inline, inner
+from stayput.mechanics.space.body import copy_pose, drift, nudge, update_inertia
+from stayput.mechanics.space.solve import STICKS, prepare, slip_rate, solve
+from stayput.mechanics.space.touching import (
+    RIM_POINTS,
+    ROOM,
+    gap_of,
+    lever_of_point,
+    lever_on_rim,
+    lowest_lever,
+    may_touch,
+    note_gaps,
+    plane_normal,
+)
+from stayput.mechanics.space.vectors import added, cross, dot
+
+CLOSED = 1e-6
+"""Gap up to which a contact is closed [m]."""
+
+ENTERS = 2e-6
+"""How far a body may enter another in a step [m]."""
+
+SHORTEST = 1e-6
+"""Shortest step to where bodies meet [s]."""
+
+RESTS = 4e-5
+"""Acceleration from rest up to which a body rests on, exactly [m/s²]."""
+
+
+@inner
+def _keep(contacts, count, kept):
+    """Note the impulses and what sticks, by contact, for the next step."""
+    for k in range(kept.shape[0]):
+        kept[k, 0] = 0.0
+        kept[k, 3] = 0.0
+    for k in range(count):
+        c = contacts[k]
+        kept[c.key, 0], kept[c.key, 1], kept[c.key, 2] = c.pn, c.ps, c.pt
+        kept[c.key, 3] = float(c.stuck)
+
+
+@inline
+def _close(contacts, count, key, kept, ratio, b, lever, plane, bodies, poses):
+    """Add a contact with a plane of the room."""
+    c = contacts[count]
+    c.a, c.b, c.key = b, ROOM, key
+    c.nx, c.ny, c.nz = plane_normal(plane)
+    c.rax, c.ray, c.raz = lever
+    c.mu_static, c.mu_kinetic = plane.mu_static, plane.mu_kinetic
+    c.stuck = 1 if kept[key, 3] != 0.0 else 0
+    prepare(c, bodies, poses, plane.restitution)
+    c.pn, c.ps, c.pt = ratio * kept[key, 0], ratio * kept[key, 1], ratio * kept[key, 2]
+    return count + 1
+
+
+@inner
+def _find_contacts(bodies, poses, points, rims, planes, push, contacts, kept, ratio):
+    """Fill in the closed contacts; return their number. Impulses begin with those kept, times a ratio."""
+    count = 0
+    for j in range(planes.shape[0]):
+        plane = planes[j]
+        first_rim_key = planes.shape[0] * points.shape[0] + j * rims.shape[0] * RIM_POINTS
+        for b in range(bodies.shape[0]):
+            body, s = bodies[b], poses[b]
+            for i in range(body.first_point, body.first_point + body.points):
+                if may_touch(points[i], plane):
+                    lever = lever_of_point(s, points[i])
+                    if gap_of(s, lever, plane) <= CLOSED:
+                        key = j * points.shape[0] + i
+                        count = _close(contacts, count, key, kept, ratio, b, lever, plane, bodies, poses)
+            for i in range(body.first_rim, body.first_rim + body.rims):
+                if may_touch(rims[i], plane):
+                    for number in range(RIM_POINTS):
+                        lever, there = lever_on_rim(s, rims[i], plane, number, push)
+                        if there and gap_of(s, lever, plane) <= CLOSED:
+                            key = first_rim_key + i * RIM_POINTS + number
+                            count = _close(contacts, count, key, kept, ratio, b, lever, plane, bodies, poses)
+    return count
+
+
+@inner
+def _move_out(body, s, lever, plane):
+    """Move a body out of a plane that it has entered at a point, as an impulse would."""
+    gap = gap_of(s, lever, plane)
+    if gap >= 0.0:
+        return
+    n = plane_normal(plane)
+    arm = cross(lever, n)
+    turn = (
+        s.jxx * arm[0] + s.jxy * arm[1] + s.jxz * arm[2],
+        s.jxy * arm[0] + s.jyy * arm[1] + s.jyz * arm[2],
+        s.jxz * arm[0] + s.jyz * arm[1] + s.jzz * arm[2],
+    )
+    size = -gap / (1.0 / body.mass + dot(arm, turn))
+    by = size / body.mass
+    nudge(s, (by * n[0], by * n[1], by * n[2]), (size * turn[0], size * turn[1], size * turn[2]))
+
+
+@inner
+def _move_all_out(bodies, poses, points, rims, planes):
+    """Move bodies out of planes that they have entered."""
+    for b in range(bodies.shape[0]):
+        body, s = bodies[b], poses[b]
+        for j in range(planes.shape[0]):
+            plane = planes[j]
+            for i in range(body.first_point, body.first_point + body.points):
+                if may_touch(points[i], plane):
+                    _move_out(body, s, lever_of_point(s, points[i]), plane)
+            for i in range(body.first_rim, body.first_rim + body.rims):
+                if may_touch(rims[i], plane):
+                    _move_out(body, s, lowest_lever(s, rims[i], plane), plane)
+        update_inertia(body, s)
+
+
+@inline
+def _moves(s):
+    return s.vx != 0.0 or s.vy != 0.0 or s.vz != 0.0 or s.lx != 0.0 or s.ly != 0.0 or s.lz != 0.0
+
+
+@inline
+def _speed(body, s):
+    """Return a bound of the speed of a body: of G, and of a turn about it at its radius of gyration."""
+    gyration = math.sqrt((body.i1 + body.i2 + body.i3) / (2.0 * body.mass))
+    return math.sqrt(s.vx * s.vx + s.vy * s.vy + s.vz * s.vz) + gyration * math.sqrt(
+        s.wx * s.wx + s.wy * s.wy + s.wz * s.wz
+    )
+
+
+@inline
+def _stop(s):
+    s.vx = s.vy = s.vz = s.lx = s.ly = s.lz = s.wx = s.wy = s.wz = 0.0
+
+
+@inner
+def _step(bodies, before, after, points, rims, planes, push, h, contacts, kept, ratio, work):
+    """Step from ``before`` to ``after``; return the number of contacts.
+
+    ``push`` is the acceleration that acts on all bodies: gravity, and against that of the floor.
+    """
+    for b in range(bodies.shape[0]):
+        copy_pose(before[b], after[b])
+        if _moves(after[b]):
+            drift(bodies[b], after[b], 0.5 * h)
+    count = _find_contacts(bodies, after, points, rims, planes, push, contacts, kept, ratio)
+    for b in range(bodies.shape[0]):
+        s = after[b]
+        s.vx += h * push[0]
+        s.vy += h * push[1]
+        s.vz += h * push[2]
+    sweeps = solve(contacts, count, bodies, after, h) if count else 0
+    work[0] += 1.0
+    work[1] += abs(sweeps)
+    if sweeps < 0:
+        work[2] += 1.0
+    for k in range(count):
+        c = contacts[k]
+        c.stuck = 1 if c.pn > 0.0 and slip_rate(c, after) <= STICKS * h else 0
+    for b in range(bodies.shape[0]):
+        s = after[b]
+        if _speed(bodies[b], s) <= RESTS * h:
+            if not _moves(before[b]):
+                copy_pose(before[b], s)
+            _stop(s)
+        else:
+            drift(bodies[b], s, 0.5 * h)
+    return count
+
+
+@inner
+def _meeting(gaps, later, h):
+    """Return when within a step the first feature meets a plane, by a straight line through its gaps."""
+    first = h
+    for k in range(gaps.shape[0]):
+        if later[k] < -ENTERS:
+            start = max(gaps[k], 0.0)
+            first = min(first, h * start / (start - later[k]))
+    return first
+
+
+@inline
+def _note(histories, sample, poses):
+    for b in range(poses.shape[0]):
+        s, row = poses[b], histories[b, sample]
+        row[0], row[1], row[2] = s.x, s.y, s.z
+        row[3], row[4], row[5], row[6] = s.qw, s.qx, s.qy, s.qz
+        row[7], row[8], row[9] = s.vx, s.vy, s.vz
+        row[10], row[11], row[12] = s.wx, s.wy, s.wz
+
+
+@entry
+def run_in_space(bodies, points, rims, planes, poses, acceleration, numbers, scratch, histories, work):
+    """Run bodies under a motion of the floor.
+
+    Parameters
+    ----------
+    bodies, points, rims, planes : SOLID[n], POINT[p], RIM[r], PLANE[w]
+        What stands in the room, and the room.
+    poses : POSE[3, n]
+        The initial poses in the first row, and the last at the end; the rest is working memory.
+    acceleration : float64[samples, 3]
+        Of the floor [m/s²], linear between samples.
+    numbers : float64[3]
+        Time between samples [s], longest step [s], gravity [m/s²].
+    scratch : tuple
+        Working memory: CONTACT[c], impulses that are kept float64[2, keys, 4], gaps float64[2, features].
+    histories : float64[n, samples, 13]
+        Set to the poses at the samples.
+    work : float64[3]
+        Steps, sweeps, and steps whose impulses did not converge: added to.
+    """
+    dt, longest, gravity = numbers[0], numbers[1], numbers[2]
+    contacts, kept, gaps = scratch
+    now, trial = poses[0], poses[1]
+    for b in range(bodies.shape[0]):
+        update_inertia(bodies[b], now[b])
+    _note(histories, 0, now)
+    note_gaps(bodies, now, points, rims, planes, gaps[0])
+    parts = math.ceil(dt / longest * (1.0 - 1e-12))
+    last = 0.0
+    for k in range(acceleration.shape[0] - 1):
+        a0, a1 = acceleration[k], acceleration[k + 1]
+        for part in range(parts):
+            t, end = dt * part / parts, dt * (part + 1) / parts
+            while t < end:
+                h = end - t
+                while True:
+                    f = (t + 0.5 * h) / dt
+                    push = (
+                        -(a0[0] + f * (a1[0] - a0[0])),
+                        -(a0[1] + f * (a1[1] - a0[1])),
+                        -(a0[2] + f * (a1[2] - a0[2])) - gravity,
+                    )
+                    ratio = h / last if last > 0.0 else 0.0
+                    count = _step(
+                        bodies, now, trial, points, rims, planes, push, h, contacts, kept[0], ratio, work
+                    )
+                    least = note_gaps(bodies, trial, points, rims, planes, gaps[1])
+                    if least >= -ENTERS or h <= SHORTEST:
+                        break
+                    h = max(SHORTEST, min(_meeting(gaps[0], gaps[1], h), 0.9 * h))
+                if least < 0.0:
+                    _move_all_out(bodies, trial, points, rims, planes)
+                    note_gaps(bodies, trial, points, rims, planes, gaps[1])
+                _keep(contacts, count, kept[0])
+                for b in range(bodies.shape[0]):
+                    copy_pose(trial[b], now[b])
+                for place in range(gaps.shape[1]):
+                    gaps[0, place] = gaps[1, place]
+                last = h
+                t = end if t + h >= end - 1e-12 else t + h
+        _note(histories, k + 1, now)

@@ -1,0 +1,115 @@
+"""Which points of bodies touch which planes of the room, and how far away the others are."""
+
+from __future__ import annotations
+
+import math
+
+from stayput.compiled import inline, inner
+from stayput.mechanics.space.body import attitude, place_of
+from stayput.mechanics.space.vectors import added, cross, dot, norm, turned
+
+ROOM = -1
+"""The other body of a contact with a plane of the room."""
+
+FLAT = 1e-9
+"""Sine of the angle up to which a rim lies flat on a plane."""
+
+RIM_POINTS = 5
+"""Points of a rim that may touch a plane: where it is lowest, and four around where it lies flat."""
+
+
+@inline
+def plane_normal(plane):
+    """Return the normal of a plane, into the room."""
+    return plane.nx, plane.ny, plane.nz
+
+
+@inline
+def lever_of_point(s, point):
+    """Return a body's point from G, in the room's axes."""
+    return turned(attitude(s), (point.x, point.y, point.z))
+
+
+@inline
+def lever_on_rim(s, rim, plane, number, towards):
+    """Return a point of a rim from G, and whether it may touch the plane.
+
+    Number 0 is the lowest point of a rim that is tilted; 1 to 4 stand around a rim that lies flat, the first
+    of them in the direction ``towards``, along which the body is pushed: there the edge is that of the circle.
+    """
+    q, n = attitude(s), plane_normal(plane)
+    axis = turned(q, (rim.ax, rim.ay, rim.az))
+    centre = turned(q, (rim.x, rim.y, rim.z))
+    down = added(axis, 0.0, n)
+    slope = dot(n, axis)
+    down = slope * axis[0] - n[0], slope * axis[1] - n[1], slope * axis[2] - n[2]
+    size = norm(down)
+    if number == 0:
+        if size <= FLAT:
+            return centre, False
+        return added(centre, rim.radius / size, down), True
+    if size > FLAT:
+        return centre, False
+    along = added(towards, -dot(towards, axis), axis)
+    size = norm(along)
+    if size <= 1e-12:
+        along = turned(q, (rim.ay, rim.az, rim.ax))
+        along = added(along, -dot(along, axis), axis)
+        size = norm(along)
+    along = along[0] / size, along[1] / size, along[2] / size
+    across = cross(axis, along)
+    if number == 1:
+        return added(centre, rim.radius, along), True
+    if number == 2:
+        return added(centre, -rim.radius, along), True
+    if number == 3:
+        return added(centre, rim.radius, across), True
+    return added(centre, -rim.radius, across), True
+
+
+@inline
+def may_touch(feature, plane):
+    """Return whether a point or a rim may touch a plane."""
+    return feature.floor if plane.floor else feature.walls
+
+
+@inline
+def gap_of(s, lever, plane):
+    """Return the distance of a point, given from G, from a plane: below 0 inside it."""
+    return dot(plane_normal(plane), added(place_of(s), 1.0, lever)) - plane.offset
+
+
+@inner
+def note_gaps(bodies, poses, points, rims, planes, gaps):
+    """Set the gaps of all features and planes, inf where they may not touch; return the least.
+
+    A feature is a point, or a rim, whose gap is that of its lowest point.
+    """
+    least = math.inf
+    features = points.shape[0] + rims.shape[0]
+    for b in range(bodies.shape[0]):
+        body, s = bodies[b], poses[b]
+        for j in range(planes.shape[0]):
+            plane = planes[j]
+            for i in range(body.first_point, body.first_point + body.points):
+                gap = math.inf
+                if may_touch(points[i], plane):
+                    gap = gap_of(s, lever_of_point(s, points[i]), plane)
+                gaps[j * features + i] = gap
+                least = min(least, gap)
+            for i in range(body.first_rim, body.first_rim + body.rims):
+                gap = math.inf
+                if may_touch(rims[i], plane):
+                    gap = gap_of(s, lowest_lever(s, rims[i], plane), plane)
+                gaps[j * features + points.shape[0] + i] = gap
+                least = min(least, gap)
+    return least
+
+
+@inline
+def lowest_lever(s, rim, plane):
+    """Return a lowest point of a rim from G: any where it lies flat."""
+    lever, tilted = lever_on_rim(s, rim, plane, 0, (1.0, 0.0, 0.0))
+    if not tilted:
+        lever, _ = lever_on_rim(s, rim, plane, 1, (1.0, 0.0, 0.0))
+    return lever
