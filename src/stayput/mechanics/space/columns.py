@@ -16,15 +16,23 @@ SOLID = np.dtype(
         ("i3", "f8"),
         ("first_point", "i8"),
         ("points", "i8"),
+        ("hull", "i8"),
         ("first_rim", "i8"),
         ("rims", "i8"),
+        ("first_face", "i8"),
+        ("faces", "i8"),
+        ("first_edge", "i8"),
+        ("edges", "i8"),
+        ("radius", "f8"),
         ("ux", "f8"),
         ("uy", "f8"),
         ("uz", "f8"),
     ],
     align=True,
 )
-"""A body: mass, principal moments of inertia, its points and rims, and its upward direction in its own axes."""
+"""A body: mass, principal moments of inertia; its points, of which the first are the corners of its convex hull,
+rims, faces and edges; the radius about G of a ball around it; and its upward direction in its own axes.
+"""
 
 POINT = np.dtype([("x", "f8"), ("y", "f8"), ("z", "f8"), ("floor", "i8"), ("walls", "i8")], align=True)
 """A point of a body in its axes: whether it may touch the floor, and walls and ceiling.
@@ -39,12 +47,26 @@ RIM = np.dtype(
 )
 """A circular edge of a body: its centre, the direction of its axis, its radius; the rest as of a point."""
 
+FACE = np.dtype(
+    [("nx", "f8"), ("ny", "f8"), ("nz", "f8"), ("first", "i8"), ("count", "i8")],
+    align=True,
+)
+"""A face of a hull: its outward normal in the body's axes, and its corners in a list of points, seen from outside
+counter-clockwise.
+"""
+
 PLANE = np.dtype(
     [("nx", "f8"), ("ny", "f8"), ("nz", "f8"), ("offset", "f8")]
     + [("mu_static", "f8"), ("mu_kinetic", "f8"), ("restitution", "f8"), ("floor", "i8")],
     align=True,
 )
 """A plane n·x = offset of the room, its normal into the room: the floor, a wall, the ceiling."""
+
+PAIR = np.dtype(
+    [("a", "i8"), ("b", "i8"), ("mu_static", "f8"), ("mu_kinetic", "f8"), ("restitution", "f8")],
+    align=True,
+)
+"""Two bodies that may touch, and what holds there."""
 
 POSE = np.dtype(
     [(name, "f8") for name in ("x", "y", "z", "qw", "qx", "qy", "qz")]

@@ -13,7 +13,8 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import entry, inline, inner
-from stayput.mechanics.space.body import copy_pose, drift, nudge, update_inertia
+from stayput.mechanics.space.body import angular_response, copy_pose, drift, nudge, place_of, update_inertia
+from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
 from stayput.mechanics.space.solve import STICKS, prepare, slip_rate, solve
 from stayput.mechanics.space.touching import (
     RIM_POINTS,
@@ -54,65 +55,132 @@ def _keep(contacts, count, kept):
 
 
 @inline
-def _close(contacts, count, key, kept, ratio, b, lever, plane, bodies, poses):
-    """Add a contact with a plane of the room."""
+def _close(contacts, count, key, kept, ratio, surface, bodies, poses):
+    """Add a contact whose bodies, normal and levers are set; its impulses begin with those kept."""
     c = contacts[count]
-    c.a, c.b, c.key = b, ROOM, key
-    c.nx, c.ny, c.nz = plane_normal(plane)
-    c.rax, c.ray, c.raz = lever
-    c.mu_static, c.mu_kinetic = plane.mu_static, plane.mu_kinetic
+    c.key = key
+    c.mu_static, c.mu_kinetic = surface.mu_static, surface.mu_kinetic
     c.stuck = 1 if kept[key, 3] != 0.0 else 0
-    prepare(c, bodies, poses, plane.restitution)
+    prepare(c, bodies, poses, surface.restitution)
     c.pn, c.ps, c.pt = ratio * kept[key, 0], ratio * kept[key, 1], ratio * kept[key, 2]
     return count + 1
 
 
+@inline
+def _on_plane(c, b, lever, plane):
+    c.a, c.b = b, ROOM
+    c.nx, c.ny, c.nz = plane_normal(plane)
+    c.rax, c.ray, c.raz = lever
+
+
 @inner
-def _find_contacts(bodies, poses, points, rims, planes, push, contacts, kept, ratio):
+def _find_contacts(world, poses, push, scratch, ratio):
     """Fill in the closed contacts; return their number. Impulses begin with those kept, times a ratio."""
+    bodies, points, rims, planes, pairs, faces, loops, edges = world
+    contacts, kept, _, corners, polygons, touching = scratch
     count = 0
     for j in range(planes.shape[0]):
         plane = planes[j]
-        first_rim_key = planes.shape[0] * points.shape[0] + j * rims.shape[0] * RIM_POINTS
+        first_key = planes.shape[0] * points.shape[0] + j * rims.shape[0] * RIM_POINTS
         for b in range(bodies.shape[0]):
             body, s = bodies[b], poses[b]
             for i in range(body.first_point, body.first_point + body.points):
                 if may_touch(points[i], plane):
                     lever = lever_of_point(s, points[i])
                     if gap_of(s, lever, plane) <= CLOSED:
+                        _on_plane(contacts[count], b, lever, plane)
                         key = j * points.shape[0] + i
-                        count = _close(contacts, count, key, kept, ratio, b, lever, plane, bodies, poses)
+                        count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
             for i in range(body.first_rim, body.first_rim + body.rims):
                 if may_touch(rims[i], plane):
                     for number in range(RIM_POINTS):
                         lever, there = lever_on_rim(s, rims[i], plane, number, push)
                         if there and gap_of(s, lever, plane) <= CLOSED:
-                            key = first_rim_key + i * RIM_POINTS + number
-                            count = _close(contacts, count, key, kept, ratio, b, lever, plane, bodies, poses)
+                            _on_plane(contacts[count], b, lever, plane)
+                            key = first_key + i * RIM_POINTS + number
+                            count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
+    if pairs.shape[0] == 0:
+        return count
+    place_corners(bodies, poses, points, corners)
+    first_key = planes.shape[0] * (points.shape[0] + rims.shape[0] * RIM_POINTS)
+    for j in range(pairs.shape[0]):
+        a, b = pairs[j].a, pairs[j].b
+        _, found, n = touch(
+            bodies[a], poses[a], bodies[b], poses[b], CLOSED, faces, loops, edges, corners, polygons, touching
+        )
+        for m in range(found):
+            c = contacts[count]
+            c.a, c.b = a, b
+            c.nx, c.ny, c.nz = n
+            place = touching[m, 0], touching[m, 1], touching[m, 2]
+            c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
+            c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
+            key = first_key + j * MOST_TOUCHING + m
+            count = _close(contacts, count, key, kept, ratio, pairs[j], bodies, poses)
     return count
+
+
+@inner
+def _note_gaps(world, poses, scratch, gaps):
+    """Set the gaps of all features and planes and of all pairs of bodies; return the least."""
+    bodies, points, rims, planes, pairs, faces, loops, edges = world
+    _, _, _, corners, polygons, touching = scratch
+    least = note_gaps(bodies, poses, points, rims, planes, gaps)
+    if pairs.shape[0] == 0:
+        return least
+    place_corners(bodies, poses, points, corners)
+    first = planes.shape[0] * (points.shape[0] + rims.shape[0])
+    for j in range(pairs.shape[0]):
+        a, b = pairs[j].a, pairs[j].b
+        apart, _, _ = touch(
+            bodies[a], poses[a], bodies[b], poses[b], CLOSED, faces, loops, edges, corners, polygons, touching
+        )
+        gaps[first + j] = apart
+        least = min(least, apart)
+    return least
+
+
+@inner
+def _mobility(body, s, lever, n):
+    """Return how far a unit of `_nudge_along` moves a body's point along n."""
+    arm = cross(lever, n)
+    return 1.0 / body.mass + dot(arm, angular_response(s, arm))
+
+
+@inner
+def _nudge_along(body, s, lever, n, size):
+    turn = angular_response(s, cross(lever, n))
+    by = size / body.mass
+    nudge(s, (by * n[0], by * n[1], by * n[2]), (size * turn[0], size * turn[1], size * turn[2]))
 
 
 @inner
 def _move_out(body, s, lever, plane):
     """Move a body out of a plane that it has entered at a point, as an impulse would."""
     gap = gap_of(s, lever, plane)
-    if gap >= 0.0:
-        return
-    n = plane_normal(plane)
-    arm = cross(lever, n)
-    turn = (
-        s.jxx * arm[0] + s.jxy * arm[1] + s.jxz * arm[2],
-        s.jxy * arm[0] + s.jyy * arm[1] + s.jyz * arm[2],
-        s.jxz * arm[0] + s.jyz * arm[1] + s.jzz * arm[2],
-    )
-    size = -gap / (1.0 / body.mass + dot(arm, turn))
-    by = size / body.mass
-    nudge(s, (by * n[0], by * n[1], by * n[2]), (size * turn[0], size * turn[1], size * turn[2]))
+    if gap < 0.0:
+        n = plane_normal(plane)
+        _nudge_along(body, s, lever, n, -gap / _mobility(body, s, lever, n))
 
 
 @inner
-def _move_all_out(bodies, poses, points, rims, planes):
-    """Move bodies out of planes that they have entered."""
+def _move_all_out(world, poses, scratch):
+    """Move bodies out of each other and of planes that they have entered."""
+    bodies, points, rims, planes, pairs, faces, loops, edges = world
+    _, _, _, corners, polygons, touching = scratch
+    for j in range(pairs.shape[0]):
+        place_corners(bodies, poses, points, corners)
+        body, other = bodies[pairs[j].a], bodies[pairs[j].b]
+        s, r = poses[pairs[j].a], poses[pairs[j].b]
+        _, found, n = touch(body, s, other, r, 0.0, faces, loops, edges, corners, polygons, touching)
+        for m in range(found):
+            if touching[m, 3] < 0.0:
+                place = touching[m, 0], touching[m, 1], touching[m, 2]
+                lever, arm = added(place, -1.0, place_of(s)), added(place, -1.0, place_of(r))
+                both = _mobility(body, s, lever, n) + _mobility(other, r, arm, n)
+                size = -touching[m, 3] / both / found  # each of them moves all of a face
+                _nudge_along(body, s, lever, n, size)
+                _nudge_along(other, r, arm, n, -size)
     for b in range(bodies.shape[0]):
         body, s = bodies[b], poses[b]
         for j in range(planes.shape[0]):
@@ -146,16 +214,17 @@ def _stop(s):
 
 
 @inner
-def _step(bodies, before, after, points, rims, planes, push, h, contacts, kept, ratio, work):
+def _step(world, before, after, push, h, scratch, ratio, work):
     """Step from ``before`` to ``after``; return the number of contacts.
 
     ``push`` is the acceleration that acts on all bodies: gravity, and against that of the floor.
     """
+    bodies, contacts = world[0], scratch[0]
     for b in range(bodies.shape[0]):
         copy_pose(before[b], after[b])
         if _moves(after[b]):
             drift(bodies[b], after[b], 0.5 * h)
-    count = _find_contacts(bodies, after, points, rims, planes, push, contacts, kept, ratio)
+    count = _find_contacts(world, after, push, scratch, ratio)
     for b in range(bodies.shape[0]):
         s = after[b]
         s.vx += h * push[0]
@@ -202,33 +271,36 @@ def _note(histories, sample, poses):
 
 
 @entry
-def run_in_space(bodies, points, rims, planes, poses, acceleration, numbers, scratch, histories, work):
+def run_in_space(world, poses, acceleration, numbers, scratch, histories, work):
     """Run bodies under a motion of the floor.
 
     Parameters
     ----------
-    bodies, points, rims, planes : SOLID[n], POINT[p], RIM[r], PLANE[w]
-        What stands in the room, and the room.
-    poses : POSE[3, n]
-        The initial poses in the first row, and the last at the end; the rest is working memory.
+    world : tuple
+        What stands in the room, and the room: SOLID[n], POINT[p], RIM[r], PLANE[w], PAIR[m], FACE[f], corners of
+        the faces int64[l], edges int64[e, 2].
+    poses : POSE[2, n]
+        The initial poses in the first row, and the last at the end; the other is working memory.
     acceleration : float64[samples, 3]
         Of the floor [m/s²], linear between samples.
     numbers : float64[3]
         Time between samples [s], longest step [s], gravity [m/s²].
     scratch : tuple
-        Working memory: CONTACT[c], impulses that are kept float64[2, keys, 4], gaps float64[2, features].
+        Working memory: CONTACT[c], impulses that are kept float64[keys, 4], gaps float64[2, features], places of
+        the points float64[p, 3], polygons float64[2, 72, 4], points that touch float64[8, 5].
     histories : float64[n, samples, 13]
         Set to the poses at the samples.
     work : float64[3]
         Steps, sweeps, and steps whose impulses did not converge: added to.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
-    contacts, kept, gaps = scratch
+    bodies = world[0]
+    contacts, kept, gaps = scratch[0], scratch[1], scratch[2]
     now, trial = poses[0], poses[1]
     for b in range(bodies.shape[0]):
         update_inertia(bodies[b], now[b])
     _note(histories, 0, now)
-    note_gaps(bodies, now, points, rims, planes, gaps[0])
+    _note_gaps(world, now, scratch, gaps[0])
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
     last = 0.0
     for k in range(acceleration.shape[0] - 1):
@@ -245,17 +317,15 @@ def run_in_space(bodies, points, rims, planes, poses, acceleration, numbers, scr
                         -(a0[2] + f * (a1[2] - a0[2])) - gravity,
                     )
                     ratio = h / last if last > 0.0 else 0.0
-                    count = _step(
-                        bodies, now, trial, points, rims, planes, push, h, contacts, kept[0], ratio, work
-                    )
-                    least = note_gaps(bodies, trial, points, rims, planes, gaps[1])
+                    count = _step(world, now, trial, push, h, scratch, ratio, work)
+                    least = _note_gaps(world, trial, scratch, gaps[1])
                     if least >= -ENTERS or h <= SHORTEST:
                         break
                     h = max(SHORTEST, min(_meeting(gaps[0], gaps[1], h), 0.9 * h))
                 if least < 0.0:
-                    _move_all_out(bodies, trial, points, rims, planes)
-                    note_gaps(bodies, trial, points, rims, planes, gaps[1])
-                _keep(contacts, count, kept[0])
+                    _move_all_out(world, trial, scratch)
+                    _note_gaps(world, trial, scratch, gaps[1])
+                _keep(contacts, count, kept)
                 for b in range(bodies.shape[0]):
                     copy_pose(trial[b], now[b])
                 for place in range(gaps.shape[1]):
