@@ -8,6 +8,35 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Doors are {doors!r} and drawers are {drawers!r}; contents are behind doors or in drawers, not both.",
         "扉が{doors!r}、引き出しが{drawers!r}になっています。どちらか一方だけを指定してください。",
     ),
+    "no_catch": (
+        (
+            "The catch holds {catch:g} N, but doors are {doors!r} and drawers are {drawers!r}; a catch needs "
+            "hinged doors, or drawers with catches."
+        ),
+        (
+            "留め具の保持力が{catch:g} Nですが、扉が{doors!r}、引き出しが{drawers!r}になっています。留め具は開き戸か"
+            "留め具付きの引き出しにだけ指定してください。"
+        ),
+    ),
+    "without_doors": (
+        "The {name} is {value:g} {unit}, but doors are {doors!r}; they must be one of {needed}.",
+        "{name}が{value:g} {unit}ですが、扉が{doors!r}になっています。扉を次のいずれかにしてください：{needed}",
+    ),
+    "in_drawers": (
+        "The {name} is {value:g} m, but drawers are {drawers!r}; it is of things on shelves, so give one of the two.",
+        (
+            "{name}が{value:g} m、引き出しが{drawers!r}になっています。"
+            "前者は棚に置いた物のための値です。どちらか一方だけを指定してください。"
+        ),
+    ),
+    "loads_and_shelves": (
+        "The number of loads is {loads} and that of shelves is {shelves}; give one load for each shelf.",
+        "荷重の数が{loads}、棚の数が{shelves}になっています。棚ごとに荷重を1つ指定してください。",
+    ),
+    "loads_and_share": (
+        "The loads are {loads:g} kg in all and their share of the mass is {share:g}; give only one of the two.",
+        "荷重の合計が{loads:g} kg、質量の割合が{share:g}になっています。どちらか一方だけを指定してください。",
+    ),
     "no_loads": (
         "There is no load; give the load of at least one shelf.",
         "棚の荷重がありません。1段以上の荷重を指定してください。",

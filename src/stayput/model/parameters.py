@@ -52,6 +52,8 @@ class Parameter:
     decides : bool
         Whether the outcome hangs on it and only the product or the wall can tell it: strength, grip, slack.
         How many there are and where is the user's choice; stiffness and damping change little beside these.
+    counts : bool
+        Whether it counts something although its default, which is taken from elsewhere, is no whole number.
     """
 
     name: str
@@ -64,11 +66,12 @@ class Parameter:
     confidence: Confidence = Confidence.LOW
     choices: tuple[str, ...] = ()
     decides: bool = False
+    counts: bool = False
 
     @property
     def whole(self) -> bool:
-        """Whether it counts something: its default is an int."""
-        return isinstance(self.default, int)
+        """Whether it counts something: its default is an int, or it says so."""
+        return self.counts or isinstance(self.default, int)
 
     def tag(self, value: object) -> str:
         """Return how well founded a value is: its confidence if it is the default, else `GIVEN`."""
@@ -112,6 +115,7 @@ class _More(TypedDict, total=False):
     confidence: Confidence
     choices: tuple[str, ...]
     decides: bool
+    counts: bool
 
 
 def quantity(
