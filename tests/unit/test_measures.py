@@ -105,7 +105,7 @@ def test_numbers_that_contradict_each_other_are_refused(make, message):
         ((AgainstWall(), AwayFromWall()), "both at a distance from the wall"),
         ((LBracket(), LBracketInBoard()), "both on the wall at 1 times the height"),
         ((LowerShelves(), LowerShelves(share=0.1)), "both on the shelves"),
-        (("belt",), "^A measure is 'belt'"),
+        (("belt",), "^measures is 'belt'; it must be of type Measure"),
     ],
 )
 def test_two_measures_for_one_place_are_refused(measures, message):

@@ -7,10 +7,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}が{value}になっています。次のいずれかにしてください：{words}",
     ),
     "or": (" or ", "、"),
-    "no_measure": (
-        "A measure is {value}; it must be one of stayput.measures.",
-        "対策として{value}が指定されています。stayput.measuresのいずれかを指定してください。",
-    ),
     "twice": (
         "{measure} is given twice, both {place}; only one of them can be there.",
         "「{measure}」が2回指定されています。同じ場所（{place}）に使えるのは1つだけです。",

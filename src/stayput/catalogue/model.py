@@ -68,18 +68,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "left_wall": ("the left wall", "左の壁"),
     "ceiling": ("the ceiling", "天井"),
     "most_events": (
-        "most_events is {value}; it must be at least 2, for the first and the last.",
-        "most_eventsが{value}になっています。最初と最後を含めるため2以上にしてください。",
+        "most_events is {value}; it must be a whole number of at least 2, for the first and the last.",
+        "most_eventsが{value}になっています。最初と最後を含めるため2以上の整数にしてください。",
     ),
-    "contact": (
-        "Contact is {value}; it must be 'coulomb' or 'paper'.",
-        "接触の法則（contact）が{value}になっています。'coulomb'か'paper'にしてください。",
-    ),
+    "contact": ("Contact", "接触の法則（contact）"),
     # Quick estimates
     "estimate_width": ("Width", "奥行き"),
     "estimate_height": ("Height", "高さ"),
-    "estimate_mass": ("Mass", "質量"),
-    "acceleration": ("Acceleration", "加速度"),
     "tie_height": ("Height of the tie", "取付け高さ"),
     "peak_acceleration": ("Peak acceleration", "最大加速度"),
     "peak_velocity": ("Peak velocity", "最大速度"),

@@ -9,6 +9,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "a_verification": ("a verification", "対策の検証"),
     "an_assessment": ("an assessment", "一括評価"),
     "the_map": ("the map", "寸法と震度の図"),
+    "slide_limit": ("Slide limit", "移動量の上限"),
     "levels_not_increasing": (
         "The levels are not increasing; each must be higher than the one before it.",
         "震度の段階が小さい順に並んでいません。前の段階より大きい値を順に指定してください。",

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from stayput.contents.kinds import CONTENTS, ContentsKind
-from stayput.errors import InputError, unknown
+from stayput.errors import InputError, instance_of, list_of, word_of
 from stayput.model.body import MASS_RANGE
 from stayput.model.parameters import check_fields, other_default, parameter, parameter_of
 
@@ -148,12 +148,14 @@ class Contents:
     )
 
     def __post_init__(self) -> None:
-        if self.kind not in CONTENTS:
-            raise unknown("contents.kind", self.kind, CONTENTS, field="kind")
-        for field, words in (("doors", DOORS), ("drawers", DRAWERS)):
-            if getattr(self, field) not in words:
-                raise unknown(f"contents.{field}", getattr(self, field), words, field=field)
+        word_of("contents.kind", self.kind, CONTENTS, "kind")
+        word_of("contents.doors", self.doors, DOORS, "doors")
+        word_of("contents.drawers", self.drawers, DRAWERS, "drawers")
+        instance_of("back", self.back, bool)
         check_fields(self, but=("loads",))
+        for field in ("shelves", "items"):  # 4.0 counts, too
+            if (count := getattr(self, field)) is not None:
+                object.__setattr__(self, field, int(count))
         self._check_loads()
         self._check_fronts()
         static, kinetic = self.friction
@@ -166,17 +168,16 @@ class Contents:
         """Refuse loads that are none, or that are not those of the shelves."""
         if self.loads is None:
             return
-        if not self.loads:
+        about = parameter_of(Contents, "loads")
+        loads = tuple(about.check(load) for load in list_of("loads", self.loads))
+        if not loads:
             raise InputError("contents.no_loads", "loads")
-        for load in self.loads:
-            parameter_of(Contents, "loads").check(load)
-        if self.shelves not in (None, len(self.loads)):
-            raise InputError(
-                "contents.loads_and_shelves", "shelves", loads=len(self.loads), shelves=self.shelves
-            )
+        object.__setattr__(self, "loads", loads)
+        if self.shelves not in (None, len(loads)):
+            raise InputError("contents.loads_and_shelves", "shelves", loads=len(loads), shelves=self.shelves)
         if self.mass_share is not None:
             raise InputError(
-                "contents.loads_and_share", "mass_share", loads=sum(self.loads), share=self.mass_share
+                "contents.loads_and_share", "mass_share", loads=sum(loads), share=self.mass_share
             )
 
     def _check_fronts(self) -> None:

@@ -13,7 +13,7 @@ from dataclasses import MISSING, dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, Unpack, cast
 
-from stayput.errors import InputError, within
+from stayput.errors import InputError, whole_within, within
 from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
@@ -105,10 +105,8 @@ class Parameter:
         """
         name, place = called or self.label, field or self.name
         low, high = bounds or (self.low, self.high)
-        number = within(name, cast("float", value), low, high, self.unit, place)
-        if self.whole and not number.is_integer():
-            raise InputError("common.not_whole", place, name=name, value=number)
-        return number
+        checked = whole_within if self.whole else within
+        return float(checked(name, cast("float", value), low, high, self.unit, place))
 
 
 class _More(TypedDict, total=False):

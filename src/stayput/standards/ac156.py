@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from stayput.errors import unknown, within
+from stayput.errors import instance_of, within, word_of
 from stayput.motion.processing import whole
 from stayput.motion.record import Motion
 from stayput.motion.suites.families import Draws
@@ -85,8 +85,7 @@ class RequiredSpectrum:
     def __post_init__(self) -> None:
         s = within("motion.name_sds", self.sds, 0.001, 10.0, "g", "sds")
         z = within("standards.height_ratio", self.height_ratio, 0.0, 1.0, "", "height_ratio")
-        if self.edition not in EDITIONS:
-            raise unknown("standards.edition", self.edition, EDITIONS, "edition")
+        word_of("standards.edition", self.edition, EDITIONS, "edition")
         if self.edition == "7-16":
             amplified = s * (1.0 + 2.0 * z)
         else:
@@ -204,6 +203,7 @@ def ac156_motion(
     InputError
         A number, a seed or a frequency out of range.
     """
+    instance_of("required", required, RequiredSpectrum)
     cut = within(
         "standards.lowest",
         LOWEST_CUTOFF if lowest is None else lowest,
