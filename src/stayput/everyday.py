@@ -181,7 +181,7 @@ def tip_over(
     GRAVITY.check(gravity)
     _, (lever, below), *_ = body.corners_at_rest
     weight = body.mass * gravity
-    tilt = math.atan2(given.carpet, body.width - sum(body.base_insets))
+    tilt = math.atan2(given.carpet, body.base_width)
     cos, sin = math.cos(tilt), math.sin(tilt)
     restoring = weight * (lever * cos + below * sin)  # the base lies below the centre: below < 0
     load, overhang = given.load * gravity, body.base_insets[1]

@@ -155,6 +155,11 @@ class Body:
         return self.uniform_inertia if self.inertia is None else self.inertia
 
     @property
+    def base_width(self) -> float:
+        """Distance between the base corners along the width [m]: the width less the `base_insets`."""
+        return self.width - self.base_insets[0] - self.base_insets[1]
+
+    @property
     def centre_of_gravity(self) -> tuple[float, float]:
         """G in the body's frame: right of the middle of the base, above the base [m]."""
         return self.cg_offset[0], self.height / 2 + self.cg_offset[1]

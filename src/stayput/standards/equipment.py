@@ -179,8 +179,7 @@ def anchor_tension(
     >>> round(anchor_tension(Body(0.4, 1.8, 100.0), 1.0), 1)
     858.1
     """
-    instance_of("body", body, Body)
-    feet = body.width - body.base_insets[0] - body.base_insets[1]
+    feet = instance_of("body", body, Body).base_width
     length = within("standards.spacing", feet if spacing is None else spacing, 1e-3, feet, "m", "spacing")
     count = whole_within("standards.anchors", anchors, 1, 1000, "", "anchors")
     inset = 0.5 * (feet - length)  # of the anchors from the edge that the moment is about
