@@ -23,7 +23,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}が{value:g} {unit}ですが、扉が{doors!r}になっています。扉を次のいずれかにしてください：{needed}",
     ),
     "in_drawers": (
-        "The {name} is {value:g} m, but drawers are {drawers!r}; it is of things on shelves, so give one of the two.",
+        "The {name} is {value:g} m, but drawers are {drawers!r}; it is for things on shelves, so give only one of the two.",
         (
             "{name}が{value:g} m、引き出しが{drawers!r}になっています。"
             "前者は棚に置いた物のための値です。どちらか一方だけを指定してください。"
@@ -46,15 +46,15 @@ TEXTS: dict[str, tuple[str, str]] = {
         "収納物の動摩擦係数は{kinetic:g}です。静止摩擦係数（{static:g}）以下にしてください。",
     ),
     "too_heavy": (
-        "The loads of the shelves are {loads:g} kg in all; the furniture with them weighs {mass:g} kg.",
-        "棚の荷重の合計が{loads:g} kgになっています。家具の質量（収納物を含む）は{mass:g} kgです。",
+        "The loads of the shelves are {loads:g} kg in all; they must be less than the mass of the furniture with them, {mass:g} kg.",
+        "棚の荷重の合計が{loads:g} kgになっています。家具の質量（収納物を含む、{mass:g} kg）より小さくしてください。",
     ),
     "needs_coulomb": (
         "The contact is '{contact}'; following what is in furniture needs 'coulomb'.",
         "接触モデル（contact）が「{contact}」です。収納物の計算には「coulomb」を指定してください。",
     ),
     "given_up": (
-        "The furniture's run was given up, so that its contents cannot be followed.",
+        "The run of the furniture was given up; its contents cannot be followed.",
         "家具の計算が打ち切られたため、収納物の動きを計算できません。",
     ),
 }

@@ -64,8 +64,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The body stands {depth:g} m inside {place} at the start; it must be clear of it.",
         "家具が最初から{place}に{depth:g} mめり込んでいます。離して置いてください。",
     ),
-    "right_wall": ("the right wall", "右の壁"),
-    "left_wall": ("the left wall", "左の壁"),
+    "right_wall": ("the wall in front", "前方の壁"),
+    "left_wall": ("the wall behind", "背後の壁"),
     "ceiling": ("the ceiling", "天井"),
     "most_events": (
         "most_events is {value}; it must be a whole number of at least 2, for the first and the last.",
