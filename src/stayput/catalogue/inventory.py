@@ -2,7 +2,6 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # the call
-    "slide_limit": ("Slide limit", "移動量の上限"),
     "memory": ("Memory", "メモリ"),
     "memory_format": (
         "The memory is {memory}; it must be written like 2GB.",

@@ -9,6 +9,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "a_verification": ("a verification", "対策の検証"),
     "an_assessment": ("an assessment", "一括評価"),
     "the_map": ("the map", "寸法と震度の図"),
+    "slide_limit": ("Slide limit", "移動量の上限"),
     "levels_not_increasing": (
         "The levels are not increasing; each must be higher than the one before it.",
         "震度の段階が小さい順に並んでいません。前の段階より大きい値を順に指定してください。",
@@ -89,9 +90,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     # notes beside the numbers
     "field": (
         (
-            "Against the field: half of such pieces overturn at a peak floor velocity of {median:.0f} cm/s here, "
-            "which is {least:.2g} to {most:.2g} times what formulas say of unanchored furniture that stands free "
-            "and does not slide: {low:.0f} cm/s (FEMA P-58) to {high:.0f} cm/s (Kaneko and Hayashi){wall}."
+            "Against the field: half of such pieces overturn at a peak floor velocity of {median:.0f} cm/s "
+            "here, {least:.2g} to {most:.2g} times what is given for unanchored furniture that stands free and does "
+            "not slide: {low:.0f} cm/s (FEMA P-58) to {high:.0f} cm/s (Kaneko and Hayashi){wall}."
         ),
         (
             "既往の式との比較：この家具の半数が転倒する床の最大速度は、ここでは{median:.0f} cm/sです。これは、"
@@ -100,8 +101,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "field_wall": (
-        "; a wall behind, which stops half of the rocking, is most of that",
-        "（差の多くは、揺れの半分を止める背後の壁によるものです）",
+        "; most of the difference comes from the wall behind, which stops the rocking to one side",
+        "（差の多くは、片側のロッキングを止める背後の壁によるものです）",
     ),
     "contents_bound": (
         (
@@ -168,8 +169,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "and_more": ("; and {more} more", "、ほか{more}件"),
     "slides_off": (
         (
-            "A slide of more than {far:g} m is told as that only: the room has no wall on one side, so "
-            "nothing stops a piece that slides or rolls off. If there is something, give it as a wall."
+            "A slide of more than {far:g} m is shown as “> {far:g} m” only: the room has no wall on one side, so "
+            "nothing stops a piece that slides or rolls off. If something would stop it, give it as a wall."
         ),
         (
             "{far:g} mを超える移動は「> {far:g} m」と示します。壁のない側では止めるものがないためです。"
@@ -178,8 +179,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "everyday_tips": (
         (
-            "Without an earthquake, {case} tips the piece over: its weight holds {margin:.2f} times the moment "
-            "of that (grade {letter}; not a certificate by any stability rule)."
+            "Without an earthquake, {case} tips the piece over: the moment of its own weight is {margin:.2f} times "
+            "the overturning one (grade {letter}; not a certificate by any stability rule)."
         ),
         (
             "地震がなくても、{case}に倒れます：自重で支えられるモーメントは、かかるモーメントの{margin:.2f}倍です"
@@ -188,8 +189,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "everyday_stays": (
         (
-            "Without an earthquake, the piece withstands {case}: its weight holds {margin:.2f} times the moment "
-            "of that (grade {letter}; not a certificate by any stability rule)."
+            "Without an earthquake, the piece withstands {case}: the moment of its own weight is {margin:.2f} times "
+            "the overturning one (grade {letter}; not a certificate by any stability rule)."
         ),
         (
             "地震がないとき、{case}でも倒れません：自重で支えられるモーメントは、かかるモーメントの"

@@ -9,25 +9,23 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.contents.carrier import Carrier
-from stayput.contents.contents import STOPPED
+from stayput.contents.contents import STOPPED, Contents
 from stayput.contents.fronts import opening_samples, slide_of_a_leaf
 from stayput.contents.items import items_of, out_of_shelf, toppled, uncovered
-from stayput.errors import InputError
+from stayput.errors import InputError, instance_of
 from stayput.measures import element_rows, hold
 from stayput.mechanics import columns as col
 from stayput.mechanics.runner import run_cases, shaking, trace
 from stayput.simulation.flat_fields import case_columns
-from stayput.simulation.run import Run
+from stayput.simulation.run import Case, Run
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.contents.carrier import PointMotion
-    from stayput.contents.contents import Contents
     from stayput.contents.items import Items
     from stayput.mechanics.runner import Shaking, Traced
     from stayput.model.body import Body
-    from stayput.simulation.run import Case
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -128,6 +126,8 @@ def spill(of: Run | Case, contents: Contents) -> Spill:
     >>> spill(case, sp.Contents("books")).share_out > 0.0
     True
     """
+    instance_of("of", of, (Run, Case))
+    instance_of("contents", contents, Contents)
     if of.contact != "coulomb":
         raise InputError("contents.needs_coulomb", "contact", contact=of.contact)
     held = of.held if isinstance(of, Run) else None
