@@ -133,7 +133,8 @@ def spill(of: Run | Case, contents: Contents) -> Spill:
     held = of.held if isinstance(of, Run) else None
     held = hold(of.body, of.room, of.measures) if held is None else held
     case = case_columns(held.body, held.room, of.initial, of.gravity)[0]
-    carrier = Carrier.of(case, element_rows(held), of.motion, held.body.height)
+    shaken = shaking(of.motion.x, of.motion.z, of.motion.dt, col.COULOMB)
+    carrier = Carrier.of(case, element_rows(held), shaken.floor, held.body.height)
     if carrier.failed:
         raise InputError("contents.given_up")
     return spill_of(carrier, held.body, contents, followed=True)
