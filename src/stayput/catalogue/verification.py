@@ -80,6 +80,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "stays_where_it_is": ("it stays where it is", "その場に留まります"),
     # what comes out of the furniture: clauses, and sentences that follow the verdict's
     "contents_out": ("{share} of the {contents} come out", "{contents}の{share}が飛び出します"),
+    "contents_leave": (
+        (
+            "where the piece stands, half of them leave from {height} or higher (at most {highest}), "
+            "nine tenths at {fast:.2f} m/s or less"
+        ),
+        (
+            "家具が立っている場合、その半数は高さ{height}以上（最高{highest}）から、"
+            "9割は水平速度{fast:.2f} m/s以下で飛び出します"
+        ),
+    ),
     "contents_stay": ("the {contents} stay inside", "{contents}は飛び出しません"),
     "contents_unknown": ("what the {contents} do is unknown", "{contents}の動きは計算できませんでした"),
     "contents_without": (" ({share} without a measure)", "（対策なしでは{share}）"),

@@ -54,7 +54,7 @@ class Spill:
         Part of the front that sliding doors left open; 1 for all else.
     time : ndarray
         When it left the shelf [s], nan where it did not; likewise the three that follow, which are nan too
-        for what the piece takes with it as it turns over, and where `spill` was not asked for them.
+        for what the piece takes with it as it turns over, and for items that were not followed.
     height : ndarray
         Height above the floor of the shelf at that time [m].
     speed : ndarray
@@ -137,10 +137,10 @@ def spill(of: Run | Case, contents: Contents) -> Spill:
     carrier = Carrier.of(case, element_rows(held), shaken.floor, held.body.height)
     if carrier.failed:
         raise InputError("contents.given_up")
-    return spill_of(carrier, held.body, contents, followed=True)
+    return spill_of(carrier, held.body, contents, followed=contents.items)
 
 
-def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: bool) -> Spill:
+def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: int) -> Spill:
     """Return what comes out of a piece that moves as it does.
 
     Parameters
@@ -151,8 +151,8 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: bool
         The piece with its contents.
     contents : Contents
         What is in it.
-    followed : bool
-        Whether to follow what comes out until it leaves its shelf: when, how fast and how far.
+    followed : int
+        Most items of a shelf that are followed until they leave it: when, how fast and how far.
     """
     items, masses = items_of(contents, body, carrier.gravity), contents.masses(body)
     right, above = items.middle
@@ -176,11 +176,10 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: bool
         cases, shaken = items.cases[shelf, exposed], _shaking(point, start, carrier.dt)
         results = run_cases(cases, shaken)
         came, fell = out_of_shelf(items, cases, results), toppled(results)
-        if followed:
-            for place in np.flatnonzero(came):
-                traced = trace(cases[place], shaken)
-                number = np.flatnonzero(exposed)[place]
-                leaving[:, shelf, number] = _leaving(items, traced, point, start, carrier)
+        for place in np.flatnonzero(came)[:followed]:
+            traced = trace(cases[place], shaken)
+            number = np.flatnonzero(exposed)[place]
+            leaving[:, shelf, number] = _leaving(items, traced, point, start, carrier)
         out[shelf, exposed], over[shelf, exposed] = came | carrier.overturned, fell
     time, height, speed, distance = leaving
     return Spill(

@@ -112,7 +112,7 @@ def _share_out(
     rows = _rows_or_none(body, room, option, drawn, settings.gravity)
     if rows is None:
         return np.nan, np.nan, np.nan
-    spilt = [spilt_under(rows, number, floor, body, contents) for number in range(len(drawn))]
+    spilt = [spilt_under(rows, number, floor, body, contents, leaving=False) for number in range(len(drawn))]
     share = share_out(spilt, contents)
     return share.estimate, share.low, share.high
 
