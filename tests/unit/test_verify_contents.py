@@ -97,7 +97,10 @@ def test_it_is_said_in_both_languages(verdict):
     assert "It then stands, but" in verdict.sentence()
     assert "of the books come out" in verdict.sentence()
     assert "倒れなくても、本の" in verdict.sentence("ja")
-    assert any("bounded, not computed" in note for note in verdict.notes())
+    note = next(note for note in verdict.notes() if "bounded, not computed" in note)
+    rigid = verdict.without.contents.rigid
+    assert f"over the {rigid.runs} runs in which they were followed" in note
+    assert f"in {rigid.text} with all of them fixed to it" in note
 
 
 def test_it_is_in_every_file(verdict, tmp_path):
@@ -107,6 +110,10 @@ def test_it_is_in_every_file(verdict, tmp_path):
     leaving = verdict.best.contents.leaving
     assert data["options"][0]["contents"]["contents_leaving_height_m_most"] == leaving.highest
     assert data["options"][0]["contents"]["contents_leaving_speed_m_s_p90"] == leaving.fast
+    assert data["options"][0]["contents"]["contents_runs"] == 4
+    assert (
+        data["options"][0]["contents"]["overturned_contents_fixed_high"] == verdict.best.contents.rigid.high
+    )
     rows = list(csv.DictReader(io.StringIO(verdict.to_csv())))
     assert float(rows[0]["contents_out_share"]) == share
     assert float(rows[0]["contents_leaving_height_m_median"]) == leaving.height

@@ -176,7 +176,8 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: int)
         cases, shaken = items.cases[shelf, exposed], _shaking(point, start, carrier.dt)
         results = run_cases(cases, shaken)
         came, fell = out_of_shelf(items, cases, results), toppled(results)
-        for place in np.flatnonzero(came)[:followed]:
+        first: list[int] = np.flatnonzero(came)[:followed].tolist()
+        for place in first:
             traced = trace(cases[place], shaken)
             number = np.flatnonzero(exposed)[place]
             leaving[:, shelf, number] = _leaving(items, traced, point, start, carrier)

@@ -238,19 +238,25 @@ def contents_data(contents: ContentsVerdict) -> dict[str, float | None]:
     """Return what comes out of the furniture as plain values, by keys that name their units."""
     leaving = contents.leaving
     return {
-        "contents_out_share": number(contents.out.estimate),
-        "contents_out_share_low": number(contents.out.low),
-        "contents_out_share_high": number(contents.out.high),
+        **_chance("contents_out_share", contents.out),
+        "contents_runs": contents.rigid.runs,
         "contents_toppled_share": number(contents.toppled),
         "contents_out_mass_kg": number(contents.mass_out),
         "contents_leaving_height_m_median": None if leaving is None else number(leaving.height),
         "contents_leaving_height_m_most": None if leaving is None else number(leaving.highest),
         "contents_leaving_speed_m_s_median": None if leaving is None else number(leaving.speed),
         "contents_leaving_speed_m_s_p90": None if leaving is None else number(leaving.fast),
-        "overturned_contents_fixed": number(contents.rigid.estimate),
-        "overturned_without_contents": number(contents.emptied.estimate),
-        "overturned_drawers_open": None if contents.opened is None else number(contents.opened.estimate),
+        **_chance("overturned_contents_fixed", contents.rigid),
+        **_chance("overturned_without_contents", contents.emptied),
+        **_chance("overturned_drawers_open", contents.opened),
     }
+
+
+def _chance(key: str, chance: Probability | None) -> dict[str, float | None]:
+    """Return a probability and its interval as plain values; nothing of one that does not apply."""
+    ends = (None,) * 3 if chance is None else (chance.estimate, chance.low, chance.high)
+    names = (key, f"{key}_low", f"{key}_high")
+    return {name: None if end is None else number(end) for name, end in zip(names, ends, strict=True)}
 
 
 def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]:
