@@ -147,6 +147,20 @@ def contents_verdicts(
     ]
 
 
+def runs_of_contents(contents: Contents, motions: int) -> int:
+    """Return how many simulations the contents take for each option: of the piece, and of its items.
+
+    Parameters
+    ----------
+    contents : Contents
+        What is in the furniture.
+    motions : int
+        Motions of the verification.
+    """
+    of_the_piece = 2 if contents.drawers == "none" else 3
+    return min(motions, MOTIONS) * (of_the_piece + contents.levels * contents.items)
+
+
 def first_draws(motions: int, seed: int) -> DrawTable:
     """Return the first draw of each of so many motions, of the first `MOTIONS` where there are more."""
     columns = draws(motions, 1, seed).columns

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, FragilityCurve, Probability
     from stayput.measures import Measure
+    from stayput.scenario import Scenario
     from stayput.verification import AsInstalled, OptionVerdict, Quantiles, Verdict
 
 
@@ -84,23 +85,28 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
                 for load in verdict.estimates.equipment
             ],
         },
-        "everyday": [
-            {
-                "case": case.name,
-                "label": _texts(said),
-                "restoring_moment_n_m": number(case.restoring),
-                "overturning_moment_n_m": number(case.overturning),
-                "margin": number(case.margin),
-                "tips_over": case.tips,
-            }
-            for case, said in everyday_cases(verdict.scenario)
-        ],
+        "everyday": everyday_data(verdict.scenario),
         "assumptions": [
             {"what": entry.what("en"), "value": entry.value("en"), "confidence": entry.confidence}
             for entry in assumptions(verdict)
         ],
         "scenario_toml": verdict.scenario.to_toml(),
     }
+
+
+def everyday_data(scenario: Scenario) -> list[dict[str, Any]]:
+    """Return the cases of tip-over without an earthquake as plain values, the smallest margin first."""
+    return [
+        {
+            "case": case.name,
+            "label": _texts(said),
+            "restoring_moment_n_m": number(case.restoring),
+            "overturning_moment_n_m": number(case.overturning),
+            "margin": number(case.margin),
+            "tips_over": case.tips,
+        }
+        for case, said in everyday_cases(scenario)
+    ]
 
 
 def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
