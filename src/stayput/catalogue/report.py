@@ -169,6 +169,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "対策なしで、結果がちょうど中程度だった計算です。左右とも同じ地震動・同じ標本です。",
     ),
+    "typical_also_falls": (
+        "Of all runs with the measure {share} overturn, and this one does.",
+        "この対策では全計算の{share}が転倒し、この計算でも転倒します。",
+    ),
+    "typical_is_held": (
+        "Of all runs with the measure {share} overturn; this one does not.",
+        "この対策では全計算の{share}が転倒しますが、この計算では転倒しません。",
+    ),
     "worst": ("The worst case", "最悪の場合"),
     "worst_text": (
         "The run that went worst with the best measure, and the same one without it.",

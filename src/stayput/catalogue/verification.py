@@ -81,6 +81,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "stays_where_it_is": ("it stays where it is", "その場に留まります"),
     # what comes out of the furniture: clauses, and sentences that follow the verdict's
     "contents_out": ("{share} of the {contents} come out", "{contents}の{share}が飛び出します"),
+    "contents_leave": (
+        (
+            "where the piece stands, half of them leave from {height} or higher (at most {highest}), "
+            "nine tenths at {fast:.2f} m/s or less"
+        ),
+        (
+            "家具が立っている場合、その半数は高さ{height}以上（最高{highest}）から、"
+            "9割は水平速度{fast:.2f} m/s以下で飛び出します"
+        ),
+    ),
     "contents_stay": ("the {contents} stay inside", "{contents}は飛び出しません"),
     "contents_unknown": ("what the {contents} do is unknown", "{contents}の動きは計算できませんでした"),
     "contents_without": (" ({share} without a measure)", "（対策なしでは{share}）"),
@@ -106,13 +116,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "contents_bound": (
         (
-            "What the contents do to the furniture itself is bounded, not computed: in the runs in which they "
-            "were followed it overturns in {rigid} without a measure with all of them fixed to it, and in "
-            "{emptied} without any.{opened}"
+            "What the contents do to the furniture itself is bounded, not computed: over the {runs} runs in which "
+            "they were followed, one of each motion, it overturns without a measure in {rigid} with all of them "
+            "fixed to it, and in {emptied} without any.{opened}"
         ),
         (
-            "収納物が家具に及ぼす影響は、計算せず幅で示します。収納物を追跡した計算では、対策なしの転倒は、"
-            "すべて固定した場合が{rigid}、空の場合が{emptied}です。{opened}"
+            "収納物が家具に及ぼす影響は、計算せず幅で示します。収納物を追跡した計算（地震動ごとに1回、計{runs}回）"
+            "では、対策なしの転倒は、すべて固定した場合が{rigid}、空の場合が{emptied}です。{opened}"
         ),
     ),
     "drawers_open": (

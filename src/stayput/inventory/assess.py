@@ -380,7 +380,17 @@ def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dic
     summary = summarise(folder / PIECES)
     rows = summary.rows()
     integer, real = pa.int64(), pa.float64()
-    kinds: list[Any] = [pa.string(), pa.string(), pa.int32(), integer, integer, *[real] * 6, integer]
+    kinds: list[Any] = [
+        pa.string(),
+        pa.string(),
+        pa.int32(),
+        integer,
+        integer,
+        *[real] * 6,
+        integer,
+        real,
+        real,
+    ]
     schema = pa.schema(list(zip(COLUMNS, kinds, strict=True)))
     columns: list[Any] = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in COLUMNS]
     with space.durable(folder / SUMMARY[0]) as file:

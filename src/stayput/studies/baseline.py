@@ -251,7 +251,7 @@ class Field:
 
 def field_of(data: xr.Dataset, setting: str) -> Field:
     """Return where a setting lies against the published medians."""
-    known = np.isfinite(data["simulated"]).all("setting")
+    known = data["simulated"].notnull().all("setting")
     simulated = data["simulated"].sel(setting=setting).where(known).to_numpy()
     return Field(
         mean_ratio(simulated / data["formula"].to_numpy()),

@@ -19,6 +19,7 @@ import * as whatif from "./whatif.js";
 import { number, perCent, t } from "./words.js";
 
 const SETTLED = 900,
+  SOON = 150,
   FIRST = ["everyday", "everyday-cases"],
   REST = ["ranking", "fragility", "map"];
 const jobs = line();
@@ -28,6 +29,7 @@ let question = null,
   base = null,
   map = null,
   flight = null,
+  asking = null,
   round = 0,
   mapped = "without";
 
@@ -67,6 +69,32 @@ export function outdated() {
   state("waiting");
   soon();
 }
+
+/** What people do to the piece has changed: returns whether the verdict at hand only needs that told anew. */
+export function everydayChanged() {
+  if (part("understand").dataset.state !== "done") return false;
+  date(FIRST, true);
+  margins();
+  return true;
+}
+
+const margins = settled(SOON, async () => {
+  const mine = round;
+  asking?.abort();
+  const own = (asking = new AbortController()),
+    wanted = () => mine === round && own === asking;
+  if (part("understand").dataset.state !== "done") return;
+  try {
+    const { scene } = question(),
+      said = await patiently(() => api.everyday(part("understand").dataset.job, scene, own.signal), wanted);
+    if (!said || !wanted()) return;
+    base.everyday = result.everyday = said;
+    everyday.show(base);
+    date(FIRST, false);
+  } catch (error) {
+    if (error.name !== "AbortError" && wanted()) outdated(); // the server has forgotten the job
+  }
+});
 
 /** Marks what is shown as of the scene before, or as of this one. */
 const date = (ids, old) => ids.forEach((id) => (part(id).dataset.old = String(old)));
