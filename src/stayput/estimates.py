@@ -200,7 +200,7 @@ def kaneko_hayashi_velocity(width: float, height: float) -> float:
     Examples
     --------
     >>> round(kaneko_hayashi_velocity(0.4, 1.8), 3)
-    0.493
+    0.492
     """
     ratio = _ratio(width, height)
     return width / math.sqrt(height) * (1.0 + ratio) ** 2.5
