@@ -100,3 +100,13 @@ def test_a_link_with_senseless_words_leaves_what_is_usual(browser: Browser, serv
         assert it.page.get_by_label("What the wall offers").input_value() == "stud"
         shown = it.page.locator("#everyday-ask input[type=number]").all()
         assert [one.input_value() for one in shown] == ["0", "27.2", "10000"]
+
+
+def test_what_formulas_and_standards_say(browser: Browser, server: Running) -> None:
+    with opened(browser, server, verify=True) as it:
+        it.go("understand")
+        it.wait("() => document.querySelectorAll('#estimates dt').length === 8")
+        said = it.text("#estimates")
+        for words in ("Kaneko and Hayashi", "class S, ground floor", "AC156", "ASCE 43-05"):
+            assert words in said
+        assert "Peak tilt, median: " in said

@@ -167,8 +167,18 @@ class EquipmentLoadReply(Reply):
     tie_force_n: float
 
 
+class EstimateReply(Reply):
+    """One formula or standard in words."""
+
+    formula: Words
+    says: Words
+    beside: Words = Field(description="The simulation beside it.")
+
+
 class EstimatesReply(Reply):
     """Quick estimates by formulas, for the piece without measures."""
+
+    rows: list[EstimateReply] = Field(description="The same in words.")
 
     rocking_acceleration_m_s2: float
     overturning_velocity_m_s: float

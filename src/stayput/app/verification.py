@@ -12,6 +12,7 @@ from stayput.app.replies import Words
 from stayput.app.running import own_measures
 from stayput.app.verdict_replies import (
     CurveReply,
+    EstimateReply,
     EverydayReply,
     JobReply,
     ObservedReply,
@@ -21,6 +22,7 @@ from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import METHOD, CurveState
 from stayput.measures import MEASURES, hold
 from stayput.report.verdict.data import everyday_data, verdict_data
+from stayput.report.verdict.tables import estimate_rows
 from stayput.scenario import Scenario
 from stayput.scenario.shaking import SuiteTable
 from stayput.verification.contents import runs_of_contents
@@ -154,6 +156,7 @@ def verdict_reply(verdict: Verdict) -> VerdictReply:
         "seconds": round(verdict.seconds, 3),
         "options": [_option_data(result, option, verdict) for result, option in pairs],
         "everyday": everyday_reply(verdict),
+        "estimates": {**data["estimates"], "rows": _estimates(verdict)},
     }
     return VerdictReply.model_validate(data)
 
@@ -168,6 +171,14 @@ def everyday_reply(verdict: Verdict) -> EverydayReply:
     return EverydayReply.model_validate(
         {"sentence": Words.of(everyday_note(verdict)), "cases": everyday_data(verdict.scenario)}
     )
+
+
+def _estimates(verdict: Verdict) -> list[EstimateReply]:
+    rows = zip(estimate_rows(verdict, "en"), estimate_rows(verdict, "ja"), strict=True)
+    return [
+        EstimateReply(formula=formula, says=says, beside=beside)
+        for formula, says, beside in (map(Words.of, zip(*row, strict=True)) for row in rows)
+    ]
 
 
 def _looked_at(verdict: Verdict) -> OptionVerdict:

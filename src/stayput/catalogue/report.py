@@ -269,10 +269,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "asce43": ("ASCE 43-05, approximate sliding", "ASCE 43-05の滑りの略算"),
     "asce43_text": (
-        "slides under {share} of the motions, by {distance} in the median of these",
-        "地震動の{share}で滑る。その距離の中央値は{distance}",
+        "if it only slid: under {share} of the motions, by {distance} in the median of these",
+        "滑りだけが起こるとすれば、地震動の{share}で滑り、その距離の中央値は{distance}",
     ),
-    "asce43_still": ("does not slide under any of the motions", "どの地震動でも滑らない"),
+    "asce43_still": ("would not slide under any of the motions", "どの地震動でも滑らない"),
     "details": ("Each measure", "対策ごとの詳細"),
     "drawing_alt": (
         ("Drawing to scale, seen from the side: {piece}, {width} cm deep and {height} cm high; {label}"),

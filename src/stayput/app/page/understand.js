@@ -5,6 +5,7 @@ import * as api from "./api.js";
 import { patiently } from "./connection.js";
 import { oneOf } from "./controls.js";
 import { fill, part, settled } from "./dom.js";
+import * as estimates from "./estimates.js";
 import * as everyday from "./everyday.js";
 import * as fragility from "./fragility.js";
 import * as keep from "./keep.js";
@@ -20,7 +21,8 @@ import { number, perCent, t } from "./words.js";
 
 const SETTLED = 900,
   SOON = 150,
-  FIRST = ["everyday", "everyday-cases"],
+  MARGINS = ["everyday", "everyday-cases"],
+  FIRST = [...MARGINS, "estimates"],
   REST = ["ranking", "fragility", "map"];
 const jobs = line();
 let question = null,
@@ -73,7 +75,7 @@ export function outdated() {
 /** What people do to the piece has changed: returns whether the verdict at hand only needs that told anew. */
 export function everydayChanged() {
   if (part("understand").dataset.state !== "done") return false;
-  date(FIRST, true);
+  date(MARGINS, true);
   margins();
   return true;
 }
@@ -90,7 +92,7 @@ const margins = settled(SOON, async () => {
     if (!said || !wanted()) return;
     base.everyday = result.everyday = said;
     everyday.show(base);
-    date(FIRST, false);
+    date(MARGINS, false);
   } catch (error) {
     if (error.name !== "AbortError" && wanted()) outdated(); // the server has forgotten the job
   }
@@ -124,6 +126,7 @@ async function work() {
     date(FIRST, false);
     verdict.show(first.result);
     everyday.show(first.result);
+    estimates.show(first.result);
     base = first.result;
     const job = await jobs.run({ ...content, compare_usual: true }, (running) => progress(running.progress));
     if (!job || mine !== round) return;
@@ -199,6 +202,7 @@ export function again(presets) {
   if (base) {
     verdict.show(base);
     everyday.show(base);
+    estimates.show(base);
   }
   if (map) showMap();
   state(part("understand").dataset.state);
