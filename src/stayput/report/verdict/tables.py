@@ -271,15 +271,17 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
     """
     estimates = verdict.estimates
     simulated = numbers.probability(verdict.without.probabilities[OVERTURNED], language)
-    capacity = verdict.without.curves[JMA_INTENSITY].capacity(0.5) if verdict.without.curves else None
     rocking, _ = numbers.angles(verdict.without.tilt, language)
     slid, _ = numbers.slides(verdict.without.slide, verdict.scenario.room.room(), language)
     sliding = estimates.sliding
 
     text = partial(word, language=language)
-    median = numbers.capacity(capacity, language)
     colon = text("colon")
     beside = f"{text('overturned')}{colon}{simulated}"
+    median = ""
+    if verdict.without.curves:  # the first verdict of the page has none
+        capacity = numbers.capacity(verdict.without.curves[JMA_INTENSITY].capacity(0.5), language)
+        median = f"{text('listed')}{text('capacity_short', share='50')}{colon}{capacity}"
     return [
         (
             text("west"),
@@ -298,7 +300,7 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
         (
             text("kaneko"),
             text("kaneko_text", share=numbers.share(estimates.overturning_ratio, language)),
-            f"{beside}{text('listed')}{text('capacity_short', share='50')}{colon}{median}",
+            f"{beside}{median}",
         ),
         *(
             (
