@@ -64,7 +64,8 @@ def wrong_values(allowed):
     if "array" not in types:
         yield [1.0, 2.0, 3.0]
     else:
-        yield []
+        if not any(kind.get("minItems") == 0 for kind in allowed):
+            yield []
         yield [1.0, "a"]
     for kind in allowed:
         if kind.get("type") == "number":
