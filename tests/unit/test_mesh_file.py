@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import sys
-from typing import TYPE_CHECKING
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,9 +13,6 @@ from stayput import Solid
 from stayput.errors import InputError
 from stayput.model.mesh_file import UNITS
 from stayput.model.polyhedron import triangulated
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 trimesh = pytest.importorskip("trimesh", reason="trimesh is not installed")
 
@@ -216,6 +214,15 @@ def test_files_that_are_no_mesh_are_refused(name, content, sentence, tmp_path):
         Solid.from_mesh(file, unit="m", mass=10.0)
     assert name in str(refused.value)
     assert refused.value.field == "file"
+
+
+def test_the_python_of_the_page_runs(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    write_stl(tmp_path / "stone.stl", 1000.0 * SHAPES["cone"].vertices, triangulated(SHAPES["cone"].faces))
+    page = Path(__file__).parents[2] / "docs" / "space.md"
+    (block,) = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    exec(block, {})
+    assert capsys.readouterr().out.count("True") == 6
 
 
 def test_a_file_that_cannot_be_opened_is_refused(tmp_path):
