@@ -45,8 +45,8 @@ def uniform_cone(R: float, r: float, h: float) -> tuple[float, NDArray[np.float6
 def principal_axes(inertia: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the principal moments, shape (3,), and the rotation R, shape (3, 3), whose columns are the axes.
 
-    The tensor is R diag(moments) Rᵀ. R is the rotation of the axes that lies nearest to the identity: each
-    moment stands in the place of the axis of the frame that it lies nearest to.
+    The tensor is R diag(moments) Rᵀ. The axes have the order and the signs that bring R nearest to the
+    identity; of a diagonal tensor it is the identity itself.
 
     Parameters
     ----------

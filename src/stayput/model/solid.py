@@ -172,7 +172,7 @@ class Solid:
     def principal(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Principal moments [kg m²], shape (3,), and the rotation R, shape (3, 3), of the axes: its columns.
 
-        The inertia is R diag(moments) Rᵀ; of the rotations that give it, R lies nearest to the identity.
+        The inertia is R diag(moments) Rᵀ; see `principal_axes`, which brings R near to the identity.
         """
         return principal_axes(self.inertia)
 
