@@ -76,6 +76,9 @@ class Body:
     base_insets : tuple of float
         Distance of the left and the right base corner from the side face above it [m]: feet, casters or a
         plinth stand inside the outline of the piece.
+    length : float, optional
+        Length across the shaking [m] (a bookcase's *width*). Nothing in the plane depends on it;
+        `stayput.Solid.of` makes a body in space with it.
 
     Raises
     ------
@@ -115,6 +118,12 @@ class Body:
         *_OFFSET,
         ("Body base inset", "底の角の内側への距離"),
         "Distance of the left and the right base corner from the side face above it.",
+    )
+    length: float | None = parameter(
+        None,
+        *_SIZE,
+        ("Body length", "家具の幅（length）"),
+        "Length of the piece across the shaking; nothing in the plane depends on it.",
     )
 
     def __post_init__(self) -> None:
