@@ -118,7 +118,8 @@ def bare(scenario: Path, table: Path, threads: int) -> tuple[int, float, float]:
         header = header_of(read.header)
         for number, cells in read.rows:
             (exposure,) = reader.item(number, header.cells(cells)).exposures
-            rows.append(rows_of(*piece_of(exposure.piece), (), drawn, settings.gravity))
+            body, room, _ = piece_of(exposure.piece)
+            rows.append(rows_of(body, room, (), drawn, settings.gravity))
     cases = np.stack([row.cases.reshape(settings.motions, -1) for row in rows])
     elements = np.stack([row.elements.reshape(settings.motions, cases.shape[2], -1) for row in rows])
     pieces = []

@@ -59,7 +59,7 @@ def furniture() -> str:
         for name, preset in FURNITURE.items()
     ]
     heads = ["preset", *(f"{about.label[0]} [{about.unit}]" for about in known)]
-    return validation_run.markdown(heads, rows, "lrrrr")
+    return validation_run.markdown(heads, rows, "lrrrrr")
 
 
 def _number(value: float) -> str:

@@ -277,7 +277,7 @@ def wall_gap_record(study: Study, motion: sp.Motion | None) -> Numbers:
         "gaps": len(gaps),
         "distances": span(gaps, "g"),
         "wall_friction": Wall(0.0).friction,
-        "compared": study.quantities["agree"].paper,
+        "compared": study.quantities["agree"].published,
         "firsts": at_widths(lambda row: f"{row['first [m]']:.2f} ({row['first, paper [m]']:.2f})"),
         "lasts": at_widths(lambda row: f"{row['last [m]']:.2f} ({row['last, paper [m]']:.2f})"),
         "reaches": at_widths(lambda row: f"{float(reach.sel({'body.width': row['b [m]']})):.2f}"),

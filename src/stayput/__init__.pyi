@@ -30,6 +30,7 @@ from .model.room import Ceiling as Ceiling
 from .model.room import Floor as Floor
 from .model.room import Room as Room
 from .model.room import Wall as Wall
+from .model.solid import Solid as Solid
 from .model.state import State as State
 from .motion import Motion as Motion
 from .motion import near_fault as near_fault

@@ -8,15 +8,20 @@ import warnings
 from contextlib import contextmanager
 from contextvars import ContextVar
 from difflib import get_close_matches
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from stayput.catalogue import TEXTS, is_phrase, phrase, say
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterable
+    from collections.abc import Callable, Collection, Generator, Iterable
     from typing import Self
 
+    import numpy as np
+    from numpy.typing import NDArray
+
     from stayput.catalogue import Language, Phrase
+
+T = TypeVar("T")
 
 LONGEST_SENTENCE = 600
 """Longest sentence that is told [characters]; of a longer one the middle is left out."""
@@ -185,6 +190,57 @@ def unknown(name: str | Phrase, value: object, known: Iterable[str], field: str 
     )
 
 
+def word_of(name: str | Phrase, value: object, known: Collection[str], field: str | None = None) -> str:
+    """Return a word that is one of those known, or raise `InputError`; see `finite`."""
+    if not isinstance(value, str) or value not in known:
+        raise unknown(name, value, known, field)
+    return value
+
+
+def instance_of(name: str, value: object, kind: type[T] | tuple[type[T], ...]) -> T:
+    """Return a value of a type, or of one of several, or raise `InputError`.
+
+    Parameters
+    ----------
+    name : str
+        The argument.
+    value : object
+        What was given.
+    kind : type or tuple of type
+        What it must be.
+    """
+    if not isinstance(value, kind):
+        kinds = (kind,) if isinstance(kind, type) else kind
+        wanted = " | ".join(each.__name__ for each in kinds)
+        raise InputError("common.wrong_type", name, name=name, value=repr(value), wanted=wanted)
+    return value
+
+
+def list_of(name: str, values: Any, kind: type | tuple[type, ...] = object) -> tuple[Any, ...]:
+    """Return the items of a list, all of a type, or raise `InputError`; see `instance_of`."""
+    try:
+        if isinstance(values, str | bytes):  # whose items would be letters
+            raise TypeError
+        items: tuple[Any, ...] = tuple(values)
+    except TypeError:
+        raise InputError("common.not_a_list", name, name=name, value=repr(values)) from None
+    for item in items:
+        instance_of(name, item, kind)
+    return items
+
+
+def numbers(name: str | Phrase, values: Any, field: str | None = None) -> NDArray[np.float64]:
+    """Return numbers as a new array of floats, of any shape, or raise `InputError`; see `finite`."""
+    import numpy as np  # which takes its time to load
+
+    try:
+        if isinstance(values, str | bytes):
+            raise TypeError
+        return np.array(values, np.float64)
+    except (TypeError, ValueError):
+        raise InputError("common.not_numbers", field, name=_called(name), value=repr(values)) from None
+
+
 def finite(name: str | Phrase, value: Any, field: str | None = None) -> float:
     """Return ``value`` as a float, or raise `InputError` when it is not a finite number.
 
@@ -199,7 +255,8 @@ def finite(name: str | Phrase, value: Any, field: str | None = None) -> float:
     """
     called = _called(name)
     try:
-        if isinstance(value, str | bytes):  # "50" is a text, and would stay one
+        # "50" is a text, and would stay one; an array of one number, too.
+        if isinstance(value, str | bytes) or getattr(value, "ndim", 0):
             raise TypeError
         number = float(value)
     except (TypeError, ValueError):
@@ -222,6 +279,16 @@ def within(
             "common.not_within", field, name=_called(name), value=number, unit=suffix, low=low, high=high
         )
     return number
+
+
+def whole_within(
+    name: str | Phrase, value: float, low: float, high: float, unit: str = "", field: str | None = None
+) -> int:
+    """Return ``value`` as an int, or raise `InputError` when it is not a whole number in [low, high]."""
+    number = within(name, value, low, high, unit, field)
+    if not number.is_integer():
+        raise InputError("common.not_whole", field, name=_called(name), value=number)
+    return int(number)
 
 
 def _called(name: str | Phrase) -> Phrase:

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 
 from stayput.errors import InputError, finite, within
-from stayput.motion.units import STANDARD_GRAVITY
+from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
 
 LOSS_MODEL_RATIO = 0.79
 """Median velocities of unanchored furniture in FEMA P-58's fragility library over Kaneko and Hayashi's.
@@ -24,7 +24,9 @@ SCATTER = 0.5
 and contact together (common knowledge, not re-checked)."""
 
 
-def _ratio(width: float, height: float) -> float:
+def _ratio(width: float, height: float, gravity: float = STANDARD_GRAVITY) -> float:
+    """Return B/H, after checks of both and of g."""
+    GRAVITY.check(gravity)
     within("model.estimate_width", width, 0.01, 100.0, "m")
     within("model.estimate_height", height, 0.01, 100.0, "m")
     return width / height
@@ -45,14 +47,14 @@ def rocking_acceleration(width: float, height: float, gravity: float = STANDARD_
     Raises
     ------
     InputError
-        A size out of range.
+        A size or a gravity out of range.
 
     Examples
     --------
     >>> round(rocking_acceleration(0.4, 1.8), 3)
     2.179
     """
-    return _ratio(width, height) * gravity
+    return _ratio(width, height, gravity) * gravity
 
 
 def ishiyama_velocity(width: float, height: float, gravity: float = STANDARD_GRAVITY) -> float:
@@ -72,14 +74,14 @@ def ishiyama_velocity(width: float, height: float, gravity: float = STANDARD_GRA
     Raises
     ------
     InputError
-        A size out of range.
+        A size or a gravity out of range.
 
     Examples
     --------
     >>> round(ishiyama_velocity(0.4, 1.8), 3)
     0.31
     """
-    alpha = math.atan(_ratio(width, height))
+    alpha = math.atan(_ratio(width, height, gravity))
     r = 0.5 * math.hypot(width, height)
     # 1 − cos α, without the loss of digits
     raised = 2.0 * math.sin(0.5 * alpha) ** 2
@@ -140,7 +142,7 @@ def kaneko_hayashi_branch(width: float, height: float) -> float:
     Raises
     ------
     InputError
-        A size out of range.
+        A size or a gravity out of range.
     """
     ratio = _ratio(width, height)
     return 1.56 / math.sqrt(height) * (1.0 + ratio) ** -1.5
@@ -173,7 +175,7 @@ def kaneko_hayashi_median(
     >>> round(kaneko_hayashi_median(0.4, 1.8, 0.5), 2), round(kaneko_hayashi_median(0.4, 1.8, 2.0), 2)
     (2.66, 6.19)
     """
-    ratio = _ratio(width, height)
+    ratio = _ratio(width, height, gravity)
     fe = within("model.equivalent_frequency", frequency, 0.0, 1000.0, "Hz")
     if fe <= kaneko_hayashi_branch(width, height):
         return gravity * ratio * (1.0 + ratio)
@@ -193,14 +195,15 @@ def kaneko_hayashi_velocity(width: float, height: float) -> float:
     Raises
     ------
     InputError
-        A size out of range.
+        A size or a gravity out of range.
 
     Examples
     --------
     >>> round(kaneko_hayashi_velocity(0.4, 1.8), 3)
-    0.493
+    0.492
     """
-    return width / math.sqrt(height) * (1.0 + _ratio(width, height)) ** 2.5
+    ratio = _ratio(width, height)
+    return width / math.sqrt(height) * (1.0 + ratio) ** 2.5
 
 
 def kaneko_hayashi(
@@ -232,54 +235,11 @@ def kaneko_hayashi(
     InputError
         A size, a peak or ζ out of range.
     """
-    a, v = (finite(name, value) for name, value in (("PGA", pga), ("PGV", pgv)))
-    for name, value, unit in (("PGA", a, " m/s²"), ("PGV", v, " m/s"), ("ζ", scatter, "")):
+    a, v, zeta = (finite(name, value) for name, value in (("PGA", pga), ("PGV", pgv), ("ζ", scatter)))
+    for name, value, unit in (("PGA", a, " m/s²"), ("PGV", v, " m/s"), ("ζ", zeta, "")):
         if not value > 0.0:
             raise InputError("model.not_positive", name=name, value=value, unit=unit)
     fe = a / (2.0 * math.pi * v)
     median = kaneko_hayashi_median(width, height, fe, gravity)
-    ratio = 0.5 * math.erfc(-math.log(a / median) / (scatter * math.sqrt(2.0)))
+    ratio = 0.5 * math.erfc(-math.log(a / median) / (zeta * math.sqrt(2.0)))
     return OverturningRatio(ratio, median, fe, kaneko_hayashi_branch(width, height))
-
-
-def tie_force(
-    width: float,
-    height: float,
-    mass: float,
-    acceleration: float,
-    tie_height: float,
-    gravity: float = STANDARD_GRAVITY,
-) -> float:
-    """Return the force F = m (a H − g B) / (2 z) of a level tie at height z that holds a body upright [N].
-
-    Moments about the edge it would rock on, at rest; 0 where it does not rock. A rigid tie without slack:
-    a slack or elastic one is loaded by impacts, and takes more.
-
-    Parameters
-    ----------
-    width, height : float
-        B and H [m].
-    mass : float
-        m [kg].
-    acceleration : float
-        The floor's acceleration a [m/s²]; its magnitude counts.
-    tie_height : float
-        z, above the floor [m].
-    gravity : float
-        g [m/s²].
-
-    Raises
-    ------
-    InputError
-        A size, mass or height out of range.
-
-    Examples
-    --------
-    >>> round(tie_force(0.4, 1.8, 100.0, 8.0, 1.8), 1)
-    291.0
-    """
-    _ratio(width, height)
-    within("model.estimate_mass", mass, 0.0, 1e6, "kg")
-    a = abs(finite("model.acceleration", acceleration))
-    z = within("model.tie_height", tie_height, 1e-3, height, "m")
-    return max(mass * (a * height - gravity * width) / (2.0 * z), 0.0)

@@ -10,14 +10,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
+from stayput.errors import instance_of
+from stayput.model.body import Body
 from stayput.model.parameters import check_fields, parameter
-from stayput.motion.units import STANDARD_GRAVITY
+from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
 from stayput.uncertainty import Confidence
-
-if TYPE_CHECKING:
-    from stayput.model.body import Body
 
 PULL, LOAD, ONE_DRAWER, ALL_DRAWERS = "pull", "load", "one_drawer", "all_drawers"
 """Cases: a pull at the top; the load on the front edge; the load on one open drawer; on one of all, open."""
@@ -166,6 +164,11 @@ def tip_over(
     gravity : float
         g [m/s²].
 
+    Raises
+    ------
+    InputError
+        Something else than a body or than what people do, or a gravity out of range.
+
     Examples
     --------
     >>> from stayput import Body
@@ -173,10 +176,12 @@ def tip_over(
     >>> [(case.name, round(case.margin, 2)) for case in tip_over(chest, Everyday(drawers=4))]
     [('all_drawers', 0.76), ('one_drawer', 1.12), ('pull', 1.63)]
     """
-    given = everyday or Everyday()
+    given = Everyday() if everyday is None else instance_of("everyday", everyday, Everyday)
+    instance_of("body", body, Body)
+    GRAVITY.check(gravity)
     _, (lever, below), *_ = body.corners_at_rest
     weight = body.mass * gravity
-    tilt = math.atan2(given.carpet, body.width - sum(body.base_insets))
+    tilt = math.atan2(given.carpet, body.base_width)
     cos, sin = math.cos(tilt), math.sin(tilt)
     restoring = weight * (lever * cos + below * sin)  # the base lies below the centre: below < 0
     load, overhang = given.load * gravity, body.base_insets[1]
@@ -215,6 +220,7 @@ def bearable_load(body: Body, everyday: Everyday, gravity: float = STANDARD_GRAV
     gravity : float
         g [m/s²].
     """
+    instance_of("everyday", everyday, Everyday)
     name = ALL_DRAWERS if everyday.drawers else LOAD
 
     def spare(load: float) -> float:

@@ -24,7 +24,7 @@ from uuid import uuid4
 
 import stayput
 from stayput.catalogue import say
-from stayput.errors import InputError, within
+from stayput.errors import InputError, whole_within
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterable, Iterator
@@ -66,7 +66,7 @@ def thread_count(threads: int | None) -> int:
     """
     if threads is None:
         return cores()
-    return int(within("common.threads", threads, 1, MOST_THREADS, field="threads"))
+    return whole_within("common.threads", threads, 1, MOST_THREADS, field="threads")
 
 
 class Call(Generic[T]):

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.catalogue import phrase
-from stayput.errors import InputError, within
+from stayput.errors import InputError, instance_of, list_of, numbers, whole_within, within
 from stayput.fragility.fallen import estimate_from_counts
+from stayput.model.body import Body
 from stayput.model.room import Room
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.sampling import draws, rows_of
-from stayput.motion.suites import synthetic_suite
+from stayput.motion.suites import Suite, synthetic_suite
 from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.fragility.fallen import IntensityEstimate
-    from stayput.model.body import Body
-    from stayput.motion.suites import Suite
 
 LEVELS: NDArray[np.float64] = np.linspace(4.5, 7.5, 31)
 """JMA intensities that are tried by default: every tenth from 4.5 to 7.5."""
@@ -63,15 +61,15 @@ class Fallen:
     name: str = ""
 
     def __post_init__(self) -> None:
+        instance_of("body", self.body, Body)
+        instance_of("room", self.room, Room)
         total = _count("total", self.total, 1, MOST_PIECES)
-        _count("fell", self.fell, 0, total)
+        object.__setattr__(self, "total", total)
+        object.__setattr__(self, "fell", _count("fell", self.fell, 0, total))
 
 
 def _count(name: str, value: int, low: int, high: int) -> int:
-    number = within(f"fragility.{name}", value, low, high, "", name)
-    if not number.is_integer():
-        raise InputError("common.not_whole", name, name=phrase(f"fragility.{name}"), value=number)
-    return int(number)
+    return whole_within(f"fragility.{name}", value, low, high, "", name)
 
 
 def intensity_from_fallen(
@@ -135,22 +133,25 @@ def intensity_from_fallen(
     >>> 5.7 < found.low < found.intensity < found.high < 7.2
     True
     """
-    if not pieces:
+    kinds = list_of("pieces", pieces, Fallen)
+    if not kinds:
         raise InputError("fragility.no_pieces", "pieces")
-    rows = np.asarray(levels, np.float64)
+    rows = numbers("fragility.level", levels, "levels")
     if rows.ndim != 1 or len(rows) < 3 or not (np.diff(rows) > 0.0).all():
         raise InputError("fragility.levels_of_fallen", "levels", count=rows.size)
     for end in (rows[0], rows[-1]):
         within("fragility.level", float(end), 0.0, 9.0, "", "levels")
     spread = within("fragility.scatter", scatter, 0.0, 1.0, "", "scatter")
     count, number = _count("samples", samples, 1, 10_000), _count("seed", seed, 0, 2**32 - 1)
-    suite = synthetic_suite("crustal", 40, number) if motions is None else motions
+    suite = (
+        synthetic_suite("crustal", 40, number) if motions is None else instance_of("motions", motions, Suite)
+    )
     drawn = draws(len(suite), count, number)
-    cases = [rows_of(kind.body, kind.room, (), drawn, STANDARD_GRAVITY) for kind in pieces]
+    cases = [rows_of(kind.body, kind.room, (), drawn, STANDARD_GRAVITY) for kind in kinds]
     hazard = Hazard(suite, vertical=vertical)
     falls, _ = run_levels(cases, rows, cache(partial(hazard.at, threads=threads)), threads=threads)
     fell = np.array([(kind.overturned & ~kind.missing).sum(axis=2) for kind in falls], np.float64)
     runs = np.array([(~kind.missing).sum(axis=2) for kind in falls], np.float64)
     return estimate_from_counts(
-        rows, fell, runs, [kind.fell for kind in pieces], [kind.total for kind in pieces], spread
+        rows, fell, runs, [kind.fell for kind in kinds], [kind.total for kind in kinds], spread
     )

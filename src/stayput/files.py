@@ -6,10 +6,11 @@ import re
 import secrets
 import shutil
 from contextlib import ExitStack, contextmanager
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError
+from stayput.errors import InputError, instance_of
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Sequence
@@ -36,6 +37,7 @@ def check_target(path: str | Path, suffixes: Sequence[str]) -> Path:
     InputError
         An unknown ending, a folder that does not exist, or a folder in the file's place.
     """
+    instance_of("path", path, (str, PathLike))
     target = Path(path)
     if target.suffix.lower() not in suffixes:
         raise InputError("model.wrong_suffix", file=repr(str(target)), suffixes=", ".join(suffixes))

@@ -269,6 +269,24 @@ def test_a_report_of_a_job(client: httpx.Client) -> None:
         assert job["result"]["headline"][language].split("。")[0].split(";")[0][:20] in answer.text
 
 
+def test_everyday_use_is_told_anew_without_a_run(client: httpx.Client) -> None:
+    scene = {**SCENE, "uncertainty": {"samples": 2}}
+    job = finished(client, {"scene": scene, "measures": BRACKET, "compare_usual": False, "curves": False})
+    where = f"/api/v1/jobs/{job['id']}"
+    client.get(f"{where}/report")  # is kept, and must not be that of the other use
+    other = client.put(f"{where}/everyday", json={"scene": {**scene, "everyday": {"pull": 300.0}}})
+    assert other.status_code == 200, other.text
+    again = client.get(where).json()["result"]
+    assert again["everyday"] == other.json() != job["result"]["everyday"]
+    assert again["options"] == job["result"]["options"]
+    assert "300" in other.json()["sentence"]["en"]
+    report = client.get(f"{where}/report").text.replace("\N{NO-BREAK SPACE}", " ")
+    assert other.json()["sentence"]["en"] in report
+    bad = client.put(f"{where}/everyday", json={"scene": {**scene, "everyday": {"pull": -1.0}}})
+    assert (bad.status_code, bad.json()["field"]) == (422, "scene.everyday.pull")
+    assert client.put(f"/api/v1/jobs/{'0' * 32}/everyday", json={"scene": scene}).status_code == 404
+
+
 def test_numbers_that_are_not_finite_are_null(client: httpx.Client) -> None:
     text = client.post("/api/v1/simulate", json={"scene": SCENE, "measures": BRACKET}).text
     assert "NaN" not in text

@@ -104,7 +104,8 @@ def test_values_and_names_are_in_the_sentence(client: httpx.Client) -> None:
     asked = {"scene": {**SCENE, **changed}, "measures": measures}
     problem = client.post("/api/v1/simulate", json=asked).json()
     assert (
-        problem["message"] == "Screwed L-brackets stands 0.4 m from the wall; the gap must be at most 0.15 m."
+        problem["message"]
+        == "The gap to the wall is 0.4 m; for “Screwed L-brackets” it must be at most 0.15 m."
     )
     assert (
         problem["message_ja"]

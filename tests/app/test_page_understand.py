@@ -158,3 +158,14 @@ def test_a_measure_is_taken_from_the_ranking_and_the_new_verification_stopped(
         it.page.click("#cancel")
     assert it.text("#state") == "Stopped."
     assert it.page.locator("#verify").is_visible()
+
+
+def test_what_this_floor_refuses_stands_below_the_ranking_with_the_reason(
+    browser: Browser, server: Running
+) -> None:
+    with opened(browser, server, "#piece=bookcase&floor=carpet&measures=l_bracket", verify=True) as it:
+        it.go("understand")
+        it.wait("() => document.querySelector('#ranking .impossible') !== null")
+        assert it.page.locator("#ranking .yours").count() == 1
+        told = it.page.locator("#ranking .impossible").all_inner_texts()
+        assert [one for one in told if "gel mats" in one and "carpet" in one]

@@ -163,7 +163,7 @@ def test_dataset_has_units():
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda: Building(structure="brick"), "one of RC, steel, wood, base-isolated"),
+        (lambda: Building(structure="brick"), "one of 'RC', 'steel', 'wood', 'base-isolated'"),
         (lambda: Building(0), "whole number from 1"),
         (lambda: Building(2.5), "whole number from 1"),
         (lambda: Building(period=-1.0), "Building period is -1 s"),
@@ -221,7 +221,7 @@ def test_command_writes_and_says_the_same(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("--structure", "brick"), "one of RC"),
+        (("--structure", "brick"), "one of 'RC'"),
         (("--storey", 99), "from 1 to 10"),
         (("--out", "floor.csv"), "one --storey"),
         (("--plot", "floor.txt"), ".png"),

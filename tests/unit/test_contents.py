@@ -18,6 +18,21 @@ CASE = sp.Case(BODY, sp.Room(left_wall=sp.Wall(0.02)), sp.near_fault().to_intens
 HELD = replace(CASE, measures=(sp.MEASURES["l_bracket"](),))
 
 
+CONTRADICTIONS = [
+    ({"loads": (20.0, 10.0), "shelves": 5}, "number of loads is 2 and that of shelves is 5"),
+    ({"loads": (20.0, 10.0), "mass_share": 0.5}, "30 kg in all and their share of the mass is 0.5"),
+    ({"catch": 30.0}, "30 N, but doors are 'none' and drawers are 'none'"),
+    ({"catch": 30.0, "doors": "sliding"}, "30 N, but doors are 'sliding'"),
+    ({"catch": 30.0, "drawers": "stops"}, "30 N, but doors are 'none' and drawers are 'stops'"),
+    ({"leaf": 0.5, "doors": "hinged"}, "0.5 m, but doors are 'hinged'; they must be one of 'sliding'"),
+    ({"door_mass": 8.0}, "8 kg, but doors are 'none'"),
+    ({"lip": 0.02, "drawers": "stops"}, "lip height is 0.02 m, but drawers are 'stops'"),
+    ({"setback": 0.02, "drawers": "free"}, "0.02 m, but drawers are 'free'"),
+    ({"height": 0.2, "drawers": "free"}, "0.2 m, but drawers are 'free'"),
+]
+"""What contradicts itself, and what the refusal names."""
+
+
 @pytest.mark.parametrize(
     ("given", "message"),
     [
@@ -29,11 +44,29 @@ HELD = replace(CASE, measures=(sp.MEASURES["l_bracket"](),))
         ({"lip": -0.1}, "lip height is -0.1"),
         ({"shelves": 0}, "number of shelves is 0"),
         ({"static_friction": 0.1}, "must not be above the static"),
+        ({"shelves": 2.5}, "must be a whole number"),
+        *CONTRADICTIONS,
     ],
 )
 def test_what_cannot_be_is_refused(given, message):
     with pytest.raises(InputError, match=message):
         sp.Contents(**given)
+
+
+@pytest.mark.parametrize(("given", "message"), CONTRADICTIONS)
+def test_contradictions_of_a_scenario_are_refused_alike(given, message):
+    table = {key: list(value) if isinstance(value, tuple) else value for key, value in given.items()}
+    with pytest.raises(InputError, match=f"contents.*{message}") as refused:
+        Scenario.parse({"furniture": {"preset": "bookcase"}, "contents": table})
+    assert refused.value.told("ja").isascii() is False
+
+
+def test_what_agrees_is_not_refused():
+    assert sp.Contents(loads=(20.0, 10.0), shelves=2).levels == 2
+    assert sp.Contents().levels == 5
+    assert sp.Contents(doors="hinged", catch=50.0, door_mass=8.0, lip=0.02).holding_force == 50.0
+    assert sp.Contents(drawers="catches", catch=50.0).holding_force == 50.0
+    assert sp.Contents(doors="sliding", leaf=0.6, door_mass=8.0).leaf == 0.6
 
 
 def test_what_is_not_given_is_of_the_kind():

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from stayput import InputError
+from stayput import Body, InputError, holding_force
 from stayput.estimates import (
     ishiyama_overturns,
     ishiyama_velocity,
@@ -15,7 +15,6 @@ from stayput.estimates import (
     kaneko_hayashi_branch,
     kaneko_hayashi_median,
     rocking_acceleration,
-    tie_force,
 )
 from stayput.motion.units import STANDARD_GRAVITY
 
@@ -24,12 +23,11 @@ SIZES = [(0.3, 1.8), (0.4, 1.8), (0.6, 1.9), (0.68, 1.82), (1.0, 2.0)]
 
 @pytest.mark.parametrize(("width", "height"), SIZES)
 def test_tie_is_needed_from_the_rocking_acceleration_on(width: float, height: float) -> None:
-    a = rocking_acceleration(width, height)
-    assert tie_force(width, height, 100.0, 0.999 * a, height) == 0.0
-    assert tie_force(width, height, 100.0, 1.001 * a, height) > 0.0
-    high, low = (tie_force(width, height, 100.0, 2.0 * a, z) for z in (height, 0.5 * height))
+    body, limit = Body(width, height), rocking_acceleration(width, height) / STANDARD_GRAVITY
+    assert holding_force(body, 0.999 * limit) == 0.0
+    assert holding_force(body, 1.001 * limit) > 0.0
+    high, low = (holding_force(body, 2.0 * limit, z) for z in (height, 0.5 * height))
     assert low == pytest.approx(2.0 * high)
-    assert tie_force(width, height, 100.0, -2.0 * a, height) == high
 
 
 def test_ishiyama_needs_both_peaks() -> None:
@@ -78,7 +76,9 @@ def test_above_the_branch_only_the_velocity_counts() -> None:
         (lambda: kaneko_hayashi_median(0.4, 1.8, -1.0), "-1 Hz"),
         (lambda: kaneko_hayashi(0.4, 1.8, 0.0, 1.0), "PGA is 0"),
         (lambda: kaneko_hayashi(0.4, 1.8, 1.0, 1.0, scatter=0.0), "ζ is 0"),
-        (lambda: tie_force(0.4, 1.8, 100.0, 5.0, 2.0), "2 m"),
+        (lambda: rocking_acceleration(0.4, 1.8, math.nan), "Gravity is nan"),
+        (lambda: kaneko_hayashi(0.4, 1.8, 1.0, 1.0, -1.0), "Gravity is -1"),
+        (lambda: kaneko_hayashi(0.4, 1.8, 1.0, 1.0, scatter="x"), "ζ is 'x'"),  # type: ignore[arg-type]
         (lambda: ishiyama_overturns(0.4, 1.8, -1.0, 1.0), "-1"),
     ],
 )

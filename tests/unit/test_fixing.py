@@ -41,6 +41,7 @@ def test_links_in_series_share_the_force():
     assert one.stiffness == pytest.approx(75e3)
     assert (one.strength, one.ultimate, one.fails) == (500.0, 0.002, weak.fails)
     assert one == in_series(in_series(strong, weak), rigid)
+    assert in_series(rigid, rigid).stiffness == math.inf
 
 
 def test_there_is_a_link_for_every_wall_and_ceiling():

@@ -31,3 +31,10 @@ def test_preset(name, width, height, lightest, heaviest):
 def test_a_carcass_is_not_heavier_than_the_loaded_piece():
     for preset in FURNITURE.values():
         assert preset.carcass_mass is None or preset.carcass_mass <= preset.mass
+
+
+def test_the_base_is_as_wide_as_its_corners_are_apart():
+    body = Body(0.5, 1.6, base_heights=(0.0, -0.01), base_insets=(0.03, 0.05), cg_offset=(0.02, 0.0))
+    (left, _), (right, _), *_ = body.corners
+    assert body.base_width == pytest.approx(right - left) == pytest.approx(0.42)
+    assert Body(0.5, 1.6).base_width == 0.5

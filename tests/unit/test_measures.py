@@ -105,7 +105,7 @@ def test_numbers_that_contradict_each_other_are_refused(make, message):
         ((AgainstWall(), AwayFromWall()), "both at a distance from the wall"),
         ((LBracket(), LBracketInBoard()), "both on the wall at 1 times the height"),
         ((LowerShelves(), LowerShelves(share=0.1)), "both on the shelves"),
-        (("belt",), "^A measure is 'belt'"),
+        (("belt",), "^measures is 'belt'; it must be of type Measure"),
     ],
 )
 def test_two_measures_for_one_place_are_refused(measures, message):
@@ -120,10 +120,10 @@ def test_two_poles_at_different_places_hold_together():
 @pytest.mark.parametrize(
     ("room", "measure", "message"),
     [
-        (sp.Room(), LBracket(), "needs a wall at the back"),
-        (sp.Room(), Belt(), "needs a wall at the back"),
-        (sp.Room(), AgainstWall(), "needs a wall at the back"),
-        (sp.Room(left_wall=sp.Wall(0.2)), LBracket(), "gap must be at most 0.15 m"),
+        (sp.Room(), LBracket(), "There is no wall behind the piece"),
+        (sp.Room(), Belt(), "There is no wall behind the piece"),
+        (sp.Room(), AgainstWall(), "There is no wall behind the piece"),
+        (sp.Room(left_wall=sp.Wall(0.2)), LBracket(), "it must be at most 0.15 m"),
         (sp.Room(), TensionPole(), "need a ceiling"),
         (sp.Room(ceiling=sp.Ceiling(4.0)), TensionPole(), "have 2.2 m below the ceiling"),
         (sp.Room(), TensionPole(ceiling_height=1.81), "have 0.01 m below the ceiling"),

@@ -56,8 +56,8 @@ def test_figures_and_summary(study):
     islands = study.data["islands"].isel(curve=slice(1, None))
     assert study.quantities["bodies"].value == islands.size
     assert study.quantities["with_islands"].value == int((islands > 0).sum())
-    assert list(study.summary.columns) == ["quantity", "paper", "stayput", "difference"]
-    assert list(study.summary["paper"][:3]) == ["3.032", "6.743", "7.493"]
+    assert list(study.summary.columns) == ["quantity", "published", "stayput", "difference"]
+    assert list(study.summary["published"][:3]) == ["3.032", "6.743", "7.493"]
 
 
 def test_it_writes_what_can_be_read(study, tmp_path):

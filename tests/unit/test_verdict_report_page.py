@@ -140,6 +140,15 @@ def test_the_scenes_are_the_runs_of_the_verdict(page):
     assert [device["kind"] for device in held["devices"]] == ["belt"]
 
 
+def test_a_typical_case_tells_how_often_the_measure_fails(page):
+    verdict, language, text = page
+    chance = verdict.best.probabilities["overturned"]
+    ground = verdict.scenario.shaking.ground(verdict.scenario.folder)
+    held = pairs_of(verdict, ground)[0].sides[1].run
+    key = "typical_also_falls" if held.overturned else "typical_is_held"
+    assert word(key, language, share=share(chance.estimate, language)) in Page(text).words
+
+
 def test_hostile_names_are_only_text():
     title = "</title><script>alert(1)</script>" + "x" * 160
     name = "</script><img src=x onerror=alert(1)> \"'&"

@@ -6,12 +6,17 @@ import csv
 import io
 import json
 
+import numpy as np
 import pytest
 
+import stayput as sp
 from stayput.app.verification import verdict_reply
+from stayput.contents.spill import Spill
 from stayput.report.verdict.html import write_report
 from stayput.scenario import Scenario
 from stayput.verification import verify
+from stayput.verification.contents import Leaving
+from stayput.verification.words import reason
 
 DATA = {
     "furniture": {"preset": "bookcase"},
@@ -38,6 +43,43 @@ def test_each_option_has_a_share_with_its_interval(verdict):
     assert verdict.best.contents.rigid.estimate == 0.0
 
 
+def test_things_leave_a_standing_piece_from_its_shelves(verdict):
+    leaving = verdict.best.contents.leaving
+    assert 0.0 <= leaving.height <= leaving.highest < 1.5
+    assert 0.0 <= leaving.speed <= leaving.fast < 3.0
+    assert "half of them leave from" in reason(verdict.best, verdict, "en")
+    assert "その半数は高さ" in reason(verdict.best, verdict, "ja")
+
+
+def test_the_followed_stand_for_what_comes_off_their_shelf():
+    nan = np.nan
+    standing = stated_spill([[True, True, True], [True, False, False]], [[nan, 0.2, nan], [-0.6, nan, nan]])
+    fallen = stated_spill([[True, True, True], [True, True, True]], np.full((2, 3), nan), overturned=True)
+    leaving = Leaving.of([standing, fallen])
+    assert (leaving.height, leaving.highest) == (0.0, 0.9)
+    assert leaving.speed == pytest.approx(0.2)
+    assert leaving.fast == pytest.approx(np.quantile([0.2, 0.2, 0.2, 0.6], 0.9))
+    assert Leaving.of([fallen]) is None
+    assert Leaving.of([]) is None
+
+
+def stated_spill(out, speed, *, overturned=False):
+    """What came out of two shelves, 0 and 0.9 m high, of which the items with a speed were followed."""
+    speed = np.array(speed)
+    height = np.where(np.isfinite(speed), np.array([[0.0], [0.9]]), np.nan)
+    numbers = {"time": 0.0 * speed, "height": height, "speed": speed, "distance": 0.0 * speed}
+    return Spill(
+        contents=sp.Contents(shelves=2, items=3),
+        overturned=overturned,
+        out=np.array(out),
+        toppled=np.zeros((2, 3), bool),
+        mass=np.ones((2, 3)),
+        open_from=np.zeros(2),
+        open_part=1.0,
+        **numbers,
+    )
+
+
 def test_the_bits_do_not_depend_on_threads(verdict):
     again = verify(Scenario.parse(DATA), levels=[], progress=False, threads=2)
     assert [one.contents for one in again.options] == [one.contents for one in verdict.options]
@@ -55,15 +97,26 @@ def test_it_is_said_in_both_languages(verdict):
     assert "It then stands, but" in verdict.sentence()
     assert "of the books come out" in verdict.sentence()
     assert "倒れなくても、本の" in verdict.sentence("ja")
-    assert any("bounded, not computed" in note for note in verdict.notes())
+    note = next(note for note in verdict.notes() if "bounded, not computed" in note)
+    rigid = verdict.without.contents.rigid
+    assert f"over the {rigid.runs} runs in which they were followed" in note
+    assert f"in {rigid.text} with all of them fixed to it" in note
 
 
 def test_it_is_in_every_file(verdict, tmp_path):
     share = verdict.best.contents.out.estimate
     data = json.loads(verdict.to_json())
     assert data["options"][0]["contents"]["contents_out_share"] == share
+    leaving = verdict.best.contents.leaving
+    assert data["options"][0]["contents"]["contents_leaving_height_m_most"] == leaving.highest
+    assert data["options"][0]["contents"]["contents_leaving_speed_m_s_p90"] == leaving.fast
+    assert data["options"][0]["contents"]["contents_runs"] == 4
+    assert (
+        data["options"][0]["contents"]["overturned_contents_fixed_high"] == verdict.best.contents.rigid.high
+    )
     rows = list(csv.DictReader(io.StringIO(verdict.to_csv())))
     assert float(rows[0]["contents_out_share"]) == share
+    assert float(rows[0]["contents_leaving_height_m_median"]) == leaving.height
     assert "Contents that come out" in verdict.to_markdown()
     page = write_report(verdict, tmp_path / "r.html").read_text(encoding="utf-8")
     assert page.count("Contents that come out") == 1 + len(verdict.options)

@@ -56,3 +56,19 @@ def test_it_lies_above_simulated_sliding():
 def test_refusals():
     with pytest.raises(sp.InputError, match="Friction"):
         sp.asce43_sliding(sp.near_fault(), 0.0)
+
+
+def test_what_leaves_no_friction_is_beyond_the_method():
+    along = sp.sine(3.0, 2.0, 20.0)
+
+    def with_peak(factor):
+        return sp.Motion(along.dt, along.x, z=factor * G * along.x / 3.0)
+
+    assert sp.asce43_sliding(with_peak(2.4), 0.4).effective_friction == pytest.approx(0.4 * 0.04, rel=1e-3)
+    for factor in (2.51, 4.0):
+        with pytest.raises(sp.InputError, match=r"vertical acceleration is .* below 24.5 m/s²"):
+            sp.asce43_sliding(with_peak(factor), 0.4)
+
+
+def test_a_spectrum_that_is_above_from_the_first_frequency_on_has_no_distance():
+    assert math.isnan(sp.asce43_sliding(sp.sine(3.0, 0.1, 60.0), 0.01).distance)

@@ -62,7 +62,7 @@ def test_where_the_base_slides_coulombs_law_overturns_less(table):
 
 def test_the_summary_has_the_papers_coefficients(study):
     rows = study.summary.set_index("quantity")
-    assert rows.loc["c₁ of the regression", "paper"] == "6.898"
+    assert rows.loc["c₁ of the regression", "published"] == "6.898"
     off = study.quantities["c1"].value - EQUATION_4_1[0]
     assert float(rows.loc["c₁ of the regression", "difference"]) == pytest.approx(off, abs=1e-3)
     assert study.quantities["never"].value == 0

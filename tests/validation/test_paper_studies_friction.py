@@ -66,8 +66,8 @@ def test_no_sine_gives_the_papers_three_slides(study):
     for key in ("held", "paper", "coulomb"):
         assert study.quantities[f"deviation_{key}"].value > 5.0
         slides = [study.quantities[f"slide_{row}_{key}"] for row in (1, 2, 3)]
-        assert [slide.paper for slide in slides] == pytest.approx([5.44, 3.10, 2.34])
-        largest = max(abs(slide.value / slide.paper - 1.0) for slide in slides)
+        assert [slide.published for slide in slides] == pytest.approx([5.44, 3.10, 2.34])
+        largest = max(abs(slide.value / slide.published - 1.0) for slide in slides)
         assert 100.0 * largest == pytest.approx(study.quantities[f"deviation_{key}"].value)
 
 
@@ -76,7 +76,7 @@ def test_static_friction_matters_more_for_longer_where_the_body_may_rock(study):
     for key, static_wins in (("held", False), ("paper", True), ("coulomb", True)):
         by_static, by_kinetic = (study.quantities[f"by_{name}_{key}"] for name in ("static", "kinetic"))
         assert (by_static.value > by_kinetic.value) is static_wins
-        assert by_static.paper > by_kinetic.paper
+        assert by_static.published > by_kinetic.published
     table = study.data.to_dataframe()
     table = table[(table["part"] == "search") & (table["phase"] == 90.0)]
     slides = table.set_index(["body", "static_friction", "kinetic_friction"])["peak_slide"].sort_index()

@@ -42,7 +42,7 @@ def test_t_and_n(kobe, b, letter):
     row = kobe.tables["T or N and the wall distances [m], law 'paper'"].set_index("b [m]").loc[b]
     assert row["paper"][0] == row["left, as recorded"][0] == letter
     agree = kobe.quantities["agree"]
-    assert (agree.value, agree.paper) == (10, 10)
+    assert (agree.value, agree.published) == (10, 10)
 
 
 @needs_record
@@ -69,7 +69,7 @@ def test_the_last_distances_are_shown_with_their_differences(kobe):
         assert table["last, paper [m]"][b] == last
         assert table["difference of last [m]"][b] == pytest.approx(mine - last, abs=1e-9)
         shown = kobe.quantities[f"last_{b:g}"]
-        assert (shown.value, shown.paper) == (pytest.approx(mine), last)
+        assert (shown.value, shown.published) == (pytest.approx(mine), last)
 
 
 @needs_record

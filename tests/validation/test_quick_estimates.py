@@ -18,7 +18,6 @@ from stayput.estimates import (
     kaneko_hayashi_branch,
     kaneko_hayashi_median,
     rocking_acceleration,
-    tie_force,
 )
 
 SIZES = [(0.3, 1.8), (0.4, 1.8), (0.6, 1.9), (0.68, 1.82), (1.0, 2.0)]
@@ -82,4 +81,4 @@ def test_simulated_body_starts_to_rock_at_wests_acceleration(width: float, heigh
 def test_tie_force_by_hand() -> None:
     # moments about the rear edge, 100 kg: 8.0 m/s² at 0.9 m, weight at 0.2 m, tie at 1.8 m
     by_hand = (100.0 * 8.0 * 0.9 - 100.0 * 9.80665 * 0.2) / 1.8
-    assert tie_force(0.40, 1.80, 100.0, 8.0, 1.80) == pytest.approx(by_hand)
+    assert sp.holding_force(sp.Body(0.40, 1.80, 100.0), 8.0 / 9.80665) == pytest.approx(by_hand)

@@ -13,6 +13,8 @@ import stayput as sp
 from stayput.contents.carrier import Carrier
 from stayput.contents.contents import DOORS
 from stayput.measures import element_rows, hold
+from stayput.mechanics.columns import COULOMB
+from stayput.mechanics.runner import shaking
 from stayput.simulation.flat_fields import case_columns
 from stayput.studies.contents import contents
 
@@ -24,7 +26,8 @@ SQUAT = sp.Body(1.0, 0.02)
 def carrier(body: sp.Body, room: sp.Room, motion: sp.Motion, **state: float) -> Carrier:
     held = hold(body, room, ())
     case = case_columns(body, room, sp.State(**state), G)[0]
-    return Carrier.of(case, element_rows(held), motion, body.height)
+    floor = shaking(motion.x, motion.z, motion.dt, COULOMB).floor
+    return Carrier.of(case, element_rows(held), floor, body.height)
 
 
 def on_a_shelf(moved: Carrier, height: float, right: float = 0.0, slope: float = 0.0) -> sp.Motion:

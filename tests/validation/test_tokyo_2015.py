@@ -122,7 +122,7 @@ def test_what_does_not_come_out_is_said(kobe, found):
     assert list(table["comes out"]) == [claim.outcome for claim in said]
     for place, claim in enumerate(said, 1):
         shown = kobe.quantities[f"claim_{place}"]
-        assert (shown.value, shown.paper) == (claim.ours, claim.published)
+        assert (shown.value, shown.published) == (claim.ours, claim.published)
         assert shown.label.endswith(f"comes out: {claim.outcome}")
     assert float(found["overturned"].sel(device=named(POLES), level=REDUCED).max()) < 0.2
 

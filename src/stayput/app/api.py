@@ -17,6 +17,7 @@ from stayput.app.presets import presets
 from stayput.app.refusals import refused
 from stayput.app.replies import MotionReply, PingReply, PresetsReply, PreviewReply
 from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotations
+    EverydayRequest,
     SimulateRequest,
     SizeMapRequest,
     TomlRequest,
@@ -28,8 +29,8 @@ from stayput.app.scenes import uploaded_motions
 from stayput.app.service import Service, json_response, problems
 from stayput.app.size_map import size_map
 from stayput.app.uploads import read_upload
-from stayput.app.verdict_replies import JobReply
-from stayput.app.verification import job_reply, runs_of, with_options
+from stayput.app.verdict_replies import EverydayReply, JobReply
+from stayput.app.verification import everyday_reply, job_reply, runs_of, with_everyday, with_options
 from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annotations
 from stayput.report.verdict.tables import verdict_csv
 from stayput.verification import verify
@@ -226,6 +227,21 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
             raise refused(409, "app.no_report_yet", state=job.state)
         return job, job.verdict
 
+    @router.put(
+        "/jobs/{name}/everyday",
+        response_model=EverydayReply,
+        tags=["verification"],
+        responses=problems(400, 404, 409, 413, 422, 503),
+    )
+    async def put_everyday(name: Name, body: EverydayRequest) -> Response:
+        """Put another scene's everyday use into a verdict that is done, whose runs it has no part in."""
+        done(name)
+        scenario = await service.workers.run(service.scene, body.scene, [])
+        job, verdict = done(name)
+        changed = with_everyday(verdict, scenario.everyday)
+        job.verdict, job.reports = changed, {}
+        return await service.workers.run(lambda: json_response(everyday_reply(changed)))
+
     @router.get(
         "/jobs/{name}/report",
         response_class=Response,
@@ -235,11 +251,12 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     async def report(name: Name, lang: Annotated[Language, Query()] = "en") -> Response:
         """Return the report of a job: one HTML file."""
         job, verdict = done(name)
+        reports = job.reports  # those of this verdict
 
         def work() -> Response:
-            if lang not in job.reports:
-                job.reports[lang] = report_page(verdict, lang, service.motions)
-            answer = attachment(job.reports[lang], "stayput_report.html", "text/html; charset=utf-8")
+            if lang not in reports:
+                reports[lang] = report_page(verdict, lang, service.motions)
+            answer = attachment(reports[lang], "stayput_report.html", "text/html; charset=utf-8")
             answer.headers["Content-Security-Policy"] = REPORT_POLICY
             return answer
 

@@ -63,6 +63,12 @@ class VerifyRequest(Request):
     )
 
 
+class EverydayRequest(Request):
+    """A scene of which only what people do to the piece has changed since it was verified."""
+
+    scene: SceneData
+
+
 class TomlRequest(Request):
     """A scene to be written as a scenario file."""
 

@@ -61,6 +61,7 @@ def scaled_body(body: Body, across: float, up: float) -> Body:
         float(np.clip(area * body.mass, *MASS_RANGE)),
         (across * body.cg_offset[0], up * body.cg_offset[1]),
         base_heights=body.base_heights,
+        length=body.length,
     )
     return replace(grown, inertia=ratio * grown.uniform_inertia)
 

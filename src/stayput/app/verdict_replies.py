@@ -95,11 +95,22 @@ class ContentsReply(Reply):
     contents_out_share: float | None
     contents_out_share_low: float | None
     contents_out_share_high: float | None
+    contents_runs: int = Field(description="Runs in which the contents were followed.")
     contents_toppled_share: float | None
     contents_out_mass_kg: float | None
+    contents_leaving_height_m_median: float | None = Field(description="Of what leaves a piece that stands.")
+    contents_leaving_height_m_most: float | None
+    contents_leaving_speed_m_s_median: float | None = Field(description="Horizontal, beside the floor.")
+    contents_leaving_speed_m_s_p90: float | None
     overturned_contents_fixed: float | None
+    overturned_contents_fixed_low: float | None
+    overturned_contents_fixed_high: float | None
     overturned_without_contents: float | None
+    overturned_without_contents_low: float | None
+    overturned_without_contents_high: float | None
     overturned_drawers_open: float | None
+    overturned_drawers_open_low: float | None
+    overturned_drawers_open_high: float | None
 
 
 class AsInstalledReply(Reply):
@@ -156,8 +167,18 @@ class EquipmentLoadReply(Reply):
     tie_force_n: float
 
 
+class EstimateReply(Reply):
+    """One formula or standard in words."""
+
+    formula: Words
+    says: Words
+    beside: Words = Field(description="The simulation beside it.")
+
+
 class EstimatesReply(Reply):
     """Quick estimates by formulas, for the piece without measures."""
+
+    rows: list[EstimateReply] = Field(description="The same in words.")
 
     rocking_acceleration_m_s2: float
     overturning_velocity_m_s: float

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,19 +12,23 @@ from stayput.app.replies import Words
 from stayput.app.running import own_measures
 from stayput.app.verdict_replies import (
     CurveReply,
+    EstimateReply,
+    EverydayReply,
     JobReply,
     ObservedReply,
     VerdictReply,
 )
 from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import METHOD, CurveState
-from stayput.measures import MEASURES
-from stayput.report.verdict.data import verdict_data
+from stayput.measures import MEASURES, hold
+from stayput.report.verdict.data import everyday_data, verdict_data
+from stayput.report.verdict.tables import estimate_rows
 from stayput.scenario import Scenario
 from stayput.scenario.shaking import SuiteTable
+from stayput.verification.contents import runs_of_contents
 from stayput.verification.grades import weakest
 from stayput.verification.notes import everyday_note, shaken_notes
-from stayput.verification.options import YOURS, options_of, usual_options
+from stayput.verification.options import YOURS, compared_options, options_of, usual
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -34,6 +39,7 @@ if TYPE_CHECKING:
     from stayput.app.limits import Limits
     from stayput.fragility import FragilityCurve
     from stayput.measures import Measure
+    from stayput.scenario.tables import EverydayTable
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
 
@@ -42,7 +48,7 @@ CURVE_POINTS = 96
 
 
 def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) -> Scenario:
-    """Return a scene with all options that are to be compared.
+    """Return a scene with all options that are to be compared; not all usual ones need be possible.
 
     Parameters
     ----------
@@ -56,7 +62,7 @@ def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) 
     Raises
     ------
     InputError
-        A measure that cannot be applied.
+        A measure of the user's that cannot be applied.
     """
     own = own_measures(scenario)
     if not own:
@@ -65,14 +71,14 @@ def with_options(scenario: Scenario, data: dict[str, Any], compare_usual: bool) 
     tables: list[dict[str, Any]] = [{"name": YOURS, "combine": [table_of(measure) for measure in own]}]
     seen = {own}
     alone = [(measure,) for measure in own]
-    usual = usual_options(scenario.furniture.body(), scenario.room.room()) if compare_usual else ()
-    for measures in (*alone, *(option.measures for option in usual)):
+    body, room = scenario.furniture.body(), scenario.room.room()
+    for measures in (own, *alone):
+        hold(body, room, measures)
+    for measures in (*alone, *(option.measures for option in usual() if compare_usual)):
         if measures not in seen:
             seen.add(measures)
             tables.append(_option(measures, {table.get("name") for table in tables}))
-    extended = Scenario.parse({**data, "measures": tables}, scenario.folder)
-    options_of(extended)
-    return extended
+    return Scenario.parse({**data, "measures": tables}, scenario.folder)
 
 
 def _option(measures: tuple[Measure, ...], taken: set[Any]) -> dict[str, Any]:
@@ -99,7 +105,8 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
     RefusedError
         More than this server allows.
     """
-    options, shaking = len(options_of(scenario)), scenario.shaking
+    (compared, _), shaking = compared_options(scenario), scenario.shaking
+    options = len(compared)
     motions = 1
     if shaking.of_a_suite:
         made = SuiteTable() if shaking.suite is None or isinstance(shaking.suite, str) else shaking.suite
@@ -107,6 +114,8 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
     most = max(1, -(-scenario.uncertainty.samples // motions))
     badly = 1 if scenario.uncertainty.badly(1.0) > 0.0 else 0
     runs = options * motions * most * (1 + badly + levels)
+    if scenario.contents is not None:
+        runs += options * runs_of_contents(scenario.contents, motions)
     if runs > limits.runs:
         raise refused(422, "app.many_runs", "scene.uncertainty.samples", runs=runs, most=limits.runs)
     return runs
@@ -146,9 +155,30 @@ def verdict_reply(verdict: Verdict) -> VerdictReply:
         "intensity": data["jma_intensity"],
         "seconds": round(verdict.seconds, 3),
         "options": [_option_data(result, option, verdict) for result, option in pairs],
-        "everyday": {"sentence": Words.of(everyday_note(verdict)), "cases": data["everyday"]},
+        "everyday": everyday_reply(verdict),
+        "estimates": {**data["estimates"], "rows": _estimates(verdict)},
     }
     return VerdictReply.model_validate(data)
+
+
+def with_everyday(verdict: Verdict, everyday: EverydayTable) -> Verdict:
+    """Return a verdict on the same piece with which people do something else."""
+    return replace(verdict, scenario=verdict.scenario.model_copy(update={"everyday": everyday}))
+
+
+def everyday_reply(verdict: Verdict) -> EverydayReply:
+    """Return what the piece of a verdict withstands without an earthquake."""
+    return EverydayReply.model_validate(
+        {"sentence": Words.of(everyday_note(verdict)), "cases": everyday_data(verdict.scenario)}
+    )
+
+
+def _estimates(verdict: Verdict) -> list[EstimateReply]:
+    rows = zip(estimate_rows(verdict, "en"), estimate_rows(verdict, "ja"), strict=True)
+    return [
+        EstimateReply(formula=formula, says=says, beside=beside)
+        for formula, says, beside in (map(Words.of, zip(*row, strict=True)) for row in rows)
+    ]
 
 
 def _looked_at(verdict: Verdict) -> OptionVerdict:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
+from numbers import Real
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +13,7 @@ from stayput.building.isolation import Isolation
 from stayput.building.model import AMPLIFICATION_RANGE, MOST_STOREYS, ShearModel
 from stayput.building.modes import natural_modes, strain_energy_damping
 from stayput.building.shears import ai_distribution, spectral_factor, storey_stiffnesses, weight_above
-from stayput.errors import InputError
+from stayput.errors import InputError, instance_of, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
 from stayput.motion.units import STANDARD_GRAVITY
 
@@ -150,13 +151,13 @@ class Building:
     )
 
     def __post_init__(self) -> None:
-        if self.structure not in STRUCTURES:
-            known = ", ".join(STRUCTURES)
-            raise InputError("building.structure", "structure", structure=repr(self.structure), known=known)
-        if self.storeys not in range(1, MOST_STOREYS):
+        word_of("building.structure", self.structure, STRUCTURES, "structure")
+        if not isinstance(self.storeys, Real) or self.storeys not in range(1, MOST_STOREYS):
             most = MOST_STOREYS - 1
             raise InputError("building.storeys", "storeys", storeys=repr(self.storeys), most=most)
         object.__setattr__(self, "storeys", int(self.storeys))
+        instance_of("nonlinear", self.nonlinear, bool)
+        instance_of("isolation", self.isolation, Isolation)
         if not self.nonlinear and (self.yield_coefficient is not None or self.post_yield is not None):
             raise InputError("building.needs_nonlinear", "nonlinear")
         check_fields(self)

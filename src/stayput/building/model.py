@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from numbers import Real
 from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
 from stayput.building.modes import ModalModel, Modes, natural_modes
-from stayput.errors import InputError, InputWarning, quoted, warn
+from stayput.errors import InputError, InputWarning, instance_of, list_of, quoted, warn
 from stayput.execution import Call, ThreadExecutor
 from stayput.model.parameters import parameter, parameter_of, quantity
 from stayput.motion.integrals import peak_velocity
@@ -90,6 +91,7 @@ class ShearModel:
     name: str = ""
 
     def __post_init__(self) -> None:
+        instance_of("isolated", self.isolated, bool)
         masses = self._row("masses", self.masses)
         if not int(self.isolated) < len(masses) <= MOST_STOREYS:
             least = 1 + int(self.isolated)
@@ -105,8 +107,9 @@ class ShearModel:
 
     def _row(self, field: str, given: float | Sequence[float]) -> tuple[float, ...]:
         """Check a field, and set it to a tuple of floats, one for each mass."""
-        about, wanted = parameter_of(ShearModel, field), len(tuple(self.masses))
-        values = (given,) * wanted if isinstance(given, int | float) else tuple(given)
+        about, wanted = parameter_of(ShearModel, field), len(list_of("masses", self.masses))
+        number = isinstance(given, Real) and field != "masses"
+        values = (given,) * wanted if number else list_of(field, given)
         if (count := len(values)) != wanted:
             raise InputError("building.model_values", field, name=about.label, count=count, wanted=wanted)
         row = tuple(about.check(value) for value in values)

@@ -43,6 +43,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "runs",
         "scenario",
         "simulation",
+        "solids",
         "standards",
         "studies",
         "verification",

@@ -2,10 +2,7 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # Refusals
-    "structure": (
-        "The structure is {structure}; it must be one of {known}.",
-        "建物の構造が{structure}になっています。次から選んでください：{known}",
-    ),
+    "structure": ("The structure", "建物の構造"),
     "storeys": (
         "The number of storeys is {storeys}; it must be a whole number from 1 to {most}.",
         "建物の階数が{storeys}になっています。1～{most}の整数にしてください。",

@@ -26,6 +26,18 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; it must be a number.",
         "{name}が{value}になっています。数値を指定してください。",
     ),
+    "not_numbers": (
+        "{name} is {value}; it must be numbers.",
+        "{name}が{value}になっています。数値の並びを指定してください。",
+    ),
+    "wrong_type": (
+        "{name} is {value}; it must be of type {wanted}.",
+        "{name}が{value}になっています。{wanted}型の値を指定してください。",
+    ),
+    "not_a_list": (
+        "{name} is {value}; it must be a list.",
+        "{name}が{value}になっています。リストを指定してください。",
+    ),
     "not_finite": (
         "{name} is {value}; it must be a finite number.",
         "{name}が{value}になっています。有限の数値を指定してください。",

@@ -8,6 +8,35 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Doors are {doors!r} and drawers are {drawers!r}; contents are behind doors or in drawers, not both.",
         "扉が{doors!r}、引き出しが{drawers!r}になっています。どちらか一方だけを指定してください。",
     ),
+    "no_catch": (
+        (
+            "The catch holds {catch:g} N, but doors are {doors!r} and drawers are {drawers!r}; a catch needs "
+            "hinged doors, or drawers with catches."
+        ),
+        (
+            "留め具の保持力が{catch:g} Nですが、扉が{doors!r}、引き出しが{drawers!r}になっています。留め具は開き戸か"
+            "留め具付きの引き出しにだけ指定してください。"
+        ),
+    ),
+    "without_doors": (
+        "The {name} is {value:g} {unit}, but doors are {doors!r}; they must be one of {needed}.",
+        "{name}が{value:g} {unit}ですが、扉が{doors!r}になっています。扉を次のいずれかにしてください：{needed}",
+    ),
+    "in_drawers": (
+        "The {name} is {value:g} m, but drawers are {drawers!r}; it is for things on shelves, so give only one of the two.",
+        (
+            "{name}が{value:g} m、引き出しが{drawers!r}になっています。"
+            "前者は棚に置いた物のための値です。どちらか一方だけを指定してください。"
+        ),
+    ),
+    "loads_and_shelves": (
+        "The number of loads is {loads} and that of shelves is {shelves}; give one load for each shelf.",
+        "荷重の数が{loads}、棚の数が{shelves}になっています。棚ごとに荷重を1つ指定してください。",
+    ),
+    "loads_and_share": (
+        "The loads are {loads:g} kg in all and their share of the mass is {share:g}; give only one of the two.",
+        "荷重の合計が{loads:g} kg、質量の割合が{share:g}になっています。どちらか一方だけを指定してください。",
+    ),
     "no_loads": (
         "There is no load; give the load of at least one shelf.",
         "棚の荷重がありません。1段以上の荷重を指定してください。",
@@ -17,15 +46,15 @@ TEXTS: dict[str, tuple[str, str]] = {
         "収納物の動摩擦係数は{kinetic:g}です。静止摩擦係数（{static:g}）以下にしてください。",
     ),
     "too_heavy": (
-        "The loads of the shelves are {loads:g} kg in all; the furniture with them weighs {mass:g} kg.",
-        "棚の荷重の合計が{loads:g} kgになっています。家具の質量（収納物を含む）は{mass:g} kgです。",
+        "The loads of the shelves are {loads:g} kg in all; they must be less than the mass of the furniture with them, {mass:g} kg.",
+        "棚の荷重の合計が{loads:g} kgになっています。家具の質量（収納物を含む、{mass:g} kg）より小さくしてください。",
     ),
     "needs_coulomb": (
         "The contact is '{contact}'; following what is in furniture needs 'coulomb'.",
         "接触モデル（contact）が「{contact}」です。収納物の計算には「coulomb」を指定してください。",
     ),
     "given_up": (
-        "The furniture's run was given up, so that its contents cannot be followed.",
+        "The run of the furniture was given up; its contents cannot be followed.",
         "家具の計算が打ち切られたため、収納物の動きを計算できません。",
     ),
 }

@@ -2,7 +2,6 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # the call
-    "slide_limit": ("Slide limit", "移動量の上限"),
     "memory": ("Memory", "メモリ"),
     "memory_format": (
         "The memory is {memory}; it must be written like 2GB.",
@@ -152,6 +151,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "load, spread evenly, or of each shelf from the lowest up, as 10;10;5 [kg]",
         "積載物の質量（等分布、または下の棚から順に10;10;5のように） [kg]",
     ),
+    "column_contents": (
+        "what is inside, as books or dishes: how much of it comes out is computed; none for nothing",
+        "収納物（books、dishesなど）：飛び出す割合を計算（なしはnone）",
+    ),
+    "column_doors": ("doors before the contents, as hinged", "収納物の前の扉（hingedなど）"),
+    "column_drawers": ("drawers with the contents, as stops", "収納物の入った引き出し（stopsなど）"),
+    "column_lip": ("height of a lip along the shelves' front edge [m]", "棚の前縁の高さ [m]"),
     "column_floor": ("a surface, or static;kinetic friction", "床材、または静止;動摩擦係数"),
     "column_gap": ("distance to the wall behind [m]", "背後の壁とのすき間 [m]"),
     "column_wall": (
@@ -229,6 +235,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "wall_without_gap": (
         "gap is missing; a wall needs it where the scenario has no wall behind.",
         "gapがありません。シナリオに背後の壁がないとき、wallには必要です。",
+    ),
+    "contents_missing": (
+        "contents is missing; {name} needs it where the scenario has none.",
+        "contentsがありません。シナリオに収納物がないとき、{name}には必要です。",
     ),
     "place_missing": (
         "{name} is missing; it must be given where there are stations or a shake map.",

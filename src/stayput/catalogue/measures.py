@@ -1,16 +1,12 @@
 """Measures: why one cannot be put in place. What they are called stands beside their parameters."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    "parameter": ("{measure} {name}", "「{measure}」の{name}"),
+    "parameter": ("“{measure}” {name}", "「{measure}」の{name}"),
     "wrong_word": (
         "{name} is {value}; it must be {words}.",
         "{name}が{value}になっています。次のいずれかにしてください：{words}",
     ),
     "or": (" or ", "、"),
-    "no_measure": (
-        "A measure is {value}; it must be one of stayput.measures.",
-        "対策として{value}が指定されています。stayput.measuresのいずれかを指定してください。",
-    ),
     "twice": (
         "{measure} is given twice, both {place}; only one of them can be there.",
         "「{measure}」が2回指定されています。同じ場所（{place}）に使えるのは1つだけです。",
@@ -76,11 +72,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # Measures whose numbers do not go with the piece, the room or each other
     "no_wall": (
-        "{measure} needs a wall at the back; the room must have a left_wall.",
+        "There is no wall behind the piece; for “{measure}” the room must have a back_wall.",
         "「{measure}」には背面の壁が必要です。",
     ),
     "too_far": (
-        "{measure} stands {gap:g} m from the wall; the gap must be at most {most:g} m.",
+        "The gap to the wall is {gap:g} m; for “{measure}” it must be at most {most:g} m.",
         "家具と壁のすき間が{gap:g} mあります。「{measure}」を使うには{most:g} m以下にしてください。",
     ),
     "no_ceiling": (
@@ -96,37 +92,37 @@ TEXTS: dict[str, tuple[str, str]] = {
         "「{measure}」はカーペットや畳には粘着しません。硬く平らな床で使ってください。",
     ),
     "setback": (
-        "{measure} setback is {setback:g} m; it must be at most the width, {width:g} m.",
+        "“{measure}” setback is {setback:g} m; it must be at most the width, {width:g} m.",
         "「{measure}」の背面からの距離は{setback:g} mです。家具の奥行き（{width:g} m）以下にしてください。",
     ),
     "anchor": (
         (
-            "{measure} angle is {angle:.3g} rad, which puts its anchor at {height:.3g} m; "
+            "“{measure}” angle is {angle:.3g} rad, which puts its anchor at {height:.3g} m; "
             "it must be between floor and ceiling."
         ),
         "「{measure}」の壁側の取付け位置が高さ{height:.3g} mになります。床と天井の間になる角度にしてください。",
     ),
     "preload": (
-        "{measure} preload is {preload:g} N; it must be below the ceiling's strength, {strength:g} N.",
+        "“{measure}” preload is {preload:g} N; it must be below the ceiling's strength, {strength:g} N.",
         "「{measure}」の突っ張り力は{preload:g} Nです。天井の強さ（{strength:g} N）より小さくしてください。",
     ),
     "length": (
-        "{measure} have {space:g} m below the ceiling; it must be between {low:g} and {high:g} m.",
+        "{measure} have {space:g} m below the ceiling; that must be between {low:g} and {high:g} m.",
         "家具と天井の間が{space:g} mです。「{measure}」を使うには{low:g}～{high:g} mにしてください。",
     ),
     "height": (
-        "{measure} height is {height:g} m; it must be at most the piece's, {most:g} m.",
+        "“{measure}” height is {height:g} m; it must be at most the piece's, {most:g} m.",
         "「{measure}」の高さは{height:g} mです。家具の高さ（{most:g} m）以下にしてください。",
     ),
     "share": (
-        "{measure} share is {share:g}; so much is not in the upper half of this piece.",
+        "“{measure}” share is {share:g}; it must be no more than the upper half of this piece holds.",
         (
             "「{measure}」の割合は{share:g}ですが、この家具の上半分にはそれだけの重さがありません。"
             "小さくしてください。"
         ),
     ),
     "kinetic_above_static": (
-        "{measure} kinetic_friction is {kinetic:g}; it must not be above static_friction, {static:g}.",
+        "“{measure}” kinetic_friction is {kinetic:g}; it must not be above static_friction, {static:g}.",
         "「{measure}」の動摩擦係数は{kinetic:g}です。静止摩擦係数（{static:g}）以下にしてください。",
     ),
 }

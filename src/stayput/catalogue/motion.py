@@ -319,10 +319,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "目標スペクトルの周期が{periods}個、Saが{values}個です。同じ数で、2個以上にしてください。",
     ),
-    "target_level": (
-        "The level is {level!r}; it must be one of {known}.",
-        "地震動のレベルが「{level}」になっています。次のいずれかにしてください：{known}",
+    "band_not_two": (
+        "The band is {value}; it must be two periods (shortest, longest) [s].",
+        "周期の範囲が{value}になっています。2つの周期（最短、最長）[s] を指定してください。",
     ),
+    "target_level": ("The level", "地震動のレベル"),
     "target_soil": (
         "The class of soil is {soil!r}; it must be 1, 2 or 3.",
         "地盤種別が{soil!r}になっています。1、2、3のいずれかにしてください。",

@@ -326,6 +326,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "pull": ("Forward pull", "手前に引く力"),
     "everydayNever": ("cannot tip it", "倒れません"),
     "everydayMargin": ("margin {margin}", "余裕 {margin}"),
+    "estimatesTitle": ("What do formulas and standards say?", "略算式や基準では"),
+    "estimatesNote": (
+        "For the piece without measures. They are not the simulation, and none of them is a certificate.",
+        "対策なしの場合です。シミュレーションとは別の目安であり、適合を証明するものではありません。",
+    ),
     "mapTitle": ("And if it were taller, or smaller?", "もっと高い家具、小さい家具なら"),
     "heightAxis": ("height [cm]", "高さ [cm]"),
     "depthAxis": ("depth [cm]", "奥行き [cm]"),

@@ -169,6 +169,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "対策なしで、結果がちょうど中程度だった計算です。左右とも同じ地震動・同じ標本です。",
     ),
+    "typical_also_falls": (
+        "Of all runs with the measure {share} overturn, and this one does.",
+        "この対策では全計算の{share}が転倒し、この計算でも転倒します。",
+    ),
+    "typical_is_held": (
+        "Of all runs with the measure {share} overturn; this one does not.",
+        "この対策では全計算の{share}が転倒しますが、この計算では転倒しません。",
+    ),
     "worst": ("The worst case", "最悪の場合"),
     "worst_text": (
         "The run that went worst with the best measure, and the same one without it.",
@@ -261,10 +269,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "asce43": ("ASCE 43-05, approximate sliding", "ASCE 43-05の滑りの略算"),
     "asce43_text": (
-        "slides under {share} of the motions, by {distance} in the median of these",
-        "地震動の{share}で滑る。その距離の中央値は{distance}",
+        "if it only slid: under {share} of the motions, by {distance} in the median of these",
+        "滑りだけが起こるとすれば、地震動の{share}で滑り、その距離の中央値は{distance}",
     ),
-    "asce43_still": ("does not slide under any of the motions", "どの地震動でも滑らない"),
+    "asce43_still": ("would not slide under any of the motions", "どの地震動でも滑らない"),
     "details": ("Each measure", "対策ごとの詳細"),
     "drawing_alt": (
         ("Drawing to scale, seen from the side: {piece}, {width} cm deep and {height} cm high; {label}"),

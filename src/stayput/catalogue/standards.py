@@ -13,6 +13,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "coefficient": ("Horizontal coefficient K_H", "設計用水平震度K_H"),
     "spacing": ("Spacing of the anchors", "アンカーの間隔"),
     "anchors": ("Number of anchors", "アンカーの本数"),
+    "lifted": (
+        (
+            "The peak vertical acceleration is {vertical:.3g} m/s²; it must be below {most:.3g} m/s², at which the "
+            "method leaves no friction."
+        ),
+        (
+            "鉛直方向の最大加速度が{vertical:.3g} m/s²です。この方法では{most:.3g} m/s²以上で摩擦がなくなるため、"
+            "それより小さくしてください。"
+        ),
+    ),
     "friction": ("Friction coefficient", "摩擦係数"),
 }
 """Texts by their keys: English, Japanese."""

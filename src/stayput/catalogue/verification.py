@@ -9,6 +9,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "a_verification": ("a verification", "対策の検証"),
     "an_assessment": ("an assessment", "一括評価"),
     "the_map": ("the map", "寸法と震度の図"),
+    "slide_limit": ("Slide limit", "移動量の上限"),
     "levels_not_increasing": (
         "The levels are not increasing; each must be higher than the one before it.",
         "震度の段階が小さい順に並んでいません。前の段階より大きい値を順に指定してください。",
@@ -80,6 +81,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "stays_where_it_is": ("it stays where it is", "その場に留まります"),
     # what comes out of the furniture: clauses, and sentences that follow the verdict's
     "contents_out": ("{share} of the {contents} come out", "{contents}の{share}が飛び出します"),
+    "contents_leave": (
+        (
+            "where the piece stands, half of them leave from {height} or higher (at most {highest}), "
+            "nine tenths at {fast:.2f} m/s or less"
+        ),
+        (
+            "家具が立っている場合、その半数は高さ{height}以上（最高{highest}）から、"
+            "9割は水平速度{fast:.2f} m/s以下で飛び出します"
+        ),
+    ),
     "contents_stay": ("the {contents} stay inside", "{contents}は飛び出しません"),
     "contents_unknown": ("what the {contents} do is unknown", "{contents}の動きは計算できませんでした"),
     "contents_without": (" ({share} without a measure)", "（対策なしでは{share}）"),
@@ -89,9 +100,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     # notes beside the numbers
     "field": (
         (
-            "Against the field: half of such pieces overturn at a peak floor velocity of {median:.0f} cm/s here, "
-            "which is {least:.2g} to {most:.2g} times what formulas say of unanchored furniture that stands free "
-            "and does not slide: {low:.0f} cm/s (FEMA P-58) to {high:.0f} cm/s (Kaneko and Hayashi){wall}."
+            "Against the field: half of such pieces overturn at a peak floor velocity of {median:.0f} cm/s "
+            "here, {least:.2g} to {most:.2g} times what is given for unanchored furniture that stands free and does "
+            "not slide: {low:.0f} cm/s (FEMA P-58) to {high:.0f} cm/s (Kaneko and Hayashi){wall}."
         ),
         (
             "既往の式との比較：この家具の半数が転倒する床の最大速度は、ここでは{median:.0f} cm/sです。これは、"
@@ -100,18 +111,18 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "field_wall": (
-        "; a wall behind, which stops half of the rocking, is most of that",
-        "（差の多くは、揺れの半分を止める背後の壁によるものです）",
+        "; most of the difference comes from the wall behind, which stops the rocking to one side",
+        "（差の多くは、片側のロッキングを止める背後の壁によるものです）",
     ),
     "contents_bound": (
         (
-            "What the contents do to the furniture itself is bounded, not computed: in the runs in which they "
-            "were followed it overturns in {rigid} without a measure with all of them fixed to it, and in "
-            "{emptied} without any.{opened}"
+            "What the contents do to the furniture itself is bounded, not computed: over the {runs} runs in which "
+            "they were followed, one of each motion, it overturns without a measure in {rigid} with all of them "
+            "fixed to it, and in {emptied} without any.{opened}"
         ),
         (
-            "収納物が家具に及ぼす影響は、計算せず幅で示します。収納物を追跡した計算では、対策なしの転倒は、"
-            "すべて固定した場合が{rigid}、空の場合が{emptied}です。{opened}"
+            "収納物が家具に及ぼす影響は、計算せず幅で示します。収納物を追跡した計算（地震動ごとに1回、計{runs}回）"
+            "では、対策なしの転倒は、すべて固定した場合が{rigid}、空の場合が{emptied}です。{opened}"
         ),
     ),
     "drawers_open": (
@@ -168,8 +179,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "and_more": ("; and {more} more", "、ほか{more}件"),
     "slides_off": (
         (
-            "A slide of more than {far:g} m is told as that only: the room has no wall on one side, so "
-            "nothing stops a piece that slides or rolls off. If there is something, give it as a wall."
+            "A slide of more than {far:g} m is shown as “> {far:g} m” only: the room has no wall on one side, so "
+            "nothing stops a piece that slides or rolls off. If something would stop it, give it as a wall."
         ),
         (
             "{far:g} mを超える移動は「> {far:g} m」と示します。壁のない側では止めるものがないためです。"
@@ -178,8 +189,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "everyday_tips": (
         (
-            "Without an earthquake, {case} tips the piece over: its weight holds {margin:.2f} times the moment "
-            "of that (grade {letter}; not a certificate by any stability rule)."
+            "Without an earthquake, {case} tips the piece over: the moment of its own weight is {margin:.2f} times "
+            "the overturning one (grade {letter}; not a certificate by any stability rule)."
         ),
         (
             "地震がなくても、{case}に倒れます：自重で支えられるモーメントは、かかるモーメントの{margin:.2f}倍です"
@@ -188,8 +199,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "everyday_stays": (
         (
-            "Without an earthquake, the piece withstands {case}: its weight holds {margin:.2f} times the moment "
-            "of that (grade {letter}; not a certificate by any stability rule)."
+            "Without an earthquake, the piece withstands {case}: the moment of its own weight is {margin:.2f} times "
+            "the overturning one (grade {letter}; not a certificate by any stability rule)."
         ),
         (
             "地震がないとき、{case}でも倒れません：自重で支えられるモーメントは、かかるモーメントの"

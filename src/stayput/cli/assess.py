@@ -74,6 +74,8 @@ def _record(assessment: Assessment) -> dict[str, object]:
             "expected_loss": total.loss,
             "expected_loss_best": total.loss_best,
             "pieces_helped": total.helped,
+            "contents_out_share": total.share_out,
+            "contents_out_share_best": total.share_out_best,
         }
         for name, total in assessment.summary.events.items()
     }
@@ -108,4 +110,10 @@ def _print(assessment: Assessment) -> None:
         elif not total.helped:
             line += "; none of the compared measures helps any of them"
         typer.echo(f"{line}.")
+        if total.share_out is not None and total.share_out_best is not None:
+            share, best = f"{percent(total.share_out)} %", f"{percent(total.share_out_best)} %"
+            inside = (
+                f"{name}: of what is inside {counted(total.filled, 'piece')}, {share} is expected to come out"
+            )
+            typer.echo(f"{inside}, {best} with the best measures.")
     typer.echo(f"Wrote {assessment.folder / 'report.html'}")

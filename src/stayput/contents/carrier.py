@@ -21,6 +21,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -33,7 +34,7 @@ from stayput.simulation.run import trace_held
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from stayput.motion import Motion
+    from stayput.mechanics.records import Excitation
 
 STEP = 0.0025
 """Longest time between the samples at which the piece is followed [s]: an impact lasts two of them."""
@@ -63,7 +64,7 @@ class PointMotion:
     turn: NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Carrier:
     """A piece of furniture as it moves, at samples no farther apart than `STEP`.
 
@@ -95,8 +96,8 @@ class Carrier:
     failed: bool
 
     @classmethod
-    def of(cls, case: np.void, elements: NDArray[np.void], motion: Motion, height: float) -> Carrier:
-        """Follow a piece under a motion.
+    def of(cls, case: np.void, elements: NDArray[np.void], floor: Excitation, height: float) -> Carrier:
+        """Follow a piece on a floor that moves.
 
         Parameters
         ----------
@@ -104,15 +105,14 @@ class Carrier:
             The piece where it stands.
         elements : ndarray of ELEMENT, shape [n]
             What holds it.
-        motion : Motion
+        floor : Excitation
             How the floor moves.
         height : float
             Height of the piece [m].
         """
-        parts = math.ceil(motion.dt / STEP * (1.0 - 1e-9))
-        dt = motion.dt / parts
-        along = refine(motion.x, parts)
-        up = np.zeros(len(along)) if motion.z is None else refine(motion.z, parts)
+        parts = math.ceil(floor.dt / STEP * (1.0 - 1e-9))
+        dt = floor.dt / parts
+        along, up = refine(floor.ax, parts), refine(floor.az, parts)
         traced, _, _ = trace_held(case, elements, shaking(along, up, dt, col.COULOMB))
         history = traced.history
         (u_a, u_b, _, _), (v_a, v_b, v_top, _) = case["u"].tolist(), case["v"].tolist()
@@ -130,6 +130,11 @@ class Carrier:
             failed=traced.outcome == col.FAILED_OUTCOME,
         )
 
+    @cached_property
+    def rotation(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Sine and cosine of θ, which all points share."""
+        return np.sin(self.tilt), np.cos(self.tilt)
+
     def point(self, right: float, height: float, slope: float = 0.0) -> PointMotion:
         """Return the motion of a point of the piece.
 
@@ -141,12 +146,13 @@ class Carrier:
             Inclination of the shelf there [rad], + where the front edge is the higher one.
         """
         u, v = right - self.centre[0], height - self.centre[1]
-        sin, cos = np.sin(self.tilt), np.cos(self.tilt)
+        sin, cos = self.rotation
         x, z = self.x + u * cos + v * sin, self.z - u * sin + v * cos
         a_x = self.along + _second_difference(x, self.dt)
         a_z = self.up + _second_difference(z, self.dt)
         turn = self.tilt - slope
-        sin, cos = np.sin(turn), np.cos(turn)
+        if slope != 0.0:
+            sin, cos = np.sin(turn), np.cos(turn)
         return PointMotion(
             along=a_x * cos - (a_z + self.gravity) * sin,
             up=a_x * sin + a_z * cos - self.gravity * (1.0 - cos),

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from stayput.contents.kinds import CONTENTS, ContentsKind
-from stayput.errors import InputError, unknown
+from stayput.errors import InputError, instance_of, list_of, word_of
 from stayput.model.body import MASS_RANGE
 from stayput.model.parameters import check_fields, other_default, parameter, parameter_of
 
@@ -28,6 +28,9 @@ CATCHES = {"hinged": 20.0, "hinged, latched": 300.0, "catches": 30.0}
 RUNNERS = (0.10, 0.08)
 """Static and kinetic friction of drawers on their runners; low confidence."""
 
+SHELVES = 5
+"""Number of shelves where neither it nor their loads are given."""
+
 FILLED = 0.9
 """Largest height of an item as a part of the clear height between shelves."""
 
@@ -42,20 +45,20 @@ class Contents:
     ----------
     kind : str
         One of `stayput.contents.CONTENTS`.
-    shelves : int
-        Number of shelves, the lowest at the base.
-    loads : tuple of float, optional
-        Mass on each shelf from the lowest up [kg]; there are then as many shelves.
+    shelves : int, optional
+        Number of shelves, the lowest at the base; default as many as loads, or `SHELVES`.
+    loads : sequence of float, optional
+        Mass on each shelf from the lowest up [kg].
     mass_share : float, optional
         Without loads: mass of all contents as a part of the furniture's.
     width, height : float, optional
-        Depth, along the shaking, and height of an item [m].
+        Depth, along the shaking, and height of an item on a shelf [m]; a drawer fills its compartment.
     static_friction, kinetic_friction : float, optional
         Friction on the shelf; of drawers on their runners.
     setback : float, optional
-        Distance from the front edge of the shelf to the items [m].
+        Distance from the front edge of the shelf to the items on it [m].
     lip : float
-        Height of a lip along the front edge [m].
+        Height of a lip along the front edge of the shelves [m].
     slope : float
         Inclination of the shelves [rad], + where the front edge is the higher one.
     back : bool
@@ -78,7 +81,7 @@ class Contents:
     Raises
     ------
     InputError
-        A number or a word that is not possible.
+        A number or a word that is not possible, or two that contradict each other.
 
     Examples
     --------
@@ -88,7 +91,15 @@ class Contents:
     """
 
     kind: str = "books"
-    shelves: int = parameter(5, "", 1, 100, ("number of shelves", "棚の数"), "Number of shelves.")
+    shelves: int | None = parameter(
+        None,
+        "",
+        1,
+        100,
+        ("number of shelves", "棚の数"),
+        f"Number of shelves; default as many as loads, or {SHELVES}.",
+        counts=True,
+    )
     loads: tuple[float, ...] | None = parameter(
         None,
         "kg",
@@ -137,24 +148,67 @@ class Contents:
     )
 
     def __post_init__(self) -> None:
-        if self.kind not in CONTENTS:
-            raise unknown("contents.kind", self.kind, CONTENTS, field="kind")
-        for field, words in (("doors", DOORS), ("drawers", DRAWERS)):
-            if getattr(self, field) not in words:
-                raise unknown(f"contents.{field}", getattr(self, field), words, field=field)
+        word_of("contents.kind", self.kind, CONTENTS, "kind")
+        word_of("contents.doors", self.doors, DOORS, "doors")
+        word_of("contents.drawers", self.drawers, DRAWERS, "drawers")
+        instance_of("back", self.back, bool)
         check_fields(self, but=("loads",))
-        if self.drawers != "none" and self.doors != "none":
-            raise InputError("contents.doors_and_drawers", "drawers", doors=self.doors, drawers=self.drawers)
-        if self.loads is not None:
-            if not self.loads:
-                raise InputError("contents.no_loads", "loads")
-            for load in self.loads:
-                parameter_of(Contents, "loads").check(load)
+        for field in ("shelves", "items"):  # 4.0 counts, too
+            if (count := getattr(self, field)) is not None:
+                object.__setattr__(self, field, int(count))
+        self._check_loads()
+        self._check_fronts()
         static, kinetic = self.friction
         if kinetic > static:
             raise InputError(
                 "contents.kinetic_above_static", "kinetic_friction", kinetic=kinetic, static=static
             )
+
+    def _check_loads(self) -> None:
+        """Refuse loads that are none, or that are not those of the shelves."""
+        if self.loads is None:
+            return
+        about = parameter_of(Contents, "loads")
+        loads = tuple(about.check(load) for load in list_of("loads", self.loads))
+        if not loads:
+            raise InputError("contents.no_loads", "loads")
+        object.__setattr__(self, "loads", loads)
+        if self.shelves not in (None, len(loads)):
+            raise InputError("contents.loads_and_shelves", "shelves", loads=len(loads), shelves=self.shelves)
+        if self.mass_share is not None:
+            raise InputError(
+                "contents.loads_and_share", "mass_share", loads=sum(loads), share=self.mass_share
+            )
+
+    def _check_fronts(self) -> None:
+        """Refuse doors with drawers, and what goes with neither of those given."""
+        if self.drawers != "none" and self.doors != "none":
+            raise InputError("contents.doors_and_drawers", "drawers", doors=self.doors, drawers=self.drawers)
+        if self.catch is not None and not {self.doors, self.drawers} & CATCHES.keys():
+            raise InputError(
+                "contents.no_catch", "catch", catch=self.catch, doors=self.doors, drawers=self.drawers
+            )
+        needs_doors = {"door_mass": DOORS[1:], "leaf": ("sliding",)}
+        for field, kinds in needs_doors.items():
+            about = parameter_of(Contents, field)
+            value = getattr(self, field)
+            if value != about.default and self.doors not in kinds:
+                raise InputError(
+                    "contents.without_doors",
+                    field,
+                    name=about.label,
+                    value=value,
+                    unit=about.unit,
+                    doors=self.doors,
+                    needed=", ".join(map(repr, kinds)),
+                )
+        for field in ("lip", "setback", "width", "height") if self.drawers != "none" else ():
+            about = parameter_of(Contents, field)
+            value = getattr(self, field)
+            if value != about.default:
+                raise InputError(
+                    "contents.in_drawers", field, name=about.label, value=value, drawers=self.drawers
+                )
 
     @property
     def of_kind(self) -> ContentsKind:
@@ -176,7 +230,9 @@ class Contents:
     @property
     def levels(self) -> int:
         """Number of shelves."""
-        return self.shelves if self.loads is None else len(self.loads)
+        if self.loads is not None:
+            return len(self.loads)
+        return SHELVES if self.shelves is None else self.shelves
 
     @property
     def holding_force(self) -> float:

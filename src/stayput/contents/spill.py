@@ -9,25 +9,23 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.contents.carrier import Carrier
-from stayput.contents.contents import STOPPED
+from stayput.contents.contents import STOPPED, Contents
 from stayput.contents.fronts import opening_samples, slide_of_a_leaf
 from stayput.contents.items import items_of, out_of_shelf, toppled, uncovered
-from stayput.errors import InputError
+from stayput.errors import InputError, instance_of
 from stayput.measures import element_rows, hold
 from stayput.mechanics import columns as col
 from stayput.mechanics.runner import run_cases, shaking, trace
 from stayput.simulation.flat_fields import case_columns
-from stayput.simulation.run import Run
+from stayput.simulation.run import Case, Run
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.contents.carrier import PointMotion
-    from stayput.contents.contents import Contents
     from stayput.contents.items import Items
     from stayput.mechanics.runner import Shaking, Traced
     from stayput.model.body import Body
-    from stayput.simulation.run import Case
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,7 +52,7 @@ class Spill:
         Part of the front that sliding doors left open; 1 for all else.
     time : ndarray
         When it left the shelf [s], nan where it did not; likewise the three that follow, which are nan too
-        for what the piece takes with it as it turns over, and where `spill` was not asked for them.
+        for what the piece takes with it as it turns over, and for items that were not followed.
     height : ndarray
         Height above the floor of the shelf at that time [m].
     speed : ndarray
@@ -128,18 +126,21 @@ def spill(of: Run | Case, contents: Contents) -> Spill:
     >>> spill(case, sp.Contents("books")).share_out > 0.0
     True
     """
+    instance_of("of", of, (Run, Case))
+    instance_of("contents", contents, Contents)
     if of.contact != "coulomb":
         raise InputError("contents.needs_coulomb", "contact", contact=of.contact)
     held = of.held if isinstance(of, Run) else None
     held = hold(of.body, of.room, of.measures) if held is None else held
     case = case_columns(held.body, held.room, of.initial, of.gravity)[0]
-    carrier = Carrier.of(case, element_rows(held), of.motion, held.body.height)
+    shaken = shaking(of.motion.x, of.motion.z, of.motion.dt, col.COULOMB)
+    carrier = Carrier.of(case, element_rows(held), shaken.floor, held.body.height)
     if carrier.failed:
         raise InputError("contents.given_up")
-    return spill_of(carrier, held.body, contents, followed=True)
+    return spill_of(carrier, held.body, contents, followed=contents.items)
 
 
-def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: bool) -> Spill:
+def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: int) -> Spill:
     """Return what comes out of a piece that moves as it does.
 
     Parameters
@@ -150,8 +151,8 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: bool
         The piece with its contents.
     contents : Contents
         What is in it.
-    followed : bool
-        Whether to follow what comes out until it leaves its shelf: when, how fast and how far.
+    followed : int
+        Most items of a shelf that are followed until they leave it: when, how fast and how far.
     """
     items, masses = items_of(contents, body, carrier.gravity), contents.masses(body)
     right, above = items.middle
@@ -175,11 +176,11 @@ def spill_of(carrier: Carrier, body: Body, contents: Contents, *, followed: bool
         cases, shaken = items.cases[shelf, exposed], _shaking(point, start, carrier.dt)
         results = run_cases(cases, shaken)
         came, fell = out_of_shelf(items, cases, results), toppled(results)
-        if followed:
-            for place in np.flatnonzero(came):
-                traced = trace(cases[place], shaken)
-                number = np.flatnonzero(exposed)[place]
-                leaving[:, shelf, number] = _leaving(items, traced, point, start, carrier)
+        first: list[int] = np.flatnonzero(came)[:followed].tolist()
+        for place in first:
+            traced = trace(cases[place], shaken)
+            number = np.flatnonzero(exposed)[place]
+            leaving[:, shelf, number] = _leaving(items, traced, point, start, carrier)
         out[shelf, exposed], over[shelf, exposed] = came | carrier.overturned, fell
     time, height, speed, distance = leaving
     return Spill(

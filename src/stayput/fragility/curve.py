@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import within
+from stayput.errors import instance_of, within
 from stayput.fragility.capacity import Capacity, capacity_of, unknown_capacity
 from stayput.fragility.isotonic import Isotonic
 from stayput.fragility.lognormal import LognormalFit, lognormal
-from stayput.fragility.trials import Level, observed_levels
+from stayput.fragility.trials import Level, Trials, observed_levels
 from stayput.wording import counted
 
 if TYPE_CHECKING:
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.fragility.intensity_measures import IntensityMeasure
-    from stayput.fragility.trials import Trials
 
 METHOD = "isotonic"
 """Name of the method by which every curve is fitted, in data and texts."""
@@ -164,7 +163,7 @@ def fragility_curve(trials: Trials, name: str = "") -> FragilityCurve:
     >>> curve.lognormal.text
     'A lognormal curve fits: median 4.07 m/s², dispersion 0.541 (p = 0.82, at most 1 points off).'
     """
-    levels = observed_levels(trials)
+    levels = observed_levels(instance_of("trials", trials, Trials))
     rising = Isotonic.of(trials.measure, levels)
     state = _state(trials, rising.share)
     wanted = state is CurveState.FITTED and not trials.one_motion

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, numbers
 from stayput.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ class IntensityMeasure:
         InputError
             A value that is not finite or, of a peak, not larger than 0.
         """
-        values = np.array(im, np.float64)
+        values = numbers("im", im, "im")
         good = np.isfinite(values) & (self.is_logarithm | (values > 0.0))
         if not good.all():
             allowed = phrase("fragility.finite_number" if self.is_logarithm else "fragility.above_zero")

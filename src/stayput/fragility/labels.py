@@ -6,13 +6,11 @@ import hashlib
 import re
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError
-from stayput.fragility.curve import CurveState
+from stayput.errors import InputError, list_of
+from stayput.fragility.curve import CurveState, FragilityCurve
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
-
-    from stayput.fragility.curve import FragilityCurve
 
 _LONGEST = 100
 
@@ -25,14 +23,15 @@ def identifiers(curves: Sequence[FragilityCurve]) -> list[str]:
     InputError
         A curve that is not fitted or is of one motion, without a name, or two curves with the same name.
     """
-    if not curves:
+    given = list_of("curves", curves, FragilityCurve)
+    if not given:
         raise InputError("fragility.no_curves")
-    for curve in curves:
+    for curve in given:
         if curve.state is not CurveState.FITTED:
             raise InputError("fragility.not_fitted", name=repr(curve.name), state=repr(curve.state.value))
         if curve.one_motion:
             raise InputError("fragility.of_one_motion", name=repr(curve.name))
-    return plain_names([curve.name for curve in curves])
+    return plain_names([curve.name for curve in given])
 
 
 def plain_names(names: Sequence[str]) -> list[str]:

@@ -7,15 +7,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import InputError
+from stayput.errors import InputError, instance_of, numbers
+from stayput.fragility.intensity_measures import IntensityMeasure
 from stayput.fragility.probabilities import Probability, checked_runs, probability_of_counts
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import ArrayLike, NDArray
-
-    from stayput.fragility.intensity_measures import IntensityMeasure
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -83,7 +82,7 @@ class Trials:
             Arrays of another shape, or intensities that cannot be.
         """
         fell, given_up = checked_runs(fallen, missing, 3)
-        values = measure.checked(im)
+        values = instance_of("measure", measure, IntensityMeasure).checked(im)
         if values.shape not in (fell.shape[:1], fell.shape[:2]):
             raise InputError(
                 "fragility.intensity_shape",
@@ -121,7 +120,8 @@ class Trials:
         InputError
             Arrays of other shapes, more falls than runs, or intensities that cannot be.
         """
-        values, k, n = measure.checked(im), np.array(fell, np.float64), np.array(runs, np.float64)
+        values = instance_of("measure", measure, IntensityMeasure).checked(im)
+        k, n = numbers("fell", fell, "fell"), numbers("runs", runs, "runs")
         if not values.ndim == 1 <= len(values) or not values.shape == k.shape == n.shape:
             im_shape, fell_shape, runs_shape = (str(each.shape) for each in (values, k, n))
             raise InputError("fragility.list_shapes", im=im_shape, fell=fell_shape, runs=runs_shape)
@@ -162,7 +162,7 @@ class Trials:
             Arrays of other shapes, or intensities that cannot be.
         """
         fell, _ = checked_runs(fallen, None, 1)
-        values = measure.checked(im)
+        values = instance_of("measure", measure, IntensityMeasure).checked(im)
         if values.shape != fell.shape or (motion is not None and len(motion) != len(fell)):
             raise InputError("fragility.row_lengths", runs=len(fell))
         different, place = np.unique(values, return_inverse=True)

@@ -8,12 +8,13 @@ import time
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import stayput
 from stayput.catalogue import phrase
-from stayput.errors import InputError, within
+from stayput.errors import InputError, instance_of, within
 from stayput.execution import DaskExecutor, ThreadExecutor
 from stayput.extras import absent
 from stayput.inventory.arrow import arrow, dataset, parquet
@@ -143,10 +144,12 @@ def assess(
         full; a cluster that is gone.
     """
     began = time.perf_counter()
-    limit, memory_bytes = within("inventory.slide_limit", slide_limit, 0.0, 1e3, "m"), memory_of(memory)
+    limit, memory_bytes = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m"), memory_of(memory)
     if scheduler is not None and client is not None:
         raise InputError("inventory.scheduler_and_client", "scheduler")
     arrow()
+    for name, path in {"inventory": inventory, "scenario": scenario, "out": out}.items():
+        instance_of(name, path, (str, PathLike))
     table, folder = Path(inventory), Path(out)
     if not table.is_file():
         raise InputError("inventory.not_a_file", "inventory", path=repr(str(table)))
@@ -377,7 +380,17 @@ def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dic
     summary = summarise(folder / PIECES)
     rows = summary.rows()
     integer, real = pa.int64(), pa.float64()
-    kinds: list[Any] = [pa.string(), pa.string(), pa.int32(), integer, integer, *[real] * 6, integer]
+    kinds: list[Any] = [
+        pa.string(),
+        pa.string(),
+        pa.int32(),
+        integer,
+        integer,
+        *[real] * 6,
+        integer,
+        real,
+        real,
+    ]
     schema = pa.schema(list(zip(COLUMNS, kinds, strict=True)))
     columns: list[Any] = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in COLUMNS]
     with space.durable(folder / SUMMARY[0]) as file:

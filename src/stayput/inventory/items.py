@@ -13,6 +13,7 @@ from pydantic import ValidationError
 from stayput.catalogue import phrase
 from stayput.errors import InputError, unknown, within
 from stayput.inventory.cells import number_of, numbers_of, plain, shown, text_of, whole_of
+from stayput.inventory.contents import OF_THE_CONTENTS, contents_of
 from stayput.inventory.scenarios import stated_building
 from stayput.inventory.store import ground_spec, measures_spec, piece_spec
 from stayput.measures import MEASURES, hold
@@ -78,7 +79,7 @@ class Exposure:
     building : str, optional
         What the building is called; none on the ground.
     piece : str
-        Spec of the piece in its room.
+        Spec of the piece with its contents in its room.
     options : tuple of MeasureSet
         Without a measure first.
     impossible : tuple of (str, str)
@@ -202,7 +203,7 @@ class RowReader:
     def _room(
         self, cells: Mapping[str, Cell], body: Body, station: int
     ) -> tuple[str, tuple[MeasureSet, ...], dict[str, str]]:
-        """Return the spec of the piece in its room, the options, and reasons against those not possible."""
+        """Return the piece's spec in its room, the options, and reasons against those not possible."""
         scenario = self.scenarios.all[station].scenario
 
         def make() -> tuple[str, tuple[MeasureSet, ...], dict[str, str]]:
@@ -215,9 +216,10 @@ class RowReader:
                     hold(body, room, option.measures)
                 except InputError as error:  # no wall behind, no ceiling, an anchor above the ceiling
                     not_possible[option.name] = str(error)
-            return piece_spec(body, room), options, not_possible
+            contents = contents_of(cells, body, scenario)
+            return piece_spec(body, room, contents), options, not_possible
 
-        return self.rooms.get((station, body, _values(cells, OF_THE_ROOM)), make)
+        return self.rooms.get((station, body, _values(cells, (*OF_THE_ROOM, *OF_THE_CONTENTS))), make)
 
     def _building(
         self, cells: Mapping[str, Cell], station: int

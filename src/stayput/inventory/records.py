@@ -27,6 +27,7 @@ RECORD = np.dtype(
         ("fell", "<i4"),
         ("chances", "<f8", (len(EVENTS), 3)),  # estimate, low, high of each event
         ("slide", "<f8", (3,)),  # median, 90 % quantile, mean of those that stay upright [m]
+        ("out", "<f8", (3,)),  # share of the contents that come out: estimate, low, high; nan without any
     ]
 )
 """Outcome of a unit."""

@@ -13,6 +13,7 @@ from stayput.fragility.probabilities import percent
 from stayput.inventory.items import NO_MEASURE
 from stayput.report.palette import INK, PAPER, rgb
 from stayput.report.verdict.svg import element, label
+from stayput.verification.contents import MOTIONS
 from stayput.wording import counted
 
 if TYPE_CHECKING:
@@ -135,7 +136,9 @@ def _map_cell(x: float, y: float, total: Total, best: bool, where: str) -> str:
     return box + text
 
 
-def _share(value: float) -> str:
+def _share(value: float | None) -> str:
+    if value is None:
+        return ""
     return "unknown" if math.isnan(value) else f"{percent(value)} %"
 
 
@@ -190,7 +193,9 @@ def report_html(
         share=_share,
         maps=maps,
         worst=summary.worst,
+        contents=any(row["contents_out_share"] is not None for row in summary.worst),
         by_cost=any(row["best_by_cost"] is not None for row in summary.worst),
+        followed=MOTIONS,
         facts=facts,
         manifest=manifest,
         rejects=rejects[:REJECTS_SHOWN],

@@ -33,6 +33,9 @@ GROUND = ("intensity", "sa")
 
 _ENDS = (("", "probability:"), ("_low", "95 % interval from:"), ("_high", "95 % interval to:"))
 
+OUT = "contents_out_share"
+"""Share of the contents that come out."""
+
 
 def schema(metadata: Mapping[str, str]) -> Any:
     """Return the schema of the results; each field's metadata says its unit and meaning."""
@@ -53,10 +56,15 @@ def schema(metadata: Mapping[str, str]) -> Any:
         number("slide_p90", "90 % quantile of the peak slide [m], infinite where so many overturn"),
         number("slide_mean", "expected peak slide of those that stay upright [m]"),
     ]
+    inside = [
+        number(OUT, "expected share of the contents that come out; null where nothing is said of them"),
+        number(f"{OUT}_low", "95 % interval from"),
+        number(f"{OUT}_high", "95 % interval to"),
+    ]
     option = pa.struct(
         [
             pa.field("name", pa.string()),
-            *(pa.field(column.name, column.type) for column in (*chances(""), *slides)),
+            *(pa.field(column.name, column.type) for column in (*chances(""), *slides, *inside)),
             pa.field("cost", pa.float64()),
             pa.field("expected_loss", pa.float64()),
         ]
@@ -79,11 +87,13 @@ def schema(metadata: Mapping[str, str]) -> Any:
         number("given_up", "simulations that were given up", pa.int32()),
         *(column for column in chances(", without a measure") if not column.name.startswith("device_failed")),
         *slides,
+        *inside,
         number("expected_loss", "count · value · probability of overturning, without a measure"),
         number("best", "the measure that lowers the risk most; 'none' where none does", pa.string()),
         number("best_overturned", "probability of overturning with it"),
         number("best_overturned_low", "95 % interval from"),
         number("best_overturned_high", "95 % interval to"),
+        number(f"best_{OUT}", "expected share of the contents that come out with the best"),
         number("risk_reduction", "probability of overturning without a measure less that with the best"),
         number("best_expected_loss", "count · value · probability of overturning with the best"),
         number("best_by_cost", "the measure that is most worth its cost; 'none' where none is", pa.string()),
@@ -238,6 +248,7 @@ class Writer:
         line["best"] = row["options"][choice.best]
         for end in ("", "_low", "_high"):
             line[f"best_overturned{end}"] = best[f"{OVERTURNED}{end}"]
+        line[f"best_{OUT}"] = best[OUT]
         line["risk_reduction"] = without[OVERTURNED] - best[OVERTURNED]
         line["best_by_cost"] = None if choice.by_cost is None else row["options"][choice.by_cost]
         line["best_by_cost_gain"] = choice.gain
@@ -262,7 +273,9 @@ def _numbers(record: np.void) -> dict[str, Any]:
     for event, row in zip(EVENTS, record["chances"].tolist(), strict=True):
         numbers |= {event: row[ESTIMATE], f"{event}_low": row[LOW], f"{event}_high": row[HIGH]}
     slide = record["slide"].tolist()
-    return numbers | {"slide_median": slide[MEDIAN], "slide_p90": slide[P90], "slide_mean": slide[MEAN]}
+    numbers |= {"slide_median": slide[MEDIAN], "slide_p90": slide[P90], "slide_mean": slide[MEAN]}
+    out = [None] * 3 if np.isnan(record["out"][ESTIMATE]) else record["out"].tolist()
+    return numbers | {OUT: out[ESTIMATE], f"{OUT}_low": out[LOW], f"{OUT}_high": out[HIGH]}
 
 
 def _parquet(table: Any) -> bytes:

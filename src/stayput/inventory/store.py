@@ -1,7 +1,7 @@
 """SQLite store of deduplicated simulation units.
 
-A unit is a body in a room, with a set of measures, at a site (a storey under a shaking of the ground). Each
-of these is identified by a spec: a text that keeps every bit of its numbers.
+A unit is a body with its contents in a room, with a set of measures, at a site (a storey under a shaking of
+the ground). Each of these is identified by a spec: a text that keeps every bit of its numbers.
 """
 
 from __future__ import annotations
@@ -10,8 +10,10 @@ import hashlib
 import json
 import sqlite3
 from collections import OrderedDict
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from stayput.contents import Contents
 from stayput.measures import MEASURES, parameters
 from stayput.model.state import State
 from stayput.scenario.building import BuildingTable
@@ -206,15 +208,20 @@ def ground_of(spec: str) -> tuple[int, float | None, BuildingTable | None]:
     return station, level, None if table is None else BuildingTable.model_validate(table)
 
 
-def piece_spec(body: Body, room: Room) -> str:
-    """Return a body in a room as text, each number with all its bits."""
-    return json.dumps(flat_fields(body, room, State(), 1.0))
+def piece_spec(body: Body, room: Room, contents: Contents | None = None) -> str:
+    """Return a body in a room, and what is inside it, as text, each number with all its bits."""
+    table = None if contents is None else asdict(contents)
+    return json.dumps([flat_fields(body, room, State(), 1.0), table])
 
 
-def piece_of(spec: str) -> tuple[Body, Room]:
-    """Return the body and the room of a spec; the inverse of `piece_spec`."""
-    body, room, _ = from_flat_fields(json.loads(spec))
-    return body, room
+def piece_of(spec: str) -> tuple[Body, Room, Contents | None]:
+    """Return the body, the room and the contents of a spec; the inverse of `piece_spec`."""
+    numbers, table = json.loads(spec)
+    body, room, _ = from_flat_fields(numbers)
+    if table is None:
+        return body, room, None
+    loads = table.pop("loads")
+    return body, room, Contents(**table, loads=None if loads is None else tuple(loads))
 
 
 def measures_spec(measures: tuple[Measure, ...]) -> str:

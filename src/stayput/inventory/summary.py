@@ -29,9 +29,11 @@ COLUMNS = (
     "expected_loss",
     "expected_loss_best",
     "pieces_helped",
+    "contents_out_share",
+    "contents_out_share_best",
 )
 """Columns of the summary: pieces counts every piece of a row; ``best`` is with each row's best measure.
-Helped are those that one of their measures helps."""
+Helped are those that one of their measures helps. Shares of contents are means over pieces that have some."""
 
 READ = (
     "row",
@@ -50,6 +52,8 @@ READ = (
     "best_by_cost",
     "expected_loss",
     "best_expected_loss",
+    "contents_out_share",
+    "best_contents_out_share",
     "not_possible",
 )
 
@@ -66,6 +70,9 @@ class Total:
     loss_best: float | None = None
     unknown: int = 0
     helped: int = 0
+    filled: int = 0
+    out: float = 0.0
+    out_best: float = 0.0
 
     def add(self, row: dict[str, Any]) -> None:
         """Add a row; one whose runs were all given up counts as unknown."""
@@ -80,6 +87,11 @@ class Total:
         if row["expected_loss"] is not None:
             self.loss = (self.loss or 0.0) + row["expected_loss"]
             self.loss_best = (self.loss_best or 0.0) + row["best_expected_loss"]
+        out, best = row["contents_out_share"], row["best_contents_out_share"]
+        if out is not None and best is not None:
+            self.filled += row["count"]
+            self.out += row["count"] * out
+            self.out_best += row["count"] * best
 
     @property
     def share(self) -> float:
@@ -92,6 +104,16 @@ class Total:
         """The same with the best measures."""
         known = self.pieces - self.unknown
         return self.fallen_best / known if known else float("nan")
+
+    @property
+    def share_out(self) -> float | None:
+        """Expected share of the contents that come out, on average over the pieces; none without contents."""
+        return self.out / self.filled if self.filled else None
+
+    @property
+    def share_out_best(self) -> float | None:
+        """The same with the best measures."""
+        return self.out_best / self.filled if self.filled else None
 
 
 Place = tuple[str, str, int]
@@ -132,6 +154,8 @@ class Summary:
                 total.loss,
                 total.loss_best,
                 total.helped,
+                total.share_out,
+                total.share_out_best,
             ]
             for (event, building, storey), total in sorted(self.places.items())
         ]

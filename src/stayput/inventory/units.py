@@ -14,13 +14,17 @@ from stayput.inventory.store import measures_of, piece_of
 from stayput.montecarlo.counting import OVERTURNED, Outcomes, Quantiles
 from stayput.montecarlo.runs import run_prepared
 from stayput.montecarlo.sampling import draws, rows_of, sample_until_precise
+from stayput.verification.contents import first_draws, share_out, spilt_under
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
+    from stayput.contents import Contents
     from stayput.measures import Measure
+    from stayput.model.body import Body
+    from stayput.model.room import Room
     from stayput.montecarlo.hazard import PreparedFloor
     from stayput.montecarlo.sampling import DrawTable, Rows, Settings
 
@@ -30,7 +34,7 @@ Unit: TypeAlias = "tuple[int, str]"
 BLOCK = 32_768
 """Most runs that are held in memory at a time: some 10 MB."""
 
-_draws = lru_cache(maxsize=64)(draws)
+_draws, _first_draws = lru_cache(maxsize=64)(draws), lru_cache(maxsize=64)(first_draws)
 """The draws: all units of a scenario have the same."""
 
 
@@ -59,6 +63,7 @@ def evaluate(
     option, runs = measures_of(measures), 0
     records = np.zeros(len(units), RECORD)
     records["unit"] = [number for number, _ in units]
+    records["out"] = np.nan
     size = max(1, BLOCK // (settings.motions * settings.samples))
     for first in range(0, len(units), size):
         last = min(first + size, len(units))
@@ -75,25 +80,47 @@ def _block(
 ) -> int:
     """Simulate a block of units, fill in their records and return the number of runs."""
     runs = 0
+    pieces = [piece_of(spec) for spec in specs]
 
     def run(places: list[int], samples: int, start: int) -> list[Outcomes]:
         nonlocal runs
         runs += len(places) * settings.motions * samples
         drawn = _draws(settings.motions, samples, settings.seed, start, as_stated=settings.as_stated)
-        rows = [_rows_or_none(specs[place], option, drawn, settings.gravity) for place in places]
+        rows = [_rows_or_none(*pieces[place][:2], option, drawn, settings.gravity) for place in places]
         possible = [row for row in rows if row is not None]
         outcomes = iter(run_prepared(possible, floor) if possible else ())
         return [Outcomes.impossible(drawn.shape) if row is None else next(outcomes) for row in rows]
 
     outcomes, _, _ = sample_until_precise(len(specs), settings, run, together=False)
-    for place, outcome in enumerate(outcomes):
+    for place, (outcome, (body, room, contents)) in enumerate(zip(outcomes, pieces, strict=True)):
         _fill(out[place : place + 1], outcome, settings.slide_limit)
+        if contents is not None:
+            out["out"][place] = _share_out(body, room, contents, option, floor, settings)
     return runs
 
 
-def _rows_or_none(spec: str, option: tuple[Measure, ...], drawn: DrawTable, gravity: float) -> Rows | None:
+def _share_out(
+    body: Body,
+    room: Room,
+    contents: Contents,
+    option: tuple[Measure, ...],
+    floor: PreparedFloor,
+    settings: Settings,
+) -> tuple[float, float, float]:
+    """Return the share of the contents that comes out, and its interval, as a verification follows them."""
+    drawn = _first_draws(settings.motions, settings.seed, settings.as_stated)
+    rows = _rows_or_none(body, room, option, drawn, settings.gravity)
+    if rows is None:
+        return np.nan, np.nan, np.nan
+    spilt = [spilt_under(rows, number, floor, body, contents, leaving=False) for number in range(len(drawn))]
+    share = share_out(spilt, contents)
+    return share.estimate, share.low, share.high
+
+
+def _rows_or_none(
+    body: Body, room: Room, option: tuple[Measure, ...], drawn: DrawTable, gravity: float
+) -> Rows | None:
     try:
-        body, room = piece_of(spec)
         return rows_of(body, room, option, drawn, gravity)
     except InputError:  # a draw in which the measure is not possible: all its runs count as given up
         return None

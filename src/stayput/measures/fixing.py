@@ -65,9 +65,13 @@ class Link:
 
 
 def in_series(*links: Link) -> Link:
-    """Return links in series as one, which is called and fails like the weakest of them."""
+    """Return links in series as one, which is called and fails like the weakest of them.
+
+    It is rigid where all of them are.
+    """
     weakest = min(links, key=lambda link: link.strength)
-    return replace(weakest, stiffness=1.0 / sum(1.0 / link.stiffness for link in links))
+    compliance = sum(1.0 / link.stiffness for link in links)
+    return replace(weakest, stiffness=1.0 / compliance if compliance > 0.0 else math.inf)
 
 
 def screw_withdrawal(density: float, diameter: float, depth: float) -> float:

@@ -7,10 +7,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, instance_of, list_of
 from stayput.measures.element import Element, rows_of
 from stayput.measures.parameters import check
+from stayput.model.body import Body
 from stayput.model.parameters import parameters
+from stayput.model.room import Room
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -19,8 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
-    from stayput.model.body import Body
-    from stayput.model.room import Room, Wall
+    from stayput.model.room import Wall
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,7 +158,9 @@ def hold(body: Body, room: Room, measures: Iterable[Measure]) -> Held:
     InputError
         Two measures for one place, or one that cannot be put there.
     """
-    asked = tuple(measures)
+    instance_of("body", body, Body)
+    instance_of("room", room, Room)
+    asked = list_of("measures", measures, Measure)
     refuse_conflicts(asked)
     found: dict[int, tuple[Element, ...]] = {}
     for place in sorted(range(len(asked)), key=lambda n: _ORDER.index(asked[n].acts_on)):
@@ -176,8 +179,6 @@ def refuse_conflicts(measures: Iterable[Measure]) -> None:
     """Raise `InputError` where two measures take up one place."""
     taken: dict[Phrase, Measure] = {}
     for measure in measures:
-        if not isinstance(measure, Measure):  # pyright: ignore[reportUnnecessaryIsInstance]
-            raise InputError("measures.no_measure", value=repr(measure))
         place = measure.where()
         if place is None:
             continue

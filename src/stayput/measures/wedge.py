@@ -80,7 +80,7 @@ class WedgeStopper(Measure):
             reach = _reach(body)[0] + body.base_insets[0]
             sine = (reach - room.left_wall.gap) / (body.height - left)
             if sine > -1.0:
-                low = max(low, left + _span(body) * math.tan(math.asin(sine)))
+                low = max(low, left + body.base_width * math.tan(math.asin(sine)))
         leaning = replace(body, base_heights=(left, low))
         room = _seen_from_the_leaning_body(room, body, leaning)
         floor = replace(
@@ -111,8 +111,8 @@ def _reach(body: Body) -> tuple[float, float]:
     Its centre of gravity plays no part, not even in the last bit: draws of it do not move the walls.
     """
     left, right = body.base_heights
-    span, inset = _span(body), body.base_insets[0]
-    tilt = math.atan2(right - left, span)
+    inset = body.base_insets[0]
+    tilt = math.atan2(right - left, body.base_width)
     sin, cos = math.sin(tilt), math.cos(tilt)
     corners = (
         (-inset, 0.0),
@@ -122,8 +122,3 @@ def _reach(body: Body) -> tuple[float, float]:
     )
     across = [u * cos + v * sin for u, v in corners]
     return min(across), max(across)
-
-
-def _span(body: Body) -> float:
-    """Return the distance between the base corners along the base [m]."""
-    return body.width - body.base_insets[0] - body.base_insets[1]

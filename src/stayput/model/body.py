@@ -6,11 +6,11 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError, finite, within
+from stayput.errors import InputError, finite, list_of, within
 from stayput.model.parameters import check_fields, parameter, parameter_of, quantity
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
 SIZE_RANGE = (1e-3, 100.0)
 """Smallest and largest width and height that are accepted [m]."""
@@ -76,6 +76,9 @@ class Body:
     base_insets : tuple of float
         Distance of the left and the right base corner from the side face above it [m]: feet, casters or a
         plinth stand inside the outline of the piece.
+    length : float, optional
+        Length across the shaking [m] (a bookcase's *width*). Nothing in the plane depends on it;
+        `stayput.Solid.of` makes a body in space with it.
 
     Raises
     ------
@@ -116,11 +119,16 @@ class Body:
         ("Body base inset", "底の角の内側への距離"),
         "Distance of the left and the right base corner from the side face above it.",
     )
+    length: float | None = parameter(
+        None,
+        *_SIZE,
+        ("Body length", "家具の幅（length）"),
+        "Length of the piece across the shaking; nothing in the plane depends on it.",
+    )
 
     def __post_init__(self) -> None:
         check_fields(self, but=("cg_offset", "inertia", "base_heights", "base_insets"))
-        if len(self.cg_offset) != 2:
-            raise InputError("model.cg_offset_not_two", "cg_offset", value=repr(self.cg_offset))
+        _refuse_other_than_two("cg_offset", self.cg_offset)
         label = parameter_of(Body, "cg_offset").label
         e_x, e_z = (finite(label, value, "cg_offset") for value in self.cg_offset)
         if abs(e_x) >= self.width / 2 or abs(e_z) >= self.height / 2:
@@ -132,13 +140,11 @@ class Body:
             largest = 4.0 * self.mass * (self.width**2 + self.height**2)
             bounds = (1e-6 * self.uniform_inertia, largest)
             parameter_of(Body, "inertia").check(self.inertia, bounds=bounds)
-        if len(self.base_heights) != 2:
-            raise InputError("model.base_heights_not_two", "base_heights", value=repr(self.base_heights))
+        _refuse_other_than_two("base_heights", self.base_heights)
         bounds = (-self.width / 2, min(self.width, self.height) / 4)
         for value in self.base_heights:
             parameter_of(Body, "base_heights").check(value, bounds=bounds)
-        if len(self.base_insets) != 2:
-            raise InputError("model.base_insets_not_two", "base_insets", value=repr(self.base_insets))
+        _refuse_other_than_two("base_insets", self.base_insets)
         for value in self.base_insets:
             parameter_of(Body, "base_insets").check(value, bounds=(0.0, MOST_INSET * self.width))
         (left, _), (right, _), _, _ = self.corners
@@ -156,6 +162,11 @@ class Body:
     def inertia_about_cg(self) -> float:
         """Moment of inertia J_G about G [kg m²]."""
         return self.uniform_inertia if self.inertia is None else self.inertia
+
+    @property
+    def base_width(self) -> float:
+        """Distance between the base corners along the width [m]: the width less the `base_insets`."""
+        return self.width - self.base_insets[0] - self.base_insets[1]
 
     @property
     def centre_of_gravity(self) -> tuple[float, float]:
@@ -227,7 +238,8 @@ class Body:
         InputError
             No parts, no mass, or a centre of gravity outside the section.
         """
-        pieces = tuple(parts)
+        _check_size(width, height)
+        pieces = list_of("parts", parts, Part)
         mass = sum(p.mass for p in pieces)
         if not mass > 0.0:
             raise InputError("model.no_mass", "mass", mass=mass)
@@ -261,7 +273,8 @@ class Body:
         load_width : float, optional
             Depth of the load along the shaking [m]; default the full width.
         """
-        shelves = tuple(loads)
+        shelves = list_of("loads", loads)
+        _check_size(width, height)
         if not shelves:
             raise InputError("model.no_shelves", "loads")
         clear = height / len(shelves)
@@ -273,3 +286,15 @@ class Body:
         carcass = Part(mass, 0.0, height / 2, width, height)
         books = (Part(load, 0.0, (i + 0.5) * clear, depth, clear) for i, load in enumerate(shelves))
         return cls.from_parts(width, height, (carcass, *books))
+
+
+def _check_size(width: float, height: float) -> None:
+    """Refuse a section that is not possible before anything is computed from it; see `Body`."""
+    for name, size in (("width", width), ("height", height)):
+        parameter_of(Body, name).check(size)
+
+
+def _refuse_other_than_two(field: str, values: Sequence[float]) -> None:
+    """Refuse what is no list of two; see `Body`."""
+    if len(list_of(field, values)) != 2:
+        raise InputError(f"model.{field}_not_two", field, value=repr(values))

@@ -13,7 +13,7 @@ from dataclasses import MISSING, dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, Unpack, cast
 
-from stayput.errors import InputError, within
+from stayput.errors import InputError, whole_within, within
 from stayput.uncertainty import Confidence
 
 if TYPE_CHECKING:
@@ -52,6 +52,8 @@ class Parameter:
     decides : bool
         Whether the outcome hangs on it and only the product or the wall can tell it: strength, grip, slack.
         How many there are and where is the user's choice; stiffness and damping change little beside these.
+    counts : bool
+        Whether it counts something although its default, which is taken from elsewhere, is no whole number.
     """
 
     name: str
@@ -64,11 +66,12 @@ class Parameter:
     confidence: Confidence = Confidence.LOW
     choices: tuple[str, ...] = ()
     decides: bool = False
+    counts: bool = False
 
     @property
     def whole(self) -> bool:
-        """Whether it counts something: its default is an int."""
-        return isinstance(self.default, int)
+        """Whether it counts something: its default is an int, or it says so."""
+        return self.counts or isinstance(self.default, int)
 
     def tag(self, value: object) -> str:
         """Return how well founded a value is: its confidence if it is the default, else `GIVEN`."""
@@ -102,16 +105,15 @@ class Parameter:
         """
         name, place = called or self.label, field or self.name
         low, high = bounds or (self.low, self.high)
-        number = within(name, cast("float", value), low, high, self.unit, place)
-        if self.whole and not number.is_integer():
-            raise InputError("common.not_whole", place, name=name, value=number)
-        return number
+        checked = whole_within if self.whole else within
+        return float(checked(name, cast("float", value), low, high, self.unit, place))
 
 
 class _More(TypedDict, total=False):
     confidence: Confidence
     choices: tuple[str, ...]
     decides: bool
+    counts: bool
 
 
 def quantity(

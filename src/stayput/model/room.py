@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, unknown
+from stayput.errors import InputError, instance_of, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
 
 if TYPE_CHECKING:
@@ -115,6 +115,8 @@ class Floor:
 
     def __post_init__(self) -> None:
         check_fields(self)
+        if self.surface != "":
+            word_of("model.surface", self.surface, SURFACES, "surface")
         flat, edge = (self.static_friction, self.kinetic_friction), self.edge_friction
         each = (flat, edge, self._own("left_edge_", edge), self._own("right_edge_", edge))
         for (base, (called, _)), (static, kinetic) in zip(_BASES.items(), each, strict=True):
@@ -138,9 +140,7 @@ class Floor:
     @classmethod
     def of(cls, surface: str, *, restitution: float = 1.0, normal_restitution: float = 0.0) -> Floor:
         """Make a floor from a surface preset of `SURFACES`."""
-        if surface not in SURFACES:
-            raise unknown("model.surface", surface, SURFACES, field="surface")
-        known = SURFACES[surface]
+        known = SURFACES[word_of("model.surface", surface, SURFACES, "surface")]
         return cls(
             known.static_friction,
             known.kinetic_friction,
@@ -276,3 +276,10 @@ class Room:
     left_wall: Wall | None = None
     right_wall: Wall | None = None
     ceiling: Ceiling | None = None
+
+    def __post_init__(self) -> None:
+        instance_of("floor", self.floor, Floor)
+        for name, kind in (("left_wall", Wall), ("right_wall", Wall), ("ceiling", Ceiling)):
+            surface = getattr(self, name)
+            if surface is not None:
+                instance_of(name, surface, kind)

@@ -172,13 +172,13 @@ def drawn_body(body: Body, draw: Draw) -> Body:
     )
     height = min(0.95, draw.gravity_height * (0.5 + z / body.height)) * body.height
     inertia = None if body.inertia is None else draw.mass * body.inertia
+    standing = replace(body, base_insets=insets)
     return replace(
-        body,
+        standing,
         mass=draw.mass * body.mass,
         cg_offset=(x, height - 0.5 * body.height),
         inertia=inertia,
-        base_heights=(back, front - draw.lean * (body.width - insets[0] - insets[1])),
-        base_insets=insets,
+        base_heights=(back, front - draw.lean * standing.base_width),
     )
 
 

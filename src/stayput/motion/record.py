@@ -228,7 +228,7 @@ class Motion:
 
     def component(self, name: str) -> Motion:
         """Return one component ("x", "y" or "z") as a motion of its own, along its x."""
-        if name not in self.components:
+        if name not in tuple(self.components):  # which takes what cannot be hashed
             known = ", ".join(self.components)
             raise InputError("motion.no_such_component", "component", component=name, known=known)
         return replace(self, x=self.components[name], y=None, z=None)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import InputError, within
+from stayput.errors import InputError, numbers, within
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -70,7 +70,7 @@ def checked_periods(periods: ArrayLike) -> NDArray[np.float64]:
     InputError
         No periods, or periods that are not increasing or out of range.
     """
-    row = np.atleast_1d(np.array(periods, np.float64))
+    row = np.atleast_1d(numbers("motion.name_period", periods, "periods"))
     if row.ndim != 1 or row.size == 0:
         raise InputError("motion.periods_shape", "periods", shape=str(row.shape))
     for period in row:

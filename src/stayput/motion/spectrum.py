@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from stayput.errors import instance_of
 from stayput.execution import Call, ThreadExecutor
+from stayput.motion.record import Motion
 from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, checked_periods
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import ArrayLike
-
-    from stayput.motion.record import Motion
 
 __all__ = ["DAMPING", "PERIODS", "ResponseSpectrum", "response_spectrum", "spectra"]
 
@@ -45,7 +45,7 @@ def response_spectrum(
     InputError
         Periods or a damping out of range; a component that the motion has not.
     """
-    return motion.spectrum(periods, damping, component)
+    return instance_of("motion", motion, Motion).spectrum(periods, damping, component)
 
 
 def spectra(

@@ -23,7 +23,7 @@ class ContentsTable(Table):
     """What is in the furniture, and what keeps it there: a kind, any number of which may be overridden."""
 
     kind: KindOfContents = Field(default="books", description="Kind of contents; a default, not a citation.")
-    shelves: int = of(Contents, "shelves")
+    shelves: int | None = of(Contents, "shelves")
     loads: ShelfLoads | None = of(
         Contents,
         "loads",

@@ -200,7 +200,7 @@ class UncertaintyTable(Table):
         default=None,
         description="Half-width of the 95 % interval of the probability of overturning that is enough.",
     )
-    as_stated: Annotated[list[DrawnQuantity], Field(min_length=1, max_length=len(USUAL))] = Field(
+    as_stated: Annotated[list[DrawnQuantity], Field(min_length=0, max_length=len(USUAL))] = Field(
         default_factory=list[DrawnQuantity],
         description="Quantities that were measured: they are as stated in every sample, and not drawn.",
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
@@ -11,7 +12,7 @@ from pydantic import Field, PrivateAttr, ValidationError, field_validator, model
 from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
 from stayput.contents.weight import emptied
-from stayput.errors import InputError
+from stayput.errors import InputError, instance_of
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.scenario.contents import ContentsTable  # noqa: TC001 - pydantic reads the annotation
 from stayput.scenario.fields import Table, Text, between
@@ -189,6 +190,7 @@ def read_scenario(path: str | Path) -> Scenario:
     InputError
         The file cannot be read, is not TOML, or says something that is not allowed.
     """
+    instance_of("path", path, (str, PathLike))
     file = Path(path)
     try:
         return Scenario.parse(read_toml(file), file.parent)

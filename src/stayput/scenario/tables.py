@@ -31,6 +31,7 @@ class FurnitureTable(Table):
     )
     width: float | None = of(Body, "width", default=None)
     height: float | None = of(Body, "height", default=None)
+    length: float | None = of(Body, "length")
     mass: float | None = of(
         Body, "mass", default=None, description="Mass; with shelves, that of the empty carcass."
     )
@@ -76,14 +77,15 @@ class FurnitureTable(Table):
         preset = None if self.preset is None else FURNITURE[self.preset]
         width = self.width if self.width is not None or preset is None else preset.width
         height = self.height if self.height is not None or preset is None else preset.height
+        length = self.length if self.length is not None or preset is None else preset.length
         assert width is not None
         assert height is not None
         assert self._mass is not None
         base, insets = _pair(self.base_heights), _pair(self.base_insets)
         if self.shelves is not None:
             loaded = Body.bookcase(width, height, self._mass, self.shelves)
-            return replace(loaded, base_heights=base, base_insets=insets)
-        return Body(width, height, self._mass, _pair(self.cg_offset), self.inertia, base, insets)
+            return replace(loaded, base_heights=base, base_insets=insets, length=length)
+        return Body(width, height, self._mass, _pair(self.cg_offset), self.inertia, base, insets, length)
 
 
 class FloorTable(Table):

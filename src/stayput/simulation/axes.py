@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, near_miss
+from stayput.errors import InputError, instance_of, list_of, near_miss
 from stayput.model.body import Body
 from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.motion import Motion
@@ -21,14 +22,13 @@ from stayput.simulation.flat_fields import (
     surface_fields,
 )
 from stayput.simulation.grid import LAW, MOTION, Axis, Columns, Grid
-from stayput.simulation.run import law_number
+from stayput.simulation.run import Case, law_number
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
-    from stayput.simulation.run import Case
 
 Axes: TypeAlias = "Mapping[str | tuple[str, ...], Any]"
 
@@ -59,12 +59,13 @@ def make_grid(case: Case, axes: Axes) -> Grid:
     InputError
         An unknown path, a path on two axes, values of the wrong kind, or cases that are not possible.
     """
-    base = base_numbers(case)
+    base = base_numbers(instance_of("case", case, Case))
     motions: list[Motion] = [case.motion]
     grid_axes: list[Axis] = []
+    instance_of("axes", axes, Mapping)
     for paths, values in axes.items():
         names = (paths,) if isinstance(paths, str) else tuple(paths)
-        value_lists = (values,) if isinstance(paths, str) else tuple(values)
+        value_lists = (values,) if isinstance(paths, str) else list_of("axes", values)
         if len(names) != len(value_lists) or not names:
             raise InputError("simulation.axis_lists", "axes", names=str(names), count=len(value_lists))
         grid_axes.append(_axis(names, value_lists, base, motions))
@@ -101,7 +102,7 @@ def _columns(
     Motions are appended to ``motions``, each object once however often it is a value.
     """
     if name in OBJECT_PATHS or name in (MOTION, LAW):
-        items = list(values)
+        items = list(list_of(name, values))
         _refuse_empty(name, len(items))
         if name == LAW:
             return {LAW: np.array([law_number(item) for item in items])}, items

@@ -14,7 +14,7 @@ from stayput.model.parameters import Parameter, parameters
 from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.model.soft_base import landing_factor, rigid_half_base
 from stayput.model.state import State, refuse_bad_start
-from stayput.motion.units import STANDARD_GRAVITY
+from stayput.motion.units import GRAVITY
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -37,7 +37,6 @@ KINDS: dict[str, type] = {
 }
 """What numbers belong to, by the beginnings of their paths."""
 
-GRAVITY = Parameter("gravity", STANDARD_GRAVITY, "m/s²", 0.01, 1e3, ("Gravity", "重力加速度"))
 SCALE = Parameter("motion.scale", 1.0, "", -1e6, 1e6, ("Scale of the motion", "地震動の倍率"))
 
 

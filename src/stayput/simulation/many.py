@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from stayput.errors import within
+from stayput.errors import instance_of, whole_within
 from stayput.execution import Call, DaskExecutor, Shared, ThreadExecutor, thread_count
 from stayput.mechanics.runner import Shaking, shaking
 from stayput.progress import bar
@@ -16,8 +17,6 @@ from stayput.simulation.grid import LAW, MOTION
 from stayput.simulation.results import CASE_RESULT, case_results, empty_columns, fill_columns
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from numpy.typing import NDArray
 
     from stayput.motion import Motion
@@ -70,6 +69,8 @@ def simulate_many(
     InputError
         An unknown path, columns of different lengths, a case that is not possible, or a cluster that is lost.
     """
+    if not hasattr(columns, "keys"):  # which a table of pandas has, too
+        instance_of("columns", columns, Mapping)
     names = tuple(columns)
     grid = make_grid(case, {names: tuple(columns[name] for name in names)})
     return run_grid(grid, threads=threads, client=client, chunk=chunk, progress=progress)
@@ -89,7 +90,7 @@ def run_grid(
     if chunk is None:
         # At least eight for each thread, so that all threads end at about the same time.
         chunk = min(LARGEST_CHUNK, -(-count // (8 * threads)))
-    chunk = int(within("simulation.chunk", chunk, 1, 1e9, "cases", "chunk"))
+    chunk = whole_within("simulation.chunk", chunk, 1, 10**9, "cases", "chunk")
     columns = empty_columns(count)
     # On a cluster the motions are sent once; a worker that is lost takes nothing that cannot be made again.
     motions = Shared(prepared_motions, grid.motions, groups_of(grid))

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.errors import InputError
+from stayput.errors import InputError, instance_of
 from stayput.simulation.run import Outcome
 from stayput.simulation.sweep import sweep
 
@@ -106,6 +107,8 @@ def checked_amplitudes(amplitudes: ArrayLike, axes: Axes | None) -> NDArray[np.f
     InputError
         They are not two or more increasing finite numbers, none negative, or they are on an axis too.
     """
+    if axes is not None:
+        instance_of("axes", axes, Mapping)
     for paths in axes or {}:
         if SCALE in ((paths,) if isinstance(paths, str) else paths):
             raise InputError("simulation.scale_on_axis", SCALE, path=SCALE)

@@ -9,13 +9,16 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from stayput.errors import InputError
-from stayput.measures.measure import Held, element_rows, hold
+from stayput.errors import InputError, finite, instance_of, list_of, word_of
+from stayput.measures.measure import Held, Measure, element_rows, hold
 from stayput.measures.results import DeviceResult, device_results
 from stayput.mechanics import columns as col
+from stayput.model.body import Body
+from stayput.model.room import Room
 from stayput.model.state import State, refuse_bad_start
-from stayput.motion.units import STANDARD_GRAVITY
-from stayput.simulation.flat_fields import GRAVITY, case_columns
+from stayput.motion.record import Motion
+from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
+from stayput.simulation.flat_fields import case_columns
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -25,11 +28,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from stayput.measures import Measure
     from stayput.mechanics.runner import Shaking, Traced
-    from stayput.model.body import Body
-    from stayput.model.room import Room
-    from stayput.motion import Motion
 
 Contact = Literal["coulomb", "paper"]
 """The contact law: unilateral contact with Coulomb friction, or the rules of the paper as written.
@@ -247,6 +246,15 @@ class Case:
     gravity: float = STANDARD_GRAVITY
     measures: tuple[Measure, ...] = ()
 
+    def __post_init__(self) -> None:
+        instance_of("body", self.body, Body)
+        instance_of("room", self.room, Room)
+        instance_of("motion", self.motion, Motion)
+        instance_of("initial", self.initial, State)
+        object.__setattr__(self, "measures", list_of("measures", self.measures, Measure))
+        law_number(self.contact)
+        GRAVITY.check(self.gravity)
+
     def run(self) -> Run:
         """Simulate the case."""
         return simulate(
@@ -307,11 +315,13 @@ def simulate(
     from stayput.mechanics.runner import shaking
 
     start = State() if initial is None else initial
-    GRAVITY.check(gravity)
-    if most_events is not None and most_events < 2:
-        raise InputError("model.most_events", "most_events", value=most_events)
+    given = Case(body, room, motion, contact, start, gravity, list_of("measures", measures, Measure))
+    if most_events is not None:
+        count = finite("most_events", most_events, "most_events")
+        if count < 2.0 or not count.is_integer():
+            raise InputError("model.most_events", "most_events", value=most_events)
     refuse_bad_start(body, room, start)
-    held = hold(body, room, measures)
+    held = hold(body, room, given.measures)
     refuse_bad_start(held.body, held.room, start)
     columns, elements = case_columns(held.body, held.room, start, gravity), element_rows(held)
     shaken = shaking(motion.x, motion.z, motion.dt, law_number(contact))
@@ -346,9 +356,7 @@ def trace_held(
 
 def law_number(contact: str) -> int:
     """Return the number of a contact law in the mechanics."""
-    if contact not in LAWS:
-        raise InputError("model.contact", "contact", value=repr(contact))
-    return LAWS.index(contact)
+    return LAWS.index(word_of("model.contact", contact, LAWS, "contact"))
 
 
 def run_of(

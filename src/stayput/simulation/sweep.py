@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from stayput.errors import InputError
+from stayput.errors import InputError, list_of
 from stayput.execution import Call, ThreadExecutor
 from stayput.mechanics import columns as col
 from stayput.simulation.axes import make_grid
@@ -77,7 +77,8 @@ def sweep(
         As for `simulate_many`, or an unknown history.
     """
     grid = make_grid(case, axes)
-    times, traced = _histories(grid, tuple(histories), threads) if histories else (None, {})
+    wanted = list_of("histories", histories, str)
+    times, traced = _histories(grid, wanted, threads) if wanted else (None, {})
     columns = run_grid(grid, threads=threads, client=client, chunk=chunk, progress=progress)
     data = _frame(grid, case)
     dims = [axis.name for axis in grid.axes]

@@ -8,12 +8,12 @@ coherence are here.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from stayput.errors import unknown, within
+from stayput.errors import instance_of, within, word_of
 from stayput.motion.processing import whole
 from stayput.motion.record import Motion
 from stayput.motion.suites.families import Draws
@@ -57,42 +57,25 @@ _KEY = 156
 
 @dataclass(frozen=True, slots=True)
 class RequiredSpectrum:
-    """The required response spectrum (RRS) of AC156 at a height in a building.
+    """The required response spectrum (RRS) of AC156 at a height in a building; made by `ac156`.
 
-    Parameters
+    Attributes
     ----------
     sds : float
         S_DS, the design acceleration at short periods [g].
     height_ratio : float
         z/h: 0 at the ground, 1 at the roof.
     edition : str
-        "7-16" or "7-22".
+        Edition of ASCE 7.
     flexible, rigid : float
-        Horizontal A_flx and A_rig [g], computed.
-
-    Raises
-    ------
-    InputError
-        A value out of range, or an unknown edition.
+        Horizontal A_flx and A_rig [g].
     """
 
     sds: float
-    height_ratio: float = 0.0
-    edition: str = "7-16"
-    flexible: float = field(init=False)
-    rigid: float = field(init=False)
-
-    def __post_init__(self) -> None:
-        s = within("motion.name_sds", self.sds, 0.001, 10.0, "g", "sds")
-        z = within("standards.height_ratio", self.height_ratio, 0.0, 1.0, "", "height_ratio")
-        if self.edition not in EDITIONS:
-            raise unknown("standards.edition", self.edition, EDITIONS, "edition")
-        if self.edition == "7-16":
-            amplified = s * (1.0 + 2.0 * z)
-        else:
-            amplified = s * (1.0 + 2.5 * z) / (DUCTILITY if z > 0.0 else 1.0)
-        object.__setattr__(self, "flexible", min(1.6 * s, amplified))
-        object.__setattr__(self, "rigid", 0.4 * amplified)
+    height_ratio: float
+    edition: str
+    flexible: float
+    rigid: float
 
     @property
     def horizontal(self) -> TargetSpectrum:
@@ -150,7 +133,13 @@ def ac156(sds: float, height_ratio: float = 0.0, edition: str = "7-16") -> Requi
     >>> round(ac156(1.0, 0.5, "7-22").rigid, 3)
     0.692
     """
-    return RequiredSpectrum(sds, height_ratio, edition)
+    s = within("motion.name_sds", sds, 0.001, 10.0, "g", "sds")
+    z = within("standards.height_ratio", height_ratio, 0.0, 1.0, "", "height_ratio")
+    if word_of("standards.edition", edition, EDITIONS, "edition") == "7-16":
+        amplified = s * (1.0 + 2.0 * z)
+    else:
+        amplified = s * (1.0 + 2.5 * z) / (DUCTILITY if z > 0.0 else 1.0)
+    return RequiredSpectrum(s, z, edition, min(1.6 * s, amplified), 0.4 * amplified)
 
 
 def low_cutoff(resonance: float | None = None) -> float:
@@ -204,6 +193,7 @@ def ac156_motion(
     InputError
         A number, a seed or a frequency out of range.
     """
+    instance_of("required", required, RequiredSpectrum)
     cut = within(
         "standards.lowest",
         LOWEST_CUTOFF if lowest is None else lowest,

@@ -12,17 +12,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import within
+from stayput.errors import InputError, instance_of, within
+from stayput.motion.record import Motion
 from stayput.motion.spectrum import response_spectrum
-from stayput.motion.units import STANDARD_GRAVITY
+from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from stayput.motion import Motion
-
 DAMPING = 0.10
 """Damping ratio of the vector spectral acceleration."""
+
+VERTICAL_SHARE = 0.4
+"""Part of the peak vertical acceleration that lightens the body as it slides."""
 
 FREQUENCIES = np.geomspace(0.1, 33.0, 200)
 """Frequencies at which the spectrum is taken, increasing [Hz], shape (200,)."""
@@ -40,10 +42,11 @@ class SlidingEstimate:
     coefficient : float
         c_s = 2 μ_e g [m/s²].
     frequency : float
-        f_es, the lowest frequency at which the spectrum reaches c_s [Hz]; NaN where it nowhere does.
+        f_es, the lowest frequency at which the spectrum reaches c_s [Hz]; NaN where it nowhere does, or is
+        above it from the first of `FREQUENCIES` on.
     distance : float
-        Best-estimate sliding distance, presumably c_s/(2π f_es)² [m]; NaN where the spectrum nowhere reaches
-        c_s, of which what was read says nothing.
+        Best-estimate sliding distance, presumably c_s/(2π f_es)² [m]; NaN without f_es, of which what was
+        read says nothing.
     """
 
     effective_friction: float
@@ -70,11 +73,17 @@ def asce43_sliding(motion: Motion, friction: float, gravity: float = STANDARD_GR
     Raises
     ------
     InputError
-        A friction out of range.
+        A friction or a gravity out of range, or A_v of 2.5 g and more, which leaves no friction: beyond the
+        method.
     """
+    instance_of("motion", motion, Motion)
     mu = within("standards.friction", friction, 0.001, 10.0, "", "friction")
+    GRAVITY.check(gravity)
     vertical = 0.0 if motion.z is None else float(np.abs(motion.z).max())
-    effective = mu * max(1.0 - 0.4 * vertical / gravity, 0.0)
+    most = gravity / VERTICAL_SHARE
+    if vertical >= most:
+        raise InputError("standards.lifted", "motion", vertical=vertical, most=most)
+    effective = mu * (1.0 - VERTICAL_SHARE * vertical / gravity)
     c_s = 2.0 * effective * gravity
     horizontal = [name for name in ("x", "y") if name in motion.components]
     sa = [response_spectrum(motion, 1.0 / FREQUENCIES[::-1], DAMPING, name).sa[::-1] for name in horizontal]
@@ -85,10 +94,8 @@ def asce43_sliding(motion: Motion, friction: float, gravity: float = STANDARD_GR
 def _first_crossing(sa: NDArray[np.float64], level: float) -> float:
     """Return the lowest frequency at which a spectrum reaches a level [Hz], in log-log lines, or NaN."""
     above = np.flatnonzero(sa >= level)
-    if not len(above):
-        return math.nan
-    place = int(above[0])
+    place = int(above[0]) if len(above) else 0
     if place == 0:
-        return float(FREQUENCIES[0])
+        return math.nan
     ends = slice(place - 1, place + 1)
     return float(np.exp(np.interp(math.log(level), np.log(sa[ends]), np.log(FREQUENCIES[ends]))))

@@ -8,13 +8,10 @@ vertical coefficient and its rules for anchors were not read.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-from stayput.errors import unknown, within
-from stayput.motion.units import STANDARD_GRAVITY
-
-if TYPE_CHECKING:
-    from stayput.model.body import Body
+from stayput.errors import instance_of, whole_within, within, word_of
+from stayput.model.body import Body
+from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
 
 COEFFICIENTS: dict[str, dict[str, float]] = {
     "upper": {"S": 2.0, "A": 1.5, "B": 1.0},
@@ -22,6 +19,9 @@ COEFFICIENTS: dict[str, dict[str, float]] = {
     "ground": {"S": 1.0, "A": 0.6, "B": 0.4},
 }
 """K_s by position and class: upper storeys, roof and penthouse; storeys between; ground floor, basement."""
+
+ZONE_RANGE = (0.7, 1.0)
+"""Smallest and largest regional factor Z."""
 
 CLASSES = ("B", "A", "S")
 """Classes of equipment, the mildest first."""
@@ -53,8 +53,8 @@ def position_of(storey: int, storeys: int) -> str:
     >>> [position_of(storey, 10) for storey in (1, 7, 8, 11)]
     ['ground', 'middle', 'upper', 'upper']
     """
-    count = int(within("standards.storeys", storeys, 1, 1000, "", "storeys"))
-    level = int(within("standards.storey", storey, 1, count + 1, "", "storey"))
+    count = whole_within("standards.storeys", storeys, 1, 1000, "", "storeys")
+    level = whole_within("standards.storey", storey, 1, count + 1, "", "storey")
     if level == 1:
         return "ground"
     top = next((top for least, top in UPPER_STOREYS if count >= least), 0)
@@ -83,11 +83,9 @@ def equipment_coefficient(position: str, grade: str, zone: float = 1.0) -> float
     >>> equipment_coefficient("upper", "B"), equipment_coefficient("ground", "S", 0.9)
     (1.0, 0.9)
     """
-    if position not in COEFFICIENTS:
-        raise unknown("standards.position", position, COEFFICIENTS, "position")
-    if grade not in COEFFICIENTS[position]:
-        raise unknown("standards.grade", grade, CLASSES, "grade")
-    return within("standards.zone", zone, 0.7, 1.0, "", "zone") * COEFFICIENTS[position][grade]
+    by_class = COEFFICIENTS[word_of("standards.position", position, COEFFICIENTS, "position")]
+    k_s = by_class[word_of("standards.grade", grade, CLASSES, "grade")]
+    return within("standards.zone", zone, *ZONE_RANGE, "", "zone") * k_s
 
 
 def _lever(body: Body) -> float:
@@ -105,6 +103,7 @@ def _gravity_height(body: Body) -> float:
 def _moment(body: Body, coefficient: float, gravity: float) -> float:
     """Return the overturning moment less the restoring one about the nearer base edge [N m]."""
     k = within("standards.coefficient", coefficient, 0.0, 100.0, "", "coefficient")
+    GRAVITY.check(gravity)
     return body.mass * gravity * (k * _gravity_height(body) - _lever(body))
 
 
@@ -113,7 +112,9 @@ def holding_force(
 ) -> float:
     """Return the force of a level tie that keeps a piece upright under K_H times its weight [N].
 
-    F = m g (K_H h_G − l_G)/z: moments about the nearer base edge; 0 where the piece does not overturn.
+    F = m g (K_H h_G − l_G)/z: moments about the nearer base edge; 0 where the piece does not overturn. On a
+    floor of the acceleration K_H g a rigid tie without slack has this force; a slack or elastic one is loaded
+    by impacts, and takes more.
 
     Parameters
     ----------
@@ -129,7 +130,7 @@ def holding_force(
     Raises
     ------
     InputError
-        A coefficient or a height out of range.
+        A coefficient, a height or a gravity out of range.
 
     Examples
     --------
@@ -137,7 +138,8 @@ def holding_force(
     >>> round(holding_force(Body(0.4, 1.8, 100.0), 1.0), 1)
     381.4
     """
-    z = within("model.tie_height", body.height if height is None else height, 1e-3, body.height, "m")
+    top = instance_of("body", body, Body).height
+    z = within("model.tie_height", top if height is None else height, 1e-3, top, "m", "height")
     return max(_moment(body, coefficient, gravity) / z, 0.0)
 
 
@@ -169,7 +171,7 @@ def anchor_tension(
     Raises
     ------
     InputError
-        A coefficient or a spacing out of range, or no anchor.
+        A coefficient, a spacing, a number of anchors or a gravity out of range.
 
     Examples
     --------
@@ -177,9 +179,9 @@ def anchor_tension(
     >>> round(anchor_tension(Body(0.4, 1.8, 100.0), 1.0), 1)
     858.1
     """
-    feet = body.width - body.base_insets[0] - body.base_insets[1]
-    length = within("standards.spacing", feet if spacing is None else spacing, 1e-3, feet, "m")
-    count = int(within("standards.anchors", anchors, 1, 1000, "", "anchors"))
+    feet = instance_of("body", body, Body).base_width
+    length = within("standards.spacing", feet if spacing is None else spacing, 1e-3, feet, "m", "spacing")
+    count = whole_within("standards.anchors", anchors, 1, 1000, "", "anchors")
     inset = 0.5 * (feet - length)  # of the anchors from the edge that the moment is about
     moment = _moment(body, coefficient, gravity) + body.mass * gravity * inset
     return max(moment / (count * length), 0.0)

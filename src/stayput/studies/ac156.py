@@ -12,7 +12,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from stayput.errors import within
+from stayput.errors import whole_within
 from stayput.motion.suites import asce7
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, style
@@ -87,8 +87,8 @@ def ac156(
         A value out of range.
     """
     sites = increasing("motion.name_sds", sds, 0.05, 5.0, "g")
-    count = int(within("studies.motions", tests, 1, 1000))
-    quakes = int(within("studies.motions", motions, 1, 1000))
+    count = whole_within("studies.motions", tests, 1, 1000)
+    quakes = whole_within("studies.motions", motions, 1, 1000)
     pieces, rooms = bodies(), list(ROOMS.values())
     shape = len(sites), len(HEIGHTS), len(pieces), len(rooms)
     passes = np.zeros((*shape, len(TESTS)), np.bool_)

@@ -13,7 +13,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from stayput.errors import within
+from stayput.errors import whole_within
 from stayput.estimates import LOSS_MODEL_RATIO, kaneko_hayashi_velocity
 from stayput.measures import Held
 from stayput.model.body import Body
@@ -110,8 +110,8 @@ def baseline(motions: int = 48, *, samples: int = 8, seed: int = 1) -> Study:
     InputError
         A value out of range.
     """
-    count = int(within("studies.motions", motions, 2, 1000))
-    each = int(within("studies.samples", samples, 1, 1000))
+    count = whole_within("studies.motions", motions, 2, 1000)
+    each = whole_within("studies.samples", samples, 1, 1000)
     ground = synthetic_suite("mixed", count, seed)
     hazard_of = hazards(ground)
     pieces = {name: _body(name) for name in PIECES}
@@ -251,7 +251,7 @@ class Field:
 
 def field_of(data: xr.Dataset, setting: str) -> Field:
     """Return where a setting lies against the published medians."""
-    known = np.isfinite(data["simulated"]).all("setting")
+    known = data["simulated"].notnull().all("setting")
     simulated = data["simulated"].sel(setting=setting).where(known).to_numpy()
     return Field(
         mean_ratio(simulated / data["formula"].to_numpy()),

@@ -14,7 +14,7 @@ import pandas as pd
 import xarray as xr
 from scipy.special import ndtr
 
-from stayput.errors import within
+from stayput.errors import whole_within, within
 from stayput.estimates import SCATTER, kaneko_hayashi_branch, kaneko_hayashi_median
 from stayput.progress import bar
 from stayput.report.figures import FONT, new_figure, plain_log, style
@@ -120,7 +120,7 @@ def capacity(
     InputError
         A value out of range, or a preset that is not known.
     """
-    count = int(within("studies.motions", motions, 2, 1000))
+    count = whole_within("studies.motions", motions, 2, 1000)
     factors = amplitudes(within("studies.step", step, 0.005, 0.2))
     bodies = {size: body_of(size) for size in sizes}
     spectra = of_spectra(tuple(corners), count, seed)

@@ -17,7 +17,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.patches import Patch
 
-from stayput.errors import within
+from stayput.errors import whole_within
 from stayput.measures import TensionPole, WedgeStopper
 from stayput.model.body import Body
 from stayput.model.furniture import FURNITURE
@@ -129,8 +129,8 @@ def consumer_centre(motions: int = 24, *, samples: int = 8, seed: int = 1) -> St
     InputError
         A number out of range.
     """
-    count = int(within("studies.motions", motions, 1, 1000))
-    each = int(within("studies.samples", samples, 1, 10_000))
+    count = whole_within("studies.motions", motions, 1, 1000)
+    each = whole_within("studies.samples", samples, 1, 10_000)
     drawn = draws(count, each, seed)
     share = np.zeros((len(TESTS), len(SHAKINGS), len(GAPS), len(LOOKS)))
     given_up = 0

@@ -34,15 +34,15 @@ class Quantity:
         What it is, with its unit in brackets.
     value : float or str
         The result of the run.
-    paper : float or str, optional
-        The published value.
+    published : float or str, optional
+        The value of the paper, the test, the survey or the formula; of a count, what it is of.
     form : str
         Format specification of both numbers.
     """
 
     label: str
     value: float | str
-    paper: float | str | None = None
+    published: float | str | None = None
     form: str = ".3g"
 
     def __str__(self) -> str:
@@ -52,11 +52,11 @@ class Quantity:
     @property
     def row(self) -> dict[str, str]:
         """Its row in the summary."""
-        numbers = [value for value in (self.paper, self.value) if isinstance(value, int | float)]
+        numbers = [value for value in (self.published, self.value) if isinstance(value, int | float)]
         known = len(numbers) == 2 and all(map(np.isfinite, numbers))
         return {
             "quantity": self.label,
-            "paper": "" if self.paper is None else self._shown(self.paper),
+            "published": "" if self.published is None else self._shown(self.published),
             "stayput": str(self),
             "difference": f"{numbers[1] - numbers[0]:+{self.form}}" if known else "",
         }
@@ -143,7 +143,7 @@ class Study:
 
     @property
     def summary(self) -> pd.DataFrame:
-        """The quantities as a table: quantity, paper, stayput, difference (stayput − paper)."""
+        """The quantities as a table: quantity, published, stayput, difference (stayput − published)."""
         return pd.DataFrame([quantity.row for quantity in self.quantities.values()])
 
     def markdown(self) -> str:

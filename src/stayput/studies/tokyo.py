@@ -9,7 +9,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.patches import Patch
 
-from stayput.errors import within
+from stayput.errors import whole_within
 from stayput.measures import parameters
 from stayput.motion import near_fault
 from stayput.progress import bar
@@ -90,7 +90,7 @@ def tokyo(
         A number of samples or a seed out of range.
     """
     shaking = near_fault() if motion is None else motion
-    count = int(within("studies.samples", samples, 1, 10_000))
+    count = whole_within("studies.samples", samples, 1, 10_000)
     changed = VARIATIONS if variations else VARIATIONS[:1]
     each = len(facings(shaking)) * count * len(LEVELS)
     touched = sum(variation.touches(option) for variation in changed for option in PROBES)

@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from stayput.errors import within
+from stayput.errors import whole_within
 from stayput.fallen import Fallen, intensity_from_fallen
 from stayput.model.body import Body
 from stayput.model.room import Floor, Room
@@ -76,8 +76,8 @@ def tombstones(
     InputError
         A number out of range.
     """
-    count = int(within("studies.motions", motions, 2, 1000))
-    of_a_place = int(within("studies.stones", stones, 1, 10_000))
+    count = whole_within("studies.motions", motions, 2, 1000)
+    of_a_place = whole_within("studies.stones", stones, 1, 10_000)
     share = np.zeros((len(settings), len(LEVELS), count))
     given_up = 0
     with bar(len(settings), "Shaking", unit="settings") as advance:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.errors import InputError
+from stayput.catalogue import phrase
+from stayput.errors import InputError, instance_of, numbers, within
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.measures import hold
 from stayput.measures.results import weakest
@@ -26,6 +27,7 @@ from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
 from stayput.progress import bar
+from stayput.scenario import Scenario
 from stayput.verification.contents import contents_verdicts
 from stayput.verification.options import compared_options, require_coulomb
 from stayput.verification.verdict import AsInstalled, DeviceSummary, Estimates, Member, OptionVerdict, Verdict
@@ -42,7 +44,6 @@ if TYPE_CHECKING:
     from stayput.montecarlo.levels import Falls
     from stayput.montecarlo.runs import Runs
     from stayput.montecarlo.sampling import Rows
-    from stayput.scenario import Scenario
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.options import Option
 
@@ -107,14 +108,17 @@ def verify(
         that cannot be read.
     """
     began = time.perf_counter()
-    require_coulomb(scenario, "verification.a_verification")
-    rows = np.asarray(levels, np.float64)
+    require_coulomb(instance_of("scenario", scenario, Scenario), "verification.a_verification")
+    rows = numbers("fragility.level", levels, "levels")
+    if rows.ndim != 1:
+        raise InputError("common.not_a_list", "levels", name=phrase("fragility.level"), value=repr(levels))
+    limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
     if np.any(np.diff(rows) <= 0.0):
         raise InputError("verification.levels_not_increasing", "levels")
     (options, impossible), shaking = compared_options(scenario), scenario.shaking
     ground = shaking.ground(scenario.folder)
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, vertical=bool(shaking.vertical))
-    settings = Settings.of(scenario, len(ground), slide_limit)
+    settings = Settings.of(scenario, len(ground), limit)
     faulty = _faulty(options, scenario)
     total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
     with bar(total, "Verifying", progress) as advance:
@@ -145,7 +149,7 @@ def verify(
             found = run_level(bad, floors, threads=threads, progress=count)
             well = {option.name: runs for option, runs in zip(options, here, strict=True)}
             for each, runs in zip(faulty, found, strict=True):
-                installed[each.option.name] = _as_installed(each, well[each.option.name], runs, slide_limit)
+                installed[each.option.name] = _as_installed(each, well[each.option.name], runs, limit)
         inside = contents_verdicts(options, scenario, floors, settings.seed, threads)
         floors_at = cache(partial(hazard.at, threads=threads))
         falls: list[Falls] = []
@@ -158,11 +162,11 @@ def verify(
         measures = [floors_at(float(level)) for level in rows]
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures) for option in options]
-    verdicts = _verdicts(options, held, here, falls, measures, slide_limit, installed, inside)
+    verdicts = _verdicts(options, held, here, falls, measures, limit, installed, inside)
     return Verdict(
         scenario=scenario,
         intensity=float(np.median(floors.measures[JMA_INTENSITY])),
-        slide_limit=slide_limit,
+        slide_limit=limit,
         options=verdicts,
         estimates=Estimates.of(body, floors, scenario, threads),
         levels=rows,

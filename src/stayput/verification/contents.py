@@ -14,7 +14,7 @@ from stayput.errors import InputError
 from stayput.execution import Call, ThreadExecutor
 from stayput.fragility import Probability, probability
 from stayput.fragility.probabilities import probability_of_counts
-from stayput.montecarlo.hazard import FloorMotions
+from stayput.montecarlo.hazard import FloorMotions, PreparedFloor
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import DrawTable, draws, rows_of
 
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.contents import Contents
+    from stayput.contents.spill import Spill
     from stayput.model.body import Body
     from stayput.montecarlo.sampling import Rows
     from stayput.scenario import Scenario
@@ -38,6 +39,45 @@ MOTIONS = 40
 
 It is the size of the usual suite, whose kinds of earthquakes follow each other in turn.
 """
+
+
+@dataclass(frozen=True, slots=True)
+class Leaving:
+    """From where and how fast things come out of a piece that stands.
+
+    The first item of each shelf that comes out is followed until it leaves, for all of that shelf: following
+    all takes as long as the runs. What falls with a piece that overturns is not in it.
+
+    Parameters
+    ----------
+    height, highest : float
+        Median and largest height of the shelf above the floor [m].
+    speed, fast : float
+        Median and 90 % quantile of the horizontal speed in the frame of the floor [m/s].
+    """
+
+    height: float
+    highest: float
+    speed: float
+    fast: float
+
+    @classmethod
+    def of(cls, spilt: Sequence[Spill]) -> Leaving | None:
+        """Return how things leave over several runs; none where nothing leaves a piece that stands."""
+        standing = (_leaving(one) for one in spilt if not one.overturned)
+        heights, speeds = np.concatenate([np.zeros((2, 0)), *standing], axis=1)
+        if not len(heights):
+            return None
+        middle, most = np.median(heights), np.max(heights)
+        return cls(float(middle), float(most), float(np.median(speeds)), float(np.quantile(speeds, 0.9)))
+
+
+def _leaving(spilt: Spill) -> NDArray[np.float64]:
+    """Return height [m] and speed [m/s] of what came out, shape [2, items]: those of its shelf's followed."""
+    followed = np.isfinite(spilt.time)
+    counts = np.count_nonzero(spilt.out, axis=1)[followed.any(axis=1)]
+    values = np.stack([spilt.height[followed], np.abs(spilt.speed[followed])])
+    return np.repeat(values, counts, axis=1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +99,8 @@ class ContentsVerdict:
         The same without the contents: the other bound of what sliding contents do to the piece.
     opened : Probability, optional
         The same with all drawers half out; none without drawers.
+    leaving : Leaving, optional
+        From where and how fast; none where nothing comes out of a piece that stands.
     """
 
     out: Probability
@@ -67,6 +109,7 @@ class ContentsVerdict:
     rigid: Probability
     emptied: Probability
     opened: Probability | None
+    leaving: Leaving | None
 
 
 def contents_verdicts(
@@ -91,25 +134,44 @@ def contents_verdicts(
     if contents is None:
         return [None] * len(options)
     body, measured = scenario.furniture.body(), scenario.uncertainty.as_stated
-    drawn = draws(len(floors.motions), 1, seed, as_stated=measured)
-    floors, drawn = _first(floors, drawn)
+    drawn = first_draws(len(floors.motions), seed, measured)
+    floors = _first(floors)
     rows = [_rows(body, option, scenario, drawn) for option in options]
-    followed = _followed(rows, body, contents, floors, threads)
+    spilt = _followed(rows, body, contents, floors, threads)
     less = _bound(emptied(body, contents), options, scenario, drawn, floors, threads)
     wide: Sequence[Probability | None] = [None] * len(options)
     if contents.drawers != "none":
         wide = _bound_of_open_drawers(body, contents, options, scenario, drawn, floors, threads)
     return [
-        _verdict(followed[place], empty, open_, contents)
+        _verdict(spilt[place], empty, open_, contents)
         for place, (empty, open_) in enumerate(zip(less, wide, strict=True))
     ]
 
 
-def _first(floors: FloorMotions, drawn: DrawTable) -> tuple[FloorMotions, DrawTable]:
-    """Return the first `MOTIONS` motions, or all where there are fewer, with their draws."""
+def runs_of_contents(contents: Contents, motions: int) -> int:
+    """Return how many simulations the contents take for each option: of the piece, and of its items.
+
+    Parameters
+    ----------
+    contents : Contents
+        What is in the furniture.
+    motions : int
+        Motions of the verification.
+    """
+    of_the_piece = 2 if contents.drawers == "none" else 3
+    return min(motions, MOTIONS) * (of_the_piece + contents.levels * contents.items)
+
+
+def first_draws(motions: int, seed: int, as_stated: Sequence[str]) -> DrawTable:
+    """Return the first draw of each of so many motions, of the first `MOTIONS` where there are more."""
+    columns = draws(motions, 1, seed, as_stated=as_stated).columns
+    return DrawTable({name: column[:MOTIONS] for name, column in columns.items()})
+
+
+def _first(floors: FloorMotions) -> FloorMotions:
+    """Return the first `MOTIONS` motions, or all where there are fewer."""
     measures = {measure: values[:MOTIONS] for measure, values in floors.measures.items()}
-    columns = {name: column[:MOTIONS] for name, column in drawn.columns.items()}
-    return FloorMotions(floors.motions[:MOTIONS], floors.scales[:MOTIONS], measures), DrawTable(columns)
+    return FloorMotions(floors.motions[:MOTIONS], floors.scales[:MOTIONS], measures)
 
 
 def _rows(body: Body, option: Option, scenario: Scenario, drawn: DrawTable) -> Rows:
@@ -117,46 +179,72 @@ def _rows(body: Body, option: Option, scenario: Scenario, drawn: DrawTable) -> R
     return rows_of(body, room, option.measures, drawn, scenario.gravity, initial)
 
 
-COLUMNS = ("out", "toppled", "mass", "overturned", "failed")
+def spilt_under(
+    rows: Rows, number: int, floor: PreparedFloor, body: Body, contents: Contents, *, leaving: bool
+) -> Spill | None:
+    """Follow what is in a piece under one motion; none where the piece's run is given up.
+
+    Parameters
+    ----------
+    rows : Rows
+        The piece with one draw for each motion.
+    number : int
+        The motion.
+    floor : PreparedFloor
+        The motions, with their factors.
+    body : Body
+        The piece as stated.
+    contents : Contents
+        What is in it.
+    leaving : bool
+        Whether to follow an item of each shelf until it leaves a piece that stands.
+    """
+    case = rows.cases[number].copy()
+    case["scale"] = floor.scales[number]
+    carrier = Carrier.of(case, rows.elements[number], floor.shakings[number].floor, body.height)
+    if carrier.failed:
+        return None
+    return spill_of(carrier, body, contents, followed=1 if leaving and not carrier.overturned else 0)
+
+
+def share_out(spilt: Sequence[Spill | None], contents: Contents) -> Probability:
+    """Return the share of the items that come out, over the runs that were not given up."""
+    each = contents.levels * contents.items
+    items = np.array([0 if one is None else each for one in spilt])
+    out = np.array([0 if one is None else np.count_nonzero(one.out) for one in spilt])
+    return probability_of_counts(out, items, each - items)
 
 
 def _followed(
     rows: Sequence[Rows], body: Body, contents: Contents, floors: FloorMotions, threads: int | None
-) -> NDArray[np.float64]:
-    """Return `COLUMNS` of each run, shape [options, motions, columns]: shares, mass [kg], and 0 or 1."""
-    found = np.zeros((len(rows), len(floors.motions), len(COLUMNS)))
+) -> list[list[Spill | None]]:
+    """Return what comes out of each option under each motion."""
+    floor = PreparedFloor.of(floors.motions, floors.scales)
+    found: list[list[Spill | None]] = [[None] * len(floors.motions) for _ in rows]
 
-    def follow(place: int, number: int) -> tuple[int, int, tuple[float, ...]]:
-        case = rows[place].cases[number].copy()
-        case["scale"] = floors.scales[number]
-        carrier = Carrier.of(case, rows[place].elements[number], floors.motions[number], body.height)
-        if carrier.failed:
-            return place, number, (0.0, 0.0, 0.0, 0.0, 1.0)
-        spilt = spill_of(carrier, body, contents, followed=False)
-        fell = float(carrier.overturned)
-        return place, number, (spilt.share_out, spilt.share_toppled, spilt.mass_out, fell, 0.0)
+    def follow(place: int, number: int) -> tuple[int, int, Spill | None]:
+        return place, number, spilt_under(rows[place], number, floor, body, contents, leaving=True)
 
-    places = np.ndindex(found.shape[:2])
+    places = np.ndindex(len(rows), len(floors.motions))
     with ThreadExecutor(threads) as executor:
-        for _, (place, number, values) in executor.as_completed(Call(follow, *at) for at in places):
-            found[place, number] = values
+        for _, (place, number, spilt) in executor.as_completed(Call(follow, *at) for at in places):
+            found[place][number] = spilt
     return found
 
 
 def _verdict(
-    followed: NDArray[np.float64], empty: Probability, open_: Probability | None, contents: Contents
+    spilt: Sequence[Spill | None], empty: Probability, open_: Probability | None, contents: Contents
 ) -> ContentsVerdict:
-    out, toppled, mass, fell, failed = followed.T
-    made = failed == 0.0
-    each = contents.levels * contents.items
-    count = np.where(made, each, 0)
+    made = [one for one in spilt if one is not None]
+    fell = np.array([one is not None and one.overturned for one in spilt])
     return ContentsVerdict(
-        out=probability_of_counts(np.rint(each * out).astype(int), count, each - count),
-        toppled=float(toppled[made].mean()) if made.any() else np.nan,
-        mass_out=float(mass[made].mean()) if made.any() else np.nan,
-        rigid=probability(fell[:, np.newaxis] > 0.0, ~made[:, np.newaxis]),
+        out=share_out(spilt, contents),
+        toppled=float(np.mean([one.share_toppled for one in made])) if made else np.nan,
+        mass_out=float(np.mean([one.mass_out for one in made])) if made else np.nan,
+        rigid=probability(fell[:, np.newaxis], np.array([one is None for one in spilt])[:, np.newaxis]),
         emptied=empty,
         opened=open_,
+        leaving=Leaving.of(made),
     )
 
 

@@ -14,7 +14,7 @@ from stayput.measures.parameters import GRADE_OF, MEANINGS
 from stayput.model.parameters import parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.verification.grades import furniture_tag, grade, weakest
-from stayput.verification.words import length, share_text, slides_off, title
+from stayput.verification.words import length, slides_off, title
 from stayput.wording import FAR
 
 if TYPE_CHECKING:
@@ -185,9 +185,10 @@ def _contents(verdict: Verdict) -> Iterator[Phrase]:
     wide = contents.opened
     yield phrase(
         "verification.contents_bound",
-        rigid=share_text(contents.rigid.estimate),
-        emptied=share_text(contents.emptied.estimate),
-        opened="" if wide is None else phrase("verification.drawers_open", share=share_text(wide.estimate)),
+        runs=contents.rigid.runs,
+        rigid=contents.rigid.texts,
+        emptied=contents.emptied.texts,
+        opened="" if wide is None else phrase("verification.drawers_open", share=wide.texts),
     )
 
 

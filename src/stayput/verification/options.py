@@ -138,14 +138,15 @@ def partition_options(
     return tuple(possible), tuple(impossible)
 
 
-def _usual() -> tuple[Option, ...]:
+def usual() -> tuple[Option, ...]:
+    """Return the usual measures, each alone, and the usual pair, whether they can be applied or not."""
     sets = [(name,) for name in USUAL] + [COMBINED]
     return tuple(Option(" + ".join(names), tuple(MEASURES[name]() for name in names)) for names in sets)
 
 
 def usual_options(body: Body, room: Room) -> tuple[Option, ...]:
     """Return the usual measures, each alone, and the usual pair: those that can be applied here."""
-    return partition_options(_usual(), body, room)[0]
+    return partition_options(usual(), body, room)[0]
 
 
 def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impossible, ...]]:
@@ -159,7 +160,7 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
     named = tuple(Option(measure_set.name, measure_set.measures) for measure_set in scenario.measures)
     _refuse_twice((Option("none"), *named))
     body, room = scenario.furniture.body(), scenario.room.room()
-    possible, impossible = partition_options(named or _usual(), body, room)
+    possible, impossible = partition_options(named or usual(), body, room)
     if named and not possible:
         raise impossible[0].error
     return (Option("none"), *possible), impossible

@@ -12,7 +12,7 @@ from stayput.estimates import ishiyama_velocity, kaneko_hayashi, rocking_acceler
 from stayput.execution import Call, ThreadExecutor
 from stayput.fragility import PFA, PFV
 from stayput.motion.units import STANDARD_GRAVITY
-from stayput.standards import RequiredSpectrum, asce43_sliding, equipment_loads, position_of
+from stayput.standards import ac156, asce43_sliding, equipment_loads, position_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -51,7 +51,7 @@ class Ac156Estimate:
     @classmethod
     def of(cls, rocking: float, height_ratio: float) -> Self:
         """Return it for an acceleration at which rocking starts [m/s²]; A_rig is proportional to S_DS."""
-        required = RequiredSpectrum(1.0, height_ratio)
+        required = ac156(1.0, height_ratio)
         return cls(height_ratio, rocking / (required.rigid * STANDARD_GRAVITY))
 
 
@@ -101,7 +101,7 @@ class Estimates:
         Share that overturns by Kaneko and Hayashi, on average over the motions.
     equipment : tuple of EquipmentLoad
         Static loads of the Japanese guideline for building equipment where the piece stands, class by class.
-    ac156 : Ac156Estimate
+    shake_table : Ac156Estimate
         The shake-table test of AC156 where the piece stands.
     sliding : SlidingShare
         Sliding by the approximate method of ASCE 43.
@@ -112,7 +112,7 @@ class Estimates:
     possible: float
     overturning_ratio: float
     equipment: tuple[EquipmentLoad, ...]
-    ac156: Ac156Estimate
+    shake_table: Ac156Estimate
     sliding: SlidingShare
 
     @classmethod

@@ -185,6 +185,9 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
         parts.append(phrase("verification.more_often", **values))
     if option.contents is not None:
         parts.append(contents_out(option, verdict))
+        if (leaving := option.contents.leaving) is not None:
+            heights = {"height": length(leaving.height), "highest": length(leaving.highest)}
+            parts.append(phrase("verification.contents_leave", **heights, fast=leaving.fast))
     if shares[DEVICE_FAILED] >= 0.05:
         parts.append(phrase("verification.device_fails", share=share_text(shares[DEVICE_FAILED])))
         worst = max(option.devices, key=lambda device: device.failed.estimate, default=None)

@@ -36,6 +36,8 @@ export const simulate = (content, signal) => json("simulate", sent(content, sign
 export const sizeMap = (content, signal) => json("size-map", sent(content, signal));
 export const verify = (content, signal) => json("verify", sent(content, signal));
 export const job = (id, signal) => json(`jobs/${id}`, { signal });
+export const everyday = (id, scene, signal) =>
+  json(`jobs/${id}/everyday`, { ...sent({ scene }, signal), method: "PUT" });
 export const cancel = (id) => ask(`jobs/${id}`, { method: "DELETE", keepalive: true });
 export const toml = async (content) => (await ask("scenario/toml", sent(content))).text();
 export const runAsCsv = async (content, which) =>

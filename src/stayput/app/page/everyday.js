@@ -8,6 +8,9 @@ import { both, number, t } from "./words.js";
 const STEPS = { drawers: 1, drawerLoad: 1, pull: 5 };
 let fields = {};
 
+/** Whether a key of the scene is asked for here, and so decides nothing that is simulated. */
+export const asks = (key) => key in STEPS;
+
 /** Builds the fields; called again for another language. */
 export function build(presets) {
   fields = Object.fromEntries(

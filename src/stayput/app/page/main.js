@@ -157,10 +157,14 @@ function again() {
   tellProblem(problem);
 }
 
+const touched = new Set();
 const changed = beforeNextFrame(() => {
+  const keys = [...touched];
+  touched.clear();
   for (const panel of PANELS) panel.update();
   upload.update();
   notices.update();
+  if (keys.every(everyday.asks) && understand.everydayChanged()) return;
   understand.outdated();
   simulate();
 });
@@ -213,6 +217,7 @@ async function begin() {
   understand.build(presets, request);
   watch((keys) => {
     edit(keys);
+    for (const key of keys) touched.add(key);
     changed();
     address();
   });

@@ -5,6 +5,7 @@ import * as api from "./api.js";
 import { patiently } from "./connection.js";
 import { oneOf } from "./controls.js";
 import { fill, part, settled } from "./dom.js";
+import * as estimates from "./estimates.js";
 import * as everyday from "./everyday.js";
 import * as fragility from "./fragility.js";
 import * as keep from "./keep.js";
@@ -19,7 +20,9 @@ import * as whatif from "./whatif.js";
 import { number, perCent, t } from "./words.js";
 
 const SETTLED = 900,
-  FIRST = ["everyday", "everyday-cases"],
+  SOON = 150,
+  MARGINS = ["everyday", "everyday-cases"],
+  FIRST = [...MARGINS, "estimates"],
   REST = ["ranking", "fragility", "map"];
 const jobs = line();
 let question = null,
@@ -28,6 +31,7 @@ let question = null,
   base = null,
   map = null,
   flight = null,
+  asking = null,
   round = 0,
   mapped = "without";
 
@@ -68,6 +72,32 @@ export function outdated() {
   soon();
 }
 
+/** What people do to the piece has changed: returns whether the verdict at hand only needs that told anew. */
+export function everydayChanged() {
+  if (part("understand").dataset.state !== "done") return false;
+  date(MARGINS, true);
+  margins();
+  return true;
+}
+
+const margins = settled(SOON, async () => {
+  const mine = round;
+  asking?.abort();
+  const own = (asking = new AbortController()),
+    wanted = () => mine === round && own === asking;
+  if (part("understand").dataset.state !== "done") return;
+  try {
+    const { scene } = question(),
+      said = await patiently(() => api.everyday(part("understand").dataset.job, scene, own.signal), wanted);
+    if (!said || !wanted()) return;
+    base.everyday = result.everyday = said;
+    everyday.show(base);
+    date(MARGINS, false);
+  } catch (error) {
+    if (error.name !== "AbortError" && wanted()) outdated(); // the server has forgotten the job
+  }
+});
+
 /** Marks what is shown as of the scene before, or as of this one. */
 const date = (ids, old) => ids.forEach((id) => (part(id).dataset.old = String(old)));
 const soon = settled(SETTLED, () => work());
@@ -96,6 +126,7 @@ async function work() {
     date(FIRST, false);
     verdict.show(first.result);
     everyday.show(first.result);
+    estimates.show(first.result);
     base = first.result;
     const job = await jobs.run({ ...content, compare_usual: true }, (running) => progress(running.progress));
     if (!job || mine !== round) return;
@@ -171,6 +202,7 @@ export function again(presets) {
   if (base) {
     verdict.show(base);
     everyday.show(base);
+    estimates.show(base);
   }
   if (map) showMap();
   state(part("understand").dataset.state);

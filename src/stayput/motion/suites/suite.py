@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, cast, overload
 
 import numpy as np
 
-from stayput.errors import InputError
+from stayput.errors import InputError, list_of
 from stayput.motion.processing import whole
 from stayput.motion.readers import read_motion
 from stayput.motion.record import Motion
@@ -78,7 +78,7 @@ class Suite(Sequence[Motion]):
     name: str = ""
 
     def __post_init__(self) -> None:
-        motions = tuple(self.motions)
+        motions = list_of("motions", self.motions)
         if not motions:
             raise InputError("motion.suite_empty", "motions")
         for motion in motions:
@@ -294,7 +294,7 @@ def read_suite(
         ]
         title = folder.resolve().name
     else:
-        files, title = [Path(file) for file in source], "records"
+        files, title = [Path(file) for file in list_of("source", source, (str, os.PathLike))], "records"
     if not files:
         raise InputError("motion.suite_no_files", name=title)
     motions = [_read(file, component, unit, dt) for file in files]

@@ -8,19 +8,18 @@ from typing import TYPE_CHECKING, Any
 from cachetools import LRUCache, cached
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, instance_of
 from stayput.model.parameters import arguments, quantity
 from stayput.motion.processing import whole
 from stayput.motion.suites.families import FAMILIES, KINDS, MIX
 from stayput.motion.suites.suite import Suite
 from stayput.motion.suites.synthesis import SEED_RANGE, synthetic_motion
-from stayput.motion.suites.target import DEFAULT_BAND
+from stayput.motion.suites.target import DEFAULT_BAND, TargetSpectrum
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from stayput.motion.record import Motion
-    from stayput.motion.suites.target import TargetSpectrum
 
 MIXED = "mixed"
 """Name of the suite of all families."""
@@ -101,6 +100,8 @@ def synthetic_suite(
         raise InputError(
             "motion.unknown_family", "family", family=family, known=", ".join((MIXED, *FAMILIES))
         )
+    if target is not None:
+        instance_of("target", target, TargetSpectrum)
     n, number = whole("count", count, *COUNT_RANGE), whole("seed", seed, *SEED_RANGE)
     families = mixed_order(n) if family == MIXED else [family] * n
     counts = dict.fromkeys(FAMILIES, 0)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, within
+from stayput.errors import InputError, list_of, numbers, within, word_of
 from stayput.motion.processing import LARGEST_ACCELERATION
 from stayput.motion.readers.text import file_text
 from stayput.motion.response import DAMPING, PERIOD_RANGE, checked_periods
@@ -61,7 +61,7 @@ class TargetSpectrum:
 
     def __post_init__(self) -> None:
         periods = checked_periods(self.periods)
-        sa = np.atleast_1d(np.array(self.sa, np.float64))
+        sa = np.atleast_1d(numbers("motion.name_target_sa", self.sa, "sa"))
         if len(periods) < 2 or sa.shape != periods.shape:
             raise InputError("motion.target_lengths", "sa", periods=len(periods), values=sa.size)
         for value in sa:
@@ -97,8 +97,11 @@ def band_periods(band: tuple[float, float]) -> NDArray[np.float64]:
     InputError
         A band out of range, or shorter than a tenth of its start.
     """
-    low = within("motion.name_band_shortest", band[0], *PERIOD_RANGE, "s", "band")
-    high = within("motion.name_band_longest", band[1], 1.1 * low, PERIOD_RANGE[1], "s", "band")
+    ends = list_of("band", band)
+    if len(ends) != 2:
+        raise InputError("motion.band_not_two", "band", value=repr(band))
+    low = within("motion.name_band_shortest", ends[0], *PERIOD_RANGE, "s", "band")
+    high = within("motion.name_band_longest", ends[1], 1.1 * low, PERIOD_RANGE[1], "s", "band")
     return np.geomspace(low, high, max(2, 1 + round(PER_DECADE * np.log10(high / low))))
 
 
@@ -133,8 +136,7 @@ def japanese_design(level: str = "very rare", soil: int = 2) -> TargetSpectrum:
     InputError
         No such level or class of ground.
     """
-    if level not in LEVELS:
-        raise InputError("motion.target_level", "level", level=level, known=", ".join(LEVELS))
+    word_of("motion.target_level", level, LEVELS, "level")
     if soil not in (1, *SITE_GV):
         raise InputError("motion.target_soil", "soil", soil=soil)
     corners = [0.16, 0.64] + ([0.576] if soil == 1 else [0.64 * SITE_GV[soil] / 1.5])
@@ -195,9 +197,9 @@ def read_target(path: str | os.PathLike[str], unit: str = "g") -> TargetSpectrum
     InputError
         The file cannot be read, or a line is not two numbers.
     """
-    factor, name = unit_factor(unit), Path(path).name
+    text, factor, name = file_text(path), unit_factor(unit), Path(path).name
     rows: list[list[float]] = []
-    for number, line in enumerate(file_text(path).splitlines(), start=1):
+    for number, line in enumerate(text.splitlines(), start=1):
         words = line.replace(",", " ").replace(";", " ").split()
         if not words or words[0].startswith("#"):
             continue

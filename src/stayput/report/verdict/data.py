@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, FragilityCurve, Probability
     from stayput.measures import Measure
+    from stayput.scenario import Scenario
     from stayput.verification import AsInstalled, OptionVerdict, Quantiles, Verdict
 
 
@@ -83,28 +84,33 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
                 }
                 for load in verdict.estimates.equipment
             ],
-            "ac156_height_ratio": number(verdict.estimates.ac156.height_ratio),
-            "ac156_rocking_s_ds_g": number(verdict.estimates.ac156.sds),
+            "ac156_height_ratio": number(verdict.estimates.shake_table.height_ratio),
+            "ac156_rocking_s_ds_g": number(verdict.estimates.shake_table.sds),
             "asce43_sliding_share": number(verdict.estimates.sliding.share),
             "asce43_sliding_median_m": number(verdict.estimates.sliding.distance),
         },
-        "everyday": [
-            {
-                "case": case.name,
-                "label": _texts(said),
-                "restoring_moment_n_m": number(case.restoring),
-                "overturning_moment_n_m": number(case.overturning),
-                "margin": number(case.margin),
-                "tips_over": case.tips,
-            }
-            for case, said in everyday_cases(verdict.scenario)
-        ],
+        "everyday": everyday_data(verdict.scenario),
         "assumptions": [
             {"what": entry.what("en"), "value": entry.value("en"), "confidence": entry.confidence}
             for entry in assumptions(verdict)
         ],
         "scenario_toml": verdict.scenario.to_toml(),
     }
+
+
+def everyday_data(scenario: Scenario) -> list[dict[str, Any]]:
+    """Return the cases of tip-over without an earthquake as plain values, the smallest margin first."""
+    return [
+        {
+            "case": case.name,
+            "label": _texts(said),
+            "restoring_moment_n_m": number(case.restoring),
+            "overturning_moment_n_m": number(case.overturning),
+            "margin": number(case.margin),
+            "tips_over": case.tips,
+        }
+        for case, said in everyday_cases(scenario)
+    ]
 
 
 def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:

@@ -200,6 +200,19 @@ def _drawn(verdict: Verdict, result: OptionVerdict, language: str) -> dict[str, 
     }
 
 
+def _place_of_the_measure(verdict: Verdict, pair: RunPair, language: str) -> str:
+    """Return whether the measure's run in a typical case is one of those that overturn, and how many do.
+
+    The case is typical of the piece without a measure: the measure may fail in it and hold in most others.
+    """
+    chance = verdict.best.probabilities[OVERTURNED]
+    if pair.kind != "typical" or len(pair.sides) == 1 or chance.runs == 0:
+        return ""
+    key = "typical_also_falls" if pair.sides[1].run.overturned else "typical_is_held"
+    told = word(key, language, share=numbers.share(chance.estimate, language))
+    return f" {told}" if language == "en" else told
+
+
 def _pair(verdict: Verdict, pair: RunPair, scene: Scene, count: int, language: str) -> dict[str, Any]:
     sides = [
         {"label": title(side.option, verdict, language), "outcome": side.outcome(language)}
@@ -209,7 +222,7 @@ def _pair(verdict: Verdict, pair: RunPair, scene: Scene, count: int, language: s
     about_key = f"{pair.kind}_text" if len(pair.sides) > 1 else f"{pair.kind}_bare_text"
     return {
         "title": word(pair.kind, language),
-        "about": word(about_key, language),
+        "about": word(about_key, language) + _place_of_the_measure(verdict, pair, language),
         "motion": word(
             "motion_shown",
             language,

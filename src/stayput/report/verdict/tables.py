@@ -236,16 +236,27 @@ def _record(result: OptionVerdict, verdict: Verdict) -> dict[str, object]:
 
 def contents_data(contents: ContentsVerdict) -> dict[str, float | None]:
     """Return what comes out of the furniture as plain values, by keys that name their units."""
+    leaving = contents.leaving
     return {
-        "contents_out_share": number(contents.out.estimate),
-        "contents_out_share_low": number(contents.out.low),
-        "contents_out_share_high": number(contents.out.high),
+        **_chance("contents_out_share", contents.out),
+        "contents_runs": contents.rigid.runs,
         "contents_toppled_share": number(contents.toppled),
         "contents_out_mass_kg": number(contents.mass_out),
-        "overturned_contents_fixed": number(contents.rigid.estimate),
-        "overturned_without_contents": number(contents.emptied.estimate),
-        "overturned_drawers_open": None if contents.opened is None else number(contents.opened.estimate),
+        "contents_leaving_height_m_median": None if leaving is None else number(leaving.height),
+        "contents_leaving_height_m_most": None if leaving is None else number(leaving.highest),
+        "contents_leaving_speed_m_s_median": None if leaving is None else number(leaving.speed),
+        "contents_leaving_speed_m_s_p90": None if leaving is None else number(leaving.fast),
+        **_chance("overturned_contents_fixed", contents.rigid),
+        **_chance("overturned_without_contents", contents.emptied),
+        **_chance("overturned_drawers_open", contents.opened),
     }
+
+
+def _chance(key: str, chance: Probability | None) -> dict[str, float | None]:
+    """Return a probability and its interval as plain values; nothing of one that does not apply."""
+    ends = (None,) * 3 if chance is None else (chance.estimate, chance.low, chance.high)
+    names = (key, f"{key}_low", f"{key}_high")
+    return {name: None if end is None else number(end) for name, end in zip(names, ends, strict=True)}
 
 
 def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]:
@@ -260,15 +271,17 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
     """
     estimates = verdict.estimates
     simulated = numbers.probability(verdict.without.probabilities[OVERTURNED], language)
-    capacity = verdict.without.curves[JMA_INTENSITY].capacity(0.5) if verdict.without.curves else None
     rocking, _ = numbers.angles(verdict.without.tilt, language)
     slid, _ = numbers.slides(verdict.without.slide, verdict.scenario.room.room(), language)
     sliding = estimates.sliding
 
     text = partial(word, language=language)
-    median = numbers.capacity(capacity, language)
     colon = text("colon")
     beside = f"{text('overturned')}{colon}{simulated}"
+    median = ""
+    if verdict.without.curves:  # the first verdict of the page has none
+        capacity = numbers.capacity(verdict.without.curves[JMA_INTENSITY].capacity(0.5), language)
+        median = f"{text('listed')}{text('capacity_short', share='50')}{colon}{capacity}"
     return [
         (
             text("west"),
@@ -287,7 +300,7 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
         (
             text("kaneko"),
             text("kaneko_text", share=numbers.share(estimates.overturning_ratio, language)),
-            f"{beside}{text('listed')}{text('capacity_short', share='50')}{colon}{median}",
+            f"{beside}{median}",
         ),
         *(
             (
@@ -302,8 +315,8 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
             for load in estimates.equipment
         ),
         (
-            text("ac156", ratio=f"{estimates.ac156.height_ratio:.2f}"),
-            text("ac156_text", value=f"{estimates.ac156.sds:.2f}"),
+            text("ac156", ratio=f"{estimates.shake_table.height_ratio:.2f}"),
+            text("ac156_text", value=f"{estimates.shake_table.sds:.2f}"),
             f"{text('tilt')}{colon}{rocking}",
         ),
         (

@@ -1,0 +1,275 @@
+"""Convex polyhedra: hulls with flat faces that are polygons, and volume, centroid and second moments."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from scipy.spatial import ConvexHull, QhullError
+
+from stayput.errors import InputError
+from stayput.model.body import SIZE_RANGE
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from stayput.catalogue import Phrase
+
+TOLERANCE = 1e-6
+"""Points as near to a plane as this, as a part of the body's size, lie in it: files may have 7 digits."""
+
+FLATTEST = 1e-9
+"""Smallest volume of a body, as a part of the cube of its size."""
+
+
+LEAST_FILLED = 0.999
+"""Smallest part of its convex hull that a shape must fill to be taken for it."""
+
+
+class Hull(NamedTuple):
+    """A convex polyhedron.
+
+    Attributes
+    ----------
+    vertices : ndarray, shape (n, 3)
+        Its corners [m], in the order in which they were given.
+    faces : tuple of ndarray
+        The corners of each face, counter-clockwise as seen from outside, each from its smallest index on.
+    """
+
+    vertices: NDArray[np.float64]
+    faces: tuple[NDArray[np.int64], ...]
+
+
+class UniformSolid(NamedTuple):
+    """What follows from a shape that is filled evenly.
+
+    Attributes
+    ----------
+    volume : float
+        Volume [m³].
+    centroid : ndarray, shape (3,)
+        Its centroid [m].
+    second_moments : ndarray, shape (3, 3)
+        Mean of x xᵀ over the volume, x from the centroid [m²].
+    """
+
+    volume: float
+    centroid: NDArray[np.float64]
+    second_moments: NDArray[np.float64]
+
+
+def size_of(points: NDArray[np.float64]) -> float:
+    """Return the longest side of the box around points [m]."""
+    return float(np.ptp(points, axis=0).max())
+
+
+def check_size(points: NDArray[np.float64], field: str, hint: str | Phrase = "") -> None:
+    """Refuse points whose box has a side that no body has.
+
+    Parameters
+    ----------
+    points : ndarray, shape (k, 3)
+        Points, finite [m].
+    field : str
+        The input that they are.
+    hint : str or Phrase
+        An aside at the end of the sentence.
+
+    Raises
+    ------
+    InputError
+        A side that is too short or too long.
+    """
+    sides = np.ptp(points, axis=0)
+    low, high = SIZE_RANGE
+    if not (low <= sides.min() and sides.max() <= high):
+        extents = " × ".join(f"{side:.4g}" for side in sides)
+        raise InputError("solids.size", field, extents=extents, low=low, high=high, hint=hint)
+
+
+def convex_hull(points: NDArray[np.float64]) -> Hull:
+    """Return the convex hull of points.
+
+    Triangles that lie in a plane make one face. Points inside, within faces and within edges are left out.
+
+    Parameters
+    ----------
+    points : ndarray, shape (k, 3)
+        Points, finite [m].
+
+    Raises
+    ------
+    InputError
+        The points lie in a plane, or nearly so.
+    """
+    size = size_of(points)
+    try:
+        hull = ConvexHull(points)
+    except (QhullError, ValueError):
+        raise InputError("solids.flat", "vertices") from None
+    if hull.volume <= FLATTEST * size**3:
+        raise InputError("solids.flat", "vertices")
+    triangles = hull.simplices.astype(np.int64)
+    # Qhull's simplices are turned either way; its normals all point outwards.
+    turned = np.einsum("ij,ij->i", _normals(points, triangles), hull.equations[:, :3]) < 0.0
+    triangles[turned] = triangles[turned][:, ::-1]
+    grouped = _grouped(points, triangles, hull.neighbors, TOLERANCE * size)
+    of_faces: list[list[list[int]]] = [[] for _ in range(grouped.max() + 1)]
+    for face, triangle in zip(grouped, triangles.tolist(), strict=True):
+        of_faces[face].append(triangle)
+    loops = _without_straight_corners([loop for of_face in of_faces for loop in _outlines(of_face)])
+    kept = np.array(sorted({corner for loop in loops for corner in loop}))
+    renumbered = np.full(len(points), -1)
+    renumbered[kept] = np.arange(len(kept))
+    faces = sorted(_from_smallest(renumbered[loop].tolist()) for loop in loops)
+    return Hull(points[kept], tuple(np.array(face, np.int64) for face in faces))
+
+
+def check_filled(volume: float, hull_volume: float, field: str) -> None:
+    """Refuse a shape that does not fill its convex hull.
+
+    Parameters
+    ----------
+    volume, hull_volume : float
+        Volumes, or areas, of the shape and of its hull.
+    field : str
+        The input that it is.
+
+    Raises
+    ------
+    InputError
+        It does not.
+    """
+    share = volume / hull_volume
+    if share < LEAST_FILLED:
+        raise InputError("solids.not_convex", field, share=share, least=LEAST_FILLED)
+
+
+def triangulated(faces: tuple[NDArray[np.int64], ...]) -> NDArray[np.int64]:
+    """Return the triangles of convex faces, shape (t, 3), turned like them."""
+    return np.concatenate(
+        [np.column_stack((np.full(len(face) - 2, face[0]), face[1:-1], face[2:])) for face in faces]
+    )
+
+
+def planes(hull: Hull) -> NDArray[np.float64]:
+    """Return the planes of the faces, shape (f, 4): outward unit normal n and d, n·x ≤ d inside [m]."""
+    rows: list[list[float]] = []
+    for face in hull.faces:
+        around = hull.vertices[face]
+        middle = around.mean(axis=0)
+        # Newell's normal: of all corners alike
+        normal = np.cross(around - middle, np.roll(around, -1, axis=0) - middle).sum(axis=0)
+        normal /= np.linalg.norm(normal)
+        rows.append([*normal, (around @ normal).max()])
+    return np.array(rows)
+
+
+def enclosed_volume(vertices: NDArray[np.float64], triangles: NDArray[np.int64]) -> float:
+    """Return the volume in a closed surface of triangles [m³]; negative where they are clockwise.
+
+    Parameters
+    ----------
+    vertices : ndarray, shape (n, 3)
+        Its corners [m].
+    triangles : ndarray, shape (t, 3)
+        Indices, counter-clockwise as seen from outside.
+    """
+    return float(_tetrahedra(vertices, triangles)[1].sum())
+
+
+def uniform_solid(vertices: NDArray[np.float64], triangles: NDArray[np.int64]) -> UniformSolid:
+    """Return volume, centroid and second moments of what a closed surface of triangles encloses.
+
+    They are sums over the tetrahedra between a point and the triangles, of volume V and with the corners
+    0, a, b, c and s = a + b + c: ∫x dV = V s/4, ∫x xᵀ dV = V (a aᵀ + b bᵀ + c cᵀ + s sᵀ)/20.
+
+    Parameters
+    ----------
+    vertices : ndarray, shape (n, 3)
+        Its corners [m].
+    triangles : ndarray, shape (t, 3)
+        Indices, counter-clockwise as seen from outside.
+    """
+    origin = vertices.mean(axis=0)
+    corners, volumes = _tetrahedra(vertices, triangles)
+    sums = corners.sum(axis=1)
+    volume = float(volumes.sum())
+    centroid = volumes @ sums / (4.0 * volume)
+    moments = np.einsum("t,tki,tkj->ij", volumes, corners, corners)
+    moments += np.einsum("t,ti,tj->ij", volumes, sums, sums)
+    return UniformSolid(volume, origin + centroid, moments / (20.0 * volume) - np.outer(centroid, centroid))
+
+
+def _tetrahedra(
+    vertices: NDArray[np.float64], triangles: NDArray[np.int64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return triangles' corners from the vertices' mean, shape (t, 3, 3), and volumes between it and them."""
+    corners = (vertices - vertices.mean(axis=0))[triangles]
+    return corners, np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6.0
+
+
+def _normals(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Return normals of triangles, twice as long as their area."""
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    return np.cross(b - a, c - a)
+
+
+def _grouped(
+    points: NDArray[np.float64],
+    triangles: NDArray[np.int64],
+    neighbours: NDArray[np.int32],
+    tolerance: float,
+) -> NDArray[np.int64]:
+    """Return the number of each triangle's face: neighbours that lie in the plane of the largest of them."""
+    normals = _normals(points, triangles)
+    areas = np.linalg.norm(normals, axis=1)
+    group = np.full(len(triangles), -1)
+    count = 0
+    for seed in np.argsort(-areas, kind="stable"):
+        if group[seed] >= 0:
+            continue
+        group[seed] = count
+        height, reach = points[triangles[seed, 0]] @ normals[seed], tolerance * areas[seed]
+        waiting = [seed]
+        while waiting:
+            for other in neighbours[waiting.pop()]:
+                if group[other] < 0 and np.all(
+                    np.abs(points[triangles[other]] @ normals[seed] - height) <= reach
+                ):
+                    group[other] = count
+                    waiting.append(other)
+        count += 1
+    return group
+
+
+def _outlines(triangles: list[list[int]]) -> list[list[int]]:
+    """Return the corners around triangles of a plane; of those that have no single outline, each by itself.
+
+    A bulge as slight as the tolerance can leave a ring of triangles around others.
+    """
+    edges = {(t[i], t[(i + 1) % 3]) for t in triangles for i in range(3)}
+    outer = [(start, end) for start, end in edges if (end, start) not in edges]
+    after = dict(outer)
+    loop = [min(after)]
+    while (corner := after[loop[-1]]) != loop[0] and len(loop) < len(after):
+        loop.append(corner)
+    return [loop] if len(loop) == len(outer) else triangles
+
+
+def _without_straight_corners(loops: list[list[int]]) -> list[list[int]]:
+    """Return faces without corners that only two of them have, and without what shrinks to an edge."""
+    while True:
+        count = Counter(corner for loop in loops for corner in loop)
+        kept = [[corner for corner in loop if count[corner] > 2] for loop in loops]
+        if kept == loops:
+            return loops
+        loops = [loop for loop in kept if len(loop) > 2]
+
+
+def _from_smallest(loop: list[int]) -> list[int]:
+    """Return the same corners in the same direction, the smallest first."""
+    start = loop.index(min(loop))
+    return loop[start:] + loop[:start]

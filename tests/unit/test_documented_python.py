@@ -1,0 +1,34 @@
+"""The Python of the documentation's pages runs as it is told, each page by itself, in an empty folder."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+PAGES = Path(__file__).parents[2] / "docs"
+PYTHON = re.compile(r"```python\n(.*?)```", re.DOTALL)
+NEEDS_MORE = {
+    "buildings.md": "a folder of records",
+    "fragility.md": "runs of one's own",
+    "intensity.md": "a record",
+    "motions.md": "a record",
+    "suites.md": "a folder of records",
+    "verify.md": "the examples",
+}
+"""Pages whose blocks go on from what the reader has."""
+
+BLOCKS = {page.name: PYTHON.findall(page.read_text(encoding="utf-8")) for page in sorted(PAGES.glob("*.md"))}
+RUN = [name for name, blocks in BLOCKS.items() if blocks and name not in NEEDS_MORE]
+
+
+def test_the_pages_are_found():
+    assert {"contents.md", "everyday.md", "standards.md"} <= set(RUN)
+    assert set(NEEDS_MORE) <= {name for name, blocks in BLOCKS.items() if blocks}
+
+
+@pytest.mark.parametrize("name", RUN)
+def test_the_python_of_a_page_runs(name, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    told = {}
+    for block in BLOCKS[name]:
+        exec(block, told)

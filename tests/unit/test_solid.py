@@ -1,0 +1,394 @@
+"""`Solid`: moments beside closed forms and samples, the frame, what is refused, and what stands."""
+
+from __future__ import annotations
+
+import math
+import pickle
+from collections import Counter
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from stayput import Body, Solid
+from stayput.errors import InputError
+from stayput.model.inertia import inertia_of, principal_axes
+from stayput.model.polyhedron import convex_hull, planes, size_of, triangulated, uniform_solid
+from stayput.model.solid import MOST_VERTICES, SIDES
+
+HEXAGON = [(math.cos(a), math.sin(a)) for a in np.arange(6) * math.pi / 3]
+KITE = [(0.0, 0.0), (0.5, -0.2), (0.9, 0.1), (0.4, 0.6)]
+RNG = np.random.default_rng(17)
+
+
+def rotation(rng: np.random.Generator) -> np.ndarray:
+    q, r = np.linalg.qr(rng.normal(size=(3, 3)))
+    q = q * np.sign(np.diag(r))
+    return q if np.linalg.det(q) > 0.0 else q[:, [1, 0, 2]]
+
+
+def samples_inside(solid: Solid, count: int) -> np.ndarray:
+    """Points spread evenly over a solid's hull, from the box around it."""
+    low, high = solid.vertices.min(axis=0), solid.vertices.max(axis=0)
+    points = RNG.uniform(low, high, (count, 3))
+    faces = planes(convex_hull(solid.vertices))
+    return points[(points @ faces[:, :3].T <= faces[:, 3]).all(axis=1)]
+
+
+def assert_closed(vertices: np.ndarray, faces: tuple[np.ndarray, ...]) -> None:
+    edges = Counter((int(a), int(b)) for face in faces for a, b in zip(face, np.roll(face, -1), strict=True))
+    assert set(edges.values()) == {1}
+    assert all((b, a) in edges for a, b in edges)
+    assert len(vertices) - len(edges) // 2 + len(faces) == 2  # Euler
+    outside = planes(convex_hull(vertices))
+    assert (vertices @ outside[:, :3].T - outside[:, 3]).max() <= 2e-6 * size_of(vertices)
+
+
+# Closed forms
+
+
+def test_a_box_has_the_moments_of_a_box():
+    b, l, h, m = 0.3, 0.8, 1.8, 200.0
+    box = Solid.box(b, l, h, m)
+    expected = np.diag([l * l + h * h, b * b + h * h, b * b + l * l]) * m / 12.0
+    np.testing.assert_allclose(box.inertia, expected, rtol=1e-15, atol=0.0)
+    assert box.centre_of_gravity.tolist() == [0.0, 0.0, h / 2]
+    assert (len(box.vertices), len(box.faces)) == (8, 6)
+    assert {len(face) for face in box.faces} == {4}
+    assert np.array_equal(box.vertices.min(axis=0), [-b / 2, -l / 2, 0.0])
+    assert np.array_equal(box.vertices.max(axis=0), [b / 2, l / 2, h])
+
+
+def test_a_box_s_moments_are_also_those_of_its_tetrahedra():
+    box = Solid.box(0.3, 0.8, 1.8, 200.0)
+    hull = Solid(box.vertices, 200.0)
+    np.testing.assert_allclose(hull.inertia, box.inertia, rtol=1e-14, atol=1e-13)
+    np.testing.assert_allclose(hull.centre_of_gravity, box.centre_of_gravity, atol=1e-15)
+
+
+def test_a_cylinder_has_the_moments_of_a_cylinder():
+    r, h, m = 0.15, 1.2, 60.0
+    cylinder = Solid.cylinder(2 * r, h, m)
+    across, along = m * (3 * r * r + h * h) / 12.0, m * r * r / 2.0
+    np.testing.assert_allclose(cylinder.inertia, np.diag([across, across, along]), rtol=1e-14, atol=0.0)
+    assert cylinder.centre_of_gravity.tolist() == [0.0, 0.0, pytest.approx(h / 2, rel=1e-15)]
+    assert cylinder.inertia[0, 0] == cylinder.inertia[1, 1]
+    assert np.array_equal(cylinder.rims, [[0, 0, 0, 0, 0, -1, r], [0, 0, h, 0, 0, 1, r]])
+
+
+@pytest.mark.parametrize(("bottom", "top"), [(0.5, 0.2), (0.2, 0.5), (0.3, 0.3)])
+def test_a_cone_is_a_stack_of_discs(bottom, top):
+    h, m, count = 0.8, 7.0, 20_000
+    cone = Solid.cone(bottom, top, h, m)
+    z = (np.arange(count) + 0.5) * h / count
+    radius = bottom / 2 + (top - bottom) / 2 * z / h
+    mass = radius**2 * m / (radius**2).sum()
+    z_g = (mass * z).sum() / m
+    along = (mass * radius**2).sum() / 2.0
+    across = (mass * (radius**2 / 4.0 + (z - z_g) ** 2)).sum()
+    assert cone.centre_of_gravity[2] == pytest.approx(z_g, rel=1e-8)
+    np.testing.assert_allclose(np.diag(cone.inertia), [across, across, along], rtol=1e-8)
+
+
+def test_a_cone_with_a_point_tends_to_the_textbook_s():
+    r, h, m = 0.4, 0.9, 3.0
+    cone = Solid.cone(2 * r, 1e-3, h, m)
+    assert cone.centre_of_gravity[2] == pytest.approx(h / 4, rel=5e-3)
+    expected = [3 * m * (r * r / 20 + h * h / 80)] * 2 + [0.3 * m * r * r]
+    np.testing.assert_allclose(np.diag(cone.inertia), expected, rtol=1e-2)
+
+
+def test_the_corners_of_a_round_body_lie_on_its_rims_and_mirror_each_other():
+    cone = Solid.cone(0.5, 0.2, 0.8, 7.0)
+    assert (len(cone.vertices), len(cone.faces)) == (2 * SIDES, SIDES + 2)
+    assert_closed(cone.vertices, cone.faces)
+    for x, y, z, _, _, _, radius in cone.rims:
+        ring = cone.vertices[cone.vertices[:, 2] == z]
+        np.testing.assert_allclose(np.hypot(ring[:, 0] - x, ring[:, 1] - y), radius, rtol=1e-15)
+        here = {tuple(point) for point in np.abs(ring[:, :2]).tolist()}
+        assert len(here) == SIDES // 4 + 1
+        assert {(b, a) for a, b in here} == here
+    inscribed = uniform_solid(cone.vertices, triangulated(cone.faces))
+    polygon = SIDES * math.sin(2 * math.pi / SIDES) / (2 * math.pi)
+    assert inscribed.volume == pytest.approx(polygon * math.pi * 0.8 * (0.25**2 + 0.025 + 0.1**2) / 3)
+
+
+@pytest.mark.parametrize("outline", [HEXAGON, KITE, KITE[::-1]], ids=["hexagon", "kite", "turned kite"])
+def test_a_prism_s_moments_are_those_of_its_outline_s_triangles(outline):
+    h, m = 0.7, 30.0
+    prism = Solid.prism(outline, h, m)
+    corners = np.array(outline)
+    corners = corners - (corners.min(axis=0) + corners.max(axis=0)) / 2
+    area, first, second = 0.0, np.zeros(2), np.zeros((2, 2))
+    for i in range(1, len(corners) - 1):
+        triangle = corners[[0, i, i + 1]]
+        (a, b), (c, d) = triangle[1] - triangle[0], triangle[2] - triangle[0]
+        part = (a * d - b * c) / 2.0
+        middles = (triangle + np.roll(triangle, 1, axis=0)) / 2  # exact for second degree
+        area, first = area + part, first + part * triangle.mean(axis=0)
+        second = second + part * (middles.T @ middles) / 3
+    g = first / area
+    spread = np.zeros((3, 3))
+    spread[:2, :2] = second / area - np.outer(g, g)
+    spread[2, 2] = h * h / 12
+    np.testing.assert_allclose(prism.centre_of_gravity, [*g, h / 2], atol=1e-15)
+    np.testing.assert_allclose(prism.inertia, m * inertia_of(spread), atol=1e-13)
+    assert len(prism.faces) == len(outline) + 2
+    assert_closed(prism.vertices, prism.faces)
+
+
+@pytest.mark.parametrize(
+    "solid",
+    [Solid.prism(KITE, 0.7, 30.0), Solid(RNG.normal(size=(12, 3)), 5.0), Solid.box(0.3, 0.8, 1.8, 200.0)],
+    ids=["prism", "hull", "box"],
+)
+def test_moments_are_those_of_points_spread_evenly(solid):
+    points = samples_inside(solid, 400_000)
+    centre = points.mean(axis=0)
+    spread = (points - centre).T @ (points - centre) / len(points)
+    sides = np.ptp(solid.vertices, axis=0).max()
+    np.testing.assert_allclose(centre, solid.centre_of_gravity, atol=3e-3 * sides)
+    np.testing.assert_allclose(
+        solid.mass * inertia_of(spread), solid.inertia, atol=5e-3 * np.trace(solid.inertia)
+    )
+
+
+# A planar body in space
+
+
+def test_a_uniform_planar_body_becomes_the_uniform_box():
+    body = Body(0.3, 1.8, 200.0, length=0.8)
+    solid, box = Solid.of(body), Solid.box(0.3, 0.8, 1.8, 200.0)
+    assert np.array_equal(np.sort(solid.vertices, axis=0), np.sort(box.vertices, axis=0))
+    np.testing.assert_allclose(solid.inertia, box.inertia, rtol=1e-15)
+    assert solid.feet is None
+    assert solid.stands
+
+
+def test_a_planar_body_s_inertia_and_centre_stay():
+    body = Body(0.4, 1.6, 90.0, cg_offset=(0.03, -0.2), inertia=11.0)
+    solid = Solid.of(body, 0.7)
+    assert solid.inertia[1, 1] == pytest.approx(11.0, rel=1e-15)
+    assert solid.centre_of_gravity.tolist() == [0.03, 0.0, pytest.approx(0.6)]
+    spread, alone = 11.0 / body.uniform_inertia, 90.0 * 0.7**2 / 12
+    assert solid.inertia[0, 0] == pytest.approx(alone + spread * 90.0 * 1.6**2 / 12)
+    assert solid.inertia[2, 2] == pytest.approx(alone + spread * 90.0 * 0.4**2 / 12)
+
+
+def test_insets_and_heights_of_a_planar_body_become_feet():
+    body = Body(0.4, 1.6, 90.0, base_insets=(0.02, 0.05), base_heights=(0.0, -0.004), length=1.0)
+    solid = Solid.of(body)
+    assert sorted(map(tuple, solid.feet.tolist())) == [
+        (pytest.approx(-0.18), -0.5, 0.0),
+        (pytest.approx(-0.18), 0.5, 0.0),
+        (pytest.approx(0.15), -0.5, -0.004),
+        (pytest.approx(0.15), 0.5, -0.004),
+    ]
+    assert np.array_equal(solid.base, solid.feet)
+    lower = solid.vertices[solid.vertices[:, 2] < 0.5]
+    assert sorted({(x, z) for x, _, z in lower.tolist()}) == [(-0.2, 0.0), (0.2, -0.004)]
+    up = solid.up_at_rest
+    assert math.atan2(up[0], up[2]) == pytest.approx(-body.resting_tilt, rel=1e-12)
+    assert np.linalg.norm(up) == pytest.approx(1.0, rel=1e-15)
+
+
+def test_a_planar_body_without_a_length_is_refused():
+    with pytest.raises(InputError, match="no length across the shaking") as refused:
+        Solid.of(Body(0.4, 1.6))
+    assert refused.value.field == "length"
+
+
+# Axes and frames
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_principal_axes_give_the_tensor_again(seed):
+    rng = np.random.default_rng(seed)
+    turn = rotation(rng)
+    inertia = turn @ inertia_of(np.diag(rng.uniform(0.01, 1.0, 3))) @ turn.T
+    moments, axes = principal_axes(inertia)
+    np.testing.assert_allclose(axes @ np.diag(moments) @ axes.T, inertia, atol=1e-12 * np.trace(inertia))
+    np.testing.assert_allclose(axes.T @ axes, np.eye(3), atol=1e-14)
+    assert np.linalg.det(axes) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(
+    "solid",
+    [
+        Solid.box(0.3, 0.8, 1.8, 9.0),
+        Solid.box(1, 1, 1, 9.0),
+        Solid.cylinder(1, 2, 3.0),
+        Solid.prism(HEXAGON, 1.0, 9.0),
+    ],
+)
+def test_the_axes_of_a_symmetric_body_are_those_of_its_frame(solid):
+    moments, axes = solid.principal
+    assert np.array_equal(axes, np.eye(3))
+    np.testing.assert_allclose(moments, np.diag(solid.inertia), rtol=1e-15)
+
+
+def test_axes_that_were_turned_are_found():
+    box = Solid.box(0.3, 0.8, 1.8, 200.0)
+    angle = 0.4
+    turn = np.array(
+        [[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1]]
+    )
+    moments, axes = Solid(box.vertices @ turn.T, 200.0).principal
+    np.testing.assert_allclose(axes, turn, atol=1e-12)
+    np.testing.assert_allclose(moments, np.diag(box.inertia), rtol=1e-12)
+
+
+def test_what_is_of_its_own_takes_the_place_of_what_follows():
+    own = np.diag([3.0, 2.5, 2.0])
+    box = Solid.box(1.0, 1.0, 1.0, 12.0, centre_of_gravity=(0.1, 0.0, 0.4), inertia=own, feet=None)
+    assert np.array_equal(box.inertia, own)
+    assert box.centre_of_gravity.tolist() == [0.1, 0.0, 0.4]
+    low = Solid.cylinder(0.3, 1.0, 20.0, centre_of_gravity=(0.0, 0.0, 0.2), inertia=None)
+    assert np.array_equal(low.inertia, Solid.cylinder(0.3, 1.0, 20.0).inertia)
+
+
+def test_a_solid_is_a_value():
+    cone = Solid.cone(0.5, 0.2, 0.8, 7.0, feet=[(0.1, 0, 0), (-0.1, 0.1, 0), (-0.1, -0.1, 0)])
+    again = pickle.loads(pickle.dumps(cone))
+    assert again == cone
+    assert hash(again) == hash(cone)
+    assert cone != Solid.cone(0.5, 0.2, 0.8, 7.0)
+    assert cone != "cone"
+    assert replace(cone, mass=8.0).mass == 8.0
+    assert replace(cone, feet=None) == Solid.cone(0.5, 0.2, 0.8, 7.0)
+    for array in (
+        again.vertices,
+        again.inertia,
+        again.centre_of_gravity,
+        again.feet,
+        again.rims,
+        *again.faces,
+    ):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0.0
+    assert repr(cone) == "Solid(0.5 × 0.5 × 0.8 m, 7 kg, 64 corners, 34 faces)"
+
+
+def test_points_that_are_no_corners_are_left_out():
+    grid = np.linspace(0.0, 1.0, 5)
+    points = np.array(np.meshgrid(grid, grid, grid)).reshape(3, -1).T
+    cube = Solid(points, 1.0)
+    assert (len(cube.vertices), len(cube.faces)) == (8, 6)
+    assert_closed(cube.vertices, cube.faces)
+
+
+# What stands
+
+
+def test_a_box_stands_where_its_centre_is_above_its_base():
+    assert Solid.box(0.3, 0.8, 1.8, 200.0).up_at_rest.tolist() == [0.0, 0.0, 1.0]
+    beside = [(0.14, -0.39, 0.0), (0.14, 0.39, 0.0), (0.05, 0.39, 0.0), (0.05, -0.39, 0.0)]
+    overhanging = Solid.box(0.3, 0.8, 1.8, 200.0, feet=beside)
+    assert not overhanging.stands
+    assert Solid.box(0.3, 0.8, 1.8, 200.0, feet=beside, centre_of_gravity=(0.1, 0.0, 0.9)).stands
+
+
+@pytest.mark.parametrize(("x", "stands"), [(0.0999, True), (0.1, False), (0.1001, False)])
+def test_a_cone_stands_on_its_rim(x, stands):
+    vase = Solid.cone(0.2, 0.6, 0.5, 2.0, centre_of_gravity=(0.0, x, 0.45))
+    assert vase.stands == stands
+
+
+@pytest.mark.parametrize(
+    ("feet", "stands"),
+    [
+        ([(0.1, 0.0, 0.0), (-0.1, 0.1, 0.0), (-0.1, -0.1, 0.0)], True),
+        ([(0.1, 0.0, 0.0), (0.01, 0.1, 0.0), (0.01, -0.1, 0.0)], False),
+        ([(0.0, 0.1, 0.0), (0.0, -0.1, 0.0), (0.1, 0.0, 0.0)], False),  # G above the line between two
+        ([(0.1, 0.0, 0.0), (-0.1, 0.0, 0.0)], False),
+        ([(0.0, 0.0, 0.0)], False),
+        ([(0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (-0.1, 0.1, 0.0), (-0.1, -0.1, 0.0)], True),
+    ],
+)
+def test_feet_must_stand_around_the_centre(feet, stands):
+    assert Solid.box(0.3, 0.3, 0.6, 20.0, feet=feet).stands == stands
+
+
+def test_four_feet_of_which_one_is_short_stand_on_three():
+    corners = [(x, y, 0.0) for x in (-0.1, 0.1) for y in (-0.2, 0.2)]
+    corners[0] = (-0.1, -0.2, 0.003)
+    table = Solid.box(0.3, 0.5, 0.7, 10.0, feet=corners, centre_of_gravity=(0.02, 0.0, 0.5))
+    assert table.up_at_rest.tolist() == [0.0, 0.0, 1.0]  # on the other three
+    leaning = Solid.box(0.3, 0.5, 0.7, 10.0, feet=corners, centre_of_gravity=(-0.05, -0.05, 0.5))
+    up = leaning.up_at_rest
+    heights = leaning.feet @ up
+    on_the_floor = np.abs(heights - heights.min()) < 1e-12
+    assert on_the_floor.sum() == 3
+    assert on_the_floor[0]
+
+
+def test_a_hull_on_its_tip_does_not_stand():
+    tip = Solid([(0, 0, 0), (1, 0, 1), (-1, 0, 1), (0, 1, 1), (0, -1, 1)], 1.0)
+    assert len(tip.base) == 1
+    assert not tip.stands
+
+
+# What is refused
+
+
+def many_corners(count):
+    points = RNG.normal(size=(count, 3))
+    return points / np.linalg.norm(points, axis=1)[:, None]
+
+
+CUBE = Solid.box(1.0, 1.0, 1.0, 12.0)
+
+
+@pytest.mark.parametrize(
+    ("make", "sentence", "field"),
+    [
+        (lambda: Solid.box(0.0, 1, 1, 1), r"Width is 0 m; it must be between 0.001 and 100 m", "width"),
+        (lambda: Solid.box(1, 1, 1800, 1), "Height is 1800 m", "height"),
+        (lambda: Solid.box(1, "1", 1, 1), "Length is '1'; it must be a number", "length"),
+        (lambda: Solid.box(1, 1, 1, -1), "Mass is -1 kg", "mass"),
+        (lambda: Solid.cylinder(math.nan, 1, 1), "Diameter is nan", "diameter"),
+        (lambda: Solid.cone(1, 0, 1, 1), "Top diameter is 0 m", "top"),
+        (lambda: Solid([(0, 0, 0)], 1.0), "each side must be between", "vertices"),
+        (
+            lambda: Solid([(0, 0)], 1.0),
+            r"The shape of the vertices is \(1, 2\); it must be an array of numbers of shape \(n, 3\)",
+            "vertices",
+        ),
+        (lambda: Solid([(0, 0, 0), (1, 2)], 1.0), "shape of the vertices is irregular", "vertices"),
+        (lambda: Solid([(0, 0, math.nan)], 1.0), "the vertices is NaN or too large", "vertices"),
+        (lambda: Solid([(0, 0, 0), (1, 1, 1), (2, 2, 2), (1, 2, 1.5)], 1.0), "lie in a plane", "vertices"),
+        (lambda: Solid([(0, 0, 0), (1, 1, 1), (2, 2, 2)], 1.0), "lie in a plane", "vertices"),
+        (lambda: Solid(1800 * CUBE.vertices, 1.0), "1800 × 1800 × 1800 m; each side", "vertices"),
+        (lambda: Solid(many_corners(600), 1.0), f"has 600 corners; at most {MOST_VERTICES}", "vertices"),
+        (lambda: Solid.prism([(0, 0), (1, 0), (1, 1), (0.6, 0.2)], 1, 1), "fills 0.6 of its", "outline"),
+        (
+            lambda: Solid.prism([(0, 0), (1, 1), (1, 0), (0, 1)], 1, 1),
+            "fills 0 of its convex hull",
+            "outline",
+        ),
+        (lambda: Solid.prism([(0, 0), (1, 0)], 1, 1), "each side must be between", "outline"),
+        (
+            lambda: replace(CUBE, centre_of_gravity=(0.7, 0, 0.5)),
+            r"\(0.7, 0, 0.5\) m lies 0.2 m outside",
+            "centre_of_gravity",
+        ),
+        (
+            lambda: replace(CUBE, centre_of_gravity=(0, 0)),
+            r"centre of gravity is \(2,\); it must be an array of numbers of shape \(3,\)\.",
+            "centre_of_gravity",
+        ),
+        (lambda: replace(CUBE, inertia=[2, 2, 2]), r"of shape \(3, 3\)", "inertia"),
+        (lambda: replace(CUBE, inertia=[[2, 0.1, 0], [0, 2, 0], [0, 0, 2]]), "not symmetric", "inertia"),
+        (lambda: replace(CUBE, inertia=np.diag([1, 1, 2.1])), "at most the sum of the other two", "inertia"),
+        (lambda: replace(CUBE, inertia=np.diag([-1, 1, 1])), "each must be positive", "inertia"),
+        (lambda: replace(CUBE, inertia=2e6 * np.eye(3)), "of this body they must be between", "inertia"),
+        (lambda: replace(CUBE, feet=np.zeros((33, 3))), "The number of feet is 33", "feet"),
+        (lambda: replace(CUBE, feet=[]), r"shape of the feet is \(0,\)", "feet"),
+        (lambda: replace(CUBE, rims=[(0, 0, 0, 0, 0, 2, 0.5)]), "an axis of length 1", "rims"),
+    ],
+)
+def test_what_is_no_body_is_refused(make, sentence, field):
+    with pytest.raises(InputError, match=sentence) as refused:
+        make()
+    assert refused.value.field == field
+    assert not refused.value.told("ja").isascii()
