@@ -58,6 +58,9 @@ from .simulation.run import Mode as Mode
 from .simulation.run import Outcome as Outcome
 from .simulation.run import Run as Run
 from .simulation.run import simulate as simulate
+from .simulation.space import SpaceRun as SpaceRun
+from .simulation.space import simulate_in_space as simulate_in_space
+from .simulation.standing import Standing as Standing
 from .simulation.sweep import sweep as sweep
 from .standards import ac156 as ac156
 from .standards import ac156_motion as ac156_motion

@@ -2,6 +2,23 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # Names
+    "at": ("Place", "位置"),
+    "velocity": ("Velocity", "速度"),
+    "rotation_rate": ("Rotation rate", "回転速度"),
+    "not_three": (
+        "{name} has {count} numbers; it must have three, along x, y and z.",
+        "{name}の値は{count}個です。x、y、zの3つが必要です。",
+    ),
+    "heading": ("Heading", "向き"),
+    "step": ("Step", "時間刻み"),
+    "no_bodies": (
+        "There is no body to simulate; give one at least.",
+        "物体がありません。少なくとも1つ指定してください。",
+    ),
+    "only_in_the_plane": (
+        "The floor's {name} is {value}; simulations in space know it only at its default.",
+        "床の{name}は{value}です。三次元の解析では既定値しか扱えません。",
+    ),
     "chunk": ("Chunk", "一度に計算するケース数"),
     "tolerance": ("Tolerance", "許容誤差"),
     "left_wall": ("left wall", "左の壁"),

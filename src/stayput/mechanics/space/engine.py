@@ -35,6 +35,9 @@ CLOSED = 1e-6
 ENTERS = 2e-6
 """How far a body may enter another in a step [m]."""
 
+IGNORED = 1e-12
+"""Depth up to which a body that has entered another stays [m]: rounding."""
+
 SHORTEST = 1e-6
 """Shortest step to where bodies meet [s]."""
 
@@ -322,7 +325,7 @@ def run_in_space(world, poses, acceleration, numbers, scratch, histories, work):
                     if least >= -ENTERS or h <= SHORTEST:
                         break
                     h = max(SHORTEST, min(_meeting(gaps[0], gaps[1], h), 0.9 * h))
-                if least < 0.0:
+                if least < -IGNORED:
                     _move_all_out(world, trial, scratch)
                     _note_gaps(world, trial, scratch, gaps[1])
                 _keep(contacts, count, kept)
