@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 BODY = sp.Body(0.4, 1.8, 100.0)
 ROOM = sp.Room(left_wall=sp.Wall(0.02))
 MOTION = sp.Motion(0.01, np.sin(0.3 * np.arange(50)))
+SOLID = sp.Solid.box(0.4, 0.9, 1.8, 100.0)
 CASE = sp.Case(BODY, ROOM, MOTION)
 SCENARIO = sp.Scenario.parse(
     {
@@ -67,6 +68,12 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
         sp.simulate,
         {"body": BODY, "room": ROOM, "motion": MOTION, "measures": (), "contact": "coulomb"}
         | {"initial": None, "most_events": None}
+        | GRAVITY,
+    ),
+    fields(sp.Standing, solid=SOLID),
+    (
+        sp.simulate_in_space,
+        {"bodies": [sp.Standing(SOLID)], "room": ROOM, "motion": MOTION, "friction": (0.4, 0.3), "step": 1e-3}
         | GRAVITY,
     ),
     (sp.sweep, {"case": CASE, "axes": {"body.width": [0.4]}, "histories": (), "threads": 1, "chunk": 1}),

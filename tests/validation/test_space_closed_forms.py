@@ -34,15 +34,15 @@ def energy(run: sp.SpaceRun, body: int = 0) -> np.ndarray:
 
 def test_flight_of_a_body_of_three_moments_keeps_energy_and_momentum() -> None:
     """Euler's free top, about its unstable axis: it tumbles over and over (Dzhanibekov)."""
-    thrown = sp.Standing(BOX, at=(0.0, 0.0, 60.0), velocity=(1.0, -2.0, 3.0), rotation_rate=(0.01, 5.0, 0.01))
-    run = sp.simulate_in_space(thrown, sp.Room(), still(3.0))
+    thrown = sp.Standing(BOX, (0.0, 0.0, 90.0), velocity=(1.0, -2.0, 3.0), rotation_rate=(0.05, 5.0, 0.05))
+    run = sp.simulate_in_space(thrown, sp.Room(), still(4.0))
     assert np.ptp(energy(run)) < 1e-9 * energy(run)[0]
     inertia = np.einsum("sij,jk,slk->sil", run.turn[0], BOX.inertia, run.turn[0])
     momentum = np.einsum("sij,sj->si", inertia, run.rotation_rate[0])
     assert np.abs(momentum - momentum[0]).max() < 1e-9 * np.abs(momentum[0]).max()
     assert run.turn[0, :, 1, 1].min() < -0.9  # it did turn over
     t = run.time
-    np.testing.assert_allclose(run.place[0, :, 2], 60.75 + 3.0 * t - 0.5 * G * t * t, atol=1e-9)
+    np.testing.assert_allclose(run.place[0, :, 2], 90.75 + 3.0 * t - 0.5 * G * t * t, atol=1e-9)
     np.testing.assert_allclose(run.place[0, :, 0], t, atol=1e-12)
 
 
@@ -78,10 +78,21 @@ def test_a_block_under_two_components_slides_along_their_sum() -> None:
     np.testing.assert_allclose(run.slide[0, -1], -0.5 * relative * np.array([0.8, 0.6]), rtol=2e-3)
 
 
-@pytest.mark.parametrize(("factor", "falls"), [(0.99, False), (1.01, True)])
-@pytest.mark.parametrize("over", ["depth", "length", "corner"])
+@pytest.mark.parametrize(
+    ("over", "factor", "falls"),
+    [
+        ("depth", 0.99, False),
+        ("depth", 1.01, True),
+        ("length", 0.99, False),
+        ("length", 1.01, True),
+        ("corner", 0.99, False),
+    ],
+)
 def test_the_energy_barrier_of_edges_and_of_a_corner(over: str, factor: float, falls: bool) -> None:
-    """½ J_O ω² = m g (R − z): G has to be lifted over the edge or the corner that it turns about."""
+    """½ J_O ω² = m g (R − z): G has to be lifted over the edge or the corner that it turns about.
+
+    Over a corner, about which a body also turns in other ways, the energy is needed but need not do.
+    """
     arm = {"depth": (0.2, 0.0, 0.0), "length": (0.0, 0.3, 0.0), "corner": (0.2, 0.3, 0.0)}[over]
     lever = np.array([0.0, 0.0, 0.75]) - np.array(arm)
     along = np.array(arm) / np.linalg.norm(arm)
@@ -89,14 +100,9 @@ def test_the_energy_barrier_of_edges_and_of_a_corner(over: str, factor: float, f
     about = axis @ BOX.inertia @ axis + BOX.mass * lever @ lever
     rate = factor * math.sqrt(2.0 * BOX.mass * G * (np.linalg.norm(lever) - 0.75) / about)
     spin = rate * axis
-    if over == "corner":  # the inertia of a box couples a turn about a diagonal: the kick is in momentum
-        assert abs((BOX.inertia @ axis) @ along) > 0.0
     kicked = sp.Standing(BOX, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
     run = sp.simulate_in_space(kicked, STICKING, still(4.0), step=1e-4)
-    if over == "corner" and not falls:
-        assert not run.overturned[0]
-    elif over != "corner":
-        assert run.overturned[0] == falls
+    assert run.overturned[0] == falls
 
 
 def test_housner_s_landing_on_the_other_edge() -> None:
@@ -122,8 +128,9 @@ def test_the_upper_of_two_blocks_slides_on_the_lower() -> None:
     block = sp.Solid.box(2.0, 2.0, 0.2, 40.0)
     small = sp.Solid.box(0.3, 0.3, 0.1, 5.0)
     stack = [sp.Standing(block), sp.Standing(small, at=(0.0, 0.0, 0.2))]
-    run = sp.simulate_in_space(stack, sp.Room(sp.Floor(0.6, 0.6)), steady(4.0, 0.0, 0.8), friction=(0.2, 0.2))
-    assert np.abs(run.slide[0]).max() == 0.0
+    room, motion = sp.Room(sp.Floor(0.6, 0.6)), steady(4.0, 0.0, 0.8)
+    run = sp.simulate_in_space(stack, room, motion, friction=(0.2, 0.2))
+    assert np.abs(run.slide[0]).max() < 1e-12
     assert run.slide[1, -1, 0] == pytest.approx(-0.5 * (4.0 - 0.2 * G) * 0.8**2, rel=2e-3)
 
 
@@ -139,10 +146,10 @@ def test_the_lower_of_two_blocks_slides_under_the_upper() -> None:
 @pytest.mark.parametrize("seed", range(6))
 def test_no_impact_makes_energy(seed: int) -> None:
     rng = np.random.default_rng(seed)
-    solid = (BOX, sp.Solid.cylinder(0.5, 0.9, 40.0), sp.Solid.prism([(0, 0), (1, 0), (0.2, 0.7)], 0.5, 30.0))[seed % 3]
-    thrown = sp.Standing(
-        solid, at=(0.0, 0.0, 1.0), velocity=tuple(rng.normal(0, 1, 3)), rotation_rate=tuple(rng.normal(0, 4, 3))
-    )
+    prism = sp.Solid.prism([(0, 0), (1, 0), (0.2, 0.7)], 0.5, 30.0)
+    solid = (BOX, sp.Solid.cylinder(0.5, 0.9, 40.0), prism)[seed % 3]
+    velocity, rate = tuple(rng.normal(0, 1, 3)), tuple(rng.normal(0, 4, 3))
+    thrown = sp.Standing(solid, at=(0.0, 0.0, 1.0), velocity=velocity, rotation_rate=rate)
     room = sp.Room(sp.Floor(0.5, 0.4, normal_restitution=rng.uniform(0.0, 0.7)))
     run = sp.simulate_in_space(thrown, room, still(4.0), step=2e-4)
     energies = energy(run)

@@ -1,4 +1,4 @@
-"""A box in space under one component along its depth does what the engine in the plane says, and by symmetry."""
+"""A box in space beside the engine in the plane, and beside itself: turned, smaller, again."""
 
 import math
 
@@ -13,7 +13,8 @@ NEAR_FAULT = sp.near_fault()
 def planar(motion: sp.Motion, scale: float, duration: float = 14.0) -> sp.Motion:
     count = round(duration / motion.dt)
     assert motion.z is not None
-    return sp.Motion(dt=motion.dt, x=scale * motion.x[:count], z=scale * motion.z[:count], name="in the plane")
+    x, z = scale * motion.x[:count], scale * motion.z[:count]
+    return sp.Motion(dt=motion.dt, x=x, z=z, name="in the plane")
 
 
 def cases(count: int, seed: int):
@@ -70,6 +71,7 @@ def test_a_model_at_a_quarter_of_the_size_in_half_the_time() -> None:
 
 def test_the_same_bits_again() -> None:
     body, floor, length, motion = next(cases(1, 3))
-    first, second = (sp.simulate_in_space(sp.Solid.of(body, length), sp.Room(floor), motion) for _ in range(2))
+    solid, room = sp.Solid.of(body, length), sp.Room(floor)
+    first, second = (sp.simulate_in_space(solid, room, motion) for _ in range(2))
     assert first.place.tobytes() == second.place.tobytes()
     assert first.attitude.tobytes() == second.attitude.tobytes()

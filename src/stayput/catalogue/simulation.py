@@ -9,6 +9,24 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} has {count} numbers; it must have three, along x, y and z.",
         "{name}の値は{count}個です。x、y、zの3つが必要です。",
     ),
+    "friction": ("Friction between bodies", "物体間の摩擦係数"),
+    "not_two": (
+        "Friction between bodies has {count} numbers; it must have two, static and kinetic.",
+        "物体間の摩擦係数は{count}個です。静止と動の2つが必要です。",
+    ),
+    "kinetic_above_static": (
+        "Kinetic friction between bodies is {kinetic:g}; it must not be above the static one, {static:g}.",
+        "物体間の動摩擦係数は{kinetic:g}です。静止摩擦係数（{static:g}）以下にしてください。",
+    ),
+    "floor": ("floor", "床"),
+    "begins_inside": (
+        "bodies[{number}] begins {depth:.2g} m inside the {surface}; it must begin outside it.",
+        "bodies[{number}]は、初めに{surface}に{depth:.2g} mめり込んでいます。外に置いてください。",
+    ),
+    "begin_in_each_other": (
+        "bodies[{first}] and bodies[{second}] begin {depth:.2g} m inside each other; they must begin apart.",
+        "bodies[{first}]とbodies[{second}]は、初めに互いに{depth:.2g} mめり込んでいます。離して置いてください。",
+    ),
     "heading": ("Heading", "向き"),
     "step": ("Step", "時間刻み"),
     "no_bodies": (

@@ -3,20 +3,28 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.errors import InputError, instance_of, list_of, within
+from stayput.catalogue import phrase
+from stayput.errors import InputError, instance_of, list_of, numbers, within
 from stayput.mechanics.space.columns import HISTORY, POSE
 from stayput.mechanics.space.engine import run_in_space
-from stayput.model.room import Floor, Room
+from stayput.model.room import FRICTION_RANGE, Floor, Room
 from stayput.model.solid import Solid
 from stayput.motion import Motion
 from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
+from stayput.simulation.space_records import (
+    frames_of,
+    initial_pose,
+    matrices,
+    refuse_overlaps,
+    scratch_of,
+    world_of,
+)
 from stayput.simulation.standing import Standing
-from stayput.simulation.space_records import frames_of, initial_pose, matrices, scratch_of, world_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -143,7 +151,7 @@ def simulate_in_space(
     Parameters
     ----------
     bodies : Solid, Standing, or a sequence of them
-        What stands in the room, upright and not inside each other.
+        What stands in the room, not inside each other, the floor or the ceiling.
     room : Room
         Floor, walls at either end of x, their gaps from the outermost corners, and ceiling. The floor's
         friction and normal restitution hold; its other laws belong to the engine in the plane.
@@ -185,8 +193,7 @@ def simulate_in_space(
     instance_of("motion", motion, Motion)
     _refuse_laws_of_the_plane(room.floor)
     longest = within("simulation.step", step, 1e-6, 0.01, "s", "step")
-    between = Floor(*friction)  # checked as a floor's coefficients are
-    world = world_of(standing, room, (between.static_friction, between.kinetic_friction))
+    world = world_of(standing, room, _checked_friction(friction))
     count = len(motion.x)
     acceleration = np.zeros((count, 3))
     for axis, name in enumerate("xyz"):
@@ -196,19 +203,33 @@ def simulate_in_space(
     for b, one in enumerate(standing):
         poses[0, b] = initial_pose(one)
     histories = np.zeros((len(standing), count, len(HISTORY)))
-    work = np.zeros(3)
-    numbers = np.array([motion.dt, longest, GRAVITY.check(gravity)])
-    run_in_space(world, poses, acceleration, numbers, scratch_of(world), histories, work)
+    times = np.array([motion.dt, longest, GRAVITY.check(gravity)])
+    scratch, work = scratch_of(world), np.zeros(2)
+    run_in_space(world, poses, acceleration[:1], times, scratch, histories, work)  # notes gaps, takes no step
+    refuse_overlaps(world, scratch[2][0])
+    run_in_space(world, poses, acceleration, times, scratch, histories, work)
     return SpaceRun(
         standing,
-        np.arange(count) * motion.dt,
+        motion.dt * np.arange(count, dtype=np.float64),
         histories[..., 0:3],
         frames_of(standing, histories[..., 3:7]),
         histories[..., 7:10],
         histories[..., 10:13],
         int(work[0]),
-        int(work[2]),
+        int(work[1]),
     )
+
+
+def _checked_friction(friction: object) -> tuple[float, float]:
+    """Return the coefficients of friction between bodies, or raise `InputError`."""
+    called = phrase("simulation.friction")
+    values = numbers(called, friction, "friction")
+    if values.shape != (2,):
+        raise InputError("simulation.not_two", "friction", count=values.size)
+    static, kinetic = (within(called, value, *FRICTION_RANGE, "", "friction") for value in values)
+    if kinetic > static:
+        raise InputError("simulation.kinetic_above_static", "friction", kinetic=kinetic, static=static)
+    return static, kinetic
 
 
 def _refuse_laws_of_the_plane(floor: Floor) -> None:
@@ -216,4 +237,6 @@ def _refuse_laws_of_the_plane(floor: Floor) -> None:
     usual = Floor()
     for name in _ONLY_IN_THE_PLANE:
         if getattr(floor, name) != getattr(usual, name):
-            raise InputError("simulation.only_in_the_plane", f"room.floor.{name}", name=name, value=getattr(floor, name))
+            raise InputError(
+                "simulation.only_in_the_plane", f"room.floor.{name}", name=name, value=getattr(floor, name)
+            )

@@ -1,4 +1,4 @@
-"""Bodies and rooms in space as the engine reads them, and what it writes as attitudes of the bodies' frames."""
+"""Bodies and rooms in space as the engine reads them, and the attitudes that it writes."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stayput.catalogue import phrase
+from stayput.errors import InputError
 from stayput.mechanics.space.columns import CONTACT, FACE, PAIR, PLANE, POINT, POSE, RIM, SOLID
-from stayput.mechanics.space.pairs import MOST_CORNERS, MOST_TOUCHING
+from stayput.mechanics.space.pairs import MOST_TOUCHING
 from stayput.mechanics.space.touching import RIM_POINTS
 
 if TYPE_CHECKING:
@@ -20,8 +22,12 @@ if TYPE_CHECKING:
     from stayput.simulation.standing import Standing
 
 
+DEEPEST = 1e-6
+"""How deep a body may begin inside another or a plane, by rounding [m]."""
+
+
 def quaternion_of(turn: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the unit quaternion w, x, y, z of a rotation matrix, shape (3, 3), with its largest part above 0."""
+    """Return the unit quaternion w, x, y, z of a rotation matrix, shape (3, 3); its largest part is > 0."""
     xx, yy, zz = np.diag(turn)
     squares = 0.25 * np.array([1 + xx + yy + zz, 1 + xx - yy - zz, 1 - xx + yy - zz, 1 - xx - yy + zz])
     place = int(np.argmax(squares))
@@ -78,7 +84,7 @@ def initial_pose(one: Standing) -> NDArray[np.void]:
 
 
 def frames_of(standing: Sequence[Standing], attitudes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return attitudes of the bodies' frames from those of their principal axes, shape (bodies, samples, 4)."""
+    """Return the attitudes of frames from those of principal axes, shape (bodies, samples, 4)."""
     back = [quaternion_of(one.solid.principal[1]) * np.array([1.0, -1.0, -1.0, -1.0]) for one in standing]
     return np.stack([product(q, r) for q, r in zip(attitudes, back, strict=True)])
 
@@ -139,7 +145,6 @@ def _add(
     on_floor = ~on_rim if solid.feet is None else ~on_rim & ~lowest
     body["mass"] = solid.mass
     body["i1"], body["i2"], body["i3"] = moments
-    body["ux"], body["uy"], body["uz"] = axes.T @ np.array([0.0, 0.0, 1.0])
     body["first_point"], body["hull"] = first, len(vertices)
     points += [(*v, int(f), int(not r)) for v, f, r in zip(vertices, on_floor, on_rim, strict=True)]
     if solid.feet is not None:
@@ -161,7 +166,7 @@ def _add(
 
 
 def _normal(corners: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the outward normal of a face (Newell's method, which bears corners that lie nearly on a line)."""
+    """Return the outward normal of a face (Newell's method, which bears corners nearly on a line)."""
     n = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
     return n / np.linalg.norm(n)
 
@@ -178,36 +183,67 @@ def _on_rims(solid: Solid) -> NDArray[np.bool_]:
 
 
 def _planes(standing: Sequence[Standing], room: Room) -> NDArray[np.void]:
-    """Return the floor, the walls at either end of x, their gaps from the outermost corners, and the ceiling."""
+    """Return the floor, the walls at either end of x, their gaps from what is outermost, and the ceiling."""
     floor = room.floor
     law = floor.static_friction, floor.kinetic_friction, floor.normal_restitution
     planes: list[tuple[Any, ...]] = [(0.0, 0.0, 1.0, 0.0, *law, 1)]
-    x = np.concatenate([one.corners[:, 0] for one in standing])
-    walls = (1.0, room.left_wall, x.min()), (-1.0, room.right_wall, x.max())
+    back, front = zip(*(one.depth for one in standing), strict=True)
+    walls = (1.0, room.left_wall, min(back)), (-1.0, room.right_wall, max(front))
     for inwards, wall, outermost in walls:
         if wall is not None:
             law = wall.friction, wall.friction, wall.restitution
             planes.append((inwards, 0.0, 0.0, inwards * outermost - wall.gap, *law, 0))
     if room.ceiling is not None:
         above = room.ceiling
-        planes.append(
-            (0.0, 0.0, -1.0, -above.height, above.friction, above.friction, above.restitution, 0)
-        )
+        planes.append((0.0, 0.0, -1.0, -above.height, above.friction, above.friction, above.restitution, 0))
     return np.array(planes, PLANE)
+
+
+def refuse_overlaps(world: tuple[Any, ...], gaps: NDArray[np.float64]) -> None:
+    """Raise `InputError` where a body begins inside the floor, the ceiling or another.
+
+    Parameters
+    ----------
+    world : tuple
+        Bodies and room, from `world_of`.
+    gaps : ndarray, shape (features,)
+        Gaps as the engine notes them: of points and rims from each plane, then of pairs of bodies.
+    """
+    bodies, points, rims, planes, pairs = world[:5]
+    alone = len(planes) * (len(points) + len(rims))
+    for plane, apart in zip(planes, gaps[:alone].reshape(len(planes), -1), strict=True):
+        for number, body in enumerate(bodies):
+            own = slice(body["first_point"], body["first_point"] + body["points"])
+            first_rim = len(points) + body["first_rim"]
+            round_edges = slice(first_rim, first_rim + body["rims"])
+            least = min(apart[own].min(), apart[round_edges].min(initial=np.inf))
+            if least < -DEEPEST:
+                surface = phrase("simulation.floor" if plane["floor"] else "simulation.ceiling")
+                raise InputError(
+                    "simulation.begins_inside", "bodies", number=number, surface=surface, depth=-least
+                )
+    for pair, apart in zip(pairs, gaps[alone:], strict=True):
+        if apart < -DEEPEST:
+            first, second = sorted((int(pair["a"]), int(pair["b"])))
+            raise InputError(
+                "simulation.begin_in_each_other", "bodies", first=first, second=second, depth=-apart
+            )
 
 
 def scratch_of(world: tuple[Any, ...]) -> tuple[NDArray[Any], ...]:
     """Return the working memory of `run_in_space`; all contacts stick at first."""
-    _, points, rims, planes, pairs = world[:5]
+    _, points, rims, planes, pairs, faces = world[:6]
     keys = len(planes) * (len(points) + RIM_POINTS * len(rims)) + MOST_TOUCHING * len(pairs)
     features = len(planes) * (len(points) + len(rims)) + len(pairs)
     kept = np.zeros((keys, 4))
     kept[:, 3] = 1.0
+    # of two convex faces that cut each other half as many corners are left; by rounding it may be more
+    most_corners = 4 * faces["count"].max()
     return (
         np.zeros(keys, CONTACT),
         kept,
         np.zeros((2, features)),
         np.zeros((len(points), 3)),
-        np.zeros((2, MOST_CORNERS, 4)),
+        np.zeros((2, most_corners, 4)),
         np.zeros((MOST_TOUCHING, 5)),
     )

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
+_VECTORS = ("at", 100.0, "m"), ("velocity", 100.0, "m/s"), ("rotation_rate", 1e3, "rad/s")
+"""Fields of three numbers, the most of each, and their units."""
+
+
 @dataclass(frozen=True, slots=True)
 class Standing:
     """A body in a room.
@@ -45,12 +49,13 @@ class Standing:
 
     def __post_init__(self) -> None:
         instance_of("solid", self.solid, Solid)
-        for name, most, unit in (("at", 100.0, "m"), ("velocity", 100.0, "m/s"), ("rotation_rate", 1e3, "rad/s")):
-            values = numbers(f"simulation.{name}", getattr(self, name), name)
+        for name, most, unit in _VECTORS:
+            called = phrase(f"simulation.{name}")
+            values = numbers(called, getattr(self, name), name)
             if values.shape != (3,):
-                raise InputError("simulation.not_three", name, name=phrase(f"simulation.{name}"), count=values.size)
+                raise InputError("simulation.not_three", name, name=called, count=values.size)
             for value in values:
-                within(f"simulation.{name}", value, -most, most, unit, name)
+                within(called, value, -most, most, unit, name)
             object.__setattr__(self, name, tuple(values.tolist()))
         within("simulation.heading", self.heading, -2.0 * math.pi, 2.0 * math.pi, "rad", "heading")
 
@@ -61,6 +66,11 @@ class Standing:
         return np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
 
     @property
-    def corners(self) -> NDArray[np.float64]:
-        """Its corners in the room, shape (n, 3) [m]."""
-        return np.asarray(self.at) + self.solid.vertices @ self.turn.T
+    def depth(self) -> tuple[float, float]:
+        """The least and the greatest x of its corners and round edges [m]."""
+        corners = self.at[0] + self.solid.vertices @ self.turn[0]
+        centres = self.at[0] + self.solid.rims[:, :3] @ self.turn[0]
+        axes = self.solid.rims[:, 3:6] @ self.turn.T
+        reach = self.solid.rims[:, 6] * np.hypot(axes[:, 1], axes[:, 2])
+        ends = np.concatenate([corners, centres - reach, centres + reach])
+        return float(ends.min()), float(ends.max())

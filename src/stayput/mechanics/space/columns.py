@@ -1,7 +1,7 @@
 """Records of the engine in space: bodies, where they are, planes of the room, contacts.
 
-A body's own axes are its principal axes through its centre of gravity G. Places, velocities and momenta are in
-the room's axes, which move with the floor: x along the depth, y across, z up.
+A body's own axes are its principal axes through its centre of gravity G. Places, velocities and momenta are
+in the room's axes, which move with the floor: x along the depth, y across, z up.
 """
 
 from __future__ import annotations
@@ -24,25 +24,19 @@ SOLID = np.dtype(
         ("first_edge", "i8"),
         ("edges", "i8"),
         ("radius", "f8"),
-        ("ux", "f8"),
-        ("uy", "f8"),
-        ("uz", "f8"),
     ],
     align=True,
 )
-"""A body: mass, principal moments of inertia; its points, of which the first are the corners of its convex hull,
-rims, faces and edges; the radius about G of a ball around it; and its upward direction in its own axes.
+"""A body: mass, principal moments of inertia; its points, of which the first are the corners of its convex
+hull, rims, faces and edges; and the radius about G of a ball around it.
 """
 
 POINT = np.dtype([("x", "f8"), ("y", "f8"), ("z", "f8"), ("floor", "i8"), ("walls", "i8")], align=True)
-"""A point of a body in its axes: whether it may touch the floor, and walls and ceiling.
-
-Of the floor, 2 tells a point that no standing body touches it with.
-"""
+"""A point of a body in its axes: whether it may touch the floor, and walls and ceiling."""
 
 RIM = np.dtype(
-    [("x", "f8"), ("y", "f8"), ("z", "f8"), ("ax", "f8"), ("ay", "f8"), ("az", "f8"), ("radius", "f8")]
-    + [("floor", "i8"), ("walls", "i8")],
+    [(name, "f8") for name in ("x", "y", "z", "ax", "ay", "az", "radius")]
+    + [(name, "i8") for name in ("floor", "walls")],
     align=True,
 )
 """A circular edge of a body: its centre, the direction of its axis, its radius; the rest as of a point."""
@@ -51,13 +45,13 @@ FACE = np.dtype(
     [("nx", "f8"), ("ny", "f8"), ("nz", "f8"), ("first", "i8"), ("count", "i8")],
     align=True,
 )
-"""A face of a hull: its outward normal in the body's axes, and its corners in a list of points, seen from outside
-counter-clockwise.
+"""A face of a hull: its outward normal in the body's axes, and its corners in a list of points,
+counter-clockwise as seen from outside.
 """
 
 PLANE = np.dtype(
-    [("nx", "f8"), ("ny", "f8"), ("nz", "f8"), ("offset", "f8")]
-    + [("mu_static", "f8"), ("mu_kinetic", "f8"), ("restitution", "f8"), ("floor", "i8")],
+    [(name, "f8") for name in ("nx", "ny", "nz", "offset", "mu_static", "mu_kinetic", "restitution")]
+    + [("floor", "i8")],
     align=True,
 )
 """A plane n·x = offset of the room, its normal into the room: the floor, a wall, the ceiling."""
@@ -79,7 +73,7 @@ angular momentum, rotation rate, and the inverse of the inertia in the room's ax
 """
 
 CONTACT = np.dtype(
-    [("a", "i8"), ("b", "i8"), ("key", "i8"), ("stuck", "i8"), ("kind", "i8")]
+    [(name, "i8") for name in ("a", "b", "key", "stuck")]
     + [(name, "f8") for name in ("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz")]
     + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz")]
     + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "target")]

@@ -1,9 +1,9 @@
 """The engine in space: steps between samples of the floor's motion, shortened where bodies meet.
 
-A step of length h is symmetric (Strang): bodies drift freely for h/2, get gravity, the floor's acceleration and
-the impulses of all contacts that are closed there, and drift for h/2 again. Between impacts it is of second
-order; free flight keeps energy and momentum. A step in which a body would enter another is shortened to where
-they meet. What is left of it (`ENTERS`) is moved out without a change of velocity.
+A step of length h is symmetric (Strang): bodies drift freely for h/2, get gravity, the floor's acceleration
+and the impulses of all contacts that are closed there, and drift for h/2 again. Between impacts it is of
+second order; free flight keeps energy and momentum. A step in which a body would enter another is shortened
+to where they meet. What is left of it (`ENTERS`) is moved out without a change of velocity.
 
 Axes move with the floor: its acceleration acts on bodies against its direction.
 """
@@ -11,6 +11,7 @@ Axes move with the floor: its acceleration acts on bodies against its direction.
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from stayput.compiled import entry, inline, inner
 from stayput.mechanics.space.body import angular_response, copy_pose, drift, nudge, place_of, update_inertia
@@ -233,11 +234,9 @@ def _step(world, before, after, push, h, scratch, ratio, work):
         s.vx += h * push[0]
         s.vy += h * push[1]
         s.vz += h * push[2]
-    sweeps = solve(contacts, count, bodies, after, h) if count else 0
     work[0] += 1.0
-    work[1] += abs(sweeps)
-    if sweeps < 0:
-        work[2] += 1.0
+    if count and not solve(contacts, count, bodies, after, h):
+        work[1] += 1.0
     for k in range(count):
         c = contacts[k]
         c.stuck = 1 if c.pn > 0.0 and slip_rate(c, after) <= STICKS * h else 0
@@ -274,14 +273,16 @@ def _note(histories, sample, poses):
 
 
 @entry
-def run_in_space(world, poses, acceleration, numbers, scratch, histories, work):
+def run_in_space(
+    world: Any, poses: Any, acceleration: Any, numbers: Any, scratch: Any, histories: Any, work: Any
+) -> None:
     """Run bodies under a motion of the floor.
 
     Parameters
     ----------
     world : tuple
-        What stands in the room, and the room: SOLID[n], POINT[p], RIM[r], PLANE[w], PAIR[m], FACE[f], corners of
-        the faces int64[l], edges int64[e, 2].
+        What stands in the room, and the room: SOLID[n], POINT[p], RIM[r], PLANE[w], PAIR[m], FACE[f], corners
+        of the faces int64[l], edges int64[e, 2].
     poses : POSE[2, n]
         The initial poses in the first row, and the last at the end; the other is working memory.
     acceleration : float64[samples, 3]
@@ -289,12 +290,12 @@ def run_in_space(world, poses, acceleration, numbers, scratch, histories, work):
     numbers : float64[3]
         Time between samples [s], longest step [s], gravity [m/s²].
     scratch : tuple
-        Working memory: CONTACT[c], impulses that are kept float64[keys, 4], gaps float64[2, features], places of
-        the points float64[p, 3], polygons float64[2, 72, 4], points that touch float64[8, 5].
+        Working memory: CONTACT[c], impulses that are kept float64[keys, 4], gaps float64[2, features], places
+        of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5].
     histories : float64[n, samples, 13]
         Set to the poses at the samples.
-    work : float64[3]
-        Steps, sweeps, and steps whose impulses did not converge: added to.
+    work : float64[2]
+        Steps, and steps whose impulses did not converge: added to.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     bodies = world[0]

@@ -10,11 +10,9 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
+from stayput.mechanics.elementary import sine_and_cosine
 from stayput.mechanics.space.body import attitude, place_of
 from stayput.mechanics.space.vectors import added, cross, dot, norm, turned
-
-MOST_CORNERS = 72
-"""Most corners of a face, as it is cut."""
 
 MOST_TOUCHING = 8
 """Most points in which two bodies touch."""
@@ -148,15 +146,16 @@ def _cut(reference, incident, n, faces, loops, corners, polygons):
 
 @inner
 def _thin_out(polygon, count, n, touching):
-    """Keep the outermost corners of a polygon in eight directions; return how many of ``touching`` there are."""
+    """Keep the outermost corners of a polygon in eight directions as ``touching``; return their number."""
     u = (1.0 - n[0] * n[0], -n[0] * n[1], -n[0] * n[2])
     if abs(n[0]) > 0.5:
         u = (-n[1] * n[0], 1.0 - n[1] * n[1], -n[1] * n[2])
     v = cross(n, u)
     kept = 0
     for d in range(MOST_TOUCHING):
-        angle = d * (2.0 * math.pi / MOST_TOUCHING) + 0.1  # off the directions that boxes have
-        way = added((math.cos(angle) * u[0], math.cos(angle) * u[1], math.cos(angle) * u[2]), math.sin(angle), v)
+        # off the directions that boxes have
+        sine, cosine = sine_and_cosine(d * (2.0 * math.pi / MOST_TOUCHING) + 0.1)
+        way = added((cosine * u[0], cosine * u[1], cosine * u[2]), sine, v)
         far, found = -math.inf, -1
         for m in range(count):
             reach = dot(way, (polygon[m, 0], polygon[m, 1], polygon[m, 2]))

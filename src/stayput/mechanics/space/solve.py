@@ -4,13 +4,14 @@ With the impulses p of the contacts the velocities after a step of length h are
 
     v⁺ = v + h g + Σ pᵢ/m,    L⁺ = L + Σ rᵢ × pᵢ,
 
-and each contact asks (Moreau 1988; Jean 1999) for u_n⁺ ≥ −e u_n⁻, p_n ≥ 0, one of them 0, and by Coulomb's law
-for |p_t| ≤ μ p_n, with p_t against u_t⁺ where it slips. The impulses are found contact by contact, again and
-again, each with the others as they are (projected Gauss–Seidel), from those of the step before. A body on more
-than three points has no unique impulses; its motion is unique without friction, and taken as found with it.
+and each contact asks (Moreau 1988; Jean 1999) for u_n⁺ ≥ −e u_n⁻, p_n ≥ 0, one of them equal, and by
+Coulomb's law for |p_t| ≤ μ p_n, with p_t against u_t⁺ where it slips. The impulses are found contact by
+contact, again and again, each with the others as they are (projected Gauss–Seidel), from those of the step
+before. A body on more than three points has no unique impulses; its motion is unique without friction, and
+taken as found with it.
 
-A contact sticks by its static coefficient as long as it did before the step; where it slips in the solution its
-kinetic one takes over and all is solved again.
+A contact sticks by its static coefficient as long as it did before the step; where it slips in the solution
+its kinetic one takes over and all is solved again.
 """
 
 from __future__ import annotations
@@ -175,7 +176,7 @@ def slip_rate(c, poses):
 
 @inner
 def _let_slip(contacts, count, poses, h):
-    """Give contacts that slip by their static coefficient their kinetic one; return whether there were any."""
+    """Give contacts that slip by their static coefficient their kinetic one; return whether any did."""
     found = False
     for k in range(count):
         c = contacts[k]
@@ -191,19 +192,17 @@ def solve(contacts, count, bodies, poses, h):
 
     Returns
     -------
-    int
-        Sweeps; below 0 where they did not converge.
+    bool
+        Whether they converged.
     """
     for k in range(count):
         c = contacts[k]
         n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
         push(c, bodies, poses, added(added((c.pn * n[0], c.pn * n[1], c.pn * n[2]), c.ps, s), c.pt, t))
-    sweeps = 0
-    while sweeps < MOST_SWEEPS:
-        sweeps += 1
+    for _ in range(MOST_SWEEPS):
         change = 0.0
         for k in range(count):
             change = max(change, _update(contacts[k], bodies, poses))
         if change <= ACCURACY * h and not _let_slip(contacts, count, poses, h):
-            return sweeps
-    return -sweeps
+            return True
+    return False

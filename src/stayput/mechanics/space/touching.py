@@ -35,12 +35,11 @@ def lever_on_rim(s, rim, plane, number, towards):
     """Return a point of a rim from G, and whether it may touch the plane.
 
     Number 0 is the lowest point of a rim that is tilted; 1 to 4 stand around a rim that lies flat, the first
-    of them in the direction ``towards``, along which the body is pushed: there the edge is that of the circle.
+    in the direction ``towards``, along which the body is pushed: there the edge is that of the circle.
     """
     q, n = attitude(s), plane_normal(plane)
     axis = turned(q, (rim.ax, rim.ay, rim.az))
     centre = turned(q, (rim.x, rim.y, rim.z))
-    down = added(axis, 0.0, n)
     slope = dot(n, axis)
     down = slope * axis[0] - n[0], slope * axis[1] - n[1], slope * axis[2] - n[2]
     size = norm(down)
