@@ -56,6 +56,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "“{measure}” slides like this on hard floors; on a soft one it sinks in and slides less easily",
         "「{measure}」のすべりやすさは硬い床での値です。柔らかい床では沈み込み、滑りにくくなります",
     ),
+    "rubber_slips": (
+        "“{measure}” grips like this on hard, clean floors; on a soft one it slips with the pile or the weave",
+        "「{measure}」の摩擦は硬くきれいな床での値です。柔らかい床では毛足や畳の目に沿って滑ります",
+    ),
     "wedge_sinks": (
         "“{measure}” sinks into a soft floor, and leans the piece less",
         "「{measure}」は柔らかい床では沈み込み、傾きが小さくなります",
