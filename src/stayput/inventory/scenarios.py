@@ -233,10 +233,9 @@ def read_scenario_file(file: Path) -> ScenarioFile:
 
 def _only_in_a_verification(scenario: Scenario) -> tuple[tuple[str, bool], ...]:
     """Return keys that an assessment has no use for, and whether a scenario states them."""
-    installation = "installation" in scenario.uncertainty.model_fields_set
-    return ("[uncertainty] installation", installation), (
-        "[everyday]",
-        "everyday" in scenario.model_fields_set,
+    return (
+        ("[uncertainty] installation", "installation" in scenario.uncertainty.model_fields_set),
+        ("[everyday]", "everyday" in scenario.model_fields_set),
     )
 
 

@@ -3,8 +3,8 @@
 A piece that turns about the far base edge meets the wall, at height h, with the effective mass
 m = J_O/h². The wall is a panel that swings in its first mode: a mass M on a spring with the damping ratio ζ.
 Where they meet dead, or bounce by no more than gypsum board lets them, they soon move together, at m/(m + M)
-of the speed, and part where nothing presses any more. Together they are damped by ζ' = ζ √(M/(m + M)), so that
-the wall returns
+of the speed, and part where nothing presses any more. Together they are damped by ζ' = ζ √(M/(m + M)), so
+that the wall returns
 
     e_w = m/(m + M) · exp(−ζ' φ/√(1 − ζ'²)),    φ = π − atan2(2ζ' √(1 − ζ'²), 1 − 2ζ'²)
 
