@@ -68,6 +68,16 @@ def test_of_some_measures_little_can_be_done_wrong():
         assert measure.badly_installed(ROOM) is None
 
 
+def test_what_is_said_of_gypsum_board_is_what_the_bracket_holds():
+    bracket = LBracketInBoard()
+    assert bracket.drawn("plasterboard", 1.8, 2.4).strength == pytest.approx(300.0, rel=0.05)
+    assert "each holds a pull of only about 300 N" in bracket.about[0]
+    assert "1個あたり約300 N" in bracket.about[1]
+    for height in (1.2, 1.8, 2.1):
+        links = [LBracket().drawn(wall, height, 2.4) for wall in ("plasterboard", "stud")]
+        assert links[0].strength < links[1].strength
+
+
 def test_installed_well_is_the_default_and_costs_nothing(usual):
     well = verdict_of("well")
     assert all(result.installed is None for result in well.options)

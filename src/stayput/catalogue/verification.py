@@ -91,6 +91,16 @@ TEXTS: dict[str, tuple[str, str]] = {
             "9割は水平速度{fast:.2f} m/s以下で飛び出します"
         ),
     ),
+    "contents_leave_the_top": (
+        (
+            "where the piece stands, half of them or more leave from {highest}, none from higher, "
+            "nine tenths at {fast:.2f} m/s or less"
+        ),
+        (
+            "家具が立っている場合、その半数以上は最も高い{highest}から、"
+            "9割は水平速度{fast:.2f} m/s以下で飛び出します"
+        ),
+    ),
     "contents_stay": ("the {contents} stay inside", "{contents}は飛び出しません"),
     "contents_unknown": ("what the {contents} do is unknown", "{contents}の動きは計算できませんでした"),
     "contents_without": (" ({share} without a measure)", "（対策なしでは{share}）"),
@@ -213,12 +223,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "everyday_stays": (
         (
-            "Without an earthquake, the piece withstands {case}: the moment of its own weight is {margin:.2f} times "
-            "the overturning one (grade {letter}; not a certificate by any stability rule)."
+            "Without an earthquake, the piece withstands {case}; the margin is {margin:.2f}, the moment of its "
+            "own weight over the overturning one (grade {letter}; not a certificate by any stability rule)."
         ),
         (
-            "地震がないとき、{case}でも倒れません：自重で支えられるモーメントは、かかるモーメントの"
-            "{margin:.2f}倍です（根拠は{letter}。いかなる安定性基準の認証でもありません）。"
+            "地震がないとき、{case}でも倒れず、余裕は{margin:.2f}倍です：自重で支えられるモーメントと、かかる"
+            "モーメントの比です（根拠は{letter}。いかなる安定性基準の認証でもありません）。"
         ),
     ),
     "everyday_on_carpet": (

@@ -195,8 +195,11 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
     if option.contents is not None:
         parts.append(contents_out(option, verdict))
         if (leaving := option.contents.leaving) is not None:
-            heights = {"height": length(leaving.height), "highest": length(leaving.highest)}
-            parts.append(phrase("verification.contents_leave", **heights, fast=leaving.fast))
+            middle, highest = length(leaving.height), length(leaving.highest)
+            key = (
+                "verification.contents_leave_the_top" if middle == highest else "verification.contents_leave"
+            )
+            parts.append(phrase(key, height=middle, highest=highest, fast=leaving.fast))
     if shares[DEVICE_FAILED] >= 0.05:
         parts.append(phrase("verification.device_fails", share=share_text(shares[DEVICE_FAILED])))
         worst = max(option.devices, key=lambda device: device.failed.estimate, default=None)
