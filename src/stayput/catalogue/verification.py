@@ -227,8 +227,8 @@ TEXTS: dict[str, tuple[str, str]] = {
             "own weight over the overturning one (grade {letter}; not a certificate by any stability rule)."
         ),
         (
-            "地震がないとき、{case}でも倒れず、余裕は{margin:.2f}倍です：自重で支えられるモーメントと、かかる"
-            "モーメントの比です（根拠は{letter}。いかなる安定性基準の認証でもありません）。"
+            "地震がないとき、{case}でも倒れず、余裕は{margin:.2f}倍です：自重で支えられるモーメントの、かかる"
+            "モーメントに対する比です（根拠は{letter}。いかなる安定性基準の認証でもありません）。"
         ),
     ),
     "everyday_on_carpet": (
