@@ -38,8 +38,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "too_short": ("too short, with its thin part under the edge", "短く、薄い部分だけが挟まる"),
     # Why a measure may not do much here
     "in_plasterboard": (
-        "{measure} are fixed to plasterboard alone, which lets go at a small force; look for the studs",
-        "「{measure}」を下地のない石こうボードに留めています。小さな力で抜けるので、下地を探してください",
+        (
+            "{measure} are fixed to plasterboard alone, which holds less than a stud and lets go without warning; "
+            "look for the studs"
+        ),
+        (
+            "「{measure}」を下地のない石こうボードに留めています。下地より弱く、前触れなく抜けるので、"
+            "下地を探してください"
+        ),
     ),
     "pole_on_board": (
         (
