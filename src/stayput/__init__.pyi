@@ -67,7 +67,9 @@ from .standards import ac156_motion as ac156_motion
 from .standards import anchor_tension as anchor_tension
 from .standards import asce43_sliding as asce43_sliding
 from .standards import equipment_coefficient as equipment_coefficient
+from .standards import equipment_loads as equipment_loads
 from .standards import holding_force as holding_force
+from .standards import position_of as position_of
 from .uncertainty import Lognormal as Lognormal
 from .uncertainty import Normal as Normal
 from .uncertainty import Uncertainty as Uncertainty

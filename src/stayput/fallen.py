@@ -117,7 +117,8 @@ def intensity_from_fallen(
     Returns
     -------
     IntensityEstimate
-        The intensity and its interval; open to below where none fell, to above where all did.
+        The intensity and its interval. It is open to below where none fell, or so few that the weakest level
+        fits, and to above where all did, or so many that the strongest fits.
 
     Raises
     ------

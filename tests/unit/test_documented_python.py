@@ -7,9 +7,11 @@ import pytest
 
 PAGES = Path(__file__).parents[2] / "docs"
 PYTHON = re.compile(r"```python\n(.*?)```", re.DOTALL)
+QUOTED = re.compile(r'^([\w.()\[\], ]+?)  # "(.*)"$', re.MULTILINE)
+"""A value on its own line, with the text that it is."""
+
 NEEDS_MORE = {
     "buildings.md": "a folder of records",
-    "fragility.md": "runs of one's own",
     "intensity.md": "a record",
     "motions.md": "a record",
     "suites.md": "a folder of records",
@@ -22,7 +24,7 @@ RUN = [name for name, blocks in BLOCKS.items() if blocks and name not in NEEDS_M
 
 
 def test_the_pages_are_found():
-    assert {"contents.md", "everyday.md", "standards.md"} <= set(RUN)
+    assert {"contents.md", "everyday.md", "fragility.md", "standards.md"} <= set(RUN)
     assert set(NEEDS_MORE) <= {name for name, blocks in BLOCKS.items() if blocks}
 
 
@@ -32,3 +34,13 @@ def test_the_python_of_a_page_runs(name, tmp_path, monkeypatch):
     told = {}
     for block in BLOCKS[name]:
         exec(block, told)
+        for value, shown in QUOTED.findall(block):
+            assert eval(value, told) == shown
+
+
+def test_the_bookcase_of_the_page_on_contents_stands_and_its_lip_holds():
+    told = {}
+    exec(BLOCKS["contents.md"][0], told)
+    assert not told["spilt"].overturned
+    assert 0.0 < told["spilt"].share_out < 1.0
+    assert told["sp"].spill(told["bookcase"], told["sp"].Contents("books", lip=0.02)).share_out == 0.0

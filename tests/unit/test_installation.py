@@ -1,11 +1,13 @@
 """Measures as people install them: what is wrong, in what share, and what the verdict says of it."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import stayput as sp
+from stayput.fragility.probabilities import percent
 from stayput.measures import MEASURES, Belt, GelMats, LBracket, LBracketInBoard, TensionPole, WedgeStopper
 from stayput.measures.measure import FAULTY
 from stayput.montecarlo.counting import OVERTURNED
@@ -66,6 +68,16 @@ def test_of_some_measures_little_can_be_done_wrong():
         assert measure.badly_installed(ROOM) is None
 
 
+def test_what_is_said_of_gypsum_board_is_what_the_bracket_holds():
+    bracket = LBracketInBoard()
+    assert bracket.drawn("plasterboard", 1.8, 2.4).strength == pytest.approx(300.0, rel=0.05)
+    assert "each holds a pull of only about 300 N" in bracket.about[0]
+    assert "1個あたり約300 N" in bracket.about[1]
+    for height in (1.2, 1.8, 2.1):
+        links = [LBracket().drawn(wall, height, 2.4) for wall in ("plasterboard", "stud")]
+        assert links[0].strength < links[1].strength
+
+
 def test_installed_well_is_the_default_and_costs_nothing(usual):
     well = verdict_of("well")
     assert all(result.installed is None for result in well.options)
@@ -106,7 +118,8 @@ def test_every_form_of_the_verdict_says_it(usual):
     line = reason(by_name(usual)["l_bracket"], usual, "en")
     assert clause in line
     assert "23 % of such devices are badly installed (screws beside the studs, in plasterboard)" in line
-    assert "As people install it, it overturns in" in usual.sentence()
+    assert "With screwed L-brackets, as people install such devices, it overturns in" in usual.sentence()
+    assert "を実際の取付けのとおりとすると、" in usual.sentence("ja")
     assert clause in verdict_markdown(usual).replace("\\", "")
     assert clause in report_html(usual, "en")
     assert "実際の取付けでは" in verdict_markdown(usual, "ja")
@@ -118,6 +131,19 @@ def test_every_form_of_the_verdict_says_it(usual):
     heads, *rows = (line.split(",") for line in verdict_csv(usual).splitlines())
     column = heads.index("overturned_as_installed")
     assert {row[1]: bool(row[column]) for row in rows}["anti_slip_sheet"] is False
+
+
+def test_a_difference_that_cannot_be_seen_is_called_none(usual):
+    bracket = by_name(usual)["l_bracket"]
+    held = bracket.probabilities[OVERTURNED]
+    same = replace(
+        bracket,
+        installed=replace(bracket.installed, badly={OVERTURNED: held}, usual={OVERTURNED: held.estimate}),
+    )
+    told = f"overturn, no visible difference from the {percent(held.estimate)} % when well installed: 23 % of"
+    assert told in reason(same, usual, "en")
+    assert "と目立った差はありません（23%が" in reason(same, usual, "ja")
+    assert "visible" not in reason(bracket, usual, "en")
 
 
 def test_cautions_and_the_weakest_link_stand_in_the_reason():

@@ -96,6 +96,13 @@ def test_summary_report_and_command_tell_the_mean_over_what_has_contents(small, 
     assert told["events"]["city"]["contents_out_share"] == total.share_out
 
 
+def test_the_sentences_of_the_report_stand_apart(tmp_path):
+    valued = table(tmp_path, [f"{ROWS[0]},100"], f"{HEADER},value")
+    assess(valued, city(tmp_path), tmp_path / "out", threads=1, progress=False)
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "in their currency). Of what is inside" in page
+
+
 def test_without_contents_nothing_is_said_of_them(tmp_path):
     done = assess(table(tmp_path, ["a,chest"], "id,preset"), city(tmp_path), tmp_path / "out", progress=False)
     assert done.summary.events["city"].share_out is None

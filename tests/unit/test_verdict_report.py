@@ -9,14 +9,16 @@ import string
 import tomllib
 from dataclasses import replace
 
+import numpy as np
 import pytest
 import verdict_cases
+from verdict_cases import SCENARIO, made
 
 import stayput as sp
 from stayput.building import STRUCTURES
 from stayput.catalogue import names, runs
 from stayput.catalogue.report import TEXTS
-from stayput.fragility import INTENSITY_MEASURES
+from stayput.fragility import INTENSITY_MEASURES, probability
 from stayput.measures import MEASURES, Belt
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import SURFACES
@@ -32,7 +34,10 @@ from stayput.report.verdict.tables import device_rows, ranking, simulations, ver
 from stayput.simulation.run import EventKind, Mode, Outcome
 from stayput.uncertainty import USUAL
 from stayput.verification import EVENTS, Quantiles
+from stayput.verification.contents import ContentsVerdict, Leaving
+from stayput.verification.notes import everyday_note
 from stayput.verification.options import Option
+from stayput.verification.verdict import SlidingShare
 from stayput.verification.words import headline, reason, title
 
 
@@ -228,6 +233,42 @@ def test_assumptions_carry_how_well_founded_they_are():
         assert one.value("en") != ""
         assert one.value("ja") != ""
     assert any("synthetic" in one.value("en") for one in assumptions(preset))
+
+
+@pytest.mark.parametrize(
+    ("share", "said", "japanese"),
+    [
+        (0.0, "would not slide under any of the motions", "どの地震動でも滑らない"),
+        (0.5, "50 % of the motions would move it, half of these by more than 12 cm", "地震動の50%で動き"),
+        (1.0, "all motions would move it, half of them by more than 12 cm", "すべての地震動で動き"),
+    ],
+)
+def test_how_far_it_would_slide(share, said, japanese):
+    estimates = replace(made().estimates, sliding=SlidingShare(share, 0.12 if share else math.nan))
+    verdict = made(estimates=estimates)
+    assert said in verdict_markdown(verdict)
+    assert japanese in verdict_markdown(verdict, "ja")
+
+
+def test_carpet_is_an_aside_within_what_people_do():
+    scenario = {**SCENARIO, "everyday": {"carpet": 0.011, "pull": 1.0, "load": 0.0}}
+    told, japanese = everyday_note(made(scenario=scenario))
+    assert " (with carpet that lifts its back by 11 mm); the margin is " in told
+    assert "カーペットで背面が11 mm浮き、" in japanese
+
+
+def test_heights_that_read_alike_are_told_once():
+    out = probability(np.eye(4, dtype=bool))
+    leaving = {height: Leaving(height, 1.41, 0.5, 1.0) for height in (1.0, 1.4)}
+    said = {}
+    for height, left in leaving.items():
+        contents = ContentsVerdict(out, 0.0, 1.0, out, out, None, left)
+        verdict = made(scenario={**SCENARIO, "contents": {"kind": "books"}})
+        option = replace(verdict.best, contents=contents)
+        said[height] = reason(option, verdict, "en"), reason(option, verdict, "ja")
+    assert "half of them leave from 1.0 m or higher (at most 1.4 m), nine" in said[1.0][0]
+    assert "half of them or more leave from 1.4 m, none from higher, nine tenths" in said[1.4][0]
+    assert "その半数以上は最も高い1.4 mから、" in said[1.4][1]
 
 
 def test_numbers_in_words():

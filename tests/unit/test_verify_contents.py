@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from stayput.report.verdict.html import write_report
 from stayput.scenario import Scenario
 from stayput.verification import verify
 from stayput.verification.contents import Leaving
+from stayput.verification.verdict import AsInstalled
 from stayput.verification.words import reason
 
 DATA = {
@@ -101,6 +103,23 @@ def test_it_is_said_in_both_languages(verdict):
     rigid = verdict.without.contents.rigid
     assert f"over the {rigid.runs} runs in which they were followed" in note
     assert f"in {rigid.text} with all of them fixed to it" in note
+
+
+def test_what_comes_out_is_of_the_measure_that_is_named(verdict):
+    """Beside what is said without a measure, or as people install one, "it" would be another case."""
+    named = "With screwed L-brackets, {}{:.0f} % of the books come out ("
+    share = 100.0 * verdict.best.contents.out.estimate
+    bare = replace(verdict.without, probabilities=verdict.best.probabilities)
+    steady = replace(verdict, options=(verdict.best, bare))
+    assert "stays upright without any measure. " + named.format("", share) in steady.sentence()
+    chances = {event: chance.estimate for event, chance in verdict.best.probabilities.items()}
+    installed = AsInstalled(0.2, (("loosely", "緩く"),), verdict.best.probabilities, chances)
+    usual = replace(verdict, options=(replace(verdict.best, installed=installed), verdict.without))
+    assert (
+        "With screwed L-brackets, as people install such devices, it overturns in 0 %. " in usual.sentence()
+    )
+    assert named.format("well installed, ", share) in usual.sentence()
+    assert "を正しく取り付けた場合、本の" in usual.sentence("ja")
 
 
 def test_it_is_in_every_file(verdict, tmp_path):

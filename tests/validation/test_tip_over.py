@@ -122,7 +122,10 @@ def test_the_scenario_s_table_and_the_verdict_s_line():
     assert "not a certificate" in verdict.notes()[-1]
     assert "地震がなくても" in verdict.notes("ja")[-1]
     light = sp.Scenario.parse({**data, "everyday": {"load": 0.0, "pull": 1.0}})
-    assert "the piece withstands" in sp.verify(light, levels=[]).notes()[-1]
+    note = sp.verify(light, levels=[]).notes()[-1]
+    margin = min(one.margin for one in sp.tip_over(light.furniture.body(), light.everyday.everyday("chest")))
+    assert "the piece withstands 0 kg on one of its 4 drawers" in note
+    assert f"; the margin is {margin:.2f}, the moment of its own weight over" in note
 
 
 def test_the_study():
@@ -135,3 +138,6 @@ def test_the_study():
     chest = margin.sel(piece="light chest of drawers", floor="hard floor", case=ALL_DRAWERS)
     assert float(chest) == pytest.approx(case(CHEST, ALL_DRAWERS, drawers=4, carpet=0.0).margin)
     assert study.quantities["on_carpet"].value >= study.quantities["on_floor"].value
+    (axis,) = study.figures["margins"].axes
+    for shown in axis.get_lines():
+        assert np.isfinite(np.asarray(shown.get_xdata(), float)).any(), shown.get_label()

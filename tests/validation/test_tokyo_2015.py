@@ -15,6 +15,7 @@ import pytest
 import stayput as sp
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces, draws
 from stayput.motion.intensity import intensity_class
+from stayput.studies.study import span
 from stayput.studies.tokyo import MOST, claims, tokyo
 from stayput.studies.tokyo_runs import (
     ALONE,
@@ -125,6 +126,24 @@ def test_what_does_not_come_out_is_said(kobe, found):
         assert (shown.value, shown.published) == (claim.ours, claim.published)
         assert shown.label.endswith(f"comes out: {claim.outcome}")
     assert float(found["overturned"].sel(device=named(POLES), level=REDUCED).max()) < 0.2
+
+
+@pytest.mark.parametrize("motion", ["built_in", pytest.param("kobe", marks=needs_record)])
+def test_the_claim_at_the_lower_level_has_the_numbers_of_its_table(motion, request):
+    """Cupboards at 60 %, by device: in the severest facing, and over all of them as in brackets."""
+    study = request.getfixturevalue(motion)
+    facing = study.data.attrs["severest_facing"]
+    caption = next(caption for caption in study.tables if caption.startswith("At 60 %"))
+    cells = study.tables[caption].set_index("device")["cupboard overturns"].str.extract(r"(\d+) \((\d+)\)")
+
+    def told(options, column):
+        return f"{span(cells.loc[named(options), column].astype(float), '.0f')} %"
+
+    here, everywhere = ([told(kind, place) for kind in (POLES, MATS + STOPPERS)] for place in (0, 1))
+    assert study.claims[1].ours.endswith(
+        f"facing {facing}: by device, it overturns in {here[0]} of the draws with poles and in {here[1]} "
+        f"with mats or stoppers; over all facings, in {everywhere[0]} and {everywhere[1]}"
+    )
 
 
 @needs_record

@@ -283,6 +283,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "measuresに{value}が2回あります。1回にしてください。",
     ),
     # scenarios
+    "not_used": (
+        "{scenario}: {key} is not used; an inventory takes measures as well installed, and tells of earthquakes alone.",
+        "{scenario}: {key}は使われません。一覧の評価では、対策は正しく取り付けられたものとし、地震だけを扱います。",
+    ),
     "other_building": (
         "The building {name} is another one in {scenario}; it must be the same.",
         "建物{name}の内容が{scenario}では異なります。同じにしてください。",

@@ -38,8 +38,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "too_short": ("too short, with its thin part under the edge", "短く、薄い部分だけが挟まる"),
     # Why a measure may not do much here
     "in_plasterboard": (
-        "{measure} are fixed to plasterboard alone, which lets go at a small force; look for the studs",
-        "「{measure}」を下地のない石こうボードに留めています。小さな力で抜けるので、下地を探してください",
+        (
+            "{measure} are fixed to plasterboard alone, which holds less than a stud and lets go without warning; "
+            "look for the studs"
+        ),
+        (
+            "「{measure}」を下地のない石こうボードに留めています。下地より弱く、前触れなく抜けるので、"
+            "下地を探してください"
+        ),
     ),
     "pole_on_board": (
         (
@@ -55,6 +61,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "glides_stick": (
         "“{measure}” slides like this on hard floors; on a soft one it sinks in and slides less easily",
         "「{measure}」のすべりやすさは硬い床での値です。柔らかい床では沈み込み、滑りにくくなります",
+    ),
+    "rubber_slips": (
+        "“{measure}” grips like this on hard, clean floors; on a soft one it slips with the pile or the weave",
+        "「{measure}」の摩擦は硬くきれいな床での値です。柔らかい床では毛足や畳の目に沿って滑ります",
     ),
     "wedge_sinks": (
         "“{measure}” sinks into a soft floor, and leans the piece less",

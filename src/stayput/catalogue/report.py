@@ -269,8 +269,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "asce43": ("ASCE 43-05, approximate sliding", "ASCE 43-05の滑りの略算"),
     "asce43_text": (
-        "if it only slid: under {share} of the motions, by {distance} in the median of these",
-        "滑りだけが起こるとすれば、地震動の{share}で滑り、その距離の中央値は{distance}",
+        "were it only to slide, {share} of the motions would move it, half of these by more than {distance}",
+        "滑りだけが起こるとすれば、地震動の{share}で動き、その半数では{distance}より大きく動く",
+    ),
+    "asce43_all": (
+        "were it only to slide, all motions would move it, half of them by more than {distance}",
+        "滑りだけが起こるとすれば、すべての地震動で動き、その半数では{distance}より大きく動く",
     ),
     "asce43_still": ("would not slide under any of the motions", "どの地震動でも滑らない"),
     "details": ("Each measure", "対策ごとの詳細"),

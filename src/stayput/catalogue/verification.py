@@ -91,10 +91,24 @@ TEXTS: dict[str, tuple[str, str]] = {
             "9割は水平速度{fast:.2f} m/s以下で飛び出します"
         ),
     ),
+    "contents_leave_the_top": (
+        (
+            "where the piece stands, half of them or more leave from {highest}, none from higher, "
+            "nine tenths at {fast:.2f} m/s or less"
+        ),
+        (
+            "家具が立っている場合、その半数以上は最も高い{highest}から、"
+            "9割は水平速度{fast:.2f} m/s以下で飛び出します"
+        ),
+    ),
     "contents_stay": ("the {contents} stay inside", "{contents}は飛び出しません"),
     "contents_unknown": ("what the {contents} do is unknown", "{contents}の動きは計算できませんでした"),
     "contents_without": (" ({share} without a measure)", "（対策なしでは{share}）"),
     "contents_with": ("With {measure}, {clause}{aside}.", "{measure}があると{clause}{aside}。"),
+    "contents_with_well": (
+        "With {measure}, well installed, {clause}{aside}.",
+        "{measure}を正しく取り付けた場合、{clause}{aside}。",
+    ),
     "contents_alone": ("And {clause}.", "また、{clause}。"),
     "stands_but": ("It then stands, but {clause}{aside}.", "倒れなくても、{clause}{aside}。"),
     # notes beside the numbers
@@ -164,9 +178,19 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "実際の取付けでは転倒{usual}（正しく取り付けた場合{well}。{share}%が取付け不良：{how}）",
     ),
+    "alike_as_installed": (
+        (
+            "as people install it, {usual} overturn, no visible difference from the {well} when well installed: "
+            "{share} % of such devices are badly installed ({how})"
+        ),
+        (
+            "実際の取付けでも転倒{usual}で、正しく取り付けた場合の{well}と目立った差はありません"
+            "（{share}%が取付け不良：{how}）"
+        ),
+    ),
     "best_as_installed": (
-        "As people install it, it overturns in {share}.",
-        "実際の取付けでは{share}の場合に転倒します。",
+        "With {measure}, as people install such devices, it overturns in {share}.",
+        "{measure}を実際の取付けのとおりとすると、{share}の場合に転倒します。",
     ),
     "latches_hold": (
         "Latched doors are taken to stay shut when the furniture falls.",
@@ -199,16 +223,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "everyday_stays": (
         (
-            "Without an earthquake, the piece withstands {case}: the moment of its own weight is {margin:.2f} times "
-            "the overturning one (grade {letter}; not a certificate by any stability rule)."
+            "Without an earthquake, the piece withstands {case}; the margin is {margin:.2f}, the moment of its "
+            "own weight over the overturning one (grade {letter}; not a certificate by any stability rule)."
         ),
         (
-            "地震がないとき、{case}でも倒れません：自重で支えられるモーメントは、かかるモーメントの"
-            "{margin:.2f}倍です（根拠は{letter}。いかなる安定性基準の認証でもありません）。"
+            "地震がないとき、{case}でも倒れず、余裕は{margin:.2f}倍です：自重で支えられるモーメントの、かかる"
+            "モーメントに対する比です（根拠は{letter}。いかなる安定性基準の認証でもありません）。"
         ),
     ),
     "everyday_on_carpet": (
-        "{case}, with carpet that lifts its back by {carpet:.0f} mm,",
+        "{case} (with carpet that lifts its back by {carpet:.0f} mm)",
         "カーペットで背面が{carpet:.0f} mm浮き、{case}",
     ),
     "everyday_pull": (

@@ -35,7 +35,8 @@ class IntensityEstimate:
     Parameters
     ----------
     intensity : float
-        Mean of the levels, weighted by their likelihood; NaN where an end of the interval is open.
+        Mean of the levels, weighted by their likelihood; NaN where an end of the interval is open: there
+        `most_likely` tells where the peak is.
     low, high : float
         Ends of the 95 % interval; −∞ or ∞ where even the weakest or the strongest level fits.
     levels : ndarray, shape (levels,)
@@ -52,6 +53,11 @@ class IntensityEstimate:
     levels: NDArray[np.float64]
     log_likelihood: NDArray[np.float64]
     shares: NDArray[np.float64]
+
+    @property
+    def most_likely(self) -> float:
+        """The level at which what was seen is most likely; the first or the last where it is beyond them."""
+        return float(self.levels[np.argmax(self.log_likelihood)])
 
 
 def estimate_from_counts(

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 
 from pydantic import ValidationError
 
-from stayput.errors import InputError
+from stayput.errors import InputError, InputWarning, warn
 from stayput.fragility import JMA_INTENSITY
 from stayput.inventory.places import distances
 from stayput.scenario import Scenario
@@ -219,6 +219,9 @@ def read_scenario_file(file: Path) -> ScenarioFile:
         data.setdefault("furniture", ANY_FURNITURE)
         scenario = Scenario.parse(data, file.parent)
         require_coulomb(scenario, "verification.an_assessment")
+        for key, stated in _only_in_a_verification(scenario):
+            if stated:
+                warn(InputWarning("inventory.not_used", scenario=file.name, key=key))
         if not isinstance(buildings, dict):
             raise InputError("inventory.buildings_not_a_table", "buildings")
         tables = cast("dict[str, object]", buildings)
@@ -226,6 +229,14 @@ def read_scenario_file(file: Path) -> ScenarioFile:
         return ScenarioFile(file.stem, scenario, named, None if station is None else _station(station))
     except InputError as error:
         raise error.at(file.name) from None
+
+
+def _only_in_a_verification(scenario: Scenario) -> tuple[tuple[str, bool], ...]:
+    """Return keys that an assessment has no use for, and whether a scenario states them."""
+    return (
+        ("[uncertainty] installation", "installation" in scenario.uncertainty.model_fields_set),
+        ("[everyday]", "everyday" in scenario.model_fields_set),
+    )
 
 
 def _station(table: object) -> StationTable:

@@ -145,10 +145,13 @@ class LBracketInBoard(Bracket):
     label: ClassVar[tuple[str, str]] = ("L-brackets in gypsum board", "L型金具（石こうボードに固定）")
     about: ClassVar[tuple[str, str]] = (
         (
-            "Brackets on anchors in gypsum board look the same as those in studs, but the board holds next "
-            "to nothing and crumbles at once."
+            "Brackets on anchors in gypsum board look the same as those in studs, but each holds a pull of "
+            "only about 300 N and then comes out of the board without warning."
         ),
-        "下地のない石こうボードに留めたL型金具は、見た目は同じでもほとんど力に耐えず、ボードごと抜ける。",
+        (
+            "下地のない石こうボードに留めたL型金具は、見た目は同じでも1個あたり約300 Nの引張りにしか耐えず、"
+            "超えると前触れなく抜ける。"
+        ),
     )
 
     wall: str = other_default("plasterboard", WallDevice, "wall")

@@ -102,6 +102,10 @@ class AntiSlipSheet(OtherFriction):
     static_friction: float = static_of("rubber pad")
     kinetic_friction: float = kinetic_of("rubber pad")
 
+    def cautions(self, body: Body, room: Room) -> tuple[Phrase, ...]:
+        """Return that rubber grips hard floors."""
+        return (phrase("measures.rubber_slips", measure=self.label),) if room.floor.surface in SOFT else ()
+
 
 @dataclass(frozen=True, slots=True)
 class Glides(OtherFriction):

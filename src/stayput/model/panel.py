@@ -2,8 +2,9 @@
 
 A piece that turns about the far base edge meets the wall, at height h, with the effective mass
 m = J_O/h². The wall is a panel that swings in its first mode: a mass M on a spring with the damping ratio ζ.
-However the two meet (chattering or dead), they soon move together, at m/(m + M) of the speed, and part where
-nothing presses any more. Together they are damped by ζ' = ζ √(M/(m + M)), so that the wall returns
+Where they meet dead, or bounce by no more than gypsum board lets them, they soon move together, at m/(m + M)
+of the speed, and part where nothing presses any more. Together they are damped by ζ' = ζ √(M/(m + M)), so
+that the wall returns
 
     e_w = m/(m + M) · exp(−ζ' φ/√(1 − ζ'²)),    φ = π − atan2(2ζ' √(1 − ζ'²), 1 − 2ζ'²)
 
@@ -17,6 +18,8 @@ from __future__ import annotations
 
 import math
 
+from stayput.errors import within
+
 
 def panel_restitution(effective: float, panel: float, damping: float) -> float:
     """Return e_w, the part of its speed that a panel returns to what hits it.
@@ -28,15 +31,21 @@ def panel_restitution(effective: float, panel: float, damping: float) -> float:
     panel : float
         M, of the panel's first mode at the place of the impact [kg].
     damping : float
-        ζ, 0 to below 1.
+        ζ, 0 to 0.99.
+
+    Raises
+    ------
+    InputError
+        A mass that is not above 0, or a damping out of range.
 
     Examples
     --------
     >>> round(panel_restitution(36.0, 45.0, 0.05), 2)
     0.4
     """
-    together = effective + panel
-    zeta = damping * math.sqrt(panel / together)
+    m = within("model.effective_mass", effective, 1e-3, 1e6, "kg")
+    together = m + within("model.panel_mass", panel, 1e-3, 1e6, "kg")
+    zeta = within("model.panel_damping", damping, 0.0, 0.99) * math.sqrt(panel / together)
     root = math.sqrt(1.0 - zeta * zeta)
     phase = math.pi - math.atan2(2.0 * zeta * root, 1.0 - 2.0 * zeta * zeta)
-    return effective / together * math.exp(-zeta * phase / root)
+    return m / together * math.exp(-zeta * phase / root)

@@ -35,6 +35,8 @@ LEAST = 0.2
 def rigid_half_base(half_base: ArrayLike, height: ArrayLike, settlement: ArrayLike) -> NDArray[np.float64]:
     """Return a', half the rigid base that takes as much energy to overturn as one that sinks in [m].
 
+    At least a fifth of a is left (`LEAST`), even of a piece that the floor does not hold upright at all.
+
     Parameters
     ----------
     half_base : float or ndarray

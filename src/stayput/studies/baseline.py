@@ -60,7 +60,7 @@ OBSERVED = {
 }
 """What was observed: JMA's explanatory table, and the survey of Kobe by architects."""
 
-WORDS = {"5-upper": (0.005, 0.1), "6-lower": (0.02, 0.25), "6-upper": (0.2, 0.6), "7": (0.5, 1.0)}
+WORDS = {"5-upper": (0.01, 0.1), "6-lower": (0.02, 0.25), "6-upper": (0.2, 0.6), "7": (0.5, 1.0)}
 """What JMA's words are taken to mean here, as shares of pieces that fall: may, some, more, nearly all."""
 
 REPORTED = {
@@ -381,7 +381,7 @@ def claims(data: xr.Dataset) -> tuple[Claim, ...]:
                 reported,
                 f"storey {storey} of {STOREYS[-1]}: {100 * weak:.0f} to {100 * strong:.0f} %, the ground at "
                 f"{GROUND_LEVELS[1]:g} to {GROUND_LEVELS[2]:g}",
-                YES if weak <= high and strong >= low else NO,
+                _of_a_range(weak, strong, low, high),
             )
         )
     free, wall = field_of(data, FREE), field_of(data, WALL)
@@ -399,6 +399,13 @@ def claims(data: xr.Dataset) -> tuple[Claim, ...]:
             )
         )
     return tuple(found)
+
+
+def _of_a_range(weak: float, strong: float, low: float, high: float) -> str:
+    """Return the outcome where the ground was between two intensities: yes where both shares are as told."""
+    if low <= weak and strong <= high:
+        return YES
+    return PARTLY if weak <= high and strong >= low else NO
 
 
 def draw_effects(data: xr.Dataset) -> Figure:

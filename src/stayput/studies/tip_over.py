@@ -141,6 +141,8 @@ def draw_margins(data: xr.Dataset) -> Figure:
     for case, (colour, marker) in LOOKS.items():
         for floor, face in zip(data["floor"].to_numpy().tolist(), (colour, "white"), strict=True):
             values = data["margin"].sel(case=case, floor=floor).to_numpy()
+            if not np.isfinite(values).any():  # nothing on its front edge tips a piece on a hard floor
+                continue
             label = f"{CASES[case]}, {floor}"
             axis.plot(values, rows, marker, color=colour, markerfacecolor=face, markersize=7.0, label=label)
     axis.axvline(1.0, color=INK, linewidth=1.2, linestyle="--")

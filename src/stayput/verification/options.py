@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError
 from stayput.measures import MEASURES, hold
+from stayput.model.state import refuse_bad_start
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -155,11 +156,13 @@ def compared_options(scenario: Scenario) -> tuple[tuple[Option, ...], tuple[Impo
     Raises
     ------
     InputError
-        Measures of which none can be applied there, or two of one name.
+        A piece that stands in a wall or in the ceiling, measures of which none can be applied there, or two
+        of one name.
     """
     named = tuple(Option(measure_set.name, measure_set.measures) for measure_set in scenario.measures)
     _refuse_twice((Option("none"), *named))
     body, room = scenario.furniture.body(), scenario.room.room()
+    refuse_bad_start(body, room, scenario.initial.state())
     possible, impossible = partition_options(named or usual(), body, room)
     if named and not possible:
         raise impossible[0].error

@@ -13,6 +13,7 @@ from stayput.execution import Call, ThreadExecutor
 from stayput.fragility import PFA, PFV
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.standards import ac156, asce43_sliding, equipment_loads, position_of
+from stayput.standards.asce43 import VERTICAL_SHARE
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -62,7 +63,7 @@ class SlidingShare:
     Parameters
     ----------
     share : float
-        Share of the motions that make it slide.
+        Share of the motions that make it slide; those that the method says nothing of do not count.
     distance : float
         Median distance under those [m]; nan where there are none.
     """
@@ -76,7 +77,8 @@ class SlidingShare:
 
         def estimated(place: int) -> float:
             motion = floors.motions[place].scaled(float(floors.scales[place]))
-            return asce43_sliding(motion, friction, gravity).distance
+            lifted = motion.z is not None and float(np.abs(motion.z).max()) >= gravity / VERTICAL_SHARE
+            return math.nan if lifted else asce43_sliding(motion, friction, gravity).distance
 
         with ThreadExecutor(threads) as executor:
             calls = (Call(estimated, place) for place in range(len(floors.motions)))

@@ -94,7 +94,8 @@ def headline(verdict: Verdict, language: str) -> str:
     sentences = [say(_headline(verdict), language)]
     if verdict.best.installed is not None:
         share = share_text(verdict.best.installed.usual[OVERTURNED])
-        sentences.append(say(phrase("verification.best_as_installed", share=share), language))
+        measure = _title_inside(verdict.best.option, verdict)
+        sentences.append(say("verification.best_as_installed", language, measure=measure, share=share))
     if verdict.best.contents is not None:
         sentences.append(say(_of_contents(verdict), language))
     return (" " if language == "en" else "").join(sentences)
@@ -128,11 +129,19 @@ def _of_contents(verdict: Verdict) -> Phrase:
     aside = ""
     if best.option.measures and math.isfinite(bare):
         aside = phrase("verification.contents_without", share=share_text(bare))
-    if stands:
+    # "it" is the piece of the sentence before: that one must be of the same measure, and of no installation
+    if stands and best.installed is None and (_helps(best, without) or not best.option.measures):
         return phrase("verification.stands_but", clause=clause, aside=aside)
-    measure = _title_inside(best.option, verdict)
-    key = "verification.contents_with" if best.option.measures else "verification.contents_alone"
-    return phrase(key, measure=measure, clause=clause, aside=aside)
+    if not best.option.measures:
+        return phrase("verification.contents_alone", clause=clause)
+    key = "verification.contents_with" if best.installed is None else "verification.contents_with_well"
+    return phrase(key, measure=_title_inside(best.option, verdict), clause=clause, aside=aside)
+
+
+def _helps(option: OptionVerdict, without: OptionVerdict) -> bool:
+    """Return whether fewer overturn with an option than without a measure, by a share that is mentioned."""
+    held, bare = option.probabilities[OVERTURNED].estimate, without.probabilities[OVERTURNED].estimate
+    return bool(option.option.measures) and held < bare - SMALL
 
 
 def _headline(verdict: Verdict) -> Phrase:
@@ -142,7 +151,7 @@ def _headline(verdict: Verdict) -> Phrase:
     if math.isnan(share):
         return phrase("verification.no_run_without_a_measure")
     strength, falls = _class(verdict.intensity), _falls(share)
-    if best.option.measures and best.probabilities[OVERTURNED].estimate < share - SMALL:
+    if _helps(best, without):
         held = best.probabilities[OVERTURNED].estimate
         unclear = best.change is not None and not best.change.clear
         then = "verification.then_never" if held == 0.0 else "verification.then_falls"
@@ -186,8 +195,11 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
     if option.contents is not None:
         parts.append(contents_out(option, verdict))
         if (leaving := option.contents.leaving) is not None:
-            heights = {"height": length(leaving.height), "highest": length(leaving.highest)}
-            parts.append(phrase("verification.contents_leave", **heights, fast=leaving.fast))
+            middle, highest = length(leaving.height), length(leaving.highest)
+            key = (
+                "verification.contents_leave_the_top" if middle == highest else "verification.contents_leave"
+            )
+            parts.append(phrase(key, height=middle, highest=highest, fast=leaving.fast))
     if shares[DEVICE_FAILED] >= 0.05:
         parts.append(phrase("verification.device_fails", share=share_text(shares[DEVICE_FAILED])))
         worst = max(option.devices, key=lambda device: device.failed.estimate, default=None)
@@ -195,11 +207,13 @@ def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
             parts.append(phrase("verification.gives_way", weakest=worst.weakest))
     if (installed := option.installed) is not None:
         english, japanese = zip(*installed.how, strict=True)
+        usual, badly = installed.usual[OVERTURNED], installed.badly[OVERTURNED]
+        alike = share_text(usual) == share_text(held) or badly.low <= held <= badly.high
         parts.append(
             phrase(
-                "verification.as_installed",
+                "verification.alike_as_installed" if alike else "verification.as_installed",
                 well=share_text(held),
-                usual=share_text(installed.usual[OVERTURNED]),
+                usual=share_text(usual),
                 share=percent(installed.share),
                 how=("; ".join(english), "、".join(japanese)),
             )

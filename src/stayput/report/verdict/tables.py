@@ -322,7 +322,7 @@ def estimate_rows(verdict: Verdict, language: str) -> list[tuple[str, str, str]]
         (
             text("asce43"),
             text(
-                "asce43_text" if sliding.share else "asce43_still",
+                {0.0: "asce43_still", 1.0: "asce43_all"}.get(sliding.share, "asce43_text"),
                 share=numbers.share(sliding.share, language),
                 distance=length(sliding.distance),
             ),
