@@ -336,14 +336,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "depthAxis": ("depth [cm]", "奥行き [cm]"),
     "yourPiece": ("your piece", "この家具"),
     "mapAlt": (
-        "Share of the earthquakes in which the piece falls, by its height and the intensity. Yours: {size} at {at}, {share}.",
-        "家具の高さと震度ごとの、倒れる地震の割合。この家具は{size}、震度{at}で{share}。",
+        "How often the piece falls, by its height and the intensity. Yours: {size} at {at}, {share}.",
+        "家具の高さと震度ごとの、倒れる割合。この家具は{size}、震度{at}で{share}。",
     ),
     "doesNotFit": ("the piece or a measure does not fit there", "家具または対策がその寸法では収まりません"),
     "mapWhich": ("The map is for the piece", "図の条件"),
     "mapNote": (
-        "How often such a piece falls over, by its height and the strength of the shaking (earthquakes tried: {motions}). The mark is your piece.",
-        "家具の高さと揺れの強さごとに、{motions}種類の地震のうち倒れる割合を示します。印はこの家具です。",
+        "How often such a piece falls over, by its height and the strength of the shaking (earthquakes tried: {motions}; simulations of each size at each strength: {runs}). What is not known was varied as for the chances above. The mark is your piece.",
+        "家具の高さと揺れの強さごとに、{motions}種類の地震による{runs}回ずつの計算から、倒れる割合を示します。ばらつきは上の確率と同じように考えています。印はこの家具です。",
     ),
     "addressLabel": ("A link that shows this scene again", "この条件を再現するリンク"),
     "copy": ("Copy", "コピー"),
