@@ -241,8 +241,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Simulations: {runs}, with different earthquakes: {motions}; friction, weight and strength of the devices were varied too. {seconds} s of computing.",
         "{motions}種類の地震による{runs}回の計算から求めました。摩擦、重さ、器具の強さのばらつきも考えています。計算時間は{seconds}秒です。",
     ),
-    "alsoSlides": ("slides by more than {limit} in {share}.", "{share}の場合に{limit}より大きく移動します。"),
-    "alsoFails": ("a device fails in {share} ({device}).", "{share}の場合に{device}が破損または脱落します。"),
+    "alsoSlides": (
+        "It slides by more than {limit} in {share}.",
+        "{share}の場合に{limit}より大きく移動します。",
+    ),
+    "alsoFails": ("A device fails in {share} ({device}).", "{share}の場合に{device}が破損または脱落します。"),
     "verify": ("Work it out again", "もう一度計算する"),
     "cancel": ("Stop", "中止"),
     "progress": ("Progress", "進み具合"),

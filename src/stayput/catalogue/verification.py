@@ -164,7 +164,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "実際の取付けでは転倒{usual}（正しく取り付けた場合{well}。{share}%が取付け不良：{how}）",
     ),
-    "best_as_installed": (
+    "overturns_as_installed": (
         "As people install it, it overturns in {share}.",
         "実際の取付けでは{share}の場合に転倒します。",
     ),

@@ -18,7 +18,7 @@ from stayput.wording import FAR, inside, is_open, with_aside
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.verification.options import Option
-    from stayput.verification.verdict import OptionVerdict, Verdict
+    from stayput.verification.verdict import AsInstalled, OptionVerdict, Verdict
 
 ALIKE = 0.05
 """Shares that differ by less than this, and not clearly, are called about the same."""
@@ -93,11 +93,29 @@ def headline(verdict: Verdict, language: str) -> str:
     """Return the verdict in one sentence."""
     sentences = [say(_headline(verdict), language)]
     if verdict.best.installed is not None:
-        share = share_text(verdict.best.installed.usual[OVERTURNED])
-        sentences.append(say(phrase("verification.best_as_installed", share=share), language))
+        sentences.append(say(_usually(verdict.best.installed), language))
     if verdict.best.contents is not None:
         sentences.append(say(_of_contents(verdict), language))
     return (" " if language == "en" else "").join(sentences)
+
+
+def _usually(installed: AsInstalled) -> Phrase:
+    """Return how often it overturns as people install the measures."""
+    return phrase("verification.overturns_as_installed", share=share_text(installed.usual[OVERTURNED]))
+
+
+def asides(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
+    """Return sentences on what comes out of the furniture, and on the measures as people install them.
+
+    Each only where the scenario asks for it.
+    """
+    sentences: list[Phrase] = []
+    if option.contents is not None:
+        english, japanese = contents_out(option, verdict)
+        sentences.append((_sentence([english], "en"), _sentence([japanese], "ja")))
+    if option.installed is not None:
+        sentences.append(_usually(option.installed))
+    return sentences
 
 
 def contents_name(verdict: Verdict) -> Phrase:
@@ -163,8 +181,12 @@ def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
     """Return why an option stands where it does, in one plain sentence."""
     if math.isnan(option.probabilities[OVERTURNED].estimate):
         return say("verification.no_run", language)
-    parts = [say(part, language) for part in _reasons(option, verdict)]
-    text = "; ".join(parts) if language == "en" else "。".join(parts)
+    return _sentence([say(part, language) for part in _reasons(option, verdict)], language)
+
+
+def _sentence(clauses: list[str], language: str) -> str:
+    """Return clauses as a sentence; in Japanese each is one."""
+    text = "; ".join(clauses) if language == "en" else "。".join(clauses)
     return f"{text[:1].upper()}{text[1:]}." if language == "en" else f"{text}。"
 
 
