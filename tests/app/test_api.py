@@ -216,6 +216,19 @@ def test_a_map_of_size_against_intensity(client: httpx.Client) -> None:
     assert sum(row[0] for row in shares) < sum(row[-1] for row in shares)
 
 
+def test_the_own_piece_in_the_map_falls_about_as_often_as_in_the_verdict(client: httpx.Client) -> None:
+    scene: dict[str, Any] = {
+        "furniture": {"preset": "cupboard", "width": 0.4, "height": 1.8, "mass": 100.0},
+        "room": {"floor": "carpet", "left_wall": {"gap": 0.02}},
+        "shaking": {"suite": {"family": "mixed"}, "intensity": 5.75},
+    }
+    found = client.post("/api/v1/size-map", json={"scene": scene}).json()
+    shown = found["overturned"][found["size"].index(1.0)][found["intensity"].index(5.75)]
+    told = sp.verify(sp.Scenario.parse(scene), levels=()).without.probabilities["overturned"]
+    assert told.low - 0.03 < shown < told.high + 0.03  # the map has a tenth of the runs
+    assert found["runs"] == 40
+
+
 def test_pieces_higher_than_the_room_are_not_in_the_map(client: httpx.Client) -> None:
     found = client.post("/api/v1/size-map", json={"scene": SCENE}).json()
     for height, row in zip(found["height_m"], found["overturned"], strict=True):

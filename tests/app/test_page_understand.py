@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from browsing import Opened
-    from playwright.sync_api import Browser
+    from playwright.sync_api import Browser, Route
     from serving import Running
 
 
@@ -111,6 +111,23 @@ def test_another_language_keeps_everything(verified: tuple[Opened, dict]) -> Non
         assert len(it.asked) == asked  # nothing had to be worked out again
     finally:
         it.page.click("#languages [lang=en]")
+
+
+def test_what_is_still_worked_out_changes_its_language_too(browser: Browser, server: Running) -> None:
+    with opened(browser, server, verify=True) as it:
+
+        def but_the_other_floor(route: Route) -> None:
+            if "storey" not in route.request.post_data_json["scene"]["shaking"]:
+                route.fallback()
+
+        it.page.route("**/api/v1/verify", but_the_other_floor)
+        it.go("understand")
+        it.page.wait_for_selector("#whatif[data-state=running]", timeout=COMPILING)
+        assert it.text("#whatif") == "Working it out …"
+        it.page.click("#languages [lang=ja]")
+        assert it.text("#whatif") == "計算しています…"
+        it.page.click("#languages [lang=en]")
+        assert it.text("#whatif") == "Working it out …"
 
 
 def saved(it: Opened, selector: str) -> tuple[str, str]:

@@ -14,6 +14,7 @@ NEEDS_MORE = {
     "buildings.md": "a folder of records",
     "intensity.md": "a record",
     "motions.md": "a record",
+    "space.md": "a mesh, which `test_mesh_file.py` writes",
     "suites.md": "a folder of records",
     "verify.md": "the examples",
 }

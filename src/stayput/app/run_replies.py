@@ -159,7 +159,7 @@ class OwnPieceReply(Reply):
 
 
 class SizeMapReply(Reply):
-    """Share of the motions that overturn pieces of each size, by intensity."""
+    """Share of the runs in which pieces of each size overturn, by intensity."""
 
     axis: str
     intensity: list[float]
@@ -171,4 +171,5 @@ class SizeMapReply(Reply):
     )
     refused: list[Problem | None] = Field(description="By size: why such a piece is not possible.")
     motions: int
+    runs: int = Field(description="Of each size at each intensity.")
     here: OwnPieceReply

@@ -1,8 +1,9 @@
-"""The app's size map: the share of motions that overturn a piece, over its size and the intensity."""
+"""The app's size map: how often a piece overturns, by its size and the intensity, with a verdict's draws."""
 
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,8 +17,8 @@ from stayput.measures import hold
 from stayput.model.body import MASS_RANGE, SIZE_RANGE, Body
 from stayput.model.state import State, refuse_bad_start
 from stayput.montecarlo.hazard import Hazard
-from stayput.montecarlo.runs import run_level
-from stayput.montecarlo.sampling import Rows, stated_rows
+from stayput.montecarlo.levels import run_levels
+from stayput.montecarlo.sampling import DrawTable, Rows, draws, rows_of
 from stayput.motion.suites import Suite
 from stayput.verification.options import require_coulomb
 
@@ -27,20 +28,20 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.measures import Measure
+    from stayput.montecarlo.hazard import FloorMotions
     from stayput.scenario import Scenario
 
-INTENSITIES: NDArray[np.float64] = np.round(np.linspace(4.4, 7.0, 14), 2)
-"""JMA intensities of the ground."""
-INTENSITIES.setflags(write=False)
+LOWEST, HIGHEST, STEP = 4.4, 7.0, 0.2
+"""The JMA intensities of the ground that the map covers, and how far apart they are."""
 
 SIZES: NDArray[np.float64] = np.round(np.linspace(0.5, 1.5, 11), 2)
 """Factors on the size."""
 SIZES.setflags(write=False)
 
-MOTIONS = 12
-"""Most motions of a suite that are run."""
+RUNS = 40
+"""Runs of a size at an intensity: of as many motions, or of several samples of each where there are fewer."""
 
-MOTIONS_YIELDING, MOTIONS_HELD = 6, 4
+RUNS_YIELDING, RUNS_HELD = 10, 8
 """The same in a building whose storeys yield, and where devices hold the piece: both take longer."""
 
 
@@ -64,6 +65,14 @@ def scaled_body(body: Body, across: float, up: float) -> Body:
         length=body.length,
     )
     return replace(grown, inertia=ratio * grown.uniform_inertia)
+
+
+def intensities(own: float | None) -> NDArray[np.float64]:
+    """Return the intensities of a map's columns: the scene's own is one of them where the map covers it."""
+    first = LOWEST
+    if own is not None and LOWEST <= own <= HIGHEST:
+        first = own - STEP * np.floor((own - LOWEST) / STEP + 1e-9)
+    return np.round(np.arange(first, HIGHEST + 1e-9, STEP), 4)
 
 
 def size_map(
@@ -92,35 +101,47 @@ def size_map(
     require_coulomb(scenario, "verification.the_map")
     shaking = scenario.shaking
     body, measures = scenario.furniture.body(), own_measures(scenario)
-    most = MOTIONS if shaking.building is None or not shaking.building.yields else MOTIONS_YIELDING
+    runs = RUNS if shaking.building is None or not shaking.building.yields else RUNS_YIELDING
     if hold(body, scenario.room.room(), measures).elements:
-        most = MOTIONS_HELD
-    ground = Suite(shaking.ground(scenario.folder).motions[:most])
+        runs = RUNS_HELD
+    ground = Suite(shaking.ground(scenario.folder).motions[:runs])
+    samples, uncertainty = -(-runs // len(ground)), scenario.uncertainty
+    drawn = draws(len(ground), samples, uncertainty.seed, as_stated=uncertainty.as_stated)
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, vertical=bool(shaking.vertical))
     across = np.where(axis == "height", 1.0, SIZES)
     up = np.where(axis == "width", 1.0, SIZES)
     bodies = [scaled_body(body, float(a), float(u)) for a, u in zip(across, up, strict=True)]
-    rows = [_rows_or_refusal(scaled, scenario, measures, len(ground)) for scaled in bodies]
+    rows = [_rows_or_refusal(scaled, scenario, measures, drawn) for scaled in bodies]
     possible = {place: row for place, row in enumerate(rows) if isinstance(row, Rows)}
-    share = np.full((len(bodies), len(INTENSITIES)), np.nan)
+    wanted = shaking.wanted_intensity
+    own = _own_intensity(ground, shaking.scale) if wanted is None else wanted
+    levels = intensities(own)
+    share = np.full((len(bodies), len(levels)), np.nan)
     if possible:
-        for column, level in enumerate(INTENSITIES):
+
+        @cache
+        def floors_at(level: float) -> FloorMotions:
             if not awaited():
                 raise StoppedError
-            by_size = run_level(list(possible.values()), hazard.at(float(level), threads), threads=threads)
-            share[list(possible), column] = [runs.probability_of_overturning().estimate for runs in by_size]
-    wanted = shaking.wanted_intensity
+            return hazard.at(level, threads)
+
+        by_size, _ = run_levels(list(possible.values()), levels, floors_at, threads=threads)
+        for place, falls in zip(possible, by_size, strict=True):
+            ended = np.sum(~falls.missing, axis=(1, 2))
+            fell = np.sum(falls.overturned, axis=(1, 2))
+            share[place] = np.where(ended > 0, fell / np.maximum(ended, 1), np.nan)
     return SizeMapReply(
         axis=axis,
-        intensity=INTENSITIES.tolist(),
+        intensity=levels.tolist(),
         size=SIZES.tolist(),
         width_m=[scaled.width for scaled in bodies],
         height_m=[scaled.height for scaled in bodies],
         overturned=share.round(4).tolist(),
         refused=[problem(row.about(None)) if isinstance(row, InputError) else None for row in rows],
         motions=len(ground),
+        runs=len(ground) * samples,
         here=OwnPieceReply(
-            intensity=_own_intensity(ground, shaking.scale) if wanted is None else wanted,
+            intensity=own,
             width_m=body.width,
             height_m=body.height,
         ),
@@ -128,15 +149,16 @@ def size_map(
 
 
 def _rows_or_refusal(
-    body: Body, scenario: Scenario, measures: tuple[Measure, ...], motions: int
+    body: Body, scenario: Scenario, measures: tuple[Measure, ...], drawn: DrawTable
 ) -> Rows | InputError:
-    """Return the rows of a piece as stated, or why it is not possible."""
+    """Return the rows of a piece at rest under all draws, or why it is not possible."""
+    room = scenario.room.room()
     try:
-        held = hold(body, scenario.room.room(), measures)
+        held = hold(body, room, measures)
         refuse_bad_start(held.body, held.room, State())
+        return rows_of(body, room, measures, drawn, scenario.gravity)
     except InputError as error:  # higher than the room, a pole that is too long
         return error
-    return stated_rows(held, motions, scenario.gravity)
 
 
 def _own_intensity(ground: Suite, scale: float | None) -> float | None:

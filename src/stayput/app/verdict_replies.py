@@ -130,6 +130,9 @@ class OptionReply(Reply):
     label: Words
     measures: list[dict[str, Any]]
     reason: Words
+    asides: list[Words] = Field(
+        description="What comes out, and how often it overturns as people install it, where that is asked."
+    )
     grade: str = Field(description="How well founded its numbers are: A, B or C; see grades.")
     weakest: list[Words] = Field(description="The inputs of that grade.")
     yours: bool

@@ -29,6 +29,7 @@ from stayput.verification.contents import runs_of_contents
 from stayput.verification.grades import weakest
 from stayput.verification.notes import everyday_note, shaken_notes
 from stayput.verification.options import YOURS, compared_options, options_of, usual
+from stayput.verification.words import asides
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -199,6 +200,7 @@ def _option_data(result: OptionVerdict, data: dict[str, Any], verdict: Verdict) 
         **data["probabilities"],
         "measures": [table_of(measure) for measure in result.option.measures],
         "weakest": [Words.of(item.label) for item in weakest(result.option, verdict.scenario)],
+        "asides": [Words.of(aside) for aside in asides(result, verdict)],
         "yours": result.option.name == YOURS,
         "change": data["overturned_change"],
         "slide_m": data["peak_slide_m"],

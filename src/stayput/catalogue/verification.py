@@ -192,6 +192,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "With {measure}, as people install such devices, it overturns in {share}.",
         "{measure}を実際の取付けのとおりとすると、{share}の場合に転倒します。",
     ),
+    "overturns_as_installed": (
+        "As people install it, it overturns in {share}.",
+        "実際の取付けでは{share}の場合に転倒します。",
+    ),
     "latches_hold": (
         "Latched doors are taken to stay shut when the furniture falls.",
         "ラッチ付きの扉は、家具が倒れても閉じたままと仮定しています。",

@@ -101,6 +101,21 @@ def headline(verdict: Verdict, language: str) -> str:
     return (" " if language == "en" else "").join(sentences)
 
 
+def asides(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
+    """Return sentences on what comes out of the furniture, and on the measures as people install them.
+
+    Each only where the scenario asks for it.
+    """
+    sentences: list[Phrase] = []
+    if option.contents is not None:
+        english, japanese = contents_out(option, verdict)
+        sentences.append((_sentence([english], "en"), _sentence([japanese], "ja")))
+    if option.installed is not None:
+        share = share_text(option.installed.usual[OVERTURNED])
+        sentences.append(phrase("verification.overturns_as_installed", share=share))
+    return sentences
+
+
 def contents_name(verdict: Verdict) -> Phrase:
     """Return what is in the furniture, within a sentence."""
     contents = verdict.scenario.contents
@@ -172,8 +187,12 @@ def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
     """Return why an option stands where it does, in one plain sentence."""
     if math.isnan(option.probabilities[OVERTURNED].estimate):
         return say("verification.no_run", language)
-    parts = [say(part, language) for part in _reasons(option, verdict)]
-    text = "; ".join(parts) if language == "en" else "。".join(parts)
+    return _sentence([say(part, language) for part in _reasons(option, verdict)], language)
+
+
+def _sentence(clauses: list[str], language: str) -> str:
+    """Return clauses as a sentence; in Japanese each is one."""
+    text = "; ".join(clauses) if language == "en" else "。".join(clauses)
     return f"{text[:1].upper()}{text[1:]}." if language == "en" else f"{text}。"
 
 

@@ -45,7 +45,7 @@ export function show(verdict) {
     ...grid(),
     ...chosen.map(band),
     ...chosen.map(curve),
-    ...(known ? [svg("path", { class: "here", d: `M${x(here)} ${TOP}V${y(0)}` }), hereText(here)] : []),
+    ...(known ? [svg("path", { class: "here", d: `M${x(here)} ${TOP}V${y(0)}` }), hereText(x(here))] : []),
     ...titles((LEFT + W - RIGHT) / 2, H, (TOP + H - FOOT) / 2, t("intensityAxis"), t("chanceAxis")),
   );
   const key = el(
@@ -72,12 +72,13 @@ export function show(verdict) {
   fill(part("fragility"), picture, key, el("p", { class: "hint", text: t("fragilityNote") }));
 }
 
-const hereText = (here) =>
+/** Above the names of the classes, where no curve comes; it leans inwards at the edges. */
+const hereText = (at) =>
   svg("text", {
     class: "heretext",
-    x: x(here) + (here > 6 ? -6 : 6),
-    y: TOP + 14,
-    "text-anchor": here > 6 ? "end" : "start",
+    x: at,
+    y: 14,
+    "text-anchor": at > W - 60 ? "end" : at < LEFT + 40 ? "start" : "middle",
     text: t("here"),
   });
 

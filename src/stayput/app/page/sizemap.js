@@ -1,5 +1,4 @@
-// The map of size against intensity: what share of the motions turns such a piece over, and the user's
-// own on it.
+// The map of size against intensity: how often such a piece turns over, and the user's own on it.
 
 import { label, shortClass, ticks, titles } from "./axes.js";
 import { el, fill, part, svg, widthFor } from "./dom.js";
@@ -81,7 +80,7 @@ export function show(map) {
     picture,
     key(impossible !== null, unknown),
     impossible ? el("p", { class: "hint", text: notPossible(impossible) }) : [],
-    el("p", { class: "hint", text: t("mapNote", { motions: number(map.motions) }) }),
+    el("p", { class: "hint", text: t("mapNote", { motions: number(map.motions), runs: number(map.runs) }) }),
   );
 }
 
@@ -114,7 +113,7 @@ function edges(values) {
   return [first, ...middles, last];
 }
 
-/** A share as one of five steps: darker, and hatched more closely, the more of the motions turn it over. */
+/** A share as one of five steps: darker, and hatched more closely, the more often it turns over. */
 const step = (share) =>
   share <= 0.005 ? 0 : Math.min(STEPS - 1, 1 + Math.floor(share * (STEPS - 1) - 1e-9));
 

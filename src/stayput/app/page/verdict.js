@@ -41,7 +41,7 @@ export function show(verdict) {
   });
 }
 
-/** What else is likely: sliding far, a device that fails. */
+/** What else is likely: sliding far, a device that fails, things that come out, measures as people install them. */
 function also(one, title, verdict) {
   const sentences = [];
   if (one.slid.estimate >= LIKELY)
@@ -51,6 +51,7 @@ function also(one, title, verdict) {
   for (const device of one.devices)
     if (device.failed.estimate >= LIKELY)
       sentences.push(t("alsoFails", { device: within(device.label), share: percent(device.failed.estimate) }));
+  sentences.push(...one.asides.map(both));
   return sentences.length ? el("li", { text: `${title}${t("colon")}${sentences.join(t("space"))}` }) : null;
 }
 

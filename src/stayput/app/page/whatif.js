@@ -12,7 +12,8 @@ const jobs = line();
 let storey = Number(recalled("whatif")) || 20,
   most = 1,
   answer = null,
-  failed = null;
+  failed = null,
+  asking = false;
 
 /** Builds the question; "again" is called with each new floor. */
 export function build(presets, again) {
@@ -55,8 +56,8 @@ export async function ask(base, measures, samples) {
   const scene = current(),
     storeys = tall(scene);
   answer = failed = null;
-  part("whatif").textContent = t("thinking");
-  part("whatif").dataset.state = "running";
+  asking = true;
+  say();
   const elsewhere = forServer({ ...scene, storeys, storey });
   const content = {
     scene: sampled(elsewhere, samples),
@@ -71,17 +72,20 @@ export async function ask(base, measures, samples) {
   } catch (error) {
     failed = error;
   }
+  asking = false;
   say();
 }
 
 export const stop = () => {
-  answer = null;
+  answer = failed = null;
+  asking = false;
   part("whatif").textContent = "";
   return jobs.stop();
 };
 
 function say() {
-  if (failed || answer) part("whatif").dataset.state = "done";
+  if (asking) part("whatif").textContent = t("thinking");
+  if (asking || failed || answer) part("whatif").dataset.state = asking ? "running" : "done";
   if (failed) fill(part("whatif"), worded(failed));
   if (!answer) return;
   const { there, here, storey, storeys } = answer;
