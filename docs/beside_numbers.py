@@ -87,6 +87,11 @@ def tombstones(study: Study, motion: sp.Motion | None) -> Numbers:
         "together": ", ".join(f"{float(share):.0f}" for share in mean[-1]),
         "together_name": names_of[-1].removeprefix("together: "),
         "together_met": int(inside(data).sum("level")[-1]),
+        "in_space": cemetery.IN_SPACE,
+        **{
+            key: ", ".join(f"{float(share):.0f}" for share in mean.sel(setting=setting.name))
+            for key, setting in zip(("plane", "either", "space"), cemetery.IDEALS, strict=True)
+        },
     }
 
 

@@ -14,7 +14,6 @@ NEEDS_MORE = {
     "buildings.md": "a folder of records",
     "intensity.md": "a record",
     "motions.md": "a record",
-    "space.md": "a mesh, which `test_mesh_file.py` writes",
     "space.md": "a mesh",
     "suites.md": "a folder of records",
     "verify.md": "the examples",

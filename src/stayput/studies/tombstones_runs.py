@@ -16,19 +16,22 @@ from stayput.fragility import JMA_INTENSITY
 from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME
 from stayput.model.body import Body
 from stayput.model.room import Floor, Room
+from stayput.model.solid import Solid
 from stayput.montecarlo.hazard import factors_to_level_zero
 from stayput.montecarlo.sampling import draws, rows_of
 from stayput.motion.suites import synthetic_suite
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.randomness import random_bits, uniforms
 from stayput.simulation.columns import run_columns
-from stayput.uncertainty import Lognormal, Normal
+from stayput.simulation.space import simulate_in_space
+from stayput.uncertainty import USUAL, Lognormal, Normal
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.montecarlo.sampling import DrawTable
     from stayput.motion import Motion
+    from stayput.motion.suites import Suite
 
 SUN = 0.0303
 """A sun, a tenth of a shaku [m]."""
@@ -83,6 +86,11 @@ class CemeterySetting:
         Factor on Housner's rate.
     settlement : float
         How far a stone sinks into the joint under it [m].
+    drawn : bool
+        Whether friction, landings and all else that a verdict draws is drawn; else stones are as stated, and
+        the first `IN_SPACE` of each place stand for all, so that planes and space have the same.
+    space : bool
+        Whether stones are moved in space, by all components.
     stone_scatter, place_scatter : float
         Standard deviation of the intensity from stone to stone, and from the stated one to a place's.
     """
@@ -98,11 +106,26 @@ class CemeterySetting:
     friction: tuple[float, float] = field(default=FRICTION)
     restitution: float = RESTITUTION
     settlement: float = 0.0
+    drawn: bool = True
+    space: bool = False
     stone_scatter: float = 0.0
     place_scatter: float = 0.0
 
 
+IN_SPACE = 2
+"""Stones of each place that are moved in space, where a run takes a tenth of a second."""
+
+SPACE_STEP = 1e-3
+"""Longest step in space [s]."""
+
 STATED = CemeterySetting("as stated")
+_IDEAL = replace(STATED, name="ideal stones, nothing drawn: in one plane", drawn=False, restitution=1.0)
+IDEALS = (
+    _IDEAL,
+    replace(_IDEAL, name="ideal stones, nothing drawn: in either of two planes", both=True),
+    replace(_IDEAL, name="ideal stones, nothing drawn: in space", space=True),
+)
+"""Ideal stones by what moves them: the same otherwise."""
 
 SETTINGS = (
     STATED,
@@ -127,6 +150,7 @@ SETTINGS = (
     replace(STATED, name="subduction motions", family="subduction"),
     replace(STATED, name="without vertical motion", vertical=False),
     replace(STATED, name="falls in either of two planes", both=True),
+    *IDEALS,
     replace(
         STATED,
         name="together: 90 % of the base, lean 1°, near-fault, either plane, 0.3 from stone to stone",
@@ -201,7 +225,11 @@ def cemeteries(setting: CemeterySetting, motions: int, count: int, seed: int) ->
     """
     suite = synthetic_suite(setting.family, motions, seed)
     factors = factors_to_level_zero(JMA_INTENSITY, suite)
-    drawn = draws(motions, count, seed)
+    if not setting.drawn:
+        count = min(count, IN_SPACE)
+    if setting.space:
+        return _fallen_in_space(setting, suite, factors, stones(setting, count, seed))
+    drawn = draws(motions, count, seed, as_stated=() if setting.drawn else tuple(USUAL))
     room = Room(Floor(*setting.friction, restitution=setting.restitution, settlement=setting.settlement))
     cases = np.stack(
         [
@@ -227,6 +255,22 @@ def cemeteries(setting: CemeterySetting, motions: int, count: int, seed: int) ->
             fell[row] |= (results["outcome"] == OVERTURNED_OUTCOME).reshape(motions, count)
             given_up += int((results["outcome"] == FAILED_OUTCOME).sum())
     return CemeteryFalls(fell, given_up)
+
+
+def _fallen_in_space(
+    setting: CemeterySetting, suite: Suite, factors: NDArray[np.float64], bodies: list[Body]
+) -> CemeteryFalls:
+    """Run stones in space under every motion at every level: square prisms on whole bases."""
+    room = Room(Floor(*setting.friction))
+    fell = np.zeros((len(LEVELS), len(suite), len(bodies)), np.bool_)
+    for place, motion in enumerate(suite):
+        for row, level in enumerate(LEVELS.values()):
+            scaled = motion.scaled(float(10.0 ** (0.5 * level) * factors[place]))
+            for number, body in enumerate(bodies):
+                stone = Solid.box(body.width, body.width, body.height, body.mass)
+                run = simulate_in_space(stone, room, scaled, step=SPACE_STEP)
+                fell[row, place, number] = run.overturned[0]
+    return CemeteryFalls(fell, 0)
 
 
 def _of_stone(drawn: DrawTable, place: int) -> DrawTable:
