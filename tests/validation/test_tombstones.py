@@ -85,9 +85,11 @@ def test_refusals():
         tombstones(4, stones=0)
 
 
-def test_in_space_more_fall_than_in_one_plane_and_none_at_6_lower(study):
-    """Between one plane and either of two: it does not close the gap at 6-lower (observed: 13 to 56 %)."""
+def test_space_is_not_what_is_missing_at_6_lower(study):
+    """Fewer than in either of two planes, near what one says; at 6-lower none (observed: 13 to 56 %)."""
     plane, either, space = (mean(study, setting.name) for setting in IDEALS)
-    assert plane["6-upper"] < space["6-upper"] < either["6-upper"] + 10.0
+    for level in ("6-upper", "7"):
+        assert space[level] <= either[level]
+        assert abs(space[level] - plane[level]) < 15.0
     assert space["7"] > 80.0
     assert space["6-lower"] < 5.0

@@ -112,7 +112,7 @@ class CemeterySetting:
     place_scatter: float = 0.0
 
 
-IN_SPACE = 2
+IN_SPACE = 3
 """Stones of each place that are moved in space, where a run takes a tenth of a second."""
 
 SPACE_STEP = 1e-3
