@@ -12,7 +12,8 @@ import math
 from stayput.compiled import inline, inner
 from stayput.mechanics.elementary import sine_and_cosine
 from stayput.mechanics.space.body import attitude, place_of
-from stayput.mechanics.space.vectors import added, cross, dot, norm, turned
+from stayput.mechanics.space.touching import lever_of_point
+from stayput.mechanics.space.vectors import added, cross, dot, norm, tangents, turned
 
 MOST_TOUCHING = 8
 """Most points in which two bodies touch."""
@@ -30,13 +31,19 @@ def place_corners(bodies, poses, points, corners):
     for b in range(bodies.shape[0]):
         body, s = bodies[b], poses[b]
         for i in range(body.first_point, body.first_point + body.points):
-            place = added(place_of(s), 1.0, turned(attitude(s), (points[i].x, points[i].y, points[i].z)))
+            place = added(place_of(s), 1.0, lever_of_point(s, points[i]))
             corners[i, 0], corners[i, 1], corners[i, 2] = place
 
 
 @inline
 def _corner(corners, i):
     return corners[i, 0], corners[i, 1], corners[i, 2]
+
+
+@inline
+def _normal(s, face):
+    """Return a face's outward normal in the room's axes."""
+    return turned(attitude(s), (face.nx, face.ny, face.nz))
 
 
 @inner
@@ -53,7 +60,7 @@ def _best_face(body, s, other, faces, loops, corners):
     """Return the face of a body beyond which the other lies farthest, and how far."""
     best, found = -math.inf, -1
     for f in range(body.first_face, body.first_face + body.faces):
-        n = turned(attitude(s), (faces[f].nx, faces[f].ny, faces[f].nz))
+        n = _normal(s, faces[f])
         apart = _least(other, corners, n) - dot(n, _corner(corners, loops[faces[f].first]))
         if apart > best:
             best, found = apart, f
@@ -107,7 +114,7 @@ def _facing(body, s, faces, n):
     """Return the face of a body that looks most against a direction."""
     least, found = math.inf, -1
     for f in range(body.first_face, body.first_face + body.faces):
-        looks = dot(n, turned(attitude(s), (faces[f].nx, faces[f].ny, faces[f].nz)))
+        looks = dot(n, _normal(s, faces[f]))
         if looks < least:
             least, found = looks, f
     return found
@@ -147,10 +154,7 @@ def _cut(reference, incident, n, faces, loops, corners, polygons):
 @inner
 def _thin_out(polygon, count, n, touching):
     """Keep the outermost corners of a polygon in eight directions as ``touching``; return their number."""
-    u = (1.0 - n[0] * n[0], -n[0] * n[1], -n[0] * n[2])
-    if abs(n[0]) > 0.5:
-        u = (-n[1] * n[0], 1.0 - n[1] * n[1], -n[1] * n[2])
-    v = cross(n, u)
+    u, v = tangents(n)
     kept = 0
     for d in range(MOST_TOUCHING):
         # off the directions that boxes have
@@ -210,10 +214,10 @@ def touch(a, s, b, r, closed, faces, loops, edges, corners, polygons, touching):
         touching[0, 3] = apart_e
         return apart_e, 1, (-axis[0], -axis[1], -axis[2])
     if apart_a >= apart_b - PREFER_FACES:  # of two faces alike the first body's, so that it does not change
-        reference, n = face_a, turned(attitude(s), (faces[face_a].nx, faces[face_a].ny, faces[face_a].nz))
+        reference, n = face_a, _normal(s, faces[face_a])
         incident, towards = _facing(b, r, faces, n), (-n[0], -n[1], -n[2])
     else:
-        reference, n = face_b, turned(attitude(r), (faces[face_b].nx, faces[face_b].ny, faces[face_b].nz))
+        reference, n = face_b, _normal(r, faces[face_b])
         incident, towards = _facing(a, s, faces, n), n
     now, count = _cut(reference, incident, n, faces, loops, corners, polygons)
     level = dot(n, _corner(corners, loops[faces[reference].first]))
