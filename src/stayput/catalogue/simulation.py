@@ -33,9 +33,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "There is no body to simulate; give one at least.",
         "物体がありません。少なくとも1つ指定してください。",
     ),
-    "only_in_the_plane": (
-        "The floor's {name} is {value}; simulations in space know it only at its default.",
-        "床の{name}は{value}です。三次元の解析では既定値しか扱えません。",
+    "settles": (
+        "The floor settles by {value} m, which is a law of pieces of furniture (Body); give a floor without settlement.",
+        "床の沈み込みが{value} mになっています。これは家具（Body）だけの法則ですので、沈み込みのない床を指定してください。",
     ),
     "chunk": ("Chunk", "一度に計算するケース数"),
     "tolerance": ("Tolerance", "許容誤差"),

@@ -90,6 +90,7 @@ class Bracket(WallDevice):
             tangent,
             facing=(1.0, 0.0),
             interaction=pull.ultimate == 0.0,
+            count=self.count,
         )
         return Held(body, room, (element,), (self,))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -50,6 +50,16 @@ class Line:
     ultimate: float = 0.0
     weakest: Phrase | None = None
 
+    def shared(self, count: int) -> Line:
+        """Return the part of it that each of several like devices is."""
+        return replace(
+            self,
+            stiffness=self.stiffness / count,
+            damping=self.damping / count,
+            limit_plus=self.limit_plus / count,
+            limit_minus=self.limit_minus / count,
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class Element:
@@ -77,6 +87,13 @@ class Element:
         Whether it fails where (pull/strength)² + (shear/strength)² reaches 1.
     drops_out : bool
         Whether it is gone for good once it pushes no more.
+    count : int
+        How many like devices it stands for, side by side along the length of the piece.
+    inset : float
+        How far the outermost of them are from the ends of the length [m]; nan: each in the middle of an equal
+        part of it, two at the quarter points.
+    across : float
+        Where it is along the length, from the middle [m].
     """
 
     kind: str
@@ -89,6 +106,31 @@ class Element:
     friction: float = math.nan
     interaction: bool = False
     drops_out: bool = False
+    count: int = 1
+    inset: float = math.nan
+    across: float = 0.0
+
+    def spread(self, length: float) -> tuple[Element, ...]:
+        """Return the devices that it stands for, one by one, along a length [m]."""
+        n = self.count
+        if math.isnan(self.inset):
+            places = [((i + 0.5) / n - 0.5) * length for i in range(n)]
+        else:
+            reach = max(0.0, 0.5 * length - self.inset)
+            places = [reach * (2.0 * i / (n - 1) - 1.0) if n > 1 else 0.0 for i in range(n)]
+        names = {1: ("",), 2: ("left", "right")}.get(n, tuple(f"{i + 1}" for i in range(n)))
+        normal, tangent = self.normal.shared(n), self.tangent.shared(n)
+        return tuple(
+            replace(
+                self,
+                normal=normal,
+                tangent=tangent,
+                count=1,
+                across=place,
+                place=f"{self.place} {name}".strip(),
+            )
+            for place, name in zip(places, names, strict=True)
+        )
 
 
 def damper(ratio: float, stiffness: float, mass: float) -> float:
@@ -148,6 +190,7 @@ def _row(body: Body, element: Element, factor: float) -> tuple[object, ...]:
         AXIAL if element.to_anchor is not None else PLANAR,
         right - x_g,
         up - z_g,
+        element.across,
         x,
         z,
         cos,

@@ -125,7 +125,20 @@ class GelMats(Measure):
         )
         half, (left, right), (back, front) = body.width / 2, body.base_heights, body.base_insets
         elements = tuple(
-            Element(self.kind, point, normal, tangent, facing=(0.0, 1.0), place=place, interaction=True)
-            for place, point in (("back", (back - half, left)), ("front", (half - front, right)))
+            Element(
+                self.kind,
+                point,
+                normal,
+                tangent,
+                facing=(0.0, 1.0),
+                place=place,
+                interaction=True,
+                count=count,
+                inset=0.5 * math.sqrt(area_of_one),
+            )
+            for place, point, count in (
+                ("back", (back - half, left), self.count // 2),
+                ("front", (half - front, right), self.count - self.count // 2),
+            )
         )
         return Held(body, room, elements, (self,))

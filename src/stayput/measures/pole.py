@@ -190,5 +190,6 @@ class TensionPole(Measure):
             facing=(0.0, -1.0),
             friction=min(self.friction, self.pad / space),
             drops_out=True,
+            count=n,
         )
         return Held(body, room, (element,), (self,))

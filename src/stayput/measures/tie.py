@@ -78,7 +78,8 @@ class Tie(WallDevice):
             ultimate=link.ultimate,
             weakest=link.fails,
         )
-        return Held(body, room, (Element(self.kind, point, pulls, to_anchor=(-away, rise)),), (self,))
+        tie = Element(self.kind, point, pulls, to_anchor=(-away, rise), count=self.count)
+        return Held(body, room, (tie,), (self,))
 
 
 def _left(body: Body) -> float:

@@ -34,6 +34,12 @@ CASE = np.dtype(
         ("tilt_rate", "f8"),
         ("slide", "f8"),
         ("slide_rate", "f8"),
+        # read in space alone
+        ("length", "f8"),  # across the section [m], NaN where the body has none
+        ("half_base", "f8"),  # half of what the feet span of it [m]
+        ("roll_inertia", "f8"),  # about the horizontal in the section and the vertical, over m [m²]
+        ("yaw_inertia", "f8"),
+        ("landing_place", "f8"),
     ],
     align=True,
 )

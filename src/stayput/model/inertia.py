@@ -8,12 +8,34 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
 
 def inertia_of(second_moments: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the inertia tensor of a unit mass with these second moments, tr(S) 1 − S, shape (3, 3) [m²]."""
     return np.trace(second_moments) * np.eye(3) - second_moments
+
+
+def moments_of_furniture(
+    width: ArrayLike, length: ArrayLike, height: ArrayLike, inertia: ArrayLike
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Return the principal moments of inertia of a piece of furniture over its mass, about x, y and z [m²].
+
+    Along its length the mass is spread evenly. In the section it is spread as in the uniform rectangle, and
+    drawn together or apart in both directions so that the moment about y is as given.
+
+    Parameters
+    ----------
+    width, length, height : float or ndarray
+        Sides along x, y and z [m].
+    inertia : float or ndarray
+        Moment of inertia about y over the mass [m²].
+    """
+    b, l, h, I = (np.asarray(value, np.float64) for value in (width, length, height, inertia))
+    spread = I / (b * b + h * h)
+    deep, tall = spread * b * b, spread * h * h
+    across = l * l / 12.0
+    return across + tall, deep + tall, deep + across
 
 
 def uniform_cone(R: float, r: float, h: float) -> tuple[float, NDArray[np.float64]]:

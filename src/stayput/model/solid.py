@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, cast
 import numpy as np
 
 from stayput.errors import InputError, within
-from stayput.model.inertia import inertia_of, principal_axes, uniform_cone
+from stayput.model.inertia import inertia_of, moments_of_furniture, principal_axes, uniform_cone
 from stayput.model.mesh_file import read_convex_mesh
 from stayput.model.polyhedron import (
     TOLERANCE,
@@ -296,10 +296,9 @@ class Solid:
     def of(cls, body: Body, length: float | None = None) -> Solid:
         """Make the box in space whose section a planar body is.
 
-        Along its length the mass is spread evenly. In the section it is spread as in the uniform rectangle,
-        and drawn together or apart in both directions so that the moment of inertia about y is the body's.
-        Base corners that are inset, or at unequal heights, become feet at both ends of the length; the
-        insets are along x alone.
+        Its moments of inertia are those of `stayput.model.inertia.moments_of_furniture`. Base corners that
+        are inset, or at unequal heights, become feet at both ends of the length; the insets are along x
+        alone.
 
         Parameters
         ----------
@@ -320,15 +319,14 @@ class Solid:
         (z_back, z_front), (in_back, in_front) = body.base_heights, body.base_insets
         lower = ((-b / 2, z_back), (b / 2, z_front))
         ends = (-l / 2, l / 2)
-        spread = body.inertia_about_cg / body.uniform_inertia
-        second_moments = body.mass * np.diag([spread * b * b, l * l, spread * h * h]) / 12.0
+        moments = moments_of_furniture(b, l, h, body.inertia_about_cg / body.mass)
         x_g, z_g = body.centre_of_gravity
         feet = [(x, y, z) for x, z in ((-b / 2 + in_back, z_back), (b / 2 - in_front, z_front)) for y in ends]
         return cls(
             [(x, y, z) for x, z in (*lower, (-b / 2, h), (b / 2, h)) for y in ends],
             body.mass,
             centre_of_gravity=(x_g, 0.0, z_g),
-            inertia=inertia_of(second_moments),
+            inertia=body.mass * np.diag(moments),
             feet=feet if z_back != z_front or in_back or in_front else None,
         )
 

@@ -10,6 +10,7 @@ import numpy as np
 from stayput.errors import within
 from stayput.mechanics.columns import CASE
 from stayput.model.body import Body
+from stayput.model.inertia import moments_of_furniture
 from stayput.model.parameters import Parameter, parameters
 from stayput.model.room import Ceiling, Floor, Room, Wall
 from stayput.model.soft_base import landing_factor, rigid_half_base
@@ -196,6 +197,9 @@ def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.v
         rows[f"{column}_distance"] = numbers[distance_to(name)]
         rows[f"{column}_restitution"] = numbers[f"room.{name}.restitution"]
         rows[f"{column}_friction"] = numbers[f"room.{name}.friction"]
+    length = numbers["body.length"]
+    rows["length"], rows["half_base"] = length, rigid_half_base(length / 2, z_g, settlement)
+    rows["roll_inertia"], _, rows["yaw_inertia"] = moments_of_furniture(b, length, h, rows["inertia"])
     rows["gravity"], rows["scale"] = numbers["gravity"], numbers["motion.scale"]
     return rows
 

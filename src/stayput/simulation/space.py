@@ -10,18 +10,20 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of, numbers, within
-from stayput.mechanics.space.columns import HISTORY, POSE
-from stayput.mechanics.space.engine import run_in_space
+from stayput.mechanics.space.columns import SPRING
 from stayput.model.room import FRICTION_RANGE, Floor, Room
 from stayput.model.solid import Solid
 from stayput.motion import Motion
 from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
+from stayput.simulation.space_case import lies
+from stayput.simulation.space_engine import STEP, run_world
 from stayput.simulation.space_records import (
+    FloorLaws,
+    RoomSurface,
     frames_of,
-    initial_pose,
     matrices,
-    refuse_overlaps,
-    scratch_of,
+    planes_of,
+    pose_of,
     world_of,
 )
 from stayput.simulation.standing import Standing
@@ -31,25 +33,6 @@ if TYPE_CHECKING:
 
     import xarray as xr
     from numpy.typing import NDArray
-
-STEP = 5e-4
-"""Longest step [s]."""
-
-ON_THE_FLOOR = 1e-4
-"""Height up to which a point lies on the floor [m]."""
-
-_ONLY_IN_THE_PLANE = (
-    "edge_static_friction",
-    "edge_kinetic_friction",
-    "left_edge_static_friction",
-    "left_edge_kinetic_friction",
-    "right_edge_static_friction",
-    "right_edge_kinetic_friction",
-    "restitution",
-    "landing_place",
-    "settlement",
-)
-"""Fields of a floor that only the engine in the plane knows."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -111,11 +94,7 @@ class SpaceRun:
         """When each body first touched the floor with more than its base, shape (bodies,) [s]; else nan."""
         found = np.full(len(self.standing), math.nan)
         for number, one in enumerate(self.standing):
-            vertices = one.solid.vertices
-            above = vertices[vertices[:, 2] > vertices[:, 2].min() + 0.1 * np.ptp(vertices[:, 2])]
-            arms = above - one.solid.centre_of_gravity
-            heights = self.place[number, :, 2, np.newaxis] + self.turn[number, :, 2] @ arms.T
-            touching = np.flatnonzero(heights.min(axis=1) <= ON_THE_FLOOR)
+            touching = np.flatnonzero(lies(one.solid, self.place[number], self.turn[number]))
             if len(touching):
                 found[number] = self.time[touching[0]]
         return found
@@ -191,32 +170,58 @@ def simulate_in_space(
         raise InputError("simulation.no_bodies", "bodies")
     instance_of("room", room, Room)
     instance_of("motion", motion, Motion)
-    _refuse_laws_of_the_plane(room.floor)
+    if room.floor.settlement:
+        raise InputError("simulation.settles", "room.floor.settlement", value=room.floor.settlement)
     longest = within("simulation.step", step, 1e-6, 0.01, "s", "step")
-    world = world_of(standing, room, _checked_friction(friction))
+    laws = [_floor_laws(room.floor)] * len(standing)
+    world = world_of(
+        [one.solid for one in standing], laws, _planes(standing, room), _checked_friction(friction)
+    )
     count = len(motion.x)
     acceleration = np.zeros((count, 3))
     for axis, name in enumerate("xyz"):
         if name in motion.components:
             acceleration[:, axis] = getattr(motion, name)
-    poses = np.zeros((2, len(standing)), POSE)
-    for b, one in enumerate(standing):
-        poses[0, b] = initial_pose(one)
-    histories = np.zeros((len(standing), count, len(HISTORY)))
-    times = np.array([motion.dt, longest, GRAVITY.check(gravity)])
-    scratch, work = scratch_of(world), np.zeros(2)
-    run_in_space(world, poses, acceleration[:1], times, scratch, histories, work)  # notes gaps, takes no step
-    refuse_overlaps(world, scratch[2][0])
-    run_in_space(world, poses, acceleration, times, scratch, histories, work)
+    poses = np.stack([_pose(one) for one in standing])
+    trace = run_world(
+        world, poses, np.zeros(0, SPRING), acceleration, motion.dt, longest, GRAVITY.check(gravity)
+    )
     return SpaceRun(
         standing,
         motion.dt * np.arange(count, dtype=np.float64),
-        histories[..., 0:3],
-        frames_of(standing, histories[..., 3:7]),
-        histories[..., 7:10],
-        histories[..., 10:13],
-        int(work[0]),
-        int(work[1]),
+        trace.place,
+        frames_of(standing, trace.attitude),
+        trace.velocity,
+        trace.rotation_rate,
+        trace.steps,
+        trace.unconverged,
+    )
+
+
+def _pose(one: Standing) -> NDArray[np.void]:
+    place = np.asarray(one.at) + one.turn @ one.solid.centre_of_gravity
+    return pose_of(one.solid, one.turn, place, one.velocity, one.rotation_rate)
+
+
+def _floor_laws(floor: Floor) -> FloorLaws:
+    def own(side: str) -> tuple[float, float]:
+        static, kinetic = (getattr(floor, f"{side}_edge_{kind}_friction") for kind in ("static", "kinetic"))
+        return math.nan if static is None else static, math.nan if kinetic is None else kinetic
+
+    return FloorLaws(floor.restitution, floor.landing_place, floor.edge_friction, own("left"), own("right"))
+
+
+def _planes(standing: Sequence[Standing], room: Room) -> NDArray[np.void]:
+    """Return the room; the gaps of its walls are from what is outermost of all bodies."""
+    back, front = zip(*(one.depth for one in standing), strict=True)
+    floor, above = room.floor, room.ceiling
+    behind, before = (
+        None if wall is None else RoomSurface(reach + wall.gap, wall.friction, wall.restitution)
+        for wall, reach in ((room.left_wall, -min(back)), (room.right_wall, max(front)))
+    )
+    ceiling = None if above is None else RoomSurface(above.height, above.friction, above.restitution)
+    return planes_of(
+        (floor.static_friction, floor.kinetic_friction, floor.normal_restitution), behind, before, ceiling
     )
 
 
@@ -230,13 +235,3 @@ def _checked_friction(friction: object) -> tuple[float, float]:
     if kinetic > static:
         raise InputError("simulation.kinetic_above_static", "friction", kinetic=kinetic, static=static)
     return static, kinetic
-
-
-def _refuse_laws_of_the_plane(floor: Floor) -> None:
-    """Raise `InputError` where a floor has a law that only the engine in the plane knows."""
-    usual = Floor()
-    for name in _ONLY_IN_THE_PLANE:
-        if getattr(floor, name) != getattr(usual, name):
-            raise InputError(
-                "simulation.only_in_the_plane", f"room.floor.{name}", name=name, value=getattr(floor, name)
-            )

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import math
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -15,11 +16,34 @@ from stayput.mechanics.space.touching import RIM_POINTS
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
-    from stayput.model.room import Room
     from stayput.model.solid import Solid
     from stayput.simulation.standing import Standing
+
+
+class FloorLaws(NamedTuple):
+    """What a body has of the floor under it beside the friction of its flat base.
+
+    Parameters
+    ----------
+    restitution, landing_place : float
+        As of `Floor`.
+    edge_friction : tuple of float
+        Static and kinetic, on a corner or an edge alone.
+    back_friction, front_friction : tuple of float
+        Of the feet behind and before the centre of gravity, NaN for none of their own.
+    """
+
+    restitution: float
+    landing_place: float
+    edge_friction: tuple[float, float]
+    back_friction: tuple[float, float] = (math.nan, math.nan)
+    front_friction: tuple[float, float] = (math.nan, math.nan)
+
+    def own_friction(self, x: float) -> tuple[float, float]:
+        """Return static and kinetic friction of a foot at x from the centre of gravity."""
+        return self.back_friction if x < 0.0 else self.front_friction
 
 
 DEEPEST = 1e-6
@@ -71,15 +95,30 @@ def matrices(q: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
-def initial_pose(one: Standing) -> NDArray[np.void]:
-    """Return where a body is at first, at rest: a POSE."""
+def pose_of(
+    solid: Solid,
+    turn: NDArray[np.float64],
+    place: NDArray[np.float64],
+    velocity: ArrayLike,
+    rotation_rate: ArrayLike,
+) -> NDArray[np.void]:
+    """Return where a body is and how it moves at first: a POSE.
+
+    Parameters
+    ----------
+    solid : Solid
+        The body.
+    turn : ndarray, shape (3, 3)
+        The rotation of its frame into the room's.
+    place, velocity, rotation_rate : array_like, shape (3,)
+        Of its centre of gravity [m, m/s], and of itself [rad/s].
+    """
     pose = np.zeros((), POSE)
-    solid = one.solid
-    pose["x"], pose["y"], pose["z"] = np.asarray(one.at) + one.turn @ solid.centre_of_gravity
-    pose["qw"], pose["qx"], pose["qy"], pose["qz"] = quaternion_of(one.turn @ solid.principal[1])
-    pose["vx"], pose["vy"], pose["vz"] = one.velocity
-    inertia = one.turn @ solid.inertia @ one.turn.T
-    pose["lx"], pose["ly"], pose["lz"] = inertia @ np.asarray(one.rotation_rate)
+    inertia = turn @ solid.inertia @ turn.T
+    pose["x"], pose["y"], pose["z"] = place
+    pose["qw"], pose["qx"], pose["qy"], pose["qz"] = quaternion_of(turn @ solid.principal[1])
+    pose["vx"], pose["vy"], pose["vz"] = np.asarray(velocity)
+    pose["lx"], pose["ly"], pose["lz"] = inertia @ np.asarray(rotation_rate)
     return pose
 
 
@@ -89,32 +128,36 @@ def frames_of(standing: Sequence[Standing], attitudes: NDArray[np.float64]) -> N
     return np.stack([product(q, r) for q, r in zip(attitudes, back, strict=True)])
 
 
-def world_of(standing: Sequence[Standing], room: Room, between: tuple[float, float]) -> tuple[Any, ...]:
+def world_of(
+    solids: Sequence[Solid], laws: Sequence[FloorLaws], planes: NDArray[np.void], between: tuple[float, float]
+) -> tuple[Any, ...]:
     """Return bodies and room as `run_in_space` takes them.
 
     Parameters
     ----------
-    standing : sequence of Standing
+    solids : sequence of Solid
         The bodies.
-    room : Room
+    laws : sequence of FloorLaws
+        Of the floor under each.
+    planes : ndarray of PLANE
         The room.
     between : tuple of float
         Static and kinetic coefficients of friction between bodies.
     """
-    bodies = np.zeros(len(standing), SOLID)
+    bodies = np.zeros(len(solids), SOLID)
     points: list[tuple[Any, ...]] = []
     rims: list[tuple[Any, ...]] = []
     faces: list[tuple[Any, ...]] = []
     loops: list[int] = []
     edges: list[tuple[int, int]] = []
-    for body, one in zip(bodies, standing, strict=True):
-        _add(body, one.solid, points, rims, faces, loops, edges)
-    pairs = [(b, a, *between, 0.0) for b in range(len(standing)) for a in range(b)]
+    for body, solid, floor in zip(bodies, solids, laws, strict=True):
+        _add(body, solid, floor, points, rims, faces, loops, edges)
+    pairs = [(b, a, *between, 0.0) for b in range(len(solids)) for a in range(b)]
     return (
         bodies,
         np.array(points, POINT),
         np.array(rims, RIM),
-        _planes(standing, room),
+        planes,
         np.array(pairs, PAIR),
         np.array(faces, FACE),
         np.array(loops, np.int64),
@@ -125,6 +168,7 @@ def world_of(standing: Sequence[Standing], room: Room, between: tuple[float, flo
 def _add(
     body: Any,
     solid: Solid,
+    floor: FloorLaws,
     points: list[tuple[Any, ...]],
     rims: list[tuple[Any, ...]],
     faces: list[tuple[Any, ...]],
@@ -146,9 +190,17 @@ def _add(
     body["mass"] = solid.mass
     body["i1"], body["i2"], body["i3"] = moments
     body["first_point"], body["hull"] = first, len(vertices)
-    points += [(*v, int(f), int(not r)) for v, f, r in zip(vertices, on_floor, on_rim, strict=True)]
+    points += [
+        (*v, *floor.own_friction(x), int(f), int(not r))
+        for v, x, f, r in zip(vertices, solid.vertices[:, 0] - about[0], on_floor, on_rim, strict=True)
+    ]
     if solid.feet is not None:
-        points += [(*v, 1, 0) for v in own(solid.feet)]
+        points += [
+            (*v, *floor.own_friction(x), 1, 0)
+            for v, x in zip(own(solid.feet), solid.feet[:, 0] - about[0], strict=True)
+        ]
+    body["restitution"], body["landing_place"] = floor.restitution, floor.landing_place
+    body["edge_static"], body["edge_kinetic"] = floor.edge_friction
     body["points"] = len(points) - first
     body["radius"] = np.linalg.norm(vertices, axis=1).max()
     body["first_rim"], body["rims"] = len(rims), len(solid.rims)
@@ -182,20 +234,34 @@ def _on_rims(solid: Solid) -> NDArray[np.bool_]:
     return found
 
 
-def _planes(standing: Sequence[Standing], room: Room) -> NDArray[np.void]:
-    """Return the floor, the walls at either end of x, their gaps from what is outermost, and the ceiling."""
-    floor = room.floor
-    law = floor.static_friction, floor.kinetic_friction, floor.normal_restitution
-    planes: list[tuple[Any, ...]] = [(0.0, 0.0, 1.0, 0.0, *law, 1)]
-    back, front = zip(*(one.depth for one in standing), strict=True)
-    walls = (1.0, room.left_wall, min(back)), (-1.0, room.right_wall, max(front))
-    for inwards, wall, outermost in walls:
-        if wall is not None:
-            law = wall.friction, wall.friction, wall.restitution
-            planes.append((inwards, 0.0, 0.0, inwards * outermost - wall.gap, *law, 0))
-    if room.ceiling is not None:
-        above = room.ceiling
-        planes.append((0.0, 0.0, -1.0, -above.height, above.friction, above.friction, above.restitution, 0))
+class RoomSurface(NamedTuple):
+    """A wall or the ceiling: where it stands, its friction and its restitution."""
+
+    distance: float
+    friction: float
+    restitution: float
+
+
+def planes_of(
+    floor: tuple[float, float, float],
+    back: RoomSurface | None = None,
+    front: RoomSurface | None = None,
+    ceiling: RoomSurface | None = None,
+) -> NDArray[np.void]:
+    """Return a room as the engine reads it: floor, walls at either end of x, and ceiling.
+
+    Parameters
+    ----------
+    floor : tuple of float
+        Static and kinetic friction, and normal restitution.
+    back, front, ceiling : RoomSurface, optional
+        At x = −distance, x = distance and z = distance.
+    """
+    planes = [(0.0, 0.0, 1.0, 0.0, *floor, 1)]
+    for normal, surface in (((1.0, 0.0, 0.0), back), ((-1.0, 0.0, 0.0), front), ((0.0, 0.0, -1.0), ceiling)):
+        if surface is not None:
+            friction = surface.friction
+            planes.append((*normal, -surface.distance, friction, friction, surface.restitution, 0))
     return np.array(planes, PLANE)
 
 

@@ -22,6 +22,7 @@ ELEMENT = np.dtype(
         ("kind", "i8"),  # NONE (no element), AXIAL or PLANAR
         ("u", "f8"),  # attachment point on the body relative to G, in the body's axes: + right [m]
         ("v", "f8"),  # the same, + up [m]
+        ("y", "f8"),  # the same, along the length: read in space alone [m]
         ("x", "f8"),  # its anchor, right of the initial middle of the base [m]
         ("z", "f8"),  # anchor above the floor [m]; x and z NaN: at the point, for the body at rest at slide 0
         ("cos", "f8"),  # PLANAR: direction of the plane; its normal (−sin, cos) points into the room

@@ -8,6 +8,22 @@ from __future__ import annotations
 
 import numpy as np
 
+from stayput.mechanics.devices.columns import ELEMENT
+
+LAW_OF_ELEMENT = (
+    "stiffness",
+    "damping",
+    "slack_plus",
+    "slack_minus",
+    "limit_plus",
+    "limit_minus",
+    "ultimate",
+    "friction",
+    "interaction",
+    "drops_out",
+)
+"""Columns of an `ELEMENT` that are its law."""
+
 SOLID = np.dtype(
     [
         ("mass", "f8"),
@@ -24,15 +40,26 @@ SOLID = np.dtype(
         ("first_edge", "i8"),
         ("edges", "i8"),
         ("radius", "f8"),
+        ("restitution", "f8"),
+        ("landing_place", "f8"),
+        ("edge_static", "f8"),
+        ("edge_kinetic", "f8"),
     ],
     align=True,
 )
 """A body: mass, principal moments of inertia; its points, of which the first are the corners of its convex
-hull, rims, faces and edges; and the radius about G of a ball around it.
+hull, rims, faces and edges; the radius about G of a ball around it; and of the floor under it restitution and
+place of a landing, and friction while it stands on one corner or edge.
 """
 
-POINT = np.dtype([("x", "f8"), ("y", "f8"), ("z", "f8"), ("floor", "i8"), ("walls", "i8")], align=True)
-"""A point of a body in its axes: whether it may touch the floor, and walls and ceiling."""
+POINT = np.dtype(
+    [(name, "f8") for name in ("x", "y", "z", "mu_static", "mu_kinetic")]
+    + [(name, "i8") for name in ("floor", "walls")],
+    align=True,
+)
+"""A point of a body in its axes: friction of its own on the floor (NaN: the floor's), whether it may touch
+the floor, and walls and ceiling.
+"""
 
 RIM = np.dtype(
     [(name, "f8") for name in ("x", "y", "z", "ax", "ay", "az", "radius")]
@@ -73,17 +100,53 @@ angular momentum, rotation rate, and the inverse of the inertia in the room's ax
 """
 
 CONTACT = np.dtype(
-    [(name, "i8") for name in ("a", "b", "key", "stuck")]
+    [(name, "i8") for name in ("a", "b", "key", "stuck", "plane", "floor")]
     + [(name, "f8") for name in ("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz")]
     + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz")]
-    + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "target")]
+    + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "closing", "target")]
     + [(name, "f8") for name in ("pn", "ps", "pt")]
     + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")],
     align=True,
 )
-"""A closed contact: bodies a and b (−1: the room), the normal towards a and two tangents, the levers about
-both G, coefficients of friction, the normal velocity wanted, impulses, and the inverse mass that they see.
+"""A closed contact: bodies a and b (−1: the room), the plane of the room (−1: none) and whether it is the
+floor, the normal towards a and two tangents, the levers about both G, coefficients of friction, the normal
+velocity before and the one wanted, impulses, and the inverse mass that they see.
 """
+
+SPRING = np.dtype(
+    [("body", "i8"), ("other", "i8"), ("kind", "i8")]
+    + [(name, "f8") for name in ("px", "py", "pz", "ax", "ay", "az", "nx", "ny", "nz", "length")]
+    + [(name, ELEMENT[name]) for name in LAW_OF_ELEMENT],
+    align=True,
+)
+"""A device: the body, and the other one (−1: the room); its point and its anchor from both G, in the axes of
+the body and of the other, and the normal of its plane; its law is that of an `ELEMENT`, in newtons.
+"""
+
+PULL = np.dtype(
+    [("lost", "i8"), ("pushes", "i8")]
+    + [(name, "f8") for name in ("plastic", "plastic_sum", "tx", "ty", "tz", "slip_sum")]
+    + [(name, "f8") for name in ("lx", "ly", "lz", "ox", "oy", "oz", "nx", "ny", "nz")]
+    + [(name, "f8") for name in ("e", "xx", "xy", "xz", "ux", "uy", "uz", "px", "py", "pz")]
+    + [(name, "f8") for name in ("force", "shear")],
+    align=True,
+)
+"""How a device is stretched: whether it is lost, and has pushed; its plastic elongation and slip (a vector in
+the anchor's axes) and their sums; in a step the levers about both G, the normal, elongations, the rate
+before, the impulse, and the forces.
+"""
+
+HIT = np.dtype(
+    [(name, "i8") for name in ("a", "b", "plane")] + [(name, "f8") for name in ("time", "speed", "impulse")],
+    align=True,
+)
+"""A hit: body a, and body b (−1: the room) or a plane of the room; when, how fast they closed, how hard."""
+
+HIT_SPEED = 0.01
+"""Closing velocity from which on a contact that closes is a hit [m/s]."""
+
+ON_FLOOR, ON_ROOM, ON_BODY = range(3)
+"""Columns of the numbers of hits: on the floor, on walls and ceiling, on other bodies."""
 
 HISTORY = ("x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz")
 """Columns of a body's history."""

@@ -15,8 +15,11 @@ from typing import Any
 
 from stayput.compiled import entry, inline, inner
 from stayput.mechanics.space.body import angular_response, copy_pose, drift, nudge, place_of, update_inertia
+from stayput.mechanics.space.columns import HIT_SPEED, ON_BODY, ON_FLOOR, ON_ROOM
+from stayput.mechanics.space.devices import give, hold, note_forces, stretch
+from stayput.mechanics.space.landing import land
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
-from stayput.mechanics.space.solve import STICKS, prepare, slip_rate, solve
+from stayput.mechanics.space.solve import STICKS, begin, prepare, slip_rate, solve
 from stayput.mechanics.space.touching import (
     RIM_POINTS,
     ROOM,
@@ -30,6 +33,9 @@ from stayput.mechanics.space.touching import (
 )
 from stayput.mechanics.space.vectors import added, cross, dot
 
+NO_PLANE = -1
+"""The plane of a contact between bodies."""
+
 CLOSED = 1e-6
 """Gap up to which a contact is closed [m]."""
 
@@ -41,6 +47,9 @@ IGNORED = 1e-12
 
 SHORTEST = 1e-6
 """Shortest step to where bodies meet [s]."""
+
+MOST_ROUNDS = 8
+"""Rounds of devices and contacts in a step: their dampers feel what the contacts do."""
 
 RESTS = 4e-5
 """Acceleration from rest up to which a body rests on, exactly [m/s²]."""
@@ -71,10 +80,17 @@ def _close(contacts, count, key, kept, ratio, surface, bodies, poses):
 
 
 @inline
-def _on_plane(c, b, lever, plane):
-    c.a, c.b = b, ROOM
+def _on_plane(c, b, lever, j, plane):
+    c.a, c.b, c.plane, c.floor = b, ROOM, j, plane.floor
     c.nx, c.ny, c.nz = plane_normal(plane)
     c.rax, c.ray, c.raz = lever
+
+
+@inline
+def _rub(c, static, kinetic):
+    """Set the friction of a contact."""
+    c.mu_static, c.mu_kinetic = static, kinetic
+    c.mu = static if c.stuck else kinetic
 
 
 @inner
@@ -88,19 +104,26 @@ def _find_contacts(world, poses, push, scratch, ratio):
         first_key = planes.shape[0] * points.shape[0] + j * rims.shape[0] * RIM_POINTS
         for b in range(bodies.shape[0]):
             body, s = bodies[b], poses[b]
+            first = count
             for i in range(body.first_point, body.first_point + body.points):
                 if may_touch(points[i], plane):
                     lever = lever_of_point(s, points[i])
                     if gap_of(s, lever, plane) <= CLOSED:
-                        _on_plane(contacts[count], b, lever, plane)
+                        _on_plane(contacts[count], b, lever, j, plane)
                         key = j * points.shape[0] + i
                         count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
+                        if plane.floor and points[i].mu_static >= 0.0:  # not NaN
+                            _rub(contacts[count - 1], points[i].mu_static, points[i].mu_kinetic)
+            if plane.floor and count - first <= 2:  # on a corner or an edge
+                for k in range(first, count):
+                    if not points[contacts[k].key - j * points.shape[0]].mu_static >= 0.0:
+                        _rub(contacts[k], body.edge_static, body.edge_kinetic)
             for i in range(body.first_rim, body.first_rim + body.rims):
                 if may_touch(rims[i], plane):
                     for number in range(RIM_POINTS):
                         lever, there = lever_on_rim(s, rims[i], plane, number, push)
                         if there and gap_of(s, lever, plane) <= CLOSED:
-                            _on_plane(contacts[count], b, lever, plane)
+                            _on_plane(contacts[count], b, lever, j, plane)
                             key = first_key + i * RIM_POINTS + number
                             count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
     if pairs.shape[0] == 0:
@@ -114,7 +137,7 @@ def _find_contacts(world, poses, push, scratch, ratio):
         )
         for m in range(found):
             c = contacts[count]
-            c.a, c.b = a, b
+            c.a, c.b, c.plane, c.floor = a, b, NO_PLANE, 0
             c.nx, c.ny, c.nz = n
             place = touching[m, 0], touching[m, 1], touching[m, 2]
             c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
@@ -218,25 +241,35 @@ def _stop(s):
 
 
 @inner
-def _step(world, before, after, push, h, scratch, ratio, work):
+def _step(world, held, before, after, push, h, scratch, ratio, work):
     """Step from ``before`` to ``after``; return the number of contacts.
 
     ``push`` is the acceleration that acts on all bodies: gravity, and against that of the floor.
     """
     bodies, contacts = world[0], scratch[0]
+    springs, pulls, _ = held
     for b in range(bodies.shape[0]):
         copy_pose(before[b], after[b])
         if _moves(after[b]):
             drift(bodies[b], after[b], 0.5 * h)
     count = _find_contacts(world, after, push, scratch, ratio)
+    stretch(springs, pulls, after)
     for b in range(bodies.shape[0]):
         s = after[b]
         s.vx += h * push[0]
         s.vy += h * push[1]
         s.vz += h * push[2]
     work[0] += 1.0
-    if count and not solve(contacts, count, bodies, after, h):
+    begin(contacts, count, bodies, after)
+    hold(springs, pulls, bodies, after, h)
+    converged = count == 0 or solve(contacts, count, bodies, after, h)
+    for _ in range(MOST_ROUNDS):
+        if not hold(springs, pulls, bodies, after, h):
+            break
+        converged = count == 0 or solve(contacts, count, bodies, after, h)
+    if not converged:
         work[1] += 1.0
+    land(contacts, count, bodies, before, after)
     for k in range(count):
         c = contacts[k]
         c.stuck = 1 if c.pn > 0.0 and slip_rate(c, after) <= STICKS * h else 0
@@ -249,6 +282,31 @@ def _step(world, before, after, push, h, scratch, ratio, work):
         else:
             drift(bodies[b], s, 0.5 * h)
     return count
+
+
+@inner
+def _note_hits(contacts, count, kept, time, hits, numbers):
+    """Count and list what was hit in a step, once whatever its points; ``kept`` is of the step before."""
+    last = count
+    for k in range(count):
+        c = contacts[k]
+        if c.closing > -HIT_SPEED or kept[c.key, 0] > 0.0:
+            continue
+        if last < count:
+            d = contacts[last]
+            if d.a == c.a and d.b == c.b and d.plane == c.plane:
+                continue
+        last = k
+        kind = ON_FLOOR if c.floor else (ON_ROOM if c.b == ROOM else ON_BODY)
+        numbers[c.a, kind] += 1
+        if c.b != ROOM:
+            numbers[c.b, kind] += 1
+        listed = numbers[numbers.shape[0] - 1, 0]
+        if listed < hits.shape[0]:
+            hit = hits[listed]
+            hit.a, hit.b, hit.plane = c.a, c.b, c.plane
+            hit.time, hit.speed, hit.impulse = time, -c.closing, c.pn
+        numbers[numbers.shape[0] - 1, 0] += 1
 
 
 @inner
@@ -274,7 +332,13 @@ def _note(histories, sample, poses):
 
 @entry
 def run_in_space(
-    world: Any, poses: Any, acceleration: Any, numbers: Any, scratch: Any, histories: Any, work: Any
+    world: Any,
+    held: Any,
+    poses: Any,
+    acceleration: Any,
+    numbers: Any,
+    scratch: Any,
+    output: Any,
 ) -> None:
     """Run bodies under a motion of the floor.
 
@@ -283,6 +347,8 @@ def run_in_space(
     world : tuple
         What stands in the room, and the room: SOLID[n], POINT[p], RIM[r], PLANE[w], PAIR[m], FACE[f], corners
         of the faces int64[l], edges int64[e, 2].
+    held : tuple
+        What holds them: SPRING[d], PULL[d], DEVICE[d]; the last is the result, in newtons.
     poses : POSE[2, n]
         The initial poses in the first row, and the last at the end; the other is working memory.
     acceleration : float64[samples, 3]
@@ -292,14 +358,16 @@ def run_in_space(
     scratch : tuple
         Working memory: CONTACT[c], impulses that are kept float64[keys, 4], gaps float64[2, features], places
         of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5].
-    histories : float64[n, samples, 13]
-        Set to the poses at the samples.
-    work : float64[2]
-        Steps, and steps whose impulses did not converge: added to.
+    output : tuple
+        Poses at the samples float64[n, samples, 13]; forces of the devices there float64[samples, d, 2],
+        along the normal, + where it pulls, and the plane; HIT[h], the first hits; numbers of hits by body and
+        kind int64[n + 1, 3], in the last row of all hits; steps, and steps whose impulses did not converge,
+        float64[2]: added to.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     bodies = world[0]
     contacts, kept, gaps = scratch[0], scratch[1], scratch[2]
+    histories, forces, hits, hit_numbers, work = output
     now, trial = poses[0], poses[1]
     for b in range(bodies.shape[0]):
         update_inertia(bodies[b], now[b])
@@ -321,7 +389,7 @@ def run_in_space(
                         -(a0[2] + f * (a1[2] - a0[2])) - gravity,
                     )
                     ratio = h / last if last > 0.0 else 0.0
-                    count = _step(world, now, trial, push, h, scratch, ratio, work)
+                    count = _step(world, held, now, trial, push, h, scratch, ratio, work)
                     least = _note_gaps(world, trial, scratch, gaps[1])
                     if least >= -ENTERS or h <= SHORTEST:
                         break
@@ -329,7 +397,9 @@ def run_in_space(
                 if least < -IGNORED:
                     _move_all_out(world, trial, scratch)
                     _note_gaps(world, trial, scratch, gaps[1])
+                _note_hits(contacts, count, kept, dt * k + t + h, hits, hit_numbers)
                 _keep(contacts, count, kept)
+                give(held[0], held[1], held[2], trial, dt * k + t + h)
                 for b in range(bodies.shape[0]):
                     copy_pose(trial[b], now[b])
                 for place in range(gaps.shape[1]):
@@ -337,3 +407,4 @@ def run_in_space(
                 last = h
                 t = end if t + h >= end - 1e-12 else t + h
         _note(histories, k + 1, now)
+        note_forces(held[1], forces[k + 1])

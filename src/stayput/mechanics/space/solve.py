@@ -21,7 +21,7 @@ import math
 from stayput.compiled import inline, inner
 from stayput.mechanics.space.body import angular_response, rotation, velocity
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross, dot, tangents
+from stayput.mechanics.space.vectors import added, cross, dot, scaled, tangents
 
 IMPACT = 1e-3
 """Closing velocity from which on a contact bounces [m/s]."""
@@ -67,19 +67,23 @@ def lever_b(c):
 
 
 @inline
+def velocity_at(s, lever):
+    """Return the velocity of a body's point, given from G."""
+    return added(velocity(s), 1.0, cross(rotation(s), lever))
+
+
+@inline
 def slip(c, poses):
     """Return the relative velocity of body a at a contact, in the room's axes."""
-    s = poses[c.a]
-    u = added(velocity(s), 1.0, cross(rotation(s), lever_a(c)))
+    u = velocity_at(poses[c.a], lever_a(c))
     if c.b != ROOM:
-        other = poses[c.b]
-        u = added(u, -1.0, velocity(other))
-        u = added(u, -1.0, cross(rotation(other), lever_b(c)))
+        u = added(u, -1.0, velocity_at(poses[c.b], lever_b(c)))
     return u
 
 
 @inline
-def _push(body, s, lever, factor, p):
+def give_impulse(body, s, lever, factor, p):
+    """Apply an impulse times a factor at a body's point, given from G."""
     s.vx += factor * p[0] / body.mass
     s.vy += factor * p[1] / body.mass
     s.vz += factor * p[2] / body.mass
@@ -97,9 +101,9 @@ def _push(body, s, lever, factor, p):
 @inline
 def push(c, bodies, poses, p):
     """Apply an impulse at a contact, to body a and against body b."""
-    _push(bodies[c.a], poses[c.a], lever_a(c), 1.0, p)
+    give_impulse(bodies[c.a], poses[c.a], lever_a(c), 1.0, p)
     if c.b != ROOM:
-        _push(bodies[c.b], poses[c.b], lever_b(c), -1.0, p)
+        give_impulse(bodies[c.b], poses[c.b], lever_b(c), -1.0, p)
 
 
 @inline
@@ -132,8 +136,8 @@ def prepare(c, bodies, poses, restitution):
     c.wtt = _inverse_mass(c, bodies, poses, t, t)
     half, off = 0.5 * (c.wss - c.wtt), c.wst
     c.stiff = 0.5 * (c.wss + c.wtt) + math.sqrt(half * half + off * off)
-    closing = dot(n, slip(c, poses))
-    c.target = -restitution * closing if closing < -IMPACT else 0.0
+    c.closing = dot(n, slip(c, poses))
+    c.target = -restitution * c.closing if c.closing < -IMPACT else 0.0
     c.mu = c.mu_static if c.stuck else c.mu_kinetic
 
 
@@ -187,18 +191,23 @@ def _let_slip(contacts, count, poses, h):
 
 
 @inner
+def begin(contacts, count, bodies, poses):
+    """Apply the impulses that the contacts have from the step before."""
+    for k in range(count):
+        c = contacts[k]
+        n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
+        push(c, bodies, poses, added(added(scaled(c.pn, n), c.ps, s), c.pt, t))
+
+
+@inner
 def solve(contacts, count, bodies, poses, h):
-    """Find the impulses of a step; velocities begin without those of ``contacts``, and end with them.
+    """Find the impulses of a step; the velocities are with those of ``contacts``, before and after.
 
     Returns
     -------
     bool
         Whether they converged.
     """
-    for k in range(count):
-        c = contacts[k]
-        n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
-        push(c, bodies, poses, added(added((c.pn * n[0], c.pn * n[1], c.pn * n[2]), c.ps, s), c.pt, t))
     for _ in range(MOST_SWEEPS):
         change = 0.0
         for k in range(count):

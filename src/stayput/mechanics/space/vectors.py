@@ -26,6 +26,12 @@ def added(a, factor, b):
 
 
 @inline
+def scaled(factor, a):
+    """Return factor · a."""
+    return factor * a[0], factor * a[1], factor * a[2]
+
+
+@inline
 def norm(a):
     """Return |a|."""
     return math.sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2])

@@ -1,0 +1,259 @@
+"""Devices in space: springs between a point of a body and a place in the room, or on another body.
+
+The law is that of `stayput.mechanics.devices.device_law`, with the tangent a vector in the plane: with the
+elongation e, its plastic part p, slacks s₊ and s₋, stiffness k and damping c
+
+    F = k (e − p − s₊) + c ė ≥ 0    where the spring pulls,
+    F = k (e − p + s₋) + c ė ≤ 0    where it pushes, else 0,
+
+and along the plane, with x = e_t − p_t, F_t = k (|x| − s) x/|x| + c ė_t. A force beyond its strength breaks
+the device, or the elongation beyond it is plastic (radial return); friction bounds F_t by the push.
+
+Elongations are those in the middle of a step, where the contacts are closed, and rates the mean of those
+before and after the impulses of the step, which are found again and again with those of the contacts.
+"""
+
+from __future__ import annotations
+
+import math
+
+from stayput.compiled import inline, inner
+from stayput.mechanics.devices.columns import (
+    AXIAL,
+    DRAWN_OUT,
+    DROPPED_OUT,
+    HOLDS,
+    NORMAL,
+    PULLED,
+    PUSHED,
+    SHEARED,
+    TANGENT,
+)
+from stayput.mechanics.space.body import attitude, place_of
+from stayput.mechanics.space.solve import give_impulse, velocity_at
+from stayput.mechanics.space.touching import ROOM
+from stayput.mechanics.space.vectors import added, dot, norm, scaled, turned, turned_back
+
+SAME = 1e-8
+"""Change of a force up to which it is the same [N/kg]."""
+
+
+@inline
+def _normal(pull):
+    return pull.nx, pull.ny, pull.nz
+
+
+@inline
+def _lever(pull):
+    return pull.lx, pull.ly, pull.lz
+
+
+@inline
+def _arm(pull):
+    return pull.ox, pull.oy, pull.oz
+
+
+@inline
+def _rate(spring, pull, poses):
+    """Return the velocity of the body's point relative to the anchor."""
+    u = velocity_at(poses[spring.body], _lever(pull))
+    if spring.other != ROOM:
+        u = added(u, -1.0, velocity_at(poses[spring.other], _arm(pull)))
+    return u
+
+
+@inner
+def stretch(springs, pulls, poses):
+    """Set the elongations of all devices that hold, and their rates before the impulses of a step."""
+    for k in range(springs.shape[0]):
+        spring, pull = springs[k], pulls[k]
+        if pull.lost:
+            continue
+        s = poses[spring.body]
+        pull.lx, pull.ly, pull.lz = turned(attitude(s), (spring.px, spring.py, spring.pz))
+        anchor, n = (spring.ax, spring.ay, spring.az), (spring.nx, spring.ny, spring.nz)
+        t = pull.tx, pull.ty, pull.tz
+        if spring.other != ROOM:
+            r = poses[spring.other]
+            arm = turned(attitude(r), anchor)
+            pull.ox, pull.oy, pull.oz = arm
+            anchor, n, t = added(place_of(r), 1.0, arm), turned(attitude(r), n), turned(attitude(r), t)
+        way = added(added(place_of(s), 1.0, _lever(pull)), -1.0, anchor)
+        if spring.kind == AXIAL:
+            far = norm(way)
+            pull.e = far - spring.length
+            n = scaled(1.0 / max(far, 1e-12), way)
+        else:
+            pull.e = dot(n, way)
+            # along the plane, less what is plastic
+            pull.xx, pull.xy, pull.xz = added(added(way, -pull.e, n), -1.0, t)
+        pull.nx, pull.ny, pull.nz = n
+        pull.ux, pull.uy, pull.uz = _rate(spring, pull, poses)
+        pull.px = pull.py = pull.pz = 0.0
+
+
+@inline
+def _over(spring, pull):
+    """Return the elongation of the normal line beyond its slack: above 0 it pulls, below 0 it pushes."""
+    e = pull.e - pull.plastic
+    plus, minus = e - spring.slack_plus[NORMAL], e + spring.slack_minus[NORMAL]
+    if spring.slack_plus[NORMAL] + spring.slack_minus[NORMAL] == 0.0 or plus > 0.0:
+        return plus
+    return min(minus, 0.0)
+
+
+@inline
+def _bonded(spring):
+    return spring.slack_plus[NORMAL] + spring.slack_minus[NORMAL] == 0.0
+
+
+@inline
+def _along_normal(spring, pull, rate):
+    """Return the force of the normal line."""
+    over = _over(spring, pull)
+    if over == 0.0 and not _bonded(spring):
+        return 0.0
+    F = spring.stiffness[NORMAL] * over + spring.damping[NORMAL] * rate
+    if not _bonded(spring):
+        F = max(F, 0.0) if over > 0.0 else min(F, 0.0)
+    return min(max(F, -spring.limit_minus[NORMAL]), spring.limit_plus[NORMAL])
+
+
+@inline
+def _most_shear(spring, F):
+    """Return the largest force along the plane at the force F of the normal line."""
+    if spring.friction == spring.friction:  # False for NaN
+        return spring.friction * max(-F, 0.0)
+    return spring.limit_plus[TANGENT]
+
+
+@inline
+def _along_plane(spring, pull, rate, F):
+    """Return the force along the plane, a vector, at the force F of the normal line."""
+    x = pull.xx, pull.xy, pull.xz
+    far = norm(x)
+    over = far - spring.slack_plus[TANGENT]
+    if spring.stiffness[TANGENT] == 0.0 or (over <= 0.0 and spring.slack_plus[TANGENT] > 0.0):
+        return 0.0, 0.0, 0.0
+    force = scaled(spring.stiffness[TANGENT] * over / max(far, 1e-12), x)
+    force = added(force, spring.damping[TANGENT], rate)
+    if spring.slack_plus[TANGENT] > 0.0 and dot(force, x) < 0.0:
+        return 0.0, 0.0, 0.0
+    size, most = norm(force), _most_shear(spring, F)
+    return scaled(most / size, force) if size > most else force
+
+
+@inner
+def hold(springs, pulls, bodies, poses, h):
+    """Bring the impulses of all devices to those of the present velocities; return whether any changed."""
+    changed = False
+    for k in range(springs.shape[0]):
+        spring, pull = springs[k], pulls[k]
+        if pull.lost:
+            continue
+        rate = added(_rate(spring, pull, poses), 1.0, (pull.ux, pull.uy, pull.uz))
+        rate = scaled(0.5, rate)
+        n = _normal(pull)
+        along = dot(n, rate)
+        F = _along_normal(spring, pull, along)
+        shear = 0.0, 0.0, 0.0
+        if spring.kind != AXIAL:
+            shear = _along_plane(spring, pull, added(rate, -along, n), F)
+        pull.force, pull.shear = F, norm(shear)
+        p = scaled(-h, added(shear, F, n))
+        change = added(p, -1.0, (pull.px, pull.py, pull.pz))
+        if norm(change) > SAME * h * bodies[spring.body].mass:
+            changed = True
+            pull.px, pull.py, pull.pz = p
+            give_impulse(bodies[spring.body], poses[spring.body], _lever(pull), 1.0, change)
+            if spring.other != ROOM:
+                give_impulse(bodies[spring.other], poses[spring.other], _arm(pull), -1.0, change)
+    return changed
+
+
+@inline
+def _lose(pull, device, why, time):
+    pull.lost, pull.force, pull.shear = 1, 0.0, 0.0
+    device.failure, device.failure_time = why, time
+
+
+@inner
+def _yield_along_normal(spring, pull, device, time):
+    """Make plastic what lies beyond the strength of the normal line, or break it."""
+    k, over, F = spring.stiffness[NORMAL], _over(spring, pull), pull.force
+    plus = F > 0.0
+    most = spring.limit_plus[NORMAL] if plus else spring.limit_minus[NORMAL]
+    if abs(F) < most or (spring.interaction and plus):
+        return
+    if spring.ultimate[NORMAL] == 0.0:
+        _lose(pull, device, PULLED if plus else PUSHED, time)
+        return
+    grown = max(abs(over) - most / k, 0.0)
+    pull.plastic += grown if plus else -grown
+    device.plastic[NORMAL] = pull.plastic
+    pull.plastic_sum += grown
+    if pull.plastic_sum > spring.ultimate[NORMAL]:
+        _lose(pull, device, DRAWN_OUT, time)
+
+
+@inner
+def _yield_along_plane(spring, pull, device, time, poses):
+    """Make plastic what lies beyond the strength along the plane, or break the device."""
+    most = _most_shear(spring, pull.force)
+    rubs = spring.friction == spring.friction
+    if spring.stiffness[TANGENT] == 0.0 or pull.shear < most or spring.interaction:
+        return
+    if spring.ultimate[TANGENT] == 0.0 and not rubs:
+        _lose(pull, device, SHEARED, time)
+        return
+    x = pull.xx, pull.xy, pull.xz
+    far = norm(x)
+    grown = max(far - spring.slack_plus[TANGENT] - most / spring.stiffness[TANGENT], 0.0)
+    step = scaled(grown / max(far, 1e-12), x)
+    if spring.other != ROOM:
+        step = turned_back(attitude(poses[spring.other]), step)
+    pull.tx, pull.ty, pull.tz = added((pull.tx, pull.ty, pull.tz), 1.0, step)
+    pull.slip_sum += grown
+    slipped = norm((pull.tx, pull.ty, pull.tz))
+    device.plastic[TANGENT] = slipped
+    # a head that rubs is lost where it is off its pad, whatever it slipped to and fro
+    used = slipped if rubs else pull.slip_sum
+    if spring.ultimate[TANGENT] > 0.0 and used > spring.ultimate[TANGENT]:
+        _lose(pull, device, DROPPED_OUT if rubs else DRAWN_OUT, time)
+
+
+@inline
+def note_forces(pulls, row):
+    """Write the forces into a row of their history."""
+    for k in range(pulls.shape[0]):
+        row[k, NORMAL], row[k, TANGENT] = pulls[k].force, pulls[k].shear
+
+
+@inner
+def give(springs, pulls, devices, poses, time):
+    """Note the forces of a step, make plastic what yielded, and let go what broke."""
+    for k in range(springs.shape[0]):
+        spring, pull, device = springs[k], pulls[k], devices[k]
+        if pull.lost:
+            continue
+        F, shear = pull.force, pull.shear
+        used = 0.0
+        if spring.interaction:
+            of_pull, of_shear = max(F, 0.0) / spring.limit_plus[NORMAL], shear / spring.limit_plus[TANGENT]
+            used = of_pull * of_pull + of_shear * of_shear
+            if used >= 1.0:
+                # no device bears more than its strength
+                part = 1.0 / math.sqrt(used)
+                F, shear = part * F if F > 0.0 else F, part * shear
+                _lose(pull, device, PULLED if of_pull >= of_shear else SHEARED, time)
+        device.peak_pull, device.peak_push = max(device.peak_pull, F), max(device.peak_push, -F)
+        device.peak_shear = max(device.peak_shear, shear)
+        if spring.drops_out:
+            if F < 0.0:
+                pull.pushes = 1
+            elif pull.pushes:
+                _lose(pull, device, DROPPED_OUT, time)
+        if device.failure == HOLDS:
+            _yield_along_normal(spring, pull, device, time)
+        if device.failure == HOLDS and spring.kind != AXIAL:
+            _yield_along_plane(spring, pull, device, time, poses)

@@ -1,0 +1,116 @@
+"""A run of the engine in space, from its records to its histories."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from stayput.mechanics.devices.columns import DEVICE, FORCES
+from stayput.mechanics.space.columns import HISTORY, HIT, POSE, PULL
+from stayput.mechanics.space.engine import run_in_space
+from stayput.simulation.space_devices import longest_step
+from stayput.simulation.space_records import refuse_overlaps, scratch_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+STEP = 5e-4
+"""Longest step [s]."""
+
+MOST_HITS = 10_000
+"""Most hits that are listed."""
+
+
+class SpaceTrace(NamedTuple):
+    """What the engine returns.
+
+    Parameters
+    ----------
+    place : ndarray, shape (bodies, samples, 3)
+        Of the centres of gravity [m].
+    attitude : ndarray, shape (bodies, samples, 4)
+        Unit quaternions that turn the bodies' principal axes into the room's.
+    velocity, rotation_rate : ndarray, shape (bodies, samples, 3)
+        In the room's axes [m/s, rad/s].
+    forces : ndarray, shape (samples, devices, 2)
+        Of the devices, along the normal and the plane [N].
+    devices : ndarray of DEVICE, shape (devices,)
+        What became of them; forces in newtons.
+    hits : ndarray of HIT
+        The first hits.
+    hit_numbers : ndarray of int64, shape (bodies + 1, 3)
+        Hits of each body on floor, walls and ceiling, and other bodies; in the last row of all.
+    steps, unconverged : int
+        Steps, and those whose contact forces did not converge.
+    """
+
+    place: NDArray[np.float64]
+    attitude: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    rotation_rate: NDArray[np.float64]
+    forces: NDArray[np.float64]
+    devices: NDArray[np.void]
+    hits: NDArray[np.void]
+    hit_numbers: NDArray[np.int64]
+    steps: int
+    unconverged: int
+
+
+def run_world(
+    world: tuple[Any, ...],
+    poses: NDArray[np.void],
+    springs: NDArray[np.void],
+    acceleration: NDArray[np.float64],
+    dt: float,
+    step: float,
+    gravity: float,
+) -> SpaceTrace:
+    """Run bodies in a room.
+
+    Parameters
+    ----------
+    world : tuple
+        Bodies and room, from `world_of`.
+    poses : ndarray of POSE, shape (bodies,)
+        Where the bodies are at first.
+    springs : ndarray of SPRING
+        What holds them.
+    acceleration : ndarray, shape (samples, 3)
+        Of the floor [m/s²].
+    dt, step : float
+        Time between samples, and longest step [s].
+    gravity : float
+        g [m/s²].
+
+    Raises
+    ------
+    InputError
+        Bodies that begin inside each other, the floor or the ceiling.
+    """
+    bodies, samples = len(poses), len(acceleration)
+    both = np.zeros((2, bodies), POSE)
+    both[0] = poses
+    held = springs, np.zeros(len(springs), PULL), np.zeros(len(springs), DEVICE)
+    held[2]["failure_time"] = np.nan
+    histories = np.zeros((bodies, samples, len(HISTORY)))
+    forces, hits = np.zeros((samples, len(springs), FORCES)), np.zeros(MOST_HITS, HIT)
+    numbers, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(2)
+    output = histories, forces, hits, numbers, work
+    times = np.array([dt, longest_step(springs, world[0], step), gravity])
+    scratch = scratch_of(world)
+    run_in_space(world, held, both, acceleration[:1], times, scratch, output)  # notes gaps, takes no step
+    refuse_overlaps(world, scratch[2][0])
+    run_in_space(world, held, both, acceleration, times, scratch, output)
+    return SpaceTrace(
+        histories[..., 0:3],
+        histories[..., 3:7],
+        histories[..., 7:10],
+        histories[..., 10:13],
+        forces,
+        held[2],
+        hits[: min(len(hits), numbers[-1, 0])].copy(),
+        numbers,
+        int(work[0]),
+        int(work[1]),
+    )
