@@ -76,8 +76,8 @@ CONTACT = np.dtype(
     [(name, "i8") for name in ("a", "b", "key", "stuck")]
     + [(name, "f8") for name in ("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz")]
     + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz")]
-    + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "target")]
-    + [(name, "f8") for name in ("pn", "ps", "pt")]
+    + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "target", "target_s", "target_t")]
+    + [(name, "f8") for name in ("pn", "ps", "pt", "dn", "ds", "dt")]
     + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")],
     align=True,
 )

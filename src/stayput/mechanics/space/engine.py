@@ -14,8 +14,9 @@ import math
 from typing import Any
 
 from stayput.compiled import entry, inline, inner
-from stayput.mechanics.space.body import angular_response, copy_pose, drift, nudge, place_of, update_inertia
+from stayput.mechanics.space.body import angular_response, copy_pose, drift, nudge, place_of, sag, update_inertia
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
+from stayput.mechanics.space.rest import note_stances, stays_at_rest
 from stayput.mechanics.space.solve import STICKS, prepare, slip_rate, solve
 from stayput.mechanics.space.touching import (
     RIM_POINTS,
@@ -59,13 +60,13 @@ def _keep(contacts, count, kept):
 
 
 @inline
-def _close(contacts, count, key, kept, ratio, surface, bodies, poses):
+def _close(contacts, count, key, kept, ratio, h, surface, bodies, poses):
     """Add a contact whose bodies, normal and levers are set; its impulses begin with those kept."""
     c = contacts[count]
     c.key = key
     c.mu_static, c.mu_kinetic = surface.mu_static, surface.mu_kinetic
     c.stuck = 1 if kept[key, 3] != 0.0 else 0
-    prepare(c, bodies, poses, surface.restitution)
+    prepare(c, bodies, poses, surface.restitution, h)
     c.pn, c.ps, c.pt = ratio * kept[key, 0], ratio * kept[key, 1], ratio * kept[key, 2]
     return count + 1
 
@@ -78,10 +79,10 @@ def _on_plane(c, b, lever, plane):
 
 
 @inner
-def _find_contacts(world, poses, push, scratch, ratio):
+def _find_contacts(world, poses, push, scratch, ratio, h):
     """Fill in the closed contacts; return their number. Impulses begin with those kept, times a ratio."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    contacts, kept, _, corners, polygons, touching = scratch
+    contacts, kept, _, corners, polygons, touching, _, _ = scratch
     count = 0
     for j in range(planes.shape[0]):
         plane = planes[j]
@@ -94,7 +95,7 @@ def _find_contacts(world, poses, push, scratch, ratio):
                     if gap_of(s, lever, plane) <= CLOSED:
                         _on_plane(contacts[count], b, lever, plane)
                         key = j * points.shape[0] + i
-                        count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
+                        count = _close(contacts, count, key, kept, ratio, h, plane, bodies, poses)
             for i in range(body.first_rim, body.first_rim + body.rims):
                 if may_touch(rims[i], plane):
                     for number in range(RIM_POINTS):
@@ -102,7 +103,7 @@ def _find_contacts(world, poses, push, scratch, ratio):
                         if there and gap_of(s, lever, plane) <= CLOSED:
                             _on_plane(contacts[count], b, lever, plane)
                             key = first_key + i * RIM_POINTS + number
-                            count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
+                            count = _close(contacts, count, key, kept, ratio, h, plane, bodies, poses)
     if pairs.shape[0] == 0:
         return count
     place_corners(bodies, poses, points, corners)
@@ -120,7 +121,7 @@ def _find_contacts(world, poses, push, scratch, ratio):
             c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
             c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
             key = first_key + j * MOST_TOUCHING + m
-            count = _close(contacts, count, key, kept, ratio, pairs[j], bodies, poses)
+            count = _close(contacts, count, key, kept, ratio, h, pairs[j], bodies, poses)
     return count
 
 
@@ -128,7 +129,7 @@ def _find_contacts(world, poses, push, scratch, ratio):
 def _note_gaps(world, poses, scratch, gaps):
     """Set the gaps of all features and planes and of all pairs of bodies; return the least."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    _, _, _, corners, polygons, touching = scratch
+    _, _, _, corners, polygons, touching, _, _ = scratch
     least = note_gaps(bodies, poses, points, rims, planes, gaps)
     if pairs.shape[0] == 0:
         return least
@@ -171,7 +172,7 @@ def _move_out(body, s, lever, plane):
 def _move_all_out(world, poses, scratch):
     """Move bodies out of each other and of planes that they have entered."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    _, _, _, corners, polygons, touching = scratch
+    _, _, _, corners, polygons, touching, _, _ = scratch
     for j in range(pairs.shape[0]):
         place_corners(bodies, poses, points, corners)
         body, other = bodies[pairs[j].a], bodies[pairs[j].b]
@@ -228,14 +229,14 @@ def _step(world, before, after, push, h, scratch, ratio, work):
         copy_pose(before[b], after[b])
         if _moves(after[b]):
             drift(bodies[b], after[b], 0.5 * h)
-    count = _find_contacts(world, after, push, scratch, ratio)
+    count = _find_contacts(world, after, push, scratch, ratio, h)
     for b in range(bodies.shape[0]):
         s = after[b]
         s.vx += h * push[0]
         s.vy += h * push[1]
         s.vz += h * push[2]
     work[0] += 1.0
-    if count and not solve(contacts, count, bodies, after, h):
+    if count and not solve(contacts, count, bodies, after, scratch[7], h):
         work[1] += 1.0
     for k in range(count):
         c = contacts[k]
@@ -252,6 +253,14 @@ def _step(world, before, after, push, h, scratch, ratio, work):
 
 
 @inner
+def _sag(bodies, poses, h):
+    found = 0.0
+    for b in range(bodies.shape[0]):
+        found = max(found, sag(bodies[b], poses[b], h))
+    return found
+
+
+@inner
 def _meeting(gaps, later, h):
     """Return when within a step the first feature meets a plane, by a straight line through its gaps."""
     first = h
@@ -260,6 +269,20 @@ def _meeting(gaps, later, h):
             start = max(gaps[k], 0.0)
             first = min(first, h * start / (start - later[k]))
     return first
+
+
+@inline
+def _at_rest(poses):
+    for b in range(poses.shape[0]):
+        if _moves(poses[b]):
+            return False
+    return True
+
+
+@inline
+def _push(a, gravity):
+    """Return the acceleration that acts on bodies where the floor has the acceleration a."""
+    return -a[0], -a[1], -a[2] - gravity
 
 
 @inline
@@ -298,7 +321,7 @@ def run_in_space(
         Steps, and steps whose impulses did not converge: added to.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
-    bodies = world[0]
+    bodies, floor = world[0], world[3][0]
     contacts, kept, gaps = scratch[0], scratch[1], scratch[2]
     now, trial = poses[0], poses[1]
     for b in range(bodies.shape[0]):
@@ -307,26 +330,34 @@ def run_in_space(
     _note_gaps(world, now, scratch, gaps[0])
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
     last = 0.0
+    standing = False
     for k in range(acceleration.shape[0] - 1):
         a0, a1 = acceleration[k], acceleration[k + 1]
+        if _at_rest(now):
+            if not standing:
+                note_stances(world, now, CLOSED, scratch[6])
+                standing = True
+            if stays_at_rest(bodies, now, floor, _push(a0, gravity), scratch[6]) and stays_at_rest(
+                bodies, now, floor, _push(a1, gravity), scratch[6]
+            ):
+                _note(histories, k + 1, now)
+                continue
+        standing = False
         for part in range(parts):
             t, end = dt * part / parts, dt * (part + 1) / parts
             while t < end:
                 h = end - t
                 while True:
                     f = (t + 0.5 * h) / dt
-                    push = (
-                        -(a0[0] + f * (a1[0] - a0[0])),
-                        -(a0[1] + f * (a1[1] - a0[1])),
-                        -(a0[2] + f * (a1[2] - a0[2])) - gravity,
-                    )
+                    push = _push(added(a0, f, added(a1, -1.0, a0)), gravity)
                     ratio = h / last if last > 0.0 else 0.0
                     count = _step(world, now, trial, push, h, scratch, ratio, work)
                     least = _note_gaps(world, trial, scratch, gaps[1])
-                    if least >= -ENTERS or h <= SHORTEST:
+                    bent = _sag(bodies, trial, h)
+                    if least >= -ENTERS - bent or h <= SHORTEST:
                         break
                     h = max(SHORTEST, min(_meeting(gaps[0], gaps[1], h), 0.9 * h))
-                if least < -IGNORED:
+                if least < -IGNORED - bent:
                     _move_all_out(world, trial, scratch)
                     _note_gaps(world, trial, scratch, gaps[1])
                 _keep(contacts, count, kept)
