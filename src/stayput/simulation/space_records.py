@@ -298,7 +298,8 @@ def refuse_overlaps(world: tuple[Any, ...], gaps: NDArray[np.float64]) -> None:
 
 def scratch_of(world: tuple[Any, ...]) -> tuple[NDArray[Any], ...]:
     """Return the working memory of `run_in_space`; all contacts stick at first."""
-    _, points, rims, planes, pairs, faces = world[:6]
+    bodies, points, rims, planes, pairs, faces = world[:6]
+    unknowns = 6 * len(bodies)
     keys = len(planes) * (len(points) + RIM_POINTS * len(rims)) + MOST_TOUCHING * len(pairs)
     features = len(planes) * (len(points) + len(rims)) + len(pairs)
     kept = np.zeros((keys, 4))
@@ -312,4 +313,17 @@ def scratch_of(world: tuple[Any, ...]) -> tuple[NDArray[Any], ...]:
         np.zeros((len(points), 3)),
         np.zeros((2, most_corners, 4)),
         np.zeros((MOST_TOUCHING, 5)),
+        (
+            np.zeros((len(points), 3)),
+            np.zeros(len(bodies), np.int64),
+            np.zeros((len(bodies), 3)),
+            np.zeros(len(bodies)),
+            np.zeros((len(bodies), 6)),
+        ),
+        (
+            np.zeros((keys, 2, 3, 6)),
+            np.zeros((unknowns, unknowns)),
+            np.zeros(unknowns),
+            np.zeros(len(bodies), np.int64),
+        ),
     )

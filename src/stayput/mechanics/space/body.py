@@ -8,7 +8,14 @@ Kutta's method of fourth order in the quaternion.
 from __future__ import annotations
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.space.vectors import quaternion_rate, turned, turned_back, unit_quaternion
+from stayput.mechanics.space.vectors import (
+    added,
+    cross,
+    quaternion_rate,
+    turned,
+    turned_back,
+    unit_quaternion,
+)
 
 
 @inline
@@ -61,6 +68,15 @@ def update_inertia(body, s):
 
 
 @inline
+def bend(body, s, lever):
+    """Return the acceleration of a body's point, given from G, in free flight without gravity."""
+    spin = rotation(s)
+    moment = cross(spin, (s.lx, s.ly, s.lz))
+    change = angular_response(s, moment)
+    return added(cross(spin, cross(spin, lever)), -1.0, cross(change, lever))
+
+
+@inline
 def _free_rate(body, q, momentum):
     spin = turned_back(q, momentum)
     return quaternion_rate(q, (spin[0] / body.i1, spin[1] / body.i2, spin[2] / body.i3))
@@ -94,6 +110,12 @@ def drift(body, s, h):
     )
     s.qw, s.qx, s.qy, s.qz = unit_quaternion(q)
     update_inertia(body, s)
+
+
+@inline
+def sag(body, s, h):
+    """Return how far below the chord of a step the path of a body's point bends, at most."""
+    return 0.125 * h * h * body.radius * (s.wx * s.wx + s.wy * s.wy + s.wz * s.wz)
 
 
 @inline

@@ -103,8 +103,8 @@ CONTACT = np.dtype(
     [(name, "i8") for name in ("a", "b", "key", "stuck", "plane", "floor")]
     + [(name, "f8") for name in ("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz")]
     + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz")]
-    + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "closing", "target")]
-    + [(name, "f8") for name in ("pn", "ps", "pt")]
+    + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "closing")]
+    + [(name, "f8") for name in ("target", "target_s", "target_t", "pn", "ps", "pt", "dn", "ds", "dt")]
     + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")],
     align=True,
 )

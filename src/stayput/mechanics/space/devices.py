@@ -30,12 +30,16 @@ from stayput.mechanics.devices.columns import (
     TANGENT,
 )
 from stayput.mechanics.space.body import attitude, place_of
-from stayput.mechanics.space.solve import give_impulse, velocity_at
+from stayput.mechanics.space.contact import give_impulse, velocity_at
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, dot, norm, scaled, turned, turned_back
+from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled, turned, turned_back
 
 SAME = 1e-8
 """Change of a force up to which it is the same [N/kg]."""
+
+
+LEVEL = 1e-9
+"""Moment about the vertical up to which devices have none, over their vertical force [m]."""
 
 
 @inline
@@ -220,6 +224,39 @@ def _yield_along_plane(spring, pull, device, time, poses):
     used = slipped if rubs else pull.slip_sum
     if spring.ultimate[TANGENT] > 0.0 and used > spring.ultimate[TANGENT]:
         _lose(pull, device, DROPPED_OUT if rubs else DRAWN_OUT, time)
+
+
+@inner
+def note_loads(springs, pulls, h, loads):
+    """Set the force and the moment of the devices on each body in the last step, of length h.
+
+    Returns
+    -------
+    bool
+        Whether they leave the bodies without a moment about the vertical.
+    """
+    for b in range(loads.shape[0]):
+        for axis in range(6):
+            loads[b, axis] = 0.0
+    for k in range(springs.shape[0]):
+        spring, pull = springs[k], pulls[k]
+        if pull.lost:
+            continue
+        p = scaled(1.0 / h, (pull.px, pull.py, pull.pz))
+        _add_load(loads[spring.body], p, cross(_lever(pull), p), 1.0)
+        if spring.other != ROOM:
+            _add_load(loads[spring.other], p, cross(_arm(pull), p), -1.0)
+    level = True
+    for b in range(loads.shape[0]):
+        level = level and abs(loads[b, 5]) <= LEVEL * abs(loads[b, 2])
+    return level
+
+
+@inline
+def _add_load(load, force, moment, sign):
+    for axis in range(3):
+        load[axis] += sign * force[axis]
+        load[3 + axis] += sign * moment[axis]
 
 
 @inline

@@ -14,11 +14,20 @@ import math
 from typing import Any
 
 from stayput.compiled import entry, inline, inner
-from stayput.mechanics.space.body import angular_response, copy_pose, drift, nudge, place_of, update_inertia
+from stayput.mechanics.space.body import (
+    angular_response,
+    copy_pose,
+    drift,
+    nudge,
+    place_of,
+    sag,
+    update_inertia,
+)
 from stayput.mechanics.space.columns import HIT_SPEED, ON_BODY, ON_FLOOR, ON_ROOM
-from stayput.mechanics.space.devices import give, hold, note_forces, stretch
+from stayput.mechanics.space.devices import give, hold, note_forces, note_loads, stretch
 from stayput.mechanics.space.landing import land
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
+from stayput.mechanics.space.rest import note_stances, stays_at_rest
 from stayput.mechanics.space.solve import STICKS, begin, prepare, slip_rate, solve
 from stayput.mechanics.space.touching import (
     RIM_POINTS,
@@ -68,13 +77,13 @@ def _keep(contacts, count, kept):
 
 
 @inline
-def _close(contacts, count, key, kept, ratio, surface, bodies, poses):
+def _close(contacts, count, key, kept, ratio, h, surface, bodies, poses):
     """Add a contact whose bodies, normal and levers are set; its impulses begin with those kept."""
     c = contacts[count]
     c.key = key
     c.mu_static, c.mu_kinetic = surface.mu_static, surface.mu_kinetic
     c.stuck = 1 if kept[key, 3] != 0.0 else 0
-    prepare(c, bodies, poses, surface.restitution)
+    prepare(c, bodies, poses, surface.restitution, h)
     c.pn, c.ps, c.pt = ratio * kept[key, 0], ratio * kept[key, 1], ratio * kept[key, 2]
     return count + 1
 
@@ -94,10 +103,10 @@ def _rub(c, static, kinetic):
 
 
 @inner
-def _find_contacts(world, poses, push, scratch, ratio):
+def _find_contacts(world, poses, push, scratch, ratio, h):
     """Fill in the closed contacts; return their number. Impulses begin with those kept, times a ratio."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    contacts, kept, _, corners, polygons, touching = scratch
+    contacts, kept, _, corners, polygons, touching, _, _ = scratch
     count = 0
     for j in range(planes.shape[0]):
         plane = planes[j]
@@ -111,7 +120,7 @@ def _find_contacts(world, poses, push, scratch, ratio):
                     if gap_of(s, lever, plane) <= CLOSED:
                         _on_plane(contacts[count], b, lever, j, plane)
                         key = j * points.shape[0] + i
-                        count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
+                        count = _close(contacts, count, key, kept, ratio, h, plane, bodies, poses)
                         if plane.floor and points[i].mu_static >= 0.0:  # not NaN
                             _rub(contacts[count - 1], points[i].mu_static, points[i].mu_kinetic)
             if plane.floor and count - first <= 2:  # on a corner or an edge
@@ -125,7 +134,7 @@ def _find_contacts(world, poses, push, scratch, ratio):
                         if there and gap_of(s, lever, plane) <= CLOSED:
                             _on_plane(contacts[count], b, lever, j, plane)
                             key = first_key + i * RIM_POINTS + number
-                            count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
+                            count = _close(contacts, count, key, kept, ratio, h, plane, bodies, poses)
     if pairs.shape[0] == 0:
         return count
     place_corners(bodies, poses, points, corners)
@@ -143,7 +152,7 @@ def _find_contacts(world, poses, push, scratch, ratio):
             c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
             c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
             key = first_key + j * MOST_TOUCHING + m
-            count = _close(contacts, count, key, kept, ratio, pairs[j], bodies, poses)
+            count = _close(contacts, count, key, kept, ratio, h, pairs[j], bodies, poses)
     return count
 
 
@@ -151,7 +160,7 @@ def _find_contacts(world, poses, push, scratch, ratio):
 def _note_gaps(world, poses, scratch, gaps):
     """Set the gaps of all features and planes and of all pairs of bodies; return the least."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    _, _, _, corners, polygons, touching = scratch
+    _, _, _, corners, polygons, touching, _, _ = scratch
     least = note_gaps(bodies, poses, points, rims, planes, gaps)
     if pairs.shape[0] == 0:
         return least
@@ -194,7 +203,7 @@ def _move_out(body, s, lever, plane):
 def _move_all_out(world, poses, scratch):
     """Move bodies out of each other and of planes that they have entered."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    _, _, _, corners, polygons, touching = scratch
+    _, _, _, corners, polygons, touching, _, _ = scratch
     for j in range(pairs.shape[0]):
         place_corners(bodies, poses, points, corners)
         body, other = bodies[pairs[j].a], bodies[pairs[j].b]
@@ -246,13 +255,13 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
 
     ``push`` is the acceleration that acts on all bodies: gravity, and against that of the floor.
     """
-    bodies, contacts = world[0], scratch[0]
+    bodies, contacts, system = world[0], scratch[0], scratch[7]
     springs, pulls, _ = held
     for b in range(bodies.shape[0]):
         copy_pose(before[b], after[b])
         if _moves(after[b]):
             drift(bodies[b], after[b], 0.5 * h)
-    count = _find_contacts(world, after, push, scratch, ratio)
+    count = _find_contacts(world, after, push, scratch, ratio, h)
     stretch(springs, pulls, after)
     for b in range(bodies.shape[0]):
         s = after[b]
@@ -262,11 +271,11 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
     work[0] += 1.0
     begin(contacts, count, bodies, after)
     hold(springs, pulls, bodies, after, h)
-    converged = count == 0 or solve(contacts, count, bodies, after, h)
+    converged = count == 0 or solve(contacts, count, bodies, after, system, h)
     for _ in range(MOST_ROUNDS):
         if not hold(springs, pulls, bodies, after, h):
             break
-        converged = count == 0 or solve(contacts, count, bodies, after, h)
+        converged = count == 0 or solve(contacts, count, bodies, after, system, h)
     if not converged:
         work[1] += 1.0
     land(contacts, count, bodies, before, after)
@@ -310,6 +319,14 @@ def _note_hits(contacts, count, kept, time, hits, numbers):
 
 
 @inner
+def _sag(bodies, poses, h):
+    found = 0.0
+    for b in range(bodies.shape[0]):
+        found = max(found, sag(bodies[b], poses[b], h))
+    return found
+
+
+@inner
 def _meeting(gaps, later, h):
     """Return when within a step the first feature meets a plane, by a straight line through its gaps."""
     first = h
@@ -318,6 +335,20 @@ def _meeting(gaps, later, h):
             start = max(gaps[k], 0.0)
             first = min(first, h * start / (start - later[k]))
     return first
+
+
+@inline
+def _at_rest(poses):
+    for b in range(poses.shape[0]):
+        if _moves(poses[b]):
+            return False
+    return True
+
+
+@inline
+def _push(a, gravity):
+    """Return the acceleration that acts on bodies where the floor has the acceleration a."""
+    return -a[0], -a[1], -a[2] - gravity
 
 
 @inline
@@ -365,7 +396,7 @@ def run_in_space(
         float64[2]: added to.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
-    bodies = world[0]
+    bodies, floor = world[0], world[3][0]
     contacts, kept, gaps = scratch[0], scratch[1], scratch[2]
     histories, forces, hits, hit_numbers, work = output
     now, trial = poses[0], poses[1]
@@ -375,26 +406,37 @@ def run_in_space(
     _note_gaps(world, now, scratch, gaps[0])
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
     last = 0.0
+    standing = False
     for k in range(acceleration.shape[0] - 1):
         a0, a1 = acceleration[k], acceleration[k + 1]
+        if last > 0.0 and _at_rest(now):
+            if not standing:
+                note_stances(world, now, CLOSED, scratch[6])
+                standing = note_loads(held[0], held[1], last, scratch[6][4])
+            if (
+                standing
+                and stays_at_rest(bodies, now, floor, _push(a0, gravity), scratch[6])
+                and stays_at_rest(bodies, now, floor, _push(a1, gravity), scratch[6])
+            ):
+                _note(histories, k + 1, now)
+                note_forces(held[1], forces[k + 1])
+                continue
+        standing = False
         for part in range(parts):
             t, end = dt * part / parts, dt * (part + 1) / parts
             while t < end:
                 h = end - t
                 while True:
                     f = (t + 0.5 * h) / dt
-                    push = (
-                        -(a0[0] + f * (a1[0] - a0[0])),
-                        -(a0[1] + f * (a1[1] - a0[1])),
-                        -(a0[2] + f * (a1[2] - a0[2])) - gravity,
-                    )
+                    push = _push(added(a0, f, added(a1, -1.0, a0)), gravity)
                     ratio = h / last if last > 0.0 else 0.0
                     count = _step(world, held, now, trial, push, h, scratch, ratio, work)
                     least = _note_gaps(world, trial, scratch, gaps[1])
-                    if least >= -ENTERS or h <= SHORTEST:
+                    bent = _sag(bodies, trial, h)
+                    if least >= -ENTERS - bent or h <= SHORTEST:
                         break
                     h = max(SHORTEST, min(_meeting(gaps[0], gaps[1], h), 0.9 * h))
-                if least < -IGNORED:
+                if least < -IGNORED - bent:
                     _move_all_out(world, trial, scratch)
                     _note_gaps(world, trial, scratch, gaps[1])
                 _note_hits(contacts, count, kept, dt * k + t + h, hits, hit_numbers)

@@ -11,7 +11,8 @@ import math
 
 from stayput.compiled import inline, inner
 from stayput.mechanics.space.body import rotation, velocity
-from stayput.mechanics.space.solve import IMPACT, lever_a, normal_of, slip
+from stayput.mechanics.space.contact import lever_a, normal_of, slip
+from stayput.mechanics.space.solve import IMPACT
 from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled
 
 RISES = 1e-4

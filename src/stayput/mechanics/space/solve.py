@@ -19,7 +19,18 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.space.body import angular_response, rotation, velocity
+from stayput.mechanics.space.body import angular_response, bend
+from stayput.mechanics.space.contact import (
+    beyond_target,
+    first_tangent,
+    lever_a,
+    lever_b,
+    normal_of,
+    push,
+    second_tangent,
+    slip,
+)
+from stayput.mechanics.space.newton import improve, set_rows
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot, scaled, tangents
 
@@ -32,78 +43,14 @@ ACCURACY = 1e-7
 STICKS = 1e-4
 """Acceleration from rest up to which a contact has not slipped [m/s²]."""
 
+OFTEN = 20
+"""Sweeps each of which a step of Newton's method follows."""
+
+SELDOM = 25
+"""Later it follows each of so many sweeps: where contacts jam it may go astray, and sweeps then find back."""
+
 MOST_SWEEPS = 20_000
 """Sweeps after which a step is taken as it is, and counted as not converged."""
-
-
-@inline
-def normal_of(c):
-    """Return a contact's normal, towards body a."""
-    return c.nx, c.ny, c.nz
-
-
-@inline
-def first_tangent(c):
-    """Return a contact's first tangent."""
-    return c.sx, c.sy, c.sz
-
-
-@inline
-def second_tangent(c):
-    """Return a contact's second tangent."""
-    return c.tx, c.ty, c.tz
-
-
-@inline
-def lever_a(c):
-    """Return the contact from G of body a."""
-    return c.rax, c.ray, c.raz
-
-
-@inline
-def lever_b(c):
-    """Return the contact from G of body b."""
-    return c.rbx, c.rby, c.rbz
-
-
-@inline
-def velocity_at(s, lever):
-    """Return the velocity of a body's point, given from G."""
-    return added(velocity(s), 1.0, cross(rotation(s), lever))
-
-
-@inline
-def slip(c, poses):
-    """Return the relative velocity of body a at a contact, in the room's axes."""
-    u = velocity_at(poses[c.a], lever_a(c))
-    if c.b != ROOM:
-        u = added(u, -1.0, velocity_at(poses[c.b], lever_b(c)))
-    return u
-
-
-@inline
-def give_impulse(body, s, lever, factor, p):
-    """Apply an impulse times a factor at a body's point, given from G."""
-    s.vx += factor * p[0] / body.mass
-    s.vy += factor * p[1] / body.mass
-    s.vz += factor * p[2] / body.mass
-    moment = cross(lever, p)
-    moment = factor * moment[0], factor * moment[1], factor * moment[2]
-    s.lx += moment[0]
-    s.ly += moment[1]
-    s.lz += moment[2]
-    w = angular_response(s, moment)
-    s.wx += w[0]
-    s.wy += w[1]
-    s.wz += w[2]
-
-
-@inline
-def push(c, bodies, poses, p):
-    """Apply an impulse at a contact, to body a and against body b."""
-    give_impulse(bodies[c.a], poses[c.a], lever_a(c), 1.0, p)
-    if c.b != ROOM:
-        give_impulse(bodies[c.b], poses[c.b], lever_b(c), -1.0, p)
 
 
 @inline
@@ -122,8 +69,8 @@ def _inverse_mass(c, bodies, poses, along, by):
 
 
 @inner
-def prepare(c, bodies, poses, restitution):
-    """Set a contact's frame, inverse masses and the normal velocity wanted; its normal and levers are set."""
+def prepare(c, bodies, poses, restitution, h):
+    """Set a contact's frame, inverse masses and the velocity wanted; its normal and levers are set."""
     n = normal_of(c)
     s, t = tangents(n)
     c.sx, c.sy, c.sz = s
@@ -136,21 +83,24 @@ def prepare(c, bodies, poses, restitution):
     c.wtt = _inverse_mass(c, bodies, poses, t, t)
     half, off = 0.5 * (c.wss - c.wtt), c.wst
     c.stiff = 0.5 * (c.wss + c.wtt) + math.sqrt(half * half + off * off)
+    bent = bend(bodies[c.a], poses[c.a], lever_a(c))
+    if c.b != ROOM:
+        bent = added(bent, -1.0, bend(bodies[c.b], poses[c.b], lever_b(c)))
+    c.target_s, c.target_t = -0.5 * h * dot(s, bent), -0.5 * h * dot(t, bent)
     c.closing = dot(n, slip(c, poses))
-    c.target = -restitution * c.closing if c.closing < -IMPACT else 0.0
+    c.target = -restitution * c.closing if c.closing < -IMPACT else min(0.0, -0.5 * h * dot(n, bent))
     c.mu = c.mu_static if c.stuck else c.mu_kinetic
 
 
 @inner
 def _update(c, bodies, poses):
     """Find a contact's impulse with the others as they are; return the largest change of its velocities."""
-    u = slip(c, poses)
-    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
-    pn = max(0.0, c.pn - (dot(n, u) - c.target) / c.wnn)
+    un, us, ut = beyond_target(c, poses)
+    pn = max(0.0, c.pn - un / c.wnn)
     ps = pt = 0.0
     if pn > 0.0:
-        us = dot(s, u) + c.wns * (pn - c.pn)
-        ut = dot(t, u) + c.wnt * (pn - c.pn)
+        us += c.wns * (pn - c.pn)
+        ut += c.wnt * (pn - c.pn)
         # where it sticks nothing slips
         det = c.wss * c.wtt - c.wst * c.wst
         ps = c.ps - (c.wtt * us - c.wst * ut) / det
@@ -165,6 +115,7 @@ def _update(c, bodies, poses):
     if dn == 0.0 and ds == 0.0 and dt == 0.0:
         return 0.0
     c.pn, c.ps, c.pt = pn, ps, pt
+    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
     p = added(added((dn * n[0], dn * n[1], dn * n[2]), ds, s), dt, t)
     push(c, bodies, poses, p)
     return max(abs(dn) * c.wnn, max(abs(ds), abs(dt)) * c.stiff)
@@ -173,8 +124,7 @@ def _update(c, bodies, poses):
 @inner
 def slip_rate(c, poses):
     """Return how fast a contact slips."""
-    u = slip(c, poses)
-    us, ut = dot(first_tangent(c), u), dot(second_tangent(c), u)
+    _, us, ut = beyond_target(c, poses)
     return math.sqrt(us * us + ut * ut)
 
 
@@ -200,7 +150,7 @@ def begin(contacts, count, bodies, poses):
 
 
 @inner
-def solve(contacts, count, bodies, poses, h):
+def solve(contacts, count, bodies, poses, system, h):
     """Find the impulses of a step; the velocities are with those of ``contacts``, before and after.
 
     Returns
@@ -208,10 +158,14 @@ def solve(contacts, count, bodies, poses, h):
     bool
         Whether they converged.
     """
-    for _ in range(MOST_SWEEPS):
+    for sweep in range(MOST_SWEEPS):
         change = 0.0
         for k in range(count):
             change = max(change, _update(contacts[k], bodies, poses))
         if change <= ACCURACY * h and not _let_slip(contacts, count, poses, h):
             return True
+        if sweep == 0:
+            set_rows(contacts, count, bodies, poses, system)
+        if sweep < OFTEN or sweep % SELDOM == 0:
+            improve(contacts, count, bodies, poses, system)
     return False

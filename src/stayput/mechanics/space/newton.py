@@ -1,0 +1,199 @@
+"""Newton's method for the impulses of a step: all contacts at once, each as what it now is.
+
+A contact that is closed asks for the normal velocity that it wants, one that sticks also for no slip, and one
+that slips for p_t = μ p_n τ with τ = −u_t/|u_t|. Linearised at the impulses p of the last sweep, each law is
+
+    p + δp = p + δp₀ − D δu,    δu = J δv,    M δv = Σ Jᵀ δp,
+
+so that δv comes from the bodies' velocities alone, (M + Σ Jᵀ D J) δv = Σ Jᵀ δp₀: six equations a body,
+whatever the number of contacts, and never singular where a body has more of them than it needs. What is asked
+of a velocity is a penalty of ``FIRM`` times the inverse mass that the contact sees; a next step takes away
+what it leaves. Velocities are scaled so that M is 1.
+"""
+
+from __future__ import annotations
+
+import math
+
+from stayput.compiled import inline, inner
+from stayput.mechanics.space.body import attitude
+from stayput.mechanics.space.contact import (
+    beyond_target,
+    first_tangent,
+    lever_a,
+    lever_b,
+    normal_of,
+    push,
+    second_tangent,
+)
+from stayput.mechanics.space.touching import ROOM
+from stayput.mechanics.space.vectors import added, cross, dot, turned_back
+
+FIRM = 1e7
+"""Penalty of a velocity that a contact forbids, times the inverse mass that it sees."""
+
+
+@inner
+def _set_row(body, s, lever, along, sign, row):
+    """Set the velocity at a lever along a direction as a function of a body's scaled velocities."""
+    arm = turned_back(attitude(s), cross(lever, along))
+    factor = sign / math.sqrt(body.mass)
+    row[0], row[1], row[2] = factor * along[0], factor * along[1], factor * along[2]
+    row[3] = sign * arm[0] / math.sqrt(body.i1)
+    row[4] = sign * arm[1] / math.sqrt(body.i2)
+    row[5] = sign * arm[2] / math.sqrt(body.i3)
+
+
+@inner
+def set_rows(contacts, count, bodies, poses, system):
+    """Set the Jacobians of all contacts, and where the rows of each body in the matrix begin."""
+    rows, _, _, starts = system
+    for b in range(bodies.shape[0]):
+        starts[b] = b
+    for k in range(count):
+        c = contacts[k]
+        for axis, along in enumerate((normal_of(c), first_tangent(c), second_tangent(c))):
+            _set_row(bodies[c.a], poses[c.a], lever_a(c), along, 1.0, rows[k, 0, axis])
+            if c.b != ROOM:
+                _set_row(bodies[c.b], poses[c.b], lever_b(c), along, -1.0, rows[k, 1, axis])
+        if c.b != ROOM:
+            low, high = min(c.a, c.b), max(c.a, c.b)
+            starts[high] = min(starts[high], low)
+
+
+@inline
+def _law(c, u):
+    """Return δp₀ and D of a contact by how much the velocity u in its frame is beyond what is wanted."""
+    if c.pn <= 0.0:
+        zero = 0.0, 0.0, 0.0
+        return zero, zero, zero, zero
+    firm = FIRM / c.wnn
+    change = -firm * u[0]
+    most = c.mu * c.pn
+    size = math.sqrt(c.ps * c.ps + c.pt * c.pt)
+    if size < most * (1.0 - 1e-12):
+        grip = FIRM / c.stiff
+        return (change, -grip * u[1], -grip * u[2]), (firm, 0.0, 0.0), (0.0, grip, 0.0), (0.0, 0.0, grip)
+    ways, wayt = 0.0, 0.0
+    if size > 0.0:
+        ways, wayt = c.ps / size, c.pt / size
+    speed = math.sqrt(u[1] * u[1] + u[2] * u[2])
+    grip = min(FIRM / c.stiff, most / speed if speed > 0.0 else math.inf)
+    across = -wayt * u[1] + ways * u[2]  # the velocity across the slip
+    mu = c.mu
+    return (
+        (change, mu * change * ways + grip * across * wayt, mu * change * wayt - grip * across * ways),
+        (firm, 0.0, 0.0),
+        (mu * firm * ways, grip * wayt * wayt, -grip * ways * wayt),
+        (mu * firm * wayt, -grip * ways * wayt, grip * ways * ways),
+    )
+
+
+@inner
+def _add_block(matrix, first, second, left, right, d):
+    """Add leftᵀ D right to the block of two bodies."""
+    for j in range(6):
+        e0 = d[0][0] * right[0, j] + d[0][1] * right[1, j] + d[0][2] * right[2, j]
+        e1 = d[1][0] * right[0, j] + d[1][1] * right[1, j] + d[1][2] * right[2, j]
+        e2 = d[2][0] * right[0, j] + d[2][1] * right[1, j] + d[2][2] * right[2, j]
+        for i in range(6):
+            matrix[6 * first + i, 6 * second + j] += left[0, i] * e0 + left[1, i] * e1 + left[2, i] * e2
+
+
+@inner
+def _add_moment(vector, place, rows, p):
+    for i in range(6):
+        vector[6 * place + i] += rows[0, i] * p[0] + rows[1, i] * p[1] + rows[2, i] * p[2]
+
+
+@inner
+def _solve_in_place(matrix, vector, starts, size):
+    """Solve matrix · x = vector, whose rows and columns begin with those of the bodies in ``starts``.
+
+    Elimination without exchange of rows: where contacts slip the matrix is not symmetric, but what is added
+    to 1 is nearly positive.
+    """
+    for i in range(size):
+        begin = 6 * starts[i // 6]
+        for j in range(begin, i):
+            start = max(begin, 6 * starts[j // 6])
+            below, above = matrix[i, j], matrix[j, i]
+            for k in range(start, j):
+                below -= matrix[i, k] * matrix[k, j]
+                above -= matrix[j, k] * matrix[k, i]
+            matrix[i, j] = below / matrix[j, j]
+            matrix[j, i] = above
+        pivot, found = matrix[i, i], vector[i]
+        for k in range(begin, i):
+            pivot -= matrix[i, k] * matrix[k, i]
+            found -= matrix[i, k] * vector[k]
+        matrix[i, i], vector[i] = pivot, found
+    for i in range(size - 1, -1, -1):
+        vector[i] /= matrix[i, i]
+        for k in range(6 * starts[i // 6], i):
+            vector[k] -= matrix[k, i] * vector[i]
+
+
+@inner
+def improve(contacts, count, bodies, poses, system):
+    """Take one step of Newton's method; velocities go with the impulses. `set_rows` has been called."""
+    rows, matrix, vector, starts = system
+    size = 6 * bodies.shape[0]
+    for i in range(size):
+        for j in range(6 * starts[i // 6], i):
+            matrix[i, j] = matrix[j, i] = 0.0
+        matrix[i, i] = 1.0
+        vector[i] = 0.0
+    for k in range(count):
+        c = contacts[k]
+        if c.pn > 0.0:
+            p, d1, d2, d3 = _law(c, beyond_target(c, poses))
+            d = d1, d2, d3
+            _add_moment(vector, c.a, rows[k, 0], p)
+            _add_block(matrix, c.a, c.a, rows[k, 0], rows[k, 0], d)
+            if c.b != ROOM:
+                _add_moment(vector, c.b, rows[k, 1], p)
+                _add_block(matrix, c.b, c.b, rows[k, 1], rows[k, 1], d)
+                _add_block(matrix, c.a, c.b, rows[k, 0], rows[k, 1], d)
+                _add_block(matrix, c.b, c.a, rows[k, 1], rows[k, 0], d)
+    _solve_in_place(matrix, vector, starts, size)
+    for k in range(count):
+        c = contacts[k]
+        if c.pn > 0.0:
+            p, d1, d2, d3 = _law(c, beyond_target(c, poses))
+            u = _change(vector, c, rows[k])
+            c.dn = p[0] - dot(d1, u)
+            c.ds = p[1] - dot(d2, u)
+            c.dt = p[2] - dot(d3, u)
+    for k in range(count):
+        c = contacts[k]
+        if c.pn > 0.0:
+            _add_impulse(c, bodies, poses)
+
+
+@inline
+def _change(vector, c, rows):
+    """Return the change of the relative velocity in a contact's frame by that of the scaled velocities."""
+    u0 = u1 = u2 = 0.0
+    for i in range(6):
+        x = vector[6 * c.a + i]
+        u0, u1, u2 = u0 + rows[0, 0, i] * x, u1 + rows[0, 1, i] * x, u2 + rows[0, 2, i] * x
+    if c.b != ROOM:
+        for i in range(6):
+            x = vector[6 * c.b + i]
+            u0, u1, u2 = u0 + rows[1, 0, i] * x, u1 + rows[1, 1, i] * x, u2 + rows[1, 2, i] * x
+    return u0, u1, u2
+
+
+@inline
+def _add_impulse(c, bodies, poses):
+    """Change a contact's impulse by what was found, as far as its cone lets it."""
+    pn = max(0.0, c.pn + c.dn)
+    ps, pt = c.ps + c.ds, c.pt + c.dt
+    size, most = math.sqrt(ps * ps + pt * pt), c.mu * pn
+    if size > most:
+        ps, pt = ps * most / size, pt * most / size
+    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
+    dn, ds, dt = pn - c.pn, ps - c.ps, pt - c.pt
+    c.pn, c.ps, c.pt = pn, ps, pt
+    push(c, bodies, poses, added(added((dn * n[0], dn * n[1], dn * n[2]), ds, s), dt, t))

@@ -1,0 +1,108 @@
+"""Rest on the floor in closed form: what push of gravity and shaking a body that stands still can bear.
+
+The floor's forces on a body at rest are one force through the point where what acts on it (the push through
+G, and devices, whose forces stay as they are) meets the floor. They hold it where this point lies within what
+the body stands on and the force is inside the cone of friction: forces at its feet that share the weight so,
+each along it, then do so. Bodies that also touch walls or each other bear it without them. What a body bears
+is convex in the push, so that one which bears the pushes at two samples bears all between.
+"""
+
+from __future__ import annotations
+
+import math
+
+from stayput.compiled import inline, inner
+from stayput.mechanics.space.body import place_of
+from stayput.mechanics.space.touching import gap_of, lever_of_point, lever_on_rim
+from stayput.mechanics.space.vectors import added
+
+
+@inline
+def _lies(body, s, points, floor, i, closed):
+    """Return a point of a body from G, and whether it lies on the floor."""
+    point = points[body.first_point + i]
+    lever = lever_of_point(s, point)
+    return lever, point.floor and gap_of(s, lever, floor) <= closed
+
+
+@inner
+def _sides(body, s, points, floor, closed, sides):
+    """Set the sides n·x ≤ d about G of the polygon of a body's points on the floor; return their number.
+
+    They are found one after the other round the polygon (Jarvis' march), the point farthest back in x first.
+    """
+    first, start = -1, (0.0, 0.0, 0.0)
+    for i in range(body.points):
+        lever, lies = _lies(body, s, points, floor, i, closed)
+        if lies and (first < 0 or lever[0] < start[0] or (lever[0] == start[0] and lever[1] < start[1])):
+            first, start = i, lever
+    if first < 0:
+        return 0
+    now, here, count = first, start, 0
+    while count < body.points:
+        following, there = -1, here
+        for i in range(body.points):
+            if i != now:
+                lever, lies = _lies(body, s, points, floor, i, closed)
+                along, other = added(there, -1.0, here), added(lever, -1.0, here)
+                out = along[0] * other[1] - along[1] * other[0]
+                farther = math.hypot(other[0], other[1]) > math.hypot(along[0], along[1])
+                if lies and (following < 0 or out < 0.0 or (out == 0.0 and farther)):
+                    following, there = i, lever
+        if following < 0:
+            return 0
+        n = there[1] - here[1], here[0] - there[0]
+        side = sides[body.first_point + count]
+        side[0], side[1], side[2] = n[0], n[1], n[0] * here[0] + n[1] * here[1]
+        now, here, count = following, there, count + 1
+        if now == first:
+            break
+    return count if count > 2 else 0
+
+
+@inner
+def note_stances(world, poses, closed, stances):
+    """Note what each body stands on: sides of the polygon of its points and circles that lie on the floor.
+
+    Also noted is the least friction of its points.
+    """
+    bodies, points, rims, planes = world[0], world[1], world[2], world[3]
+    sides, counts, discs, frictions, _ = stances
+    for b in range(bodies.shape[0]):
+        body, s = bodies[b], poses[b]
+        counts[b] = _sides(body, s, points, planes[0], closed, sides)
+        frictions[b] = planes[0].mu_static
+        for i in range(body.first_point, body.first_point + body.points):
+            if points[i].mu_static < frictions[b]:  # False for NaN
+                frictions[b] = points[i].mu_static
+        discs[b, 2] = 0.0
+        for i in range(body.first_rim, body.first_rim + body.rims):
+            if rims[i].floor:
+                lever, flat = lever_on_rim(s, rims[i], planes[0], 1, (1.0, 0.0, 0.0))
+                if flat and gap_of(s, lever, planes[0]) <= closed:
+                    other, _ = lever_on_rim(s, rims[i], planes[0], 2, (1.0, 0.0, 0.0))
+                    discs[b, 0], discs[b, 1] = 0.5 * (lever[0] + other[0]), 0.5 * (lever[1] + other[1])
+                    discs[b, 2] = rims[i].radius
+
+
+@inner
+def stays_at_rest(bodies, poses, floor, push, stances):
+    """Return whether the floor holds all bodies where they are at rest, without walls and other bodies."""
+    sides, counts, discs, frictions, loads = stances
+    for b in range(bodies.shape[0]):
+        mass, load = bodies[b].mass, loads[b]
+        force = mass * push[0] + load[0], mass * push[1] + load[1]
+        weight = -mass * push[2] - load[2]
+        if weight <= 0.0 or math.hypot(force[0], force[1]) > frictions[b] * weight:
+            return False
+        height = place_of(poses[b])[2] - floor.offset
+        # times the weight, where the force meets the floor
+        x, y = height * force[0] + load[4], height * force[1] - load[3]
+        on_disc = math.hypot(x - weight * discs[b, 0], y - weight * discs[b, 1]) <= weight * discs[b, 2]
+        if not on_disc:
+            if counts[b] == 0:
+                return False
+            for i in range(bodies[b].first_point, bodies[b].first_point + counts[b]):
+                if sides[i, 0] * x + sides[i, 1] * y > weight * sides[i, 2]:
+                    return False
+    return True
