@@ -34,7 +34,7 @@ def test_a_dropped_hull_gains_no_energy(seed: int) -> None:
     )
     static = rng.uniform(0.0, 1.0)
     floor = sp.Floor(static, rng.uniform(0.0, 1.0) * static, normal_restitution=rng.uniform(0.0, 0.8))
-    run = sp.simulate_in_space(thrown, sp.Room(floor), STILL)
+    run = sp.simulate(thrown, sp.Room(floor), STILL)
     found = energies(run)
     assert np.diff(found).max() < 2e-3 * found[0]
     offsets = hull.vertices - hull.centre_of_gravity
@@ -48,6 +48,6 @@ def test_a_flat_cylinder_that_is_thrown_slides_to_where_friction_has_its_energy(
     disc = sp.Solid.cylinder(0.6, 0.1, 10.0)
     way = np.array([np.cos(direction), np.sin(direction)])
     thrown = sp.Standing(disc, velocity=(*(1.5 * way), 0.0))
-    run = sp.simulate_in_space(thrown, sp.Room(sp.Floor(0.4, 0.3)), STILL)
+    run = sp.simulate(thrown, sp.Room(sp.Floor(0.4, 0.3)), STILL)
     np.testing.assert_allclose(run.slide[0, -1], 1.5**2 / (2.0 * 0.3 * G) * way, atol=2e-3)
     assert run.tilt.max() < 1e-6

@@ -15,7 +15,8 @@ import stayput
 from stayput.catalogue import TEXTS
 from stayput.model.room import Room
 from stayput.report.summary import rows, sentence, summary
-from stayput.simulation.run import EventKind, Outcome
+from stayput.simulation.outcome import Outcome
+from stayput.simulation.run import EventKind
 
 
 @pytest.mark.parametrize(

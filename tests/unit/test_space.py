@@ -15,15 +15,21 @@ STILL = sp.Motion(dt=0.01, x=np.zeros(5))
 
 
 def refused(bodies: Any, room: sp.Room | None = None, **given: Any) -> sp.InputError:
+    def run() -> None:
+        what = sp.Assembly(bodies, **given) if isinstance(bodies, list) else bodies
+        sp.simulate(what, room or sp.Room(), STILL)
+
     with pytest.raises(sp.InputError) as caught:
-        sp.simulate_in_space(bodies, room or sp.Room(), STILL, **given)
+        run()
     return caught.value
 
 
 @pytest.mark.parametrize("solid", [BOX, DRUM])
 def test_a_body_that_begins_in_the_floor_or_the_ceiling(solid: sp.Solid) -> None:
     sunk = [sp.Standing(solid), sp.Standing(solid, at=(2.0, 0.0, -0.02))]
-    assert refused(sunk).told("en") == ("bodies[1] begins 0.02 m inside the floor; it must begin outside it.")
+    assert refused(sunk).told("en") == (
+        "members[1] begins 0.02 m inside the floor; it must begin outside it."
+    )
     low = sp.Room(ceiling=sp.Ceiling(1.1))
     assert refused(solid, low).told("en").endswith("inside the ceiling; it must begin outside it.")
 
@@ -32,9 +38,9 @@ def test_bodies_that_begin_in_each_other() -> None:
     error = refused(
         [sp.Standing(BOX), sp.Standing(DRUM, (3.0, 0.0, 0.0)), sp.Standing(BOX, (0.35, 0.2, 0.0))]
     )
-    assert error.field == "bodies"
+    assert error.field == "members"
     assert error.told("en") == (
-        "bodies[0] and bodies[2] begin 0.05 m inside each other; they must begin apart."
+        "members[0] and members[2] begin 0.05 m inside each other; they must begin apart."
     )
 
 
@@ -45,7 +51,7 @@ def test_bodies_above_beside_and_on_each_other_begin() -> None:
         sp.Standing(BOX, at=(0.0, 0.0, 1.5)),
         sp.Standing(DRUM, at=(2.0, 0.0, 0.3)),
     ]
-    run = sp.simulate_in_space(bodies, sp.Room(), STILL)
+    run = sp.simulate(sp.Assembly(bodies), sp.Room(), STILL)
     assert run.place.shape == (4, 5, 3)
     assert np.abs(run.velocity[:3]).max() == 0.0
 
@@ -55,14 +61,16 @@ def test_a_cylinder_at_a_wall_touches_it_with_its_circle(heading: float) -> None
     room = sp.Room(left_wall=sp.Wall(0.0), right_wall=sp.Wall(0.0))
     standing = sp.Standing(DRUM, heading=heading)
     np.testing.assert_allclose(standing.depth, (-0.2, 0.2), atol=1e-12)
-    run = sp.simulate_in_space(standing, room, STILL)
+    run = sp.simulate(standing, room, STILL)
     assert np.abs(run.slide).max() < 1e-12
 
 
 def test_what_else_is_refused() -> None:
     assert "no body" in refused([]).told("en")
-    assert "two, static and kinetic" in refused(BOX, friction=(0.4, 0.3, 0.2)).told("en")
-    assert "must not be above the static one, 0.3" in refused(BOX, friction=(0.3, 0.4)).told("en")
+    assert "two, static and kinetic" in refused([sp.Standing(BOX)], friction=(0.4, 0.3, 0.2)).told("en")
+    assert "must not be above the static one, 0.3" in refused([sp.Standing(BOX)], friction=(0.3, 0.4)).told(
+        "en"
+    )
     assert refused(BOX, sp.Room(sp.Floor(settlement=1e-4))).field == "room.floor.settlement"
     with pytest.raises(sp.InputError, match="must have three"):
         sp.Standing(BOX, at=(0.0, 0.0))  # pyright: ignore[reportArgumentType]
@@ -73,12 +81,12 @@ def test_faces_of_many_corners_touch() -> None:
     angles = np.linspace(0.0, 2.0 * np.pi, 50, endpoint=False)
     disc = sp.Solid.prism(np.column_stack([np.cos(angles), np.sin(angles)]).tolist(), 0.5, 100.0)
     pile = [sp.Standing(disc), sp.Standing(disc, (0.0, 0.0, 0.5), heading=0.06)]
-    run = sp.simulate_in_space(pile, sp.Room(), STILL)
+    run = sp.simulate(sp.Assembly(pile), sp.Room(), STILL)
     assert np.abs(run.velocity).max() == 0.0
 
 
 def test_the_dataset() -> None:
-    data = sp.simulate_in_space(BOX, sp.Room(), STILL).to_dataset()
+    data = sp.simulate(BOX, sp.Room(), STILL).to_dataset()
     assert dict(data.sizes) == {"body": 1, "time": 5, "axis": 3, "part": 4}
     assert data.place.attrs["units"] == "m"
     assert float(data.tilt.max()) == 0.0

@@ -67,15 +67,13 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
     (
         sp.simulate,
         {"body": BODY, "room": ROOM, "motion": MOTION, "measures": (), "contact": "coulomb"}
-        | {"initial": None, "most_events": None}
+        | {"initial": None, "most_events": None, "dimensions": None}
         | GRAVITY,
     ),
     fields(sp.Standing, solid=SOLID),
-    (
-        sp.simulate_in_space,
-        {"bodies": [sp.Standing(SOLID)], "room": ROOM, "motion": MOTION, "friction": (0.4, 0.3), "step": 1e-3}
-        | GRAVITY,
-    ),
+    fields(sp.Assembly, members=[sp.Standing(SOLID), sp.Standing(SOLID)]),
+    fields(sp.Joint, first=0, second=1, at=(0.0, 0.0, 0.0)),
+    (sp.simulate, {"body": SOLID, "room": ROOM, "motion": MOTION, "step": 1e-3} | GRAVITY),
     (sp.sweep, {"case": CASE, "axes": {"body.width": [0.4]}, "histories": (), "threads": 1, "chunk": 1}),
     (sp.simulate_many, {"case": CASE, "columns": {"body.width": [0.4]}, "threads": 1, "chunk": 1}),
     (sp.overturning_map, {"case": CASE, "amplitudes": [1.0, 2.0], "axes": None, "threads": 1}),

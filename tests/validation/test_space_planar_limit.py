@@ -33,8 +33,8 @@ def test_boxes_in_the_plane() -> None:
     """Free boxes: as many fall, and of those that stand nine in ten agree within 1 %."""
     errors = []
     for body, floor, length, motion in cases(24, 5):
-        flat = sp.simulate(body, sp.Room(floor), motion)
-        run = sp.simulate_in_space(sp.Solid.of(body, length), sp.Room(floor), motion, step=2e-4)
+        flat = sp.simulate(body, sp.Room(floor), motion, dimensions=2)
+        run = sp.simulate(sp.Solid.of(body, length), sp.Room(floor), motion, step=2e-4)
         assert run.overturned[0] == flat.overturned
         assert np.abs(run.slide[0, :, 1]).max() < 1e-3 or flat.overturned
         if not flat.overturned:
@@ -51,8 +51,8 @@ def test_turning_everything_changes_nothing(heading: float) -> None:
     solid, room = sp.Solid.of(body, length), sp.Room(floor)
     cos, sin = math.cos(heading), math.sin(heading)
     turned = sp.Motion(dt=motion.dt, x=cos * motion.x, y=sin * motion.x, z=motion.z, name="turned")
-    straight = sp.simulate_in_space(solid, room, motion)
-    run = sp.simulate_in_space(sp.Standing(solid, heading=heading), room, turned)
+    straight = sp.simulate(solid, room, motion)
+    run = sp.simulate(sp.Standing(solid, heading=heading), room, turned)
     np.testing.assert_allclose(run.tilt, straight.tilt, atol=1e-3)
     back = run.slide[0] @ np.array([[cos, -sin], [sin, cos]])
     np.testing.assert_allclose(back, straight.slide[0], atol=1e-3)
@@ -63,8 +63,8 @@ def test_a_model_at_a_quarter_of_the_size_in_half_the_time() -> None:
     motion = planar(NEAR_FAULT, 0.4)
     both = sp.Motion(dt=motion.dt, x=motion.x, y=0.6 * motion.x[::-1], name="both")
     small = sp.Motion(dt=0.5 * both.dt, x=both.x, y=both.y, name="small")
-    large = sp.simulate_in_space(sp.Solid.box(0.4, 0.8, 1.6, 100.0), sp.Room(), both, step=5e-4)
-    model = sp.simulate_in_space(sp.Solid.box(0.1, 0.2, 0.4, 100.0 / 64), sp.Room(), small, step=2.5e-4)
+    large = sp.simulate(sp.Solid.box(0.4, 0.8, 1.6, 100.0), sp.Room(), both, step=5e-4)
+    model = sp.simulate(sp.Solid.box(0.1, 0.2, 0.4, 100.0 / 64), sp.Room(), small, step=2.5e-4)
     assert large.tilt.max() > 0.01
     np.testing.assert_allclose(model.tilt.max(), large.tilt.max(), rtol=0.03)
 
@@ -72,6 +72,6 @@ def test_a_model_at_a_quarter_of_the_size_in_half_the_time() -> None:
 def test_the_same_bits_again() -> None:
     body, floor, length, motion = next(cases(1, 3))
     solid, room = sp.Solid.of(body, length), sp.Room(floor)
-    first, second = (sp.simulate_in_space(solid, room, motion) for _ in range(2))
+    first, second = (sp.simulate(solid, room, motion) for _ in range(2))
     assert first.place.tobytes() == second.place.tobytes()
     assert first.attitude.tobytes() == second.attitude.tobytes()

@@ -57,6 +57,7 @@ def run_of(scenario: Scenario, motion: Motion, measures: tuple[Measure, ...]) ->
             motion,
             measures=measures,
             contact=scenario.contact,
+            dimensions=2,
             initial=scenario.initial.state(),
             gravity=scenario.gravity,
             most_events=MOST_EVENTS,

@@ -1,6 +1,10 @@
 """Inventories of furniture."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    "in_space": (
+        "The scenario has dimensions = 3; an inventory is assessed in the plane.",
+        "シナリオがdimensions = 3になっています。一覧の評価は平面の解析だけに対応しています。",
+    ),
     # the call
     "memory": ("Memory", "メモリ"),
     "memory_format": (

@@ -75,6 +75,19 @@ TEXTS: dict[str, tuple[str, str]] = {
         "most_eventsが{value}になっています。最初と最後を含めるため2以上の整数にしてください。",
     ),
     "contact": ("Contact", "接触の法則（contact）"),
+    "dimensions": ("Dimensions", "次元（dimensions）"),
+    "paper_in_space": (
+        "The paper's contact law is one of the plane; in space it must be 'coulomb'.",
+        "論文の接触の法則は平面だけのものです。三次元では'coulomb'を指定してください。",
+    ),
+    "of_a_body": (
+        "A {kind} was given with {name}, which only a Body has.",
+        "{kind}に{name}が指定されています。これはBodyだけに指定できます。",
+    ),
+    "solid_in_the_plane": (
+        "A {kind} cannot be simulated in 2 dimensions; leave them out, or give a Body.",
+        "{kind}は2次元では計算できません。次元の指定を省くか、Bodyを指定してください。",
+    ),
     # Quick estimates
     "estimate_width": ("Width", "奥行き"),
     "estimate_height": ("Height", "高さ"),

@@ -37,6 +37,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} follows from furniture.shelves; give only one of them.",
         "{name}はfurniture.shelvesから決まります。どちらか一方だけを指定してください。",
     ),
+    "no_length": (
+        "furniture.length is missing; with dimensions = 3 the piece needs its length across the depth [m].",
+        "furniture.lengthがありません。dimensions = 3では、奥行きと直角な方向の幅 [m] が必要です。",
+    ),
+    "contents_in_space": (
+        "contents is given with dimensions = 3; what comes out is found in the plane alone.",
+        "dimensions = 3でcontentsが指定されています。中身の飛び出しは平面の解析だけで求められます。",
+    ),
     "no_carcass": (
         "furniture.mass is missing; where shelves are given it must be the empty carcass's [kg].",
         "furniture.massがありません。shelvesを指定する場合は、空の本体の質量 [kg] が必要です。",

@@ -20,22 +20,45 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "floor": ("floor", "床"),
     "begins_inside": (
-        "bodies[{number}] begins {depth:.2g} m inside the {surface}; it must begin outside it.",
-        "bodies[{number}]は、初めに{surface}に{depth:.2g} mめり込んでいます。外に置いてください。",
+        "members[{number}] begins {depth:.2g} m inside the {surface}; it must begin outside it.",
+        "members[{number}]は、初めに{surface}に{depth:.2g} mめり込んでいます。外に置いてください。",
     ),
     "begin_in_each_other": (
-        "bodies[{first}] and bodies[{second}] begin {depth:.2g} m inside each other; they must begin apart.",
-        "bodies[{first}]とbodies[{second}]は、初めに互いに{depth:.2g} mめり込んでいます。離して置いてください。",
+        "members[{first}] and members[{second}] begin {depth:.2g} m inside each other; they must begin apart.",
+        "members[{first}]とmembers[{second}]は、初めに互いに{depth:.2g} mめり込んでいます。離して置いてください。",
     ),
     "heading": ("Heading", "向き"),
     "step": ("Step", "時間刻み"),
+    "too_many_bodies": (
+        "There are {count} bodies; an assembly has at most {most}.",
+        "物体が{count}個あります。{most}個以下にしてください。",
+    ),
+    "joint_first": ("First member of a joint", "接合部の1つ目の物体"),
+    "joint_second": ("Second member of a joint", "接合部の2つ目の物体"),
+    "joint_stiffness": ("Stiffness of a joint", "接合部の剛性"),
+    "joint_strength": ("Strength of a joint", "接合部の引張強さ"),
+    "joint_shear": ("Shear strength of a joint", "接合部のせん断強さ"),
+    "joint_slack": ("Slack of a joint", "接合部のたるみ"),
+    "joint_damping": ("Damping ratio of a joint", "接合部の減衰定数"),
+    "joins_itself": (
+        "A joint joins member {number} to itself; it must join two.",
+        "接合部が物体{number}をそれ自身につないでいます。2つの物体を指定してください。",
+    ),
+    "slack_without_to": (
+        "A joint at one point has a slack of {value} m; only one between two points (to) can have any.",
+        "1点の接合部に{value} mのたるみが指定されています。たるみは2点間（to）の接合部だけに指定できます。",
+    ),
+    "joint_member": (
+        "A joint names member {number}; the last one is {last}.",
+        "接合部が物体{number}を指していますが、最後の物体は{last}です。",
+    ),
     "no_bodies": (
         "There is no body to simulate; give one at least.",
         "物体がありません。少なくとも1つ指定してください。",
     ),
     "settles": (
-        "The floor settles by {value} m, which is a law of pieces of furniture (Body); give a floor without settlement.",
-        "床の沈み込みが{value} mになっています。これは家具（Body）だけの法則ですので、沈み込みのない床を指定してください。",
+        "The floor settles by {value} m, which only a Body does; give a floor without settlement.",
+        "床の沈み込みが{value} mになっています。Bodyだけに使える値なので、沈み込みのない床を指定してください。",
     ),
     "chunk": ("Chunk", "一度に計算するケース数"),
     "tolerance": ("Tolerance", "許容誤差"),
@@ -104,6 +127,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "unknown_history": (
         "History is {name!r}; it must be one of {known}.",
         "時刻歴の名前が{name!r}になっています。次から選んでください：{known}",
+    ),
+    "histories_in_space": (
+        "A sweep in space keeps no histories; simulate the cases of interest one by one.",
+        "三次元の一括計算では時刻歴を保存しません。必要なケースを1つずつ計算してください。",
     ),
     "time_steps_differ": (
         "The motions' time steps are {steps} s; histories need motions of one time step.",

@@ -67,7 +67,7 @@ class ScenarioFile:
     @cached_property
     def ground(self) -> Suite:
         """The motions of the ground."""
-        return self.scenario.shaking.ground(self.scenario.folder)
+        return self.scenario.ground()
 
     @cached_property
     def digest(self) -> str:
@@ -219,6 +219,8 @@ def read_scenario_file(file: Path) -> ScenarioFile:
         data.setdefault("furniture", ANY_FURNITURE)
         scenario = Scenario.parse(data, file.parent)
         require_coulomb(scenario, "verification.an_assessment")
+        if scenario.dimensions == 3:
+            raise InputError("inventory.in_space", "dimensions")
         for key, stated in _only_in_a_verification(scenario):
             if stated:
                 warn(InputWarning("inventory.not_used", scenario=file.name, key=key))

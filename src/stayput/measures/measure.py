@@ -139,10 +139,11 @@ UNDER_THE_BASE = phrase("measures.under_base")
 _ORDER = ("the body", "the room", "the base", "the tie")
 
 
-def hold(body: Body, room: Room, measures: Iterable[Measure]) -> Held:
+def hold(body: Body, room: Room, measures: Iterable[Measure], *, dimensions: int = 2) -> Held:
     """Put measures in place together.
 
-    The result does not depend on their order, but that the elements are listed in it.
+    The result does not depend on their order, but that the elements are listed in it. In the plane like
+    devices of a measure act as one element; in space each is one, at its place along the body's length.
 
     Parameters
     ----------
@@ -152,11 +153,13 @@ def hold(body: Body, room: Room, measures: Iterable[Measure]) -> Held:
         Where it stands.
     measures : iterable of Measure
         The measures.
+    dimensions : int
+        2 in the plane, 3 in space.
 
     Raises
     ------
     InputError
-        Two measures for one place, or one that cannot be put there.
+        Two measures for one place, one that cannot be put there, or in space a body without a length.
     """
     instance_of("body", body, Body)
     instance_of("room", room, Room)
@@ -167,6 +170,10 @@ def hold(body: Body, room: Room, measures: Iterable[Measure]) -> Held:
         held = asked[place].apply(body, room)
         body, room, found[place] = held.body, held.room, held.elements
     elements = tuple(element for place in range(len(asked)) for element in found[place])
+    if dimensions == 3:
+        if body.length is None:
+            raise InputError("solids.no_length", "length")
+        elements = tuple(one for element in elements for one in element.spread(body.length))
     return Held(body, room, elements, asked)
 
 

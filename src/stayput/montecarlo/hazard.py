@@ -98,11 +98,14 @@ class Ground:
         Whether the vertical motion acts on the furniture. The intensity counts it in any case.
     measure : IntensityMeasure
         What levels are of: JMA's intensity or a spectral acceleration.
+    dimensions : int
+        3 where the motion across acts too.
     """
 
     motions: Suite
     vertical: bool = True
     measure: IntensityMeasure = JMA_INTENSITY
+    dimensions: int = 2
 
     @cached_property
     def to_jma_zero(self) -> NDArray[np.float64]:
@@ -120,7 +123,12 @@ class Ground:
     def acting(self) -> tuple[Motion, ...]:
         """The motions without the components that do not act on the furniture."""
         return tuple(
-            replace(motion, y=None, z=motion.z if self.vertical else None) for motion in self.motions
+            replace(
+                motion,
+                y=motion.y if self.dimensions == 3 else None,
+                z=motion.z if self.vertical else None,
+            )
+            for motion in self.motions
         )
 
     def factors(self, level: float | None, scale: float) -> NDArray[np.float64]:
@@ -192,11 +200,14 @@ class FloorMotions:
         Factors on them.
     measures : dict
         Each intensity measure of each motion, shape (motions,).
+    dimensions : int
+        2 where pieces are run in the plane, 3 in space; the motions have y then, where it is known.
     """
 
     motions: tuple[Motion, ...]
     scales: NDArray[np.float64]
     measures: dict[IntensityMeasure, NDArray[np.float64]]
+    dimensions: int = 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -213,16 +224,19 @@ class Hazard:
         The storey where the furniture stands.
     vertical : bool
         Whether the vertical motion acts on the furniture. The intensity counts it in any case.
+    dimensions : int
+        2 where pieces are run in the plane, 3 in space.
     """
 
     ground: Suite
     building: BuildingTable | None = None
     storey: int = 1
     vertical: bool = True
+    dimensions: int = 2
 
     @cached_property
     def _scaled(self) -> Ground:
-        return Ground(self.ground, self.vertical)
+        return Ground(self.ground, self.vertical, dimensions=self.dimensions)
 
     @cached_property
     def _acting(self) -> tuple[Motion, ...]:
@@ -282,7 +296,7 @@ class Hazard:
             PFA: np.abs(scales) * pfa,
             PFV: np.abs(scales) * pfv,
         }
-        return FloorMotions(motions, scales, measures)
+        return FloorMotions(motions, scales, measures, self.dimensions)
 
 
 def _peaks(motions: tuple[Motion, ...]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

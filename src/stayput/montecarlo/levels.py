@@ -111,6 +111,7 @@ def run_levels(
             chosen_elements,
             floors.motions,
             motion[chosen],
+            dimensions=floors.dimensions,
             threads=threads,
             progress=False,
             on_progress=progress,
@@ -120,7 +121,8 @@ def run_levels(
         if not len(starts):
             continue
         calm = np.zeros(len(cases), np.bool_)
-        calm[chosen] = calm_runs(chosen_cases, results, failures_of(chosen_elements, devices).utilisation)
+        used = failures_of(chosen_elements, devices).utilisation
+        calm[chosen] = calm_runs(chosen_cases, results, used, floors.dimensions)
         by_group = np.logical_and.reduceat(calm.reshape(shape).all(axis=2), starts, axis=1)
         together = np.repeat(by_group, np.diff(starts, append=motions), axis=1)
         calm_from = np.where(together, np.maximum(calm_from, levels[number]), -np.inf)
@@ -139,7 +141,7 @@ def group_starts(motions: int, samples: int) -> NDArray[np.intp]:
 
 
 def calm_runs(
-    cases: NDArray[np.void], results: NDArray[np.void], used: NDArray[np.float64]
+    cases: NDArray[np.void], results: NDArray[np.void], used: NDArray[np.float64], dimensions: int = 2
 ) -> NDArray[np.bool_]:
     """Return which runs stayed far from a fall: with little tilt and slide, and devices that hold easily.
 
@@ -151,18 +153,22 @@ def calm_runs(
         What became of them.
     used : ndarray, shape (n,)
         Largest utilisation of their devices; 0 without devices.
+    dimensions : int
+        3 where they may also fall over the ends of their length.
     """
     left, right = cases["u"][:, :2].T
+    across = 2.0 * cases["half_base"] if dimensions == 3 else np.inf
     return (
         (results["outcome"] != OVERTURNED_OUTCOME)
         & (results["outcome"] != FAILED_OUTCOME)
-        & (results["peak_tilt"] < CALM_TILT * overturning_tilts(cases))
-        & (results["peak_slide"] < CALM_SLIDE * (right - left))
+        & (results["peak_tilt"] < CALM_TILT * overturning_tilts(cases, dimensions))
+        & (results["peak_slide"] < CALM_SLIDE * np.minimum(right - left, across))
         & (used < CALM_USE)
     )
 
 
-def overturning_tilts(cases: NDArray[np.void]) -> NDArray[np.float64]:
+def overturning_tilts(cases: NDArray[np.void], dimensions: int = 2) -> NDArray[np.float64]:
     """Return the tilts at which pieces overturn by their weight, to the side where it is less [rad]."""
     left, right = cases["u"][:, :2].T
-    return np.arctan2(np.minimum(-left, right), -cases["v"][:, 0])
+    across = cases["half_base"] if dimensions == 3 else np.inf
+    return np.arctan2(np.minimum(np.minimum(-left, right), across), -cases["v"][:, 0])

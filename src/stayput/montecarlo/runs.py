@@ -64,7 +64,14 @@ def run_level(
     cases, elements, motion = joined_rows(rows, motions)
     cases["scale"] = floors.scales[motion]
     results, devices = run_columns(
-        cases, elements, floors.motions, motion, threads=threads, progress=False, on_progress=progress
+        cases,
+        elements,
+        floors.motions,
+        motion,
+        dimensions=floors.dimensions,
+        threads=threads,
+        progress=False,
+        on_progress=progress,
     )
     failed = failures_of(elements, devices).count > 0
     runs: list[Runs] = []

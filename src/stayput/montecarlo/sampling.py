@@ -263,6 +263,7 @@ def rows_of(
     drawn: DrawTable,
     gravity: float,
     initial: State | None = None,
+    dimensions: int = 2,
 ) -> Rows:
     """Return the rows of a piece under all draws.
 
@@ -279,6 +280,8 @@ def rows_of(
         Acceleration of gravity [m/s²].
     initial : State, optional
         The initial state; at rest by default.
+    dimensions : int
+        2 in the plane, 3 in space.
 
     Raises
     ------
@@ -288,7 +291,7 @@ def rows_of(
     columns = {name: column.ravel() for name, column in drawn.columns.items()}
     count = len(columns["mass"])
     measures = tuple(measure.fitted_to(body) for measure in measures)
-    held = hold(body, room, measures)
+    held = hold(body, room, measures, dimensions=dimensions)
     numbers: dict[str, NumberOrColumn] = {**flat_fields(held.body, held.room, initial or State(), gravity)}
     if not held.elements and held.body == body:
         # Nothing but numbers changes with the draw, so that all rows are made at once: far faster than one by
@@ -311,7 +314,10 @@ def rows_of(
         elements = no_elements(0, count)
     else:
         by_draw = [draw for row in drawn for draw in row]
-        held_each = [hold(drawn_body(body, draw), drawn_place(room, draw), measures) for draw in by_draw]
+        held_each = [
+            hold(drawn_body(body, draw), drawn_place(room, draw), measures, dimensions=dimensions)
+            for draw in by_draw
+        ]
         leaf_rows = [
             {**body_fields(drawn_held.body), **room_fields(drawn_held.room)} for drawn_held in held_each
         ]

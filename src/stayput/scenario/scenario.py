@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from os import PathLike
 from pathlib import Path
@@ -13,6 +14,7 @@ from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
 from stayput.contents.weight import emptied
 from stayput.errors import InputError, instance_of
+from stayput.motion.suites import Suite
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.scenario.contents import ContentsTable  # noqa: TC001 - pydantic reads the annotation
 from stayput.scenario.fields import Table, Text, between
@@ -28,6 +30,7 @@ if TYPE_CHECKING:
 
     from stayput.contents import Contents
     from stayput.measures import Measure
+    from stayput.motion import Motion
 
 
 @cache
@@ -48,6 +51,11 @@ class Scenario(Table):
     shaking: ShakingTable = Field(default_factory=ShakingTable, description="How the floor is shaken.")
     contact: Literal["coulomb", "paper"] = Field(
         default="coulomb", description="The contact law; see the theory page."
+    )
+    dimensions: Literal[2, 3] = Field(
+        default=2,
+        description="2: in the plane of the piece's depth, under the component along it; 3: in space, under "
+        "all components.",
     )
     gravity: Annotated[float, between(0.1, 100.0, "m/s²")] = Field(
         default=STANDARD_GRAVITY, description="Acceleration of gravity."
@@ -75,6 +83,17 @@ class Scenario(Table):
     def _typed(cls, given: object) -> object:
         refuse_wrong_type(given)
         return given
+
+    @model_validator(mode="after")
+    def _possible_in_space(self) -> Self:
+        if self.dimensions == 3:
+            if self.contact != "coulomb":
+                raise InputError("model.paper_in_space", "contact")
+            if self.contents_table is not None:
+                raise InputError("scenario.contents_in_space", "contents")
+            if self.furniture.body().length is None:
+                raise InputError("scenario.no_length", "furniture.length")
+        return self
 
     @model_validator(mode="after")
     def _light_enough(self) -> Self:
@@ -169,12 +188,42 @@ class Scenario(Table):
         return Case(
             self.furniture.body(),
             self.room.room(),
-            self.shaking.motion(self._folder),
+            self.motion(),
             contact=self.contact,
             initial=self.initial.state(),
             gravity=self.gravity,
             measures=tuple(measures),
+            dimensions=self.dimensions,
         )
+
+    def motion(self) -> Motion:
+        """Make the motion under the furniture along its own axes: of a suite, that of its ``member``.
+
+        Raises
+        ------
+        InputError
+            The record cannot be read, or the suite has no such member.
+        """
+        return self._turned(self.shaking.motion(self._folder))
+
+    def ground(self) -> Suite:
+        """Make the motions of the ground along the axes of the furniture, not scaled, with all components.
+
+        Raises
+        ------
+        InputError
+            A record cannot be read.
+        """
+        given = self.shaking.ground(self._folder)
+        return Suite(tuple(self._turned(motion) for motion in given), given.name)
+
+    def _turned(self, motion: Motion) -> Motion:
+        """Return a motion as the piece feels it: its depth along x, wherever it faces."""
+        heading = self.furniture.heading
+        if heading == 0.0:
+            return motion
+        both = motion if motion.y is not None else replace(motion, y=0.0 * motion.x)
+        return both.rotated(heading)
 
 
 def read_scenario(path: str | Path) -> Scenario:

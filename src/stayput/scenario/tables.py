@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Annotated, Self
 
@@ -13,7 +14,20 @@ from stayput.model.body import Body, Part
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import CEILINGS, SURFACES, WALLS, Ceiling, Floor, Room, Wall
 from stayput.model.state import State
-from stayput.scenario.fields import NAME, TABLE, Pair, Table, Text, checked, each, kind_of, named, of, one_of
+from stayput.scenario.fields import (
+    NAME,
+    TABLE,
+    Pair,
+    Table,
+    Text,
+    between,
+    checked,
+    each,
+    kind_of,
+    named,
+    of,
+    one_of,
+)
 
 Surface = Annotated[str, one_of(SURFACES), named(SURFACES)]
 WallConstruction = Annotated[str, one_of(WALLS), named(WALLS)]
@@ -32,6 +46,10 @@ class FurnitureTable(Table):
     width: float | None = of(Body, "width", default=None)
     height: float | None = of(Body, "height", default=None)
     length: float | None = of(Body, "length")
+    heading: Annotated[float, between(-2.0 * math.pi, 2.0 * math.pi, "rad")] = Field(
+        default=0.0,
+        description="Direction in which it faces: from the motion's x towards its y.",
+    )
     mass: float | None = of(
         Body, "mass", default=None, description="Mass; with shelves, that of the empty carcass."
     )

@@ -71,7 +71,8 @@ def make_grid(case: Case, axes: Axes) -> Grid:
         grid_axes.append(_axis(names, value_lists, base, motions))
     _refuse_repeats(grid_axes)
     _refuse_missing_surfaces(base, grid_axes)
-    grid = Grid(base, tuple(grid_axes), tuple(motions), tuple(case.measures))
+    dimensions = 3 if case.in_space else 2
+    grid = Grid(base, tuple(grid_axes), tuple(motions), tuple(case.measures), dimensions)
     grid.refuse_bad_cases()
     return grid
 

@@ -10,7 +10,7 @@ from stayput.errors import InputError
 from stayput.execution import Call, ThreadExecutor
 from stayput.mechanics.columns import RESULT
 from stayput.mechanics.devices.columns import DEVICE, ELEMENT, NONE
-from stayput.mechanics.runner import run_cases, shaking
+from stayput.mechanics.runner import Shaking, run_cases, shaking
 from stayput.progress import bar
 
 if TYPE_CHECKING:
@@ -18,29 +18,35 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.mechanics.runner import Shaking
     from stayput.motion import Motion
+    from stayput.simulation.space_case import SpaceShaking
 
 CHUNK = 64
 """Most cases in a call of the executor: cases with devices take a millisecond or so each."""
 
 
 def run_rows(
-    cases: NDArray[np.void], elements: NDArray[np.void], motion: Shaking
+    cases: NDArray[np.void], elements: NDArray[np.void], motion: Shaking | SpaceShaking
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
     """Run cases under one motion on this thread; those without devices by the faster solver for free bodies.
+
+    Where the motion is prepared for the engine in space that one runs them.
 
     Parameters
     ----------
     cases : ndarray of CASE, shape [m]
     elements : ndarray of ELEMENT, shape [m, n]
-    motion : Shaking
+    motion : Shaking or SpaceShaking
 
     Returns
     -------
     tuple
         RESULT, shape [m], and DEVICE, shape [m, n].
     """
+    if not isinstance(motion, Shaking):
+        from stayput.simulation.space_case import run_rows_in_space  # SciPy takes its time to load
+
+        return run_rows_in_space(cases, elements, motion)
     results, devices = np.zeros(len(cases), RESULT), np.zeros(elements.shape, DEVICE)
     devices["failure_time"] = np.nan
     has_devices = (elements["kind"] != NONE).any(axis=1)
@@ -55,12 +61,32 @@ def run_rows(
     return results, devices
 
 
+def prepared_motion(motion: Motion, dimensions: int, law: int = 0) -> Shaking | SpaceShaking:
+    """Return a motion as the engine in the plane (2 dimensions) or in space (3) reads it.
+
+    Parameters
+    ----------
+    motion : Motion
+        The motion.
+    dimensions : int
+        2 or 3.
+    law : int
+        Number of the contact law in the plane.
+    """
+    if dimensions == 3:
+        from stayput.simulation.space_case import SpaceShaking, acceleration_of
+
+        return SpaceShaking(acceleration_of(motion), motion.dt)
+    return shaking(motion.x, motion.z, motion.dt, law)
+
+
 def run_columns(
     cases: NDArray[np.void],
     elements: NDArray[np.void] | None,
     motions: Sequence[Motion],
     motion: NDArray[np.int64],
     *,
+    dimensions: int = 2,
     threads: int | None = None,
     progress: bool | None = None,
     on_progress: Callable[[int], None] | None = None,
@@ -78,6 +104,8 @@ def run_columns(
         The motions; each is prepared once.
     motion : ndarray of int, shape [m]
         Index of each case's motion.
+    dimensions : int
+        2 in the plane, 3 in space: the cases have lengths then, and each device is an element of its own.
     threads : int, optional
         Threads; default one for each core that this process may use.
     progress : bool, optional
@@ -106,7 +134,7 @@ def run_columns(
         wrong = indices[(indices < 0) | (indices >= len(motions))][0]
         raise InputError("simulation.motion_index", "motion", value=wrong, last=len(motions) - 1)
     used = {int(n): motions[int(n)] for n in np.unique(indices)}
-    prepared = {n: shaking(motion.x, motion.z, motion.dt, 0) for n, motion in used.items()}
+    prepared = {n: prepared_motion(motion, dimensions) for n, motion in used.items()}
     results, devices = np.zeros(len(cases), RESULT), np.zeros(rows.shape, DEVICE)
 
     def run(chunk: NDArray[np.intp]) -> int:

@@ -53,6 +53,7 @@ class CaseBlock:
     base: dict[str, float]
     columns: Columns
     measures: tuple[Measure, ...] = ()
+    dimensions: int = 2
 
     def rows(self) -> NDArray[np.void]:
         """Return the rows that the mechanics read of the cases without measures, shape [count]."""
@@ -60,7 +61,8 @@ class CaseBlock:
 
     def held(self) -> tuple[NDArray[np.void], NDArray[np.void]]:
         """Return the rows with the measures in place, shape [count], and the elements, shape [count, n]."""
-        return held_rows(self.base | self.columns, self.count, self.measures)  # type: ignore[operator]
+        numbers: Any = self.base | self.columns
+        return held_rows(numbers, self.count, self.measures, self.dimensions)
 
     def group(self) -> NDArray[np.int64]:
         """Return 2·motion + law for each case, shape [count]: cases of one group are run together."""
@@ -82,12 +84,15 @@ class Grid:
         The motions that the column ``motion`` points at.
     measures : tuple of Measure
         The measures of all cases.
+    dimensions : int
+        2 in the plane, 3 in space.
     """
 
     base: dict[str, float]
     axes: tuple[Axis, ...]
     motions: tuple[Motion, ...]
     measures: tuple[Measure, ...] = ()
+    dimensions: int = 2
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -104,7 +109,7 @@ class Grid:
         for axis, place in zip(self.axes, places, strict=True):
             columns |= {path: values[place] for path, values in axis.columns.items()}
         base = {path: value for path, value in self.base.items() if path not in columns}
-        return CaseBlock(stop - start, base, columns, self.measures)
+        return CaseBlock(stop - start, base, columns, self.measures, self.dimensions)
 
     def refuse_bad_cases(self) -> None:
         """Raise `InputError` for a case that is not possible.
@@ -127,7 +132,12 @@ class Grid:
 
     def _refuse_bad_case(self, numbers: dict[str, float]) -> None:
         from_flat_fields(numbers)
-        _, elements = held_rows(numbers, 1, self.measures)
+        _, elements = held_rows(numbers, 1, self.measures, self.dimensions)
+        if self.dimensions == 3:
+            if math.isnan(numbers["body.length"]):
+                raise InputError("solids.no_length", "length")
+            if numbers[LAW] != 0.0:
+                raise InputError("model.paper_in_space", LAW)
         if elements.size and numbers[LAW] != 0.0:
             raise InputError("mechanics.elements_need_coulomb", LAW)
 
@@ -189,7 +199,7 @@ def _initial_clearances(rows: NDArray[np.void]) -> list[NDArray[np.float64]]:
 
 
 def held_rows(
-    numbers: Mapping[str, NumberOrColumn], count: int, measures: tuple[Measure, ...]
+    numbers: Mapping[str, NumberOrColumn], count: int, measures: tuple[Measure, ...], dimensions: int = 2
 ) -> tuple[NDArray[np.void], NDArray[np.void]]:
     """Return rows of cases with their measures in place: CASE, shape [count], and ELEMENT, shape [count, n].
 
@@ -203,6 +213,8 @@ def held_rows(
         Number of cases.
     measures : tuple of Measure
         The measures, the same for all.
+    dimensions : int
+        2 in the plane, 3 in space.
 
     Raises
     ------
@@ -218,7 +230,9 @@ def held_rows(
     ]
     table = np.stack([np.asarray(numbers[path]) for path in varied], 1) if varied else np.zeros((count, 0))
     first, which = _distinct(table)
-    pairs = [_put_in_place({k: _number(v, row) for k, v in numbers.items()}, measures) for row in first]
+    pairs = [
+        _put_in_place({k: _number(v, row) for k, v in numbers.items()}, measures, dimensions) for row in first
+    ]
     changed = {path: np.array([fields[path] for fields, _ in pairs])[which] for path in pairs[0][0]}
     return case_rows({**numbers, **changed}, count), np.stack([rows for _, rows in pairs])[which]
 
@@ -247,9 +261,9 @@ def _number(values: NumberOrColumn, row: int) -> float:
 
 
 def _put_in_place(
-    numbers: dict[str, float], measures: tuple[Measure, ...]
+    numbers: dict[str, float], measures: tuple[Measure, ...], dimensions: int
 ) -> tuple[dict[str, float], NDArray[np.void]]:
     body, room, start = from_flat_fields(numbers)
-    held = hold(body, room, measures)
+    held = hold(body, room, measures, dimensions=dimensions)
     refuse_bad_start(held.body, held.room, start)
     return {**body_fields(held.body), **room_fields(held.room)}, element_rows(held)

@@ -9,21 +9,22 @@ import numpy as np
 
 from stayput.errors import instance_of, whole_within
 from stayput.execution import Call, DaskExecutor, Shared, ThreadExecutor, thread_count
-from stayput.mechanics.runner import Shaking, shaking
 from stayput.progress import bar
 from stayput.simulation.axes import make_grid
-from stayput.simulation.columns import run_rows
+from stayput.simulation.columns import prepared_motion, run_rows
 from stayput.simulation.grid import LAW, MOTION
 from stayput.simulation.results import CASE_RESULT, case_results, empty_columns, fill_columns
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from stayput.mechanics.runner import Shaking
     from stayput.motion import Motion
     from stayput.simulation.grid import CaseBlock, Grid
     from stayput.simulation.run import Case
+    from stayput.simulation.space_case import SpaceShaking
 
-PreparedMotions: TypeAlias = "dict[int, Shaking]"
+PreparedMotions: TypeAlias = "dict[int, Shaking | SpaceShaking]"
 """Motions as the mechanics read them, by the groups of `CaseBlock.group`."""
 
 LARGEST_CHUNK = 2048
@@ -93,7 +94,7 @@ def run_grid(
     chunk = whole_within("simulation.chunk", chunk, 1, 10**9, "cases", "chunk")
     columns = empty_columns(count)
     # On a cluster the motions are sent once; a worker that is lost takes nothing that cannot be made again.
-    motions = Shared(prepared_motions, grid.motions, groups_of(grid))
+    motions = Shared(prepared_motions, grid.motions, groups_of(grid), grid.dimensions)
     starts = range(0, count, chunk)
 
     def run(start: int, motions: PreparedMotions) -> NDArray[np.void]:
@@ -125,12 +126,9 @@ def run_block(block: CaseBlock, motions: PreparedMotions) -> NDArray[np.void]:
     return results
 
 
-def prepared_motions(motions: tuple[Motion, ...], groups: set[int]) -> PreparedMotions:
-    """Prepare the motions that are used, for the contact law of each group."""
-    return {
-        group: shaking(motions[group // 2].x, motions[group // 2].z, motions[group // 2].dt, group % 2)
-        for group in sorted(groups)
-    }
+def prepared_motions(motions: tuple[Motion, ...], groups: set[int], dimensions: int) -> PreparedMotions:
+    """Prepare the motions that are used, for the engine and the contact law of each group."""
+    return {group: prepared_motion(motions[group // 2], dimensions, group % 2) for group in sorted(groups)}
 
 
 def groups_of(grid: Grid) -> set[int]:

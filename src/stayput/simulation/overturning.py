@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.errors import InputError, instance_of
-from stayput.simulation.run import Outcome
+from stayput.simulation.outcome import Outcome
 from stayput.simulation.sweep import sweep
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ import numpy as np
 
 from stayput.measures.results import failures_of
 from stayput.mechanics.columns import OVERTURNED_OUTCOME, RESULT
-from stayput.simulation.run import Outcome
+from stayput.simulation.outcome import Outcome
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

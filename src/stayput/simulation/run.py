@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from enum import StrEnum
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
 
-from stayput.errors import InputError, finite, instance_of, list_of, word_of
+from stayput.errors import InputError, finite, instance_of, list_of, whole_within, word_of
 from stayput.measures.measure import Held, Measure, element_rows, hold
 from stayput.measures.results import DeviceResult, device_results
 from stayput.mechanics import columns as col
@@ -19,6 +19,7 @@ from stayput.model.state import State, refuse_bad_start
 from stayput.motion.record import Motion
 from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
 from stayput.simulation.flat_fields import case_columns
+from stayput.simulation.outcome import Outcome
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -29,6 +30,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.mechanics.runner import Shaking, Traced
+    from stayput.model.solid import Solid
+    from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.standing import Assembly, Standing
 
 Contact = Literal["coulomb", "paper"]
 """The contact law: unilateral contact with Coulomb friction, or the rules of the paper as written.
@@ -37,19 +41,11 @@ The paper is *A fundamental study on development of a verification system for ea
 furniture* (14WCEE, 2008).
 """
 
+Dimensions = Literal[2, 3]
+"""In the plane, or in space."""
+
 LAWS: tuple[Contact, ...] = ("coulomb", "paper")
 """The contact laws, in the order of their numbers in the mechanics."""
-
-
-class Outcome(StrEnum):
-    """Outcome of a run."""
-
-    RESTED = "rested"
-    SLID = "slid"
-    ROCKED = "rocked"
-    LEANING = "leaning"
-    OVERTURNED = "overturned"
-    FAILED = "failed"
 
 
 class Mode(StrEnum):
@@ -245,6 +241,7 @@ class Case:
     initial: State = field(default_factory=State)
     gravity: float = STANDARD_GRAVITY
     measures: tuple[Measure, ...] = ()
+    dimensions: Dimensions | None = None
 
     def __post_init__(self) -> None:
         instance_of("body", self.body, Body)
@@ -254,8 +251,17 @@ class Case:
         object.__setattr__(self, "measures", list_of("measures", self.measures, Measure))
         law_number(self.contact)
         GRAVITY.check(self.gravity)
+        if self.dimensions is not None:
+            whole_within("model.dimensions", self.dimensions, 2, 3, "", "dimensions")
 
-    def run(self) -> Run:
+    @property
+    def in_space(self) -> bool:
+        """Whether it is simulated in space: as asked, else where body and motion have a third direction."""
+        if self.dimensions is not None:
+            return self.dimensions == 3
+        return self.body.length is not None and self.motion.y is not None and self.contact == "coulomb"
+
+    def run(self) -> Run | SpaceRun:
         """Simulate the case."""
         return simulate(
             self.body,
@@ -265,32 +271,96 @@ class Case:
             contact=self.contact,
             initial=self.initial,
             gravity=self.gravity,
+            dimensions=self.dimensions,
         )
 
 
+@overload
 def simulate(
     body: Body,
     room: Room,
     motion: Motion,
+    measures: Sequence[Measure] = ...,
+    *,
+    dimensions: Literal[2],
+    contact: Contact = ...,
+    initial: State | None = ...,
+    gravity: float = ...,
+    most_events: int | None = ...,
+) -> Run: ...
+
+
+@overload
+def simulate(
+    body: Body | Solid | Standing | Assembly,
+    room: Room,
+    motion: Motion,
+    measures: Sequence[Measure] = ...,
+    *,
+    dimensions: Literal[3],
+    initial: State | None = ...,
+    gravity: float = ...,
+    step: float | None = ...,
+) -> SpaceRun: ...
+
+
+@overload
+def simulate(
+    body: Solid | Standing | Assembly,
+    room: Room,
+    motion: Motion,
+    *,
+    gravity: float = ...,
+    step: float | None = ...,
+) -> SpaceRun: ...
+
+
+@overload
+def simulate(
+    body: Body,
+    room: Room,
+    motion: Motion,
+    measures: Sequence[Measure] = ...,
+    *,
+    dimensions: Dimensions | None = ...,
+    contact: Contact = ...,
+    initial: State | None = ...,
+    gravity: float = ...,
+    most_events: int | None = ...,
+    step: float | None = ...,
+) -> Run | SpaceRun: ...
+
+
+def simulate(
+    body: Body | Solid | Standing | Assembly,
+    room: Room,
+    motion: Motion,
     measures: Sequence[Measure] = (),
     *,
+    dimensions: Dimensions | None = None,
     contact: Contact = "coulomb",
     initial: State | None = None,
     gravity: float = STANDARD_GRAVITY,
     most_events: int | None = None,
-) -> Run:
-    """Simulate one body in one room under one motion of the floor.
+    step: float | None = None,
+) -> Run | SpaceRun:
+    """Simulate one body, or an assembly of several in space, in one room under one motion of the floor.
+
+    A `Body` is simulated in the plane, or where it has a length and the motion a component ``y``, in space;
+    ``dimensions`` chooses. A `Solid` or `Standing` by itself, and an `Assembly`, are simulated in space.
 
     Parameters
     ----------
-    body : Body
+    body : Body, Solid, Standing or Assembly
         What stands.
     room : Room
-        Where it stands.
+        Where it stands. The walls are at either end of x.
     motion : Motion
-        Acceleration of the floor: ``x`` along the shaking and ``z`` up; ``y`` plays no part.
+        Acceleration of the floor: ``x`` along the shaking, ``z`` up, and in space ``y`` across.
     measures : sequence of Measure
-        What holds the body; see `stayput.measures`.
+        What holds a `Body`; see `stayput.measures`.
+    dimensions : int, optional
+        2 for the plane, 3 for space.
     contact : {"coulomb", "paper"}
         Contact law: unilateral contact with Coulomb friction, or the rules of *A fundamental study on
         development of a verification system for earthquake-proof measures for furniture* (14WCEE, 2008)
@@ -300,22 +370,43 @@ def simulate(
     gravity : float
         Acceleration of gravity g [m/s²].
     most_events : int, optional
-        Most events that are listed, at least 2; by default all are, of which a run can have 10⁶.
+        Most events that are listed, at least 2; by default all are, of which a run can have 10⁶. In the
+        plane alone.
+    step : float, optional
+        Longest step of the engine in space [s], 1e-6 to 0.01; default
+        `stayput.simulation.space_engine.STEP`.
 
     Returns
     -------
-    Run
-        Outcome, peaks, events and histories.
+    Run or SpaceRun
+        Outcome, peaks, events and histories: a `Run` in the plane, a `SpaceRun` in space.
 
     Raises
     ------
     InputError
         Input that is refused, in one sentence.
+
+    Examples
+    --------
+    >>> from stayput import Body, Room, simulate, sine
+    >>> run = simulate(Body(0.4, 1.8, 100.0, length=0.9), Room(), sine(3.0, 1.0, 5.0), dimensions=3)
+    >>> run.outcome
+    <Outcome.ROCKED: 'rocked'>
     """
     from stayput.mechanics.runner import shaking
 
     start = State() if initial is None else initial
-    given = Case(body, room, motion, contact, start, gravity, list_of("measures", measures, Measure))
+    if not isinstance(body, Body):
+        return _simulate_solids(body, room, motion, measures, dimensions, contact, start, gravity, step)
+    given = Case(
+        body, room, motion, contact, start, gravity, list_of("measures", measures, Measure), dimensions
+    )
+    if given.in_space:
+        from stayput.simulation.space import simulate_piece
+
+        if contact != "coulomb":
+            raise InputError("model.paper_in_space", "contact")
+        return simulate_piece(body, room, motion, given.measures, start, gravity, step)
     if most_events is not None:
         count = finite("most_events", most_events, "most_events")
         if count < 2.0 or not count.is_integer():
@@ -329,6 +420,39 @@ def simulate(
     results = device_results(held, elements, devices, forces)
     case = Case(held.body, held.room, motion, contact, start, gravity)
     return run_of(case, traced, held, results, most_events)
+
+
+def _simulate_solids(
+    what: object,
+    room: Room,
+    motion: Motion,
+    measures: Sequence[Measure],
+    dimensions: int | None,
+    contact: str,
+    initial: State,
+    gravity: float,
+    step: float | None,
+) -> SpaceRun:
+    """Simulate solids in space; raise `InputError` for what only a `Body` has."""
+    from stayput.model.solid import Solid
+    from stayput.simulation.space import simulate_assembly
+    from stayput.simulation.standing import Assembly, Standing
+
+    given = instance_of("body", what, (Solid, Standing, Assembly))
+    instance_of("room", room, Room)
+    instance_of("motion", motion, Motion)
+    for name, value, usual in (
+        ("measures", tuple(measures), ()),
+        ("initial", initial, State()),
+        ("contact", contact, "coulomb"),
+    ):
+        if value != usual:
+            raise InputError("model.of_a_body", name, name=name, kind=type(given).__name__)
+    if dimensions == 2:
+        raise InputError("model.solid_in_the_plane", "dimensions", kind=type(given).__name__)
+    if not isinstance(given, Assembly):
+        given = Assembly([Standing(given) if isinstance(given, Solid) else given])
+    return simulate_assembly(given, room, motion, gravity, step)
 
 
 def trace_held(

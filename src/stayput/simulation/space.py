@@ -1,206 +1,150 @@
-"""Bodies in space under one motion of the floor: `simulate_in_space` and its result."""
+"""Bodies in space under one motion: assemblies of solids, and a piece of furniture with measures."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, list_of, numbers, within
-from stayput.mechanics.space.columns import SPRING
-from stayput.model.room import FRICTION_RANGE, Floor, Room
-from stayput.model.solid import Solid
-from stayput.motion import Motion
-from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
-from stayput.simulation.space_case import lies
+from stayput.errors import InputError, within
+from stayput.measures.measure import element_rows, hold
+from stayput.measures.results import device_results
+from stayput.motion.units import GRAVITY
+from stayput.simulation.flat_fields import case_columns
+from stayput.simulation.space_case import SpaceShaking, acceleration_of, trace_case
+from stayput.simulation.space_devices import joint_results, joint_springs
 from stayput.simulation.space_engine import STEP, run_world
 from stayput.simulation.space_records import (
     FloorLaws,
     RoomSurface,
     frames_of,
-    matrices,
     planes_of,
     pose_of,
     world_of,
 )
-from stayput.simulation.standing import Standing
+from stayput.simulation.space_run import Hit, SpaceRun
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    import xarray as xr
     from numpy.typing import NDArray
 
+    from stayput.measures.measure import Held, Measure
+    from stayput.measures.results import DeviceResult
+    from stayput.model.body import Body
+    from stayput.model.room import Floor, Room
+    from stayput.model.state import State
+    from stayput.motion import Motion
+    from stayput.simulation.space_engine import SpaceTrace
+    from stayput.simulation.standing import Assembly, Standing
 
-@dataclass(frozen=True, slots=True, eq=False)
-class SpaceRun:
-    """What bodies in space did, in axes that move with the floor.
+SURFACES = ("floor", "left_wall", "right_wall", "ceiling")
 
-    Parameters
-    ----------
-    standing : tuple of Standing
-        The bodies, as they stood at first.
-    time : ndarray, shape (samples,)
-        Time [s].
-    place : ndarray, shape (bodies, samples, 3)
-        Of the centres of gravity [m].
-    attitude : ndarray, shape (bodies, samples, 4)
-        Unit quaternions w, x, y, z that turn the bodies' frames into the room's.
-    velocity, rotation_rate : ndarray, shape (bodies, samples, 3)
-        Of the centres of gravity [m/s], and of the bodies [rad/s], in the room's axes.
-    steps : int
-        Steps of the engine.
-    unconverged : int
-        Steps whose contact forces did not converge; a few where contacts jam.
+
+def checked_step(step: float | None) -> float:
+    """Return a longest step [s], or raise `InputError`."""
+    return STEP if step is None else within("simulation.step", step, 1e-6, 0.01, "s", "step")
+
+
+def simulate_assembly(
+    assembly: Assembly, room: Room, motion: Motion, gravity: float, step: float | None = None
+) -> SpaceRun:
+    """Simulate solids in space; see `stayput.simulate`.
+
+    The gaps of the walls are from the outermost corners of all bodies. The floor's settlement is a law of
+    pieces of furniture, and is refused.
     """
-
-    standing: tuple[Standing, ...]
-    time: NDArray[np.float64]
-    place: NDArray[np.float64]
-    attitude: NDArray[np.float64]
-    velocity: NDArray[np.float64]
-    rotation_rate: NDArray[np.float64]
-    steps: int
-    unconverged: int
-
-    @property
-    def turn(self) -> NDArray[np.float64]:
-        """Rotations of the bodies' frames into the room's, shape (bodies, samples, 3, 3)."""
-        return matrices(self.attitude)
-
-    @property
-    def tilt(self) -> NDArray[np.float64]:
-        """Angles between the bodies' vertical axes and the vertical, shape (bodies, samples) [rad]."""
-        up = self.turn[..., :, 2]
-        return np.arctan2(np.hypot(up[..., 0], up[..., 1]), up[..., 2])
-
-    @property
-    def slide(self) -> NDArray[np.float64]:
-        """Ways of the origins of the bodies' frames in plan, shape (bodies, samples, 2) [m]."""
-        offset = np.array([one.solid.centre_of_gravity for one in self.standing])
-        origin = self.place - np.einsum("bsij,bj->bsi", self.turn, offset)
-        return (origin - origin[:, :1])[..., :2]
-
-    @property
-    def overturned(self) -> NDArray[np.bool_]:
-        """Whether each body came to touch the floor with more than its base, shape (bodies,)."""
-        return np.isfinite(self.overturn_time)
-
-    @property
-    def overturn_time(self) -> NDArray[np.float64]:
-        """When each body first touched the floor with more than its base, shape (bodies,) [s]; else nan."""
-        found = np.full(len(self.standing), math.nan)
-        for number, one in enumerate(self.standing):
-            touching = np.flatnonzero(lies(one.solid, self.place[number], self.turn[number]))
-            if len(touching):
-                found[number] = self.time[touching[0]]
-        return found
-
-    def to_dataset(self) -> xr.Dataset:
-        """Return the histories as a dataset over ``body``, ``time`` and components."""
-        import xarray as xr
-
-        about = {"long_name": "time", "units": "s"}
-        return xr.Dataset(
-            {
-                "place": (("body", "time", "axis"), self.place, {"units": "m"}),
-                "attitude": (("body", "time", "part"), self.attitude, {"long_name": "unit quaternion"}),
-                "velocity": (("body", "time", "axis"), self.velocity, {"units": "m/s"}),
-                "rotation_rate": (("body", "time", "axis"), self.rotation_rate, {"units": "rad/s"}),
-                "tilt": (("body", "time"), self.tilt, {"units": "rad"}),
-            },
-            {"time": ("time", self.time, about), "axis": list("xyz"), "part": list("wxyz")},
-        )
+    if room.floor.settlement:
+        raise InputError("simulation.settles", "room.floor.settlement", value=room.floor.settlement)
+    standing = assembly.members
+    planes = _planes(standing, room)
+    laws = [_floor_laws(room.floor)] * len(standing)
+    world = world_of([one.solid for one in standing], laws, planes, assembly.friction)
+    poses = np.stack(
+        [pose_of(one.solid, one.turn, one.place, one.velocity, one.rotation_rate) for one in standing]
+    )
+    springs = joint_springs(standing, assembly.joints)
+    trace = run_world(
+        world,
+        poses,
+        springs,
+        acceleration_of(motion),
+        motion.dt,
+        checked_step(step),
+        GRAVITY.check(gravity),
+    )
+    return _run(standing, room, motion, planes, trace, joint_results(assembly.joints, springs, trace))
 
 
-def simulate_in_space(
-    bodies: Solid | Standing | Sequence[Standing],
+def simulate_piece(
+    body: Body,
     room: Room,
     motion: Motion,
-    *,
-    friction: tuple[float, float] = (0.4, 0.3),
-    step: float = STEP,
-    gravity: float = STANDARD_GRAVITY,
+    measures: Sequence[Measure],
+    initial: State,
+    gravity: float,
+    step: float | None = None,
 ) -> SpaceRun:
-    """Simulate bodies in space under one motion of the floor.
-
-    Parameters
-    ----------
-    bodies : Solid, Standing, or a sequence of them
-        What stands in the room, not inside each other, the floor or the ceiling.
-    room : Room
-        Floor, walls at either end of x, their gaps from the outermost corners, and ceiling. The floor's
-        friction and normal restitution hold; its other laws belong to the engine in the plane.
-    motion : Motion
-        Acceleration of the floor: x, and y and z where it has them.
-    friction : tuple of float
-        Static and kinetic coefficients of friction between bodies.
-    step : float
-        Longest step [s], 1e-6 to 0.01.
-    gravity : float
-        Acceleration of gravity g [m/s²].
-
-    Returns
-    -------
-    SpaceRun
-        Histories of places and attitudes.
+    """Simulate a piece of furniture with measures in space; see `stayput.simulate`.
 
     Raises
     ------
     InputError
-        Input that is refused, in one sentence.
-
-    Examples
-    --------
-    >>> from stayput import Motion, Room, Solid
-    >>> still = Motion(dt=0.01, x=[0.0] * 100, y=[0.0] * 100)
-    >>> run = simulate_in_space(Solid.box(0.4, 0.9, 1.8, 100.0), Room(), still)
-    >>> float(abs(run.slide).max()), float(run.tilt.max())
-    (0.0, 0.0)
+        A body without a length, or measures that cannot be put in place.
     """
-    if isinstance(bodies, Solid):
-        bodies = (Standing(bodies),)
-    elif isinstance(bodies, Standing):
-        bodies = (bodies,)
-    standing = list_of("bodies", bodies, Standing)
-    if not standing:
-        raise InputError("simulation.no_bodies", "bodies")
-    instance_of("room", room, Room)
-    instance_of("motion", motion, Motion)
-    if room.floor.settlement:
-        raise InputError("simulation.settles", "room.floor.settlement", value=room.floor.settlement)
-    longest = within("simulation.step", step, 1e-6, 0.01, "s", "step")
-    laws = [_floor_laws(room.floor)] * len(standing)
-    world = world_of(
-        [one.solid for one in standing], laws, _planes(standing, room), _checked_friction(friction)
-    )
-    count = len(motion.x)
-    acceleration = np.zeros((count, 3))
-    for axis, name in enumerate("xyz"):
-        if name in motion.components:
-            acceleration[:, axis] = getattr(motion, name)
-    poses = np.stack([_pose(one) for one in standing])
-    trace = run_world(
-        world, poses, np.zeros(0, SPRING), acceleration, motion.dt, longest, GRAVITY.check(gravity)
+    if body.length is None:
+        raise InputError("solids.no_length", "length")
+    held = hold(body, room, measures, dimensions=3)
+    rows = element_rows(held)
+    case = case_columns(held.body, held.room, initial, gravity)[0]
+    m = held.body.mass
+    shaking = SpaceShaking(acceleration_of(motion), motion.dt)
+    piece, trace = trace_case(case, rows, shaking, checked_step(step), m)
+    trace = trace._replace(pressing=m * trace.pressing)
+    devices = device_results(held, rows, trace.devices, trace.forces)
+    return _run((piece.standing,), held.room, motion, piece.planes, trace, devices, held)
+
+
+def _run(
+    standing: tuple[Standing, ...],
+    room: Room,
+    motion: Motion,
+    planes: NDArray[np.void],
+    trace: SpaceTrace,
+    devices: tuple[DeviceResult, ...],
+    held: Held | None = None,
+) -> SpaceRun:
+    present = [name for name in SURFACES if name == "floor" or getattr(room, name) is not None]
+    hits = tuple(
+        Hit(
+            float(hit["time"]),
+            int(hit["a"]),
+            None if hit["b"] < 0 else int(hit["b"]),
+            "" if hit["plane"] < 0 else present[int(hit["plane"])],
+            float(hit["speed"]),
+            float(hit["impulse"]),
+        )
+        for hit in trace.hits
     )
     return SpaceRun(
         standing,
-        motion.dt * np.arange(count, dtype=np.float64),
+        room,
+        motion,
+        planes,
+        motion.dt * np.arange(len(motion.x), dtype=np.float64),
         trace.place,
         frames_of(standing, trace.attitude),
         trace.velocity,
         trace.rotation_rate,
+        trace.pressing,
+        hits,
+        trace.hit_numbers[:-1],
+        devices,
         trace.steps,
         trace.unconverged,
+        held,
     )
-
-
-def _pose(one: Standing) -> NDArray[np.void]:
-    place = np.asarray(one.at) + one.turn @ one.solid.centre_of_gravity
-    return pose_of(one.solid, one.turn, place, one.velocity, one.rotation_rate)
 
 
 def _floor_laws(floor: Floor) -> FloorLaws:
@@ -223,15 +167,3 @@ def _planes(standing: Sequence[Standing], room: Room) -> NDArray[np.void]:
     return planes_of(
         (floor.static_friction, floor.kinetic_friction, floor.normal_restitution), behind, before, ceiling
     )
-
-
-def _checked_friction(friction: object) -> tuple[float, float]:
-    """Return the coefficients of friction between bodies, or raise `InputError`."""
-    called = phrase("simulation.friction")
-    values = numbers(called, friction, "friction")
-    if values.shape != (2,):
-        raise InputError("simulation.not_two", "friction", count=values.size)
-    static, kinetic = (within(called, value, *FRICTION_RANGE, "", "friction") for value in values)
-    if kinetic > static:
-        raise InputError("simulation.kinetic_above_static", "friction", kinetic=kinetic, static=static)
-    return static, kinetic

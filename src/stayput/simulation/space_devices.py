@@ -7,12 +7,24 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.mechanics.devices.columns import NONE
+from stayput.measures.element import damper
+from stayput.measures.results import CAUSES, DeviceResult, utilisation
+from stayput.mechanics.devices.columns import AXIAL, F_NORMAL, F_TANGENT, HOLDS, NONE, PLANAR
 from stayput.mechanics.space.columns import LAW_OF_ELEMENT, SPRING
 from stayput.mechanics.space.touching import ROOM
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
+
+    from stayput.simulation.space_engine import SpaceTrace
+    from stayput.simulation.standing import Joint, Standing
+
+JOINT = "joint"
+"""Kind of a joint among the devices."""
+
+JOINT_LABEL = ("Joint", "接合部")
 
 SMOOTH = 0.3
 """Largest angle by which a device's own vibration turns in a step [rad]: it is stepped to a per cent then."""
@@ -20,20 +32,17 @@ SMOOTH = 0.3
 
 def springs_of(
     elements: NDArray[np.void],
-    mass: float,
     turn: NDArray[np.float64],
     place: NDArray[np.float64],
     axes: NDArray[np.float64],
     body: int = 0,
 ) -> NDArray[np.void]:
-    """Return what holds a body to the room, in newtons.
+    """Return what holds a body to the room, per unit mass.
 
     Parameters
     ----------
     elements : ndarray of ELEMENT, shape (n,)
         The devices, per unit mass.
-    mass : float
-        Mass of the body [kg].
     turn : ndarray, shape (3, 3)
         The rotation of its frame into the room's as it rests, tilted about y alone.
     place : ndarray, shape (3,)
@@ -57,9 +66,59 @@ def springs_of(
     springs["length"] = elements["length"]
     for name in LAW_OF_ELEMENT:
         springs[name] = elements[name]
-    for name in ("stiffness", "damping", "limit_plus", "limit_minus"):
-        springs[name] *= mass
     return springs
+
+
+def joint_springs(standing: Sequence[Standing], joints: Sequence[Joint]) -> NDArray[np.void]:
+    """Return what joins the members of an assembly, as they stand at first, in newtons."""
+    springs = np.zeros(len(joints), SPRING)
+    for spring, joint in zip(springs, joints, strict=True):
+        first, second = standing[joint.first], standing[joint.second]
+        at = np.asarray(joint.at)
+        to = at if joint.to is None else np.asarray(joint.to)
+        spring["body"], spring["other"] = joint.first, joint.second
+        spring["kind"] = PLANAR if joint.to is None else AXIAL
+        axes = second.turn @ second.solid.principal[1]
+        upwards = 1.0 if first.place[2] >= second.place[2] else -1.0
+        for name, vector in (
+            ("p", (at - first.place) @ first.turn @ first.solid.principal[1]),
+            ("a", (to - second.place) @ axes),
+            ("n", np.array([0.0, 0.0, upwards]) @ axes),
+        ):
+            for axis, value in zip("xyz", vector, strict=True):
+                spring[f"{name}{axis}"] = value
+        spring["length"] = float(np.linalg.norm(to - at))
+        damping = damper(joint.damping, joint.stiffness, min(first.solid.mass, second.solid.mass))
+        spring["stiffness"], spring["damping"] = joint.stiffness, damping
+        spring["slack_plus"], spring["limit_plus"] = joint.slack, (joint.strength, joint.shear)
+        spring["slack_minus"] = 0.0 if joint.to is None else math.inf
+        spring["limit_minus"] = math.inf, joint.shear
+        spring["friction"], spring["interaction"] = math.nan, int(joint.to is None)
+    return springs
+
+
+def joint_results(
+    joints: Sequence[Joint], springs: NDArray[np.void], trace: SpaceTrace
+) -> tuple[DeviceResult, ...]:
+    """Return what became of the joints of an assembly."""
+    used = utilisation(springs, trace.devices)
+    return tuple(
+        DeviceResult(
+            JOINT,
+            JOINT_LABEL,
+            f"{joint.first}-{joint.second}",
+            float(device["peak_pull"]),
+            float(device["peak_push"]),
+            float(device["peak_shear"]),
+            float(used[n]),
+            int(device["failure"]) != HOLDS,
+            float(device["failure_time"]),
+            CAUSES[int(device["failure"])],
+            trace.forces[:, n, F_NORMAL],
+            trace.forces[:, n, F_TANGENT],
+        )
+        for n, (joint, device) in enumerate(zip(joints, trace.devices, strict=True))
+    )
 
 
 def longest_step(springs: NDArray[np.void], bodies: NDArray[Any], longest: float) -> float:

@@ -33,6 +33,8 @@ class SpaceTrace(NamedTuple):
         Unit quaternions that turn the bodies' principal axes into the room's.
     velocity, rotation_rate : ndarray, shape (bodies, samples, 3)
         In the room's axes [m/s, rad/s].
+    pressing : ndarray, shape (bodies, samples, 2, 3)
+        What pressed on the bodies in the step before: the room, and other bodies [N].
     forces : ndarray, shape (samples, devices, 2)
         Of the devices, along the normal and the plane [N].
     devices : ndarray of DEVICE, shape (devices,)
@@ -49,6 +51,7 @@ class SpaceTrace(NamedTuple):
     attitude: NDArray[np.float64]
     velocity: NDArray[np.float64]
     rotation_rate: NDArray[np.float64]
+    pressing: NDArray[np.float64]
     forces: NDArray[np.float64]
     devices: NDArray[np.void]
     hits: NDArray[np.void]
@@ -107,6 +110,7 @@ def run_world(
         histories[..., 3:7],
         histories[..., 7:10],
         histories[..., 10:13],
+        histories[..., 13:19].reshape(bodies, samples, 2, 3),
         forces,
         held[2],
         hits[: min(len(hits), numbers[-1, 0])].copy(),

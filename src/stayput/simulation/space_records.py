@@ -185,8 +185,9 @@ def _add(
     vertices = own(solid.vertices)
     first = len(points)
     on_rim = _on_rims(solid)
-    lowest = solid.vertices[:, 2] <= solid.vertices[:, 2].min() + 1e-6
-    on_floor = ~on_rim if solid.feet is None else ~on_rim & ~lowest
+    # feet stand in place of all that is not above them
+    feet_reach = -math.inf if solid.feet is None else solid.feet[:, 2].max() + 1e-6
+    on_floor = ~on_rim & (solid.vertices[:, 2] > feet_reach)
     body["mass"] = solid.mass
     body["i1"], body["i2"], body["i3"] = moments
     body["first_point"], body["hull"] = first, len(vertices)
@@ -205,8 +206,7 @@ def _add(
     body["radius"] = np.linalg.norm(vertices, axis=1).max()
     body["first_rim"], body["rims"] = len(rims), len(solid.rims)
     for rim in solid.rims:
-        lies_low = solid.feet is not None and rim[2] <= solid.vertices[:, 2].min() + 1e-6
-        rims.append((*own(rim[:3]), *(rim[3:6] @ axes), rim[6], int(not lies_low), 1))
+        rims.append((*own(rim[:3]), *(rim[3:6] @ axes), rim[6], int(rim[2] > feet_reach), 1))
     body["first_face"], body["faces"] = len(faces), len(solid.faces)
     body["first_edge"] = len(edges)
     for face in solid.faces:
@@ -286,17 +286,17 @@ def refuse_overlaps(world: tuple[Any, ...], gaps: NDArray[np.float64]) -> None:
             if least < -DEEPEST:
                 surface = phrase("simulation.floor" if plane["floor"] else "simulation.ceiling")
                 raise InputError(
-                    "simulation.begins_inside", "bodies", number=number, surface=surface, depth=-least
+                    "simulation.begins_inside", "members", number=number, surface=surface, depth=-least
                 )
     for pair, apart in zip(pairs, gaps[alone:], strict=True):
         if apart < -DEEPEST:
             first, second = sorted((int(pair["a"]), int(pair["b"])))
             raise InputError(
-                "simulation.begin_in_each_other", "bodies", first=first, second=second, depth=-apart
+                "simulation.begin_in_each_other", "members", first=first, second=second, depth=-apart
             )
 
 
-def scratch_of(world: tuple[Any, ...]) -> tuple[NDArray[Any], ...]:
+def scratch_of(world: tuple[Any, ...]) -> tuple[Any, ...]:
     """Return the working memory of `run_in_space`; all contacts stick at first."""
     bodies, points, rims, planes, pairs, faces = world[:6]
     unknowns = 6 * len(bodies)

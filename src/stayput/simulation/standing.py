@@ -1,4 +1,4 @@
-"""`Standing`: a body in space where it stands."""
+"""`Standing`: a body in space where it stands; `Assembly`: several of them, and what joins them."""
 
 from __future__ import annotations
 
@@ -9,10 +9,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, numbers, within
+from stayput.errors import InputError, instance_of, list_of, numbers, whole_within, within
+from stayput.model.room import FRICTION_RANGE
 from stayput.model.solid import Solid
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
 
@@ -20,16 +23,27 @@ _VECTORS = ("at", 100.0, "m"), ("velocity", 100.0, "m/s"), ("rotation_rate", 1e3
 """Fields of three numbers, the most of each, and their units."""
 
 
+def _vector(name: str, given: object, most: float, unit: str) -> tuple[float, ...]:
+    """Return three numbers, or raise `InputError`."""
+    called = phrase(f"simulation.{name}")
+    values = numbers(called, given, name)
+    if values.shape != (3,):
+        raise InputError("simulation.not_three", name, name=called, count=values.size)
+    return tuple(within(called, value, -most, most, unit, name) for value in values)
+
+
 @dataclass(frozen=True, slots=True)
 class Standing:
     """A body in a room.
+
+    It begins as it rests on its base: one with feet of unequal heights is tilted.
 
     Parameters
     ----------
     solid : Solid
         The body.
     at : tuple of float
-        Where the origin of its frame is: along x, across y, up z [m].
+        Where it is: the origin of its frame along x and across y, and its lowest point up z [m].
     heading : float
         By what it is turned about the vertical, from x towards y [rad].
     velocity, rotation_rate : tuple of float
@@ -50,27 +64,178 @@ class Standing:
     def __post_init__(self) -> None:
         instance_of("solid", self.solid, Solid)
         for name, most, unit in _VECTORS:
-            called = phrase(f"simulation.{name}")
-            values = numbers(called, getattr(self, name), name)
-            if values.shape != (3,):
-                raise InputError("simulation.not_three", name, name=called, count=values.size)
-            for value in values:
-                within(called, value, -most, most, unit, name)
-            object.__setattr__(self, name, tuple(values.tolist()))
+            object.__setattr__(self, name, _vector(name, getattr(self, name), most, unit))
         within("simulation.heading", self.heading, -2.0 * math.pi, 2.0 * math.pi, "rad", "heading")
 
     @property
     def turn(self) -> NDArray[np.float64]:
-        """The rotation of its frame into the room's, shape (3, 3)."""
+        """The rotation of its frame into the room's as it rests, shape (3, 3)."""
         cos, sin = math.cos(self.heading), math.sin(self.heading)
-        return np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
+        heading = np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
+        up = self.solid.up_at_rest
+        return heading if up is None else heading @ _to_vertical(up)
+
+    @property
+    def place(self) -> NDArray[np.float64]:
+        """Where its centre of gravity is as it rests [m], shape (3,)."""
+        turn = self.turn
+        lowest = (self.solid.base @ turn[2]).min()
+        if len(self.solid.rims):  # a round base reaches as low as its corners
+            lowest = min(lowest, (self.solid.vertices @ turn[2]).min())
+        return np.asarray(self.at) + turn @ self.solid.centre_of_gravity - [0.0, 0.0, lowest]
 
     @property
     def depth(self) -> tuple[float, float]:
         """The least and the greatest x of its corners and round edges [m]."""
-        corners = self.at[0] + self.solid.vertices @ self.turn[0]
-        centres = self.at[0] + self.solid.rims[:, :3] @ self.turn[0]
-        axes = self.solid.rims[:, 3:6] @ self.turn.T
+        turn, origin = self.turn, self.place - self.turn @ self.solid.centre_of_gravity
+        corners = origin[0] + self.solid.vertices @ turn[0]
+        centres = origin[0] + self.solid.rims[:, :3] @ turn[0]
+        axes = self.solid.rims[:, 3:6] @ turn.T
         reach = self.solid.rims[:, 6] * np.hypot(axes[:, 1], axes[:, 2])
         ends = np.concatenate([corners, centres - reach, centres + reach])
         return float(ends.min()), float(ends.max())
+
+
+def _to_vertical(up: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the least rotation that brings a unit vector that points up to the vertical, shape (3, 3)."""
+    x, y, z = up
+    square = 1.0 + z
+    return np.array(
+        [
+            [1.0 - x * x / square, -x * y / square, -x],
+            [-x * y / square, 1.0 - y * y / square, -y],
+            [x, y, z],
+        ]
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """What joins two bodies of an assembly.
+
+    Without ``to`` it is a connector: a point of the one body is held to where it is on the other, in all
+    directions. With ``to`` it is a belt or a chain from the one point to the other, which only pulls.
+
+    Parameters
+    ----------
+    first, second : int
+        The numbers of the two members, from 0.
+    at : tuple of float
+        The point of the first, in the room as they stand at first [m].
+    to : tuple of float, optional
+        The point of the second, in the same way; default the same point.
+    stiffness : float
+        [N/m].
+    strength : float
+        Pull that it bears, for a connector along the vertical [N]; inf: any.
+    shear : float
+        Force that a connector bears across the vertical [N]; inf: any. Pull and shear act together:
+        it breaks where (pull/strength)² + (shear/shear strength)² reaches 1.
+    slack : float
+        How much longer a belt is than the straight way [m].
+    damping : float
+        Ratio of the critical damping of the lighter body on it.
+
+    Raises
+    ------
+    InputError
+        A number out of range.
+    """
+
+    first: int
+    second: int
+    at: tuple[float, float, float]
+    to: tuple[float, float, float] | None = None
+    stiffness: float = 1e6
+    strength: float = math.inf
+    shear: float = math.inf
+    slack: float = 0.0
+    damping: float = 0.1
+
+    def __post_init__(self) -> None:
+        for name in ("first", "second"):
+            whole_within(f"simulation.joint_{name}", getattr(self, name), 0, MOST_BODIES - 1, "", name)
+        if self.first == self.second:
+            raise InputError("simulation.joins_itself", "second", number=self.first)
+        object.__setattr__(self, "at", _vector("at", self.at, 100.0, "m"))
+        if self.to is not None:
+            object.__setattr__(self, "to", _vector("to", self.to, 100.0, "m"))
+        within("simulation.joint_stiffness", self.stiffness, 1.0, 1e9, "N/m", "stiffness")
+        for name in ("strength", "shear"):
+            value = getattr(self, name)
+            if value != math.inf:
+                within(f"simulation.joint_{name}", value, 1e-3, 1e9, "N", name)
+        within("simulation.joint_slack", self.slack, 0.0, 10.0, "m", "slack")
+        within("simulation.joint_damping", self.damping, 0.0, 2.0, "", "damping")
+        if self.slack > 0.0 and self.to is None:
+            raise InputError("simulation.slack_without_to", "slack", value=self.slack)
+
+
+MOST_BODIES = 100
+"""Most bodies of an assembly."""
+
+
+@dataclass(frozen=True, slots=True)
+class Assembly:
+    """Several bodies in a room, on, beside or joined to one another.
+
+    Parameters
+    ----------
+    members : sequence of Standing
+        The bodies, not inside each other.
+    friction : tuple of float
+        Static and kinetic coefficients of friction between them.
+    joints : sequence of Joint
+        What joins them.
+
+    Raises
+    ------
+    InputError
+        No bodies or too many, a coefficient out of range, or a joint of a member that there is not.
+
+    Examples
+    --------
+    >>> from stayput import Solid, Standing
+    >>> lower, upper = Solid.box(0.45, 0.9, 1.0, 60.0), Solid.box(0.35, 0.9, 0.9, 30.0)
+    >>> dresser = Assembly([Standing(lower), Standing(upper, at=(-0.05, 0.0, 1.0))])
+    >>> len(dresser.members)
+    2
+    """
+
+    members: tuple[Standing, ...]
+    friction: tuple[float, float] = (0.4, 0.3)
+    joints: tuple[Joint, ...] = ()
+
+    def __init__(
+        self,
+        members: Sequence[Standing],
+        friction: tuple[float, float] = (0.4, 0.3),
+        joints: Sequence[Joint] = (),
+    ) -> None:
+        standing = list_of("members", members, Standing)
+        if not standing:
+            raise InputError("simulation.no_bodies", "members")
+        if len(standing) > MOST_BODIES:
+            raise InputError("simulation.too_many_bodies", "members", count=len(standing), most=MOST_BODIES)
+        joined = list_of("joints", joints, Joint)
+        for number, joint in enumerate(joined):
+            last = max(joint.first, joint.second)
+            if last >= len(standing):
+                raise InputError(
+                    "simulation.joint_member", f"joints[{number}]", number=last, last=len(standing) - 1
+                )
+        object.__setattr__(self, "members", standing)
+        object.__setattr__(self, "friction", _friction(friction))
+        object.__setattr__(self, "joints", joined)
+
+
+def _friction(friction: object) -> tuple[float, float]:
+    """Return the coefficients of friction between bodies, or raise `InputError`."""
+    called = phrase("simulation.friction")
+    values = numbers(called, friction, "friction")
+    if values.shape != (2,):
+        raise InputError("simulation.not_two", "friction", count=values.size)
+    static, kinetic = (within(called, value, *FRICTION_RANGE, "", "friction") for value in values)
+    if kinetic > static:
+        raise InputError("simulation.kinetic_above_static", "friction", kinetic=kinetic, static=static)
+    return static, kinetic

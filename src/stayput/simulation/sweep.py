@@ -10,6 +10,7 @@ import xarray as xr
 from stayput.errors import InputError, list_of
 from stayput.execution import Call, ThreadExecutor
 from stayput.mechanics import columns as col
+from stayput.mechanics.runner import Shaking
 from stayput.simulation.axes import make_grid
 from stayput.simulation.flat_fields import unit_of
 from stayput.simulation.many import groups_of, prepared_motions, run_grid
@@ -124,7 +125,10 @@ def _histories(
     for name in names:
         if name not in HISTORIES:
             raise InputError("simulation.unknown_history", "histories", name=name, known=", ".join(HISTORIES))
-    motions = prepared_motions(grid.motions, groups_of(grid))
+    if grid.dimensions == 3:
+        raise InputError("simulation.histories_in_space", "histories")
+    prepared = prepared_motions(grid.motions, groups_of(grid), 2)
+    motions = {group: motion for group, motion in prepared.items() if isinstance(motion, Shaking)}
     steps = sorted({motion.floor.dt for motion in motions.values()})
     if len(steps) > 1:
         raise InputError("simulation.time_steps_differ", "motion", steps=steps)

@@ -23,7 +23,7 @@ from stayput.motion.suites import synthetic_suite
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.randomness import random_bits, uniforms
 from stayput.simulation.columns import run_columns
-from stayput.simulation.space import simulate_in_space
+from stayput.simulation.run import simulate
 from stayput.uncertainty import USUAL, Lognormal, Normal
 
 if TYPE_CHECKING:
@@ -268,7 +268,7 @@ def _fallen_in_space(
             scaled = motion.scaled(float(10.0 ** (0.5 * level) * factors[place]))
             for number, body in enumerate(bodies):
                 stone = Solid.box(body.width, body.width, body.height, body.mass)
-                run = simulate_in_space(stone, room, scaled, step=SPACE_STEP)
+                run = simulate(stone, room, scaled, step=SPACE_STEP)
                 fell[row, place, number] = run.overturned[0]
     return CemeteryFalls(fell, 0)
 

@@ -10,8 +10,9 @@ import numpy as np
 
 from stayput.model.body import Body
 from stayput.model.room import Floor, Room, Wall
+from stayput.simulation.outcome import Outcome
 from stayput.simulation.results import OUTCOMES
-from stayput.simulation.run import LAWS, Case, Outcome
+from stayput.simulation.run import LAWS, Case
 from stayput.simulation.sweep import sweep
 
 if TYPE_CHECKING:

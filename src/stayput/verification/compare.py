@@ -116,8 +116,8 @@ def verify(
     if np.any(np.diff(rows) <= 0.0):
         raise InputError("verification.levels_not_increasing", "levels")
     (options, impossible), shaking = compared_options(scenario), scenario.shaking
-    ground = shaking.ground(scenario.folder)
-    hazard = Hazard(ground, shaking.building, shaking.storey or 1, vertical=bool(shaking.vertical))
+    ground, dimensions = scenario.ground(), scenario.dimensions
+    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), dimensions)
     settings = Settings.of(scenario, len(ground), limit)
     faulty = _faulty(options, scenario)
     total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
@@ -161,7 +161,7 @@ def verify(
             )
         measures = [floors_at(float(level)) for level in rows]
     body, room = scenario.furniture.body(), scenario.room.room()
-    held = [hold(body, room, option.measures) for option in options]
+    held = [hold(body, room, option.measures, dimensions=dimensions) for option in options]
     verdicts = _verdicts(options, held, here, falls, measures, limit, installed, inside)
     return Verdict(
         scenario=scenario,
@@ -188,7 +188,8 @@ def _rows(
     body, room = scenario.furniture.body(), scenario.room.room()
     drawn = draws(settings.motions, samples, settings.seed, start, as_stated=settings.as_stated)
     initial, gravity = scenario.initial.state(), settings.gravity
-    return [rows_of(body, room, option.measures, drawn, gravity, initial) for option in options]
+    dimensions = scenario.dimensions
+    return [rows_of(body, room, each.measures, drawn, gravity, initial, dimensions) for each in options]
 
 
 class _Faulty(NamedTuple):

@@ -148,5 +148,11 @@ HIT_SPEED = 0.01
 ON_FLOOR, ON_ROOM, ON_BODY = range(3)
 """Columns of the numbers of hits: on the floor, on walls and ceiling, on other bodies."""
 
-HISTORY = ("x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz")
-"""Columns of a body's history."""
+HISTORY = (
+    *("x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz"),
+    *("room_x", "room_y", "room_z", "bodies_x", "bodies_y", "bodies_z"),
+)
+"""Columns of a body's history; the last six are what the room and other bodies pressed on it [N]."""
+
+BY_ROOM, BY_BODIES = 13, 16
+"""First columns of those forces."""

@@ -23,7 +23,8 @@ from stayput.mechanics.space.body import (
     sag,
     update_inertia,
 )
-from stayput.mechanics.space.columns import HIT_SPEED, ON_BODY, ON_FLOOR, ON_ROOM
+from stayput.mechanics.space.columns import BY_BODIES, BY_ROOM, HIT_SPEED, ON_BODY, ON_FLOOR, ON_ROOM
+from stayput.mechanics.space.contact import first_tangent, normal_of, second_tangent
 from stayput.mechanics.space.devices import give, hold, note_forces, note_loads, stretch
 from stayput.mechanics.space.landing import land
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
@@ -40,7 +41,7 @@ from stayput.mechanics.space.touching import (
     note_gaps,
     plane_normal,
 )
-from stayput.mechanics.space.vectors import added, cross, dot
+from stayput.mechanics.space.vectors import added, cross, dot, scaled
 
 NO_PLANE = -1
 """The plane of a contact between bodies."""
@@ -361,6 +362,28 @@ def _note(histories, sample, poses):
         row[10], row[11], row[12] = s.wx, s.wy, s.wz
 
 
+@inner
+def _note_pressing(histories, sample, contacts, count, h):
+    """Note what pressed on the bodies in a step of length h."""
+    for k in range(count):
+        c = contacts[k]
+        n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
+        p = scaled(1.0 / h, added(added(scaled(c.pn, n), c.ps, s), c.pt, t))
+        first = BY_ROOM if c.b == ROOM else BY_BODIES
+        for axis in range(3):
+            histories[c.a, sample, first + axis] += p[axis]
+            if c.b != ROOM:
+                histories[c.b, sample, first + axis] -= p[axis]
+
+
+@inner
+def _note_weight(histories, sample, bodies, push, loads):
+    """Note what presses on bodies that the floor alone holds at rest."""
+    for b in range(bodies.shape[0]):
+        for axis in range(3):
+            histories[b, sample, BY_ROOM + axis] = -bodies[b].mass * push[axis] - loads[b, axis]
+
+
 @entry
 def run_in_space(
     world: Any,
@@ -390,7 +413,7 @@ def run_in_space(
         Working memory: CONTACT[c], impulses that are kept float64[keys, 4], gaps float64[2, features], places
         of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5].
     output : tuple
-        Poses at the samples float64[n, samples, 13]; forces of the devices there float64[samples, d, 2],
+        Histories at the samples float64[n, samples, 19]; forces of the devices there float64[samples, d, 2],
         along the normal, + where it pulls, and the plane; HIT[h], the first hits; numbers of hits by body and
         kind int64[n + 1, 3], in the last row of all hits; steps, and steps whose impulses did not converge,
         float64[2]: added to.
@@ -405,7 +428,7 @@ def run_in_space(
     _note(histories, 0, now)
     _note_gaps(world, now, scratch, gaps[0])
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
-    last = 0.0
+    last, count = 0.0, 0
     standing = False
     for k in range(acceleration.shape[0] - 1):
         a0, a1 = acceleration[k], acceleration[k + 1]
@@ -419,6 +442,7 @@ def run_in_space(
                 and stays_at_rest(bodies, now, floor, _push(a1, gravity), scratch[6])
             ):
                 _note(histories, k + 1, now)
+                _note_weight(histories, k + 1, bodies, _push(a1, gravity), scratch[6][4])
                 note_forces(held[1], forces[k + 1])
                 continue
         standing = False
@@ -449,4 +473,5 @@ def run_in_space(
                 last = h
                 t = end if t + h >= end - 1e-12 else t + h
         _note(histories, k + 1, now)
+        _note_pressing(histories, k + 1, contacts, count, last)
         note_forces(held[1], forces[k + 1])

@@ -49,7 +49,7 @@ OFTEN = 20
 SELDOM = 25
 """Later it follows each of so many sweeps: where contacts jam it may go astray, and sweeps then find back."""
 
-MOST_SWEEPS = 20_000
+MOST_SWEEPS = 300
 """Sweeps after which a step is taken as it is, and counted as not converged."""
 
 

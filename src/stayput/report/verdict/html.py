@@ -111,7 +111,7 @@ def report_html(verdict: Verdict, language: str = "en") -> str:
 
 def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     scenario = verdict.scenario
-    ground = scenario.shaking.ground(scenario.folder)
+    ground = scenario.ground()
     pairs = pairs_of(verdict, ground)
     scenes = [pair.scene for pair in pairs]
     modes = mode_looks(language)

@@ -20,7 +20,8 @@ from stayput.report.summary import slides_off
 from stayput.report.verdict.numbers import peak_slide, peak_tilt
 from stayput.report.verdict.words import word
 from stayput.simulation.flat_fields import case_columns
-from stayput.simulation.run import Case, Outcome, run_of, trace_held
+from stayput.simulation.outcome import Outcome
+from stayput.simulation.run import Case, run_of, trace_held
 from stayput.wording import FAR
 
 if TYPE_CHECKING:

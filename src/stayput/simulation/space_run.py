@@ -1,0 +1,252 @@
+"""`SpaceRun`: what bodies in space did under one motion of the floor."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.simulation.outcome import Outcome
+from stayput.simulation.space_kinematics import lies, slides, tilts, touches, yaws
+from stayput.simulation.space_records import matrices
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from stayput.measures.measure import Held
+    from stayput.measures.results import DeviceResult
+    from stayput.model.room import Room
+    from stayput.motion import Motion
+    from stayput.simulation.standing import Standing
+
+SLID = 1e-6
+"""Way from which on a body has slid [m]."""
+
+ROCKED = 1e-4
+"""Tilt from which on a body has rocked [rad]."""
+
+SEVERITY = (
+    Outcome.RESTED,
+    Outcome.SLID,
+    Outcome.ROCKED,
+    Outcome.LEANING,
+    Outcome.OVERTURNED,
+    Outcome.FAILED,
+)
+"""Outcomes, the worst last."""
+
+
+@dataclass(frozen=True, slots=True)
+class Hit:
+    """A body that closed on something faster than 1 cm/s.
+
+    Parameters
+    ----------
+    time : float
+        When [s].
+    body : int
+        Which body.
+    other : int or None
+        Which other body; None for the room.
+    surface : str
+        What of the room: "floor", "left_wall", "right_wall" or "ceiling"; empty for another body.
+    speed : float
+        How fast they closed at the point that closed first in the list of contacts [m/s].
+    impulse : float
+        The impulse there in the step [N s].
+    """
+
+    time: float
+    body: int
+    other: int | None
+    surface: str
+    speed: float
+    impulse: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SpaceRun:
+    """What bodies in space did, in axes that move with the floor.
+
+    Parameters
+    ----------
+    standing : tuple of Standing
+        The bodies, as they stood at first.
+    room : Room
+        Where they stood.
+    motion : Motion
+        How the floor moved.
+    planes : ndarray of PLANE
+        Floor, walls and ceiling as the engine saw them.
+    time : ndarray, shape (samples,)
+        Time [s].
+    place : ndarray, shape (bodies, samples, 3)
+        Of the centres of gravity [m].
+    attitude : ndarray, shape (bodies, samples, 4)
+        Unit quaternions w, x, y, z that turn the bodies' frames into the room's.
+    velocity, rotation_rate : ndarray, shape (bodies, samples, 3)
+        Of the centres of gravity [m/s], and of the bodies [rad/s], in the room's axes.
+    force : ndarray, shape (bodies, samples, 2, 3)
+        What pressed on each body in the step before a sample [N]: the room, and the other bodies.
+    hits : tuple of Hit
+        The first hits, up to `stayput.simulation.space_engine.MOST_HITS`, in order.
+    hit_numbers : ndarray of int, shape (bodies, 3)
+        How often each body hit the floor, walls and ceiling, and other bodies.
+    devices : tuple of DeviceResult
+        What became of each device and joint.
+    steps : int
+        Steps of the engine.
+    unconverged : int
+        Steps whose contact forces did not converge; a few where contacts jam.
+    held : Held or None
+        The measures in place, where a `Body` was given.
+    """
+
+    standing: tuple[Standing, ...]
+    room: Room
+    motion: Motion
+    planes: NDArray[np.void]
+    time: NDArray[np.float64]
+    place: NDArray[np.float64]
+    attitude: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    rotation_rate: NDArray[np.float64]
+    force: NDArray[np.float64]
+    hits: tuple[Hit, ...]
+    hit_numbers: NDArray[np.int64]
+    devices: tuple[DeviceResult, ...]
+    steps: int
+    unconverged: int
+    held: Held | None = None
+
+    def __repr__(self) -> str:
+        bodies = ", ".join(outcome.value for outcome in self.outcomes)
+        return f"SpaceRun({len(self.standing)} bodies: {bodies}; {self.time[-1]:g} s)"
+
+    @property
+    def turn(self) -> NDArray[np.float64]:
+        """Rotations of the bodies' frames into the room's, shape (bodies, samples, 3, 3)."""
+        return matrices(self.attitude)
+
+    @property
+    def tilt(self) -> NDArray[np.float64]:
+        """Angles between what points up at rest and the vertical, shape (bodies, samples) [rad]."""
+        return np.stack([tilts(one.turn, turn) for one, turn in zip(self.standing, self.turn, strict=True)])
+
+    @property
+    def yaw(self) -> NDArray[np.float64]:
+        """Turns about the vertical from how the bodies stood, shape (bodies, samples) [rad]."""
+        return np.stack([yaws(one.turn, turn) for one, turn in zip(self.standing, self.turn, strict=True)])
+
+    @property
+    def slide(self) -> NDArray[np.float64]:
+        """How far the bases have slid in plan, shape (bodies, samples, 2) [m]."""
+        each = zip(self.standing, self.place, self.turn, strict=True)
+        return np.stack([slides(one, place, turn) for one, place, turn in each])
+
+    @property
+    def overturn_time(self) -> NDArray[np.float64]:
+        """When each body lay at 90° or on more than its base, shape (bodies,) [s]; else nan."""
+        found = np.full(len(self.standing), math.nan)
+        for number, (one, place, turn) in enumerate(zip(self.standing, self.place, self.turn, strict=True)):
+            fell = np.flatnonzero(fallen(one, place, turn))
+            if len(fell):
+                found[number] = self.time[fell[0]]
+        return found
+
+    @property
+    def overturned(self) -> NDArray[np.bool_]:
+        """Whether each body overturned, shape (bodies,)."""
+        return np.isfinite(self.overturn_time)
+
+    @property
+    def outcomes(self) -> tuple[Outcome, ...]:
+        """What became of each body."""
+        each = zip(self.standing, self.place, self.turn, strict=True)
+        return tuple(outcome_of(one, self.planes, place, turn) for one, place, turn in each)
+
+    @property
+    def outcome(self) -> Outcome:
+        """What became of the body that fared worst."""
+        return max(self.outcomes, key=SEVERITY.index)
+
+    @property
+    def peak_tilt(self) -> NDArray[np.float64]:
+        """Largest tilt of each body up to when it overturned, shape (bodies,) [rad]."""
+        return self._until_fallen(self.tilt)
+
+    @property
+    def peak_slide(self) -> NDArray[np.float64]:
+        """Largest slide of each body up to when it overturned, shape (bodies,) [m]."""
+        return self._until_fallen(np.hypot(self.slide[..., 0], self.slide[..., 1]))
+
+    def _until_fallen(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        ends = np.where(self.overturned, self.overturn_time, math.inf)
+        return np.where(self.time <= ends[:, np.newaxis], values, 0.0).max(axis=1)
+
+    @property
+    def residual_slide(self) -> NDArray[np.float64]:
+        """Slide of each body at the end, shape (bodies, 2) [m]."""
+        return self.slide[:, -1]
+
+    def to_dataset(self) -> xr.Dataset:
+        """Return the histories as a dataset over ``body``, ``time`` and components."""
+        import xarray as xr
+
+        about = {"long_name": "time", "units": "s"}
+        pressing = {"units": "N", "long_name": "force of the room, and of other bodies, on a body"}
+        return xr.Dataset(
+            {
+                "place": (("body", "time", "axis"), self.place, {"units": "m"}),
+                "attitude": (("body", "time", "part"), self.attitude, {"long_name": "unit quaternion"}),
+                "velocity": (("body", "time", "axis"), self.velocity, {"units": "m/s"}),
+                "rotation_rate": (("body", "time", "axis"), self.rotation_rate, {"units": "rad/s"}),
+                "force": (("body", "time", "by", "axis"), self.force, pressing),
+                "tilt": (("body", "time"), self.tilt, {"units": "rad"}),
+                "yaw": (("body", "time"), self.yaw, {"units": "rad"}),
+                "slide": (("body", "time", "level_axis"), self.slide, {"units": "m"}),
+                "outcome": ("body", [outcome.value for outcome in self.outcomes]),
+                "overturn_time": ("body", self.overturn_time, {"units": "s"}),
+            },
+            {
+                "time": ("time", self.time, about),
+                "axis": list("xyz"),
+                "level_axis": list("xy"),
+                "part": list("wxyz"),
+                "by": ["room", "bodies"],
+            },
+        )
+
+
+def fallen(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return whether a body lies at 90° or on more than its base, shape (samples,)."""
+    return (tilts(one.turn, turn) >= math.pi / 2) | lies(one.solid, place, turn)
+
+
+def outcome_of(
+    one: Standing, planes: NDArray[np.void], place: NDArray[np.float64], turn: NDArray[np.float64]
+) -> Outcome:
+    """Return what became of a body.
+
+    Parameters
+    ----------
+    one : Standing
+        The body as it rests.
+    planes : ndarray of PLANE
+        The room.
+    place, turn : ndarray, shape (samples, 3) and (samples, 3, 3)
+        Its poses.
+    """
+    if not np.isfinite(place).all():
+        return Outcome.FAILED
+    if fallen(one, place, turn).any():
+        return Outcome.OVERTURNED
+    tilt = tilts(one.turn, turn)
+    if tilt[-1] > ROCKED and touches(one.solid, planes, place[-1], turn[-1]):
+        return Outcome.LEANING
+    if tilt.max() > ROCKED:
+        return Outcome.ROCKED
+    return Outcome.SLID if np.abs(slides(one, place, turn)).max() > SLID else Outcome.RESTED
