@@ -17,7 +17,7 @@ from stayput.compiled import entry, inline, inner
 from stayput.mechanics.space.body import angular_response, copy_pose, drift, nudge, place_of, sag, update_inertia
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
-from stayput.mechanics.space.solve import STICKS, prepare, slip_rate, solve
+from stayput.mechanics.space.solve import STICKS, ask_for_bend, prepare, slip_rate, solve
 from stayput.mechanics.space.touching import (
     RIM_POINTS,
     ROOM,
@@ -60,13 +60,13 @@ def _keep(contacts, count, kept):
 
 
 @inline
-def _close(contacts, count, key, kept, ratio, h, surface, bodies, poses):
+def _close(contacts, count, key, kept, ratio, surface, bodies, poses):
     """Add a contact whose bodies, normal and levers are set; its impulses begin with those kept."""
     c = contacts[count]
     c.key = key
     c.mu_static, c.mu_kinetic = surface.mu_static, surface.mu_kinetic
     c.stuck = 1 if kept[key, 3] != 0.0 else 0
-    prepare(c, bodies, poses, surface.restitution, h)
+    prepare(c, bodies, poses, surface.restitution)
     c.pn, c.ps, c.pt = ratio * kept[key, 0], ratio * kept[key, 1], ratio * kept[key, 2]
     return count + 1
 
@@ -88,14 +88,14 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
         plane = planes[j]
         first_key = planes.shape[0] * points.shape[0] + j * rims.shape[0] * RIM_POINTS
         for b in range(bodies.shape[0]):
-            body, s = bodies[b], poses[b]
+            body, s, first = bodies[b], poses[b], count
             for i in range(body.first_point, body.first_point + body.points):
                 if may_touch(points[i], plane):
                     lever = lever_of_point(s, points[i])
                     if gap_of(s, lever, plane) <= CLOSED:
                         _on_plane(contacts[count], b, lever, plane)
                         key = j * points.shape[0] + i
-                        count = _close(contacts, count, key, kept, ratio, h, plane, bodies, poses)
+                        count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
             for i in range(body.first_rim, body.first_rim + body.rims):
                 if may_touch(rims[i], plane):
                     for number in range(RIM_POINTS):
@@ -103,7 +103,9 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
                         if there and gap_of(s, lever, plane) <= CLOSED:
                             _on_plane(contacts[count], b, lever, plane)
                             key = first_key + i * RIM_POINTS + number
-                            count = _close(contacts, count, key, kept, ratio, h, plane, bodies, poses)
+                            count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
+            if count > first:
+                ask_for_bend(contacts, first, count, bodies, poses, h)
     if pairs.shape[0] == 0:
         return count
     place_corners(bodies, poses, points, corners)
@@ -121,7 +123,9 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
             c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
             c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
             key = first_key + j * MOST_TOUCHING + m
-            count = _close(contacts, count, key, kept, ratio, h, pairs[j], bodies, poses)
+            count = _close(contacts, count, key, kept, ratio, pairs[j], bodies, poses)
+        if found:
+            ask_for_bend(contacts, count - found, count, bodies, poses, h)
     return count
 
 

@@ -49,7 +49,10 @@ OFTEN = 20
 SELDOM = 25
 """Later it follows each of so many sweeps: where contacts jam it may go astray, and sweeps then find back."""
 
-MOST_SWEEPS = 20_000
+TINY = 1e-12
+"""What a contact without an impulse counts among others, as a velocity [m/s]."""
+
+MOST_SWEEPS = 1000
 """Sweeps after which a step is taken as it is, and counted as not converged."""
 
 
@@ -69,7 +72,7 @@ def _inverse_mass(c, bodies, poses, along, by):
 
 
 @inner
-def prepare(c, bodies, poses, restitution, h):
+def prepare(c, bodies, poses, restitution):
     """Set a contact's frame, inverse masses and the velocity wanted; its normal and levers are set."""
     n = normal_of(c)
     s, t = tangents(n)
@@ -83,13 +86,38 @@ def prepare(c, bodies, poses, restitution, h):
     c.wtt = _inverse_mass(c, bodies, poses, t, t)
     half, off = 0.5 * (c.wss - c.wtt), c.wst
     c.stiff = 0.5 * (c.wss + c.wtt) + math.sqrt(half * half + off * off)
-    bent = bend(bodies[c.a], poses[c.a], lever_a(c))
-    if c.b != ROOM:
-        bent = added(bent, -1.0, bend(bodies[c.b], poses[c.b], lever_b(c)))
-    c.target_s, c.target_t = -0.5 * h * dot(s, bent), -0.5 * h * dot(t, bent)
     closing = dot(n, slip(c, poses))
-    c.target = -restitution * closing if closing < -IMPACT else min(0.0, -0.5 * h * dot(n, bent))
+    c.target = -restitution * closing if closing < -IMPACT else 0.0
+    c.target_s = c.target_t = 0.0
     c.mu = c.mu_static if c.stuck else c.mu_kinetic
+
+
+@inner
+def ask_for_bend(contacts, first, count, bodies, poses, h):
+    """Let the contacts from ``first`` on, of two bodies or a body and a plane, ask for what free flight bends.
+
+    The velocity that a point has after the impulses is the mean of that at the ends of the step to the next ones,
+    in which its path bends. All contacts of two bodies ask for the same, that of the middle of their forces:
+    no rigid motion could give each its own.
+    """
+    weight, arm, other = 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    for k in range(first, count):
+        c = contacts[k]
+        share = c.pn * c.wnn + TINY
+        weight += share
+        arm, other = added(arm, share, lever_a(c)), added(other, share, lever_b(c))
+    c = contacts[first]
+    arm = arm[0] / weight, arm[1] / weight, arm[2] / weight
+    bent = bend(bodies[c.a], poses[c.a], arm)
+    if c.b != ROOM:
+        other = other[0] / weight, other[1] / weight, other[2] / weight
+        bent = added(bent, -1.0, bend(bodies[c.b], poses[c.b], other))
+    for k in range(first, count):
+        c = contacts[k]
+        c.target_s = -0.5 * h * dot(first_tangent(c), bent)
+        c.target_t = -0.5 * h * dot(second_tangent(c), bent)
+        if c.target == 0.0:
+            c.target = min(0.0, -0.5 * h * dot(normal_of(c), bent))
 
 
 @inner
