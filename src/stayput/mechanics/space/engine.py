@@ -32,7 +32,9 @@ from stayput.mechanics.space.touching import (
 from stayput.mechanics.space.vectors import added, cross, dot
 
 CLOSED = 1e-6
-"""Gap up to which a contact is closed [m]."""
+"""Gap up to which a contact is closed [m], and by how much it grows with the square of the step [m/s²]."""
+
+REACH = 1.0
 
 ENTERS = 2e-6
 """How far a body may enter another in a step [m]."""
@@ -72,10 +74,11 @@ def _close(contacts, count, key, kept, ratio, surface, bodies, poses):
 
 
 @inline
-def _on_plane(c, b, lever, plane):
+def _on_plane(c, b, lever, gap, plane):
     c.a, c.b = b, ROOM
     c.nx, c.ny, c.nz = plane_normal(plane)
     c.rax, c.ray, c.raz = lever
+    c.gap = gap
 
 
 @inner
@@ -83,7 +86,7 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
     """Fill in the closed contacts; return their number. Impulses begin with those kept, times a ratio."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
     contacts, kept, _, corners, polygons, touching, _, _ = scratch
-    count = 0
+    count, closed = 0, CLOSED + REACH * h * h
     for j in range(planes.shape[0]):
         plane = planes[j]
         first_key = planes.shape[0] * points.shape[0] + j * rims.shape[0] * RIM_POINTS
@@ -92,16 +95,18 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
             for i in range(body.first_point, body.first_point + body.points):
                 if may_touch(points[i], plane):
                     lever = lever_of_point(s, points[i])
-                    if gap_of(s, lever, plane) <= CLOSED:
-                        _on_plane(contacts[count], b, lever, plane)
+                    gap = gap_of(s, lever, plane)
+                    if gap <= closed:
+                        _on_plane(contacts[count], b, lever, gap, plane)
                         key = j * points.shape[0] + i
                         count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
             for i in range(body.first_rim, body.first_rim + body.rims):
                 if may_touch(rims[i], plane):
                     for number in range(RIM_POINTS):
                         lever, there = lever_on_rim(s, rims[i], plane, number, push)
-                        if there and gap_of(s, lever, plane) <= CLOSED:
-                            _on_plane(contacts[count], b, lever, plane)
+                        gap = gap_of(s, lever, plane)
+                        if there and gap <= closed:
+                            _on_plane(contacts[count], b, lever, gap, plane)
                             key = first_key + i * RIM_POINTS + number
                             count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
             if count > first:
@@ -119,6 +124,7 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
             c = contacts[count]
             c.a, c.b = a, b
             c.nx, c.ny, c.nz = n
+            c.gap = 0.0
             place = touching[m, 0], touching[m, 1], touching[m, 2]
             c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
             c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
@@ -339,7 +345,7 @@ def run_in_space(
         a0, a1 = acceleration[k], acceleration[k + 1]
         if _at_rest(now):
             if not standing:
-                note_stances(world, now, CLOSED, scratch[6])
+                note_stances(world, now, CLOSED + REACH * longest * longest, scratch[6])
                 standing = True
             if stays_at_rest(bodies, now, floor, _push(a0, gravity), scratch[6]) and stays_at_rest(
                 bodies, now, floor, _push(a1, gravity), scratch[6]

@@ -30,7 +30,7 @@ from stayput.mechanics.space.contact import (
     second_tangent,
     slip,
 )
-from stayput.mechanics.space.newton import improve, set_rows
+from stayput.mechanics.space.newton import improve, set_rows, take_back
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot, tangents
 
@@ -43,16 +43,16 @@ ACCURACY = 1e-7
 STICKS = 1e-4
 """Acceleration from rest up to which a contact has not slipped [m/s²]."""
 
-OFTEN = 20
-"""Sweeps each of which a step of Newton's method follows."""
+LONGEST_PAUSE = 16
+"""Most sweeps before the next step of Newton's method, after steps that had to be taken back."""
 
-SELDOM = 25
-"""Later it follows each of so many sweeps: where contacts jam it may go astray, and sweeps then find back."""
+CLOSES = 1e-3
+"""Shortest time in which a gap that counts as closed does close [s]: not all at once in a short step."""
 
 TINY = 1e-12
 """What a contact without an impulse counts among others, as a velocity [m/s]."""
 
-MOST_SWEEPS = 1000
+MOST_SWEEPS = 500
 """Sweeps after which a step is taken as it is, and counted as not converged."""
 
 
@@ -101,8 +101,10 @@ def ask_for_bend(contacts, first, count, bodies, poses, h):
     no rigid motion could give each its own.
     """
     weight, arm, other = 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    gap = math.inf
     for k in range(first, count):
         c = contacts[k]
+        gap = min(gap, c.gap)
         share = c.pn * c.wnn + TINY
         weight += share
         arm, other = added(arm, share, lever_a(c)), added(other, share, lever_b(c))
@@ -112,12 +114,13 @@ def ask_for_bend(contacts, first, count, bodies, poses, h):
     if c.b != ROOM:
         other = other[0] / weight, other[1] / weight, other[2] / weight
         bent = added(bent, -1.0, bend(bodies[c.b], poses[c.b], other))
+    closes = max(0.0, gap) / max(h, CLOSES)
     for k in range(first, count):
         c = contacts[k]
         c.target_s = -0.5 * h * dot(first_tangent(c), bent)
         c.target_t = -0.5 * h * dot(second_tangent(c), bent)
         if c.target == 0.0:
-            c.target = min(0.0, -0.5 * h * dot(normal_of(c), bent))
+            c.target = min(0.0, -0.5 * h * dot(normal_of(c), bent) - closes)
 
 
 @inner
@@ -181,14 +184,22 @@ def solve(contacts, count, bodies, poses, system, h):
         c = contacts[k]
         n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
         push(c, bodies, poses, added(added((c.pn * n[0], c.pn * n[1], c.pn * n[2]), c.ps, s), c.pt, t))
+    last, due, pause, improved = math.inf, 0, 1, False
     for sweep in range(MOST_SWEEPS):
         change = 0.0
         for k in range(count):
             change = max(change, _update(contacts[k], bodies, poses))
-        if change <= ACCURACY * h and not _let_slip(contacts, count, poses, h):
-            return True
-        if sweep == 0:
-            set_rows(contacts, count, bodies, poses, system)
-        if sweep < OFTEN or sweep % SELDOM == 0:
+        if change <= ACCURACY * h:
+            if not _let_slip(contacts, count, poses, h):
+                return True
+            last = math.inf
+        elif improved and change > last:
+            take_back(contacts, count, bodies, poses)
+            due, pause = sweep + pause, min(2 * pause, LONGEST_PAUSE)
+        improved = sweep >= due
+        if improved:
+            if sweep == 0:
+                set_rows(contacts, count, bodies, poses, system)
+            last = change
             improve(contacts, count, bodies, poses, system)
     return False
