@@ -85,7 +85,7 @@ def _on_plane(c, b, lever, gap, plane):
 def _find_contacts(world, poses, push, scratch, ratio, h):
     """Fill in the closed contacts; return their number. Impulses begin with those kept, times a ratio."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    contacts, kept, _, corners, polygons, touching, _, _ = scratch
+    contacts, kept, _, corners, polygons, touching, _, _, axes = scratch
     count, closed = 0, CLOSED + REACH * h * h
     for j in range(planes.shape[0]):
         plane = planes[j]
@@ -118,7 +118,7 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
         _, found, n = touch(
-            bodies[a], poses[a], bodies[b], poses[b], CLOSED, faces, loops, edges, corners, polygons, touching
+            bodies[a], poses[a], bodies[b], poses[b], CLOSED, axes[j], faces, loops, edges, corners, polygons, touching
         )
         for m in range(found):
             c = contacts[count]
@@ -139,7 +139,7 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
 def _note_gaps(world, poses, scratch, gaps):
     """Set the gaps of all features and planes and of all pairs of bodies; return the least."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    _, _, _, corners, polygons, touching, _, _ = scratch
+    _, _, _, corners, polygons, touching, _, _, axes = scratch
     least = note_gaps(bodies, poses, points, rims, planes, gaps)
     if pairs.shape[0] == 0:
         return least
@@ -148,7 +148,7 @@ def _note_gaps(world, poses, scratch, gaps):
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
         apart, _, _ = touch(
-            bodies[a], poses[a], bodies[b], poses[b], CLOSED, faces, loops, edges, corners, polygons, touching
+            bodies[a], poses[a], bodies[b], poses[b], CLOSED, axes[j], faces, loops, edges, corners, polygons, touching
         )
         gaps[first + j] = apart
         least = min(least, apart)
@@ -182,12 +182,12 @@ def _move_out(body, s, lever, plane):
 def _move_all_out(world, poses, scratch):
     """Move bodies out of each other and of planes that they have entered."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    _, _, _, corners, polygons, touching, _, _ = scratch
+    _, _, _, corners, polygons, touching, _, _, axes = scratch
     for j in range(pairs.shape[0]):
         place_corners(bodies, poses, points, corners)
         body, other = bodies[pairs[j].a], bodies[pairs[j].b]
         s, r = poses[pairs[j].a], poses[pairs[j].b]
-        _, found, n = touch(body, s, other, r, 0.0, faces, loops, edges, corners, polygons, touching)
+        _, found, n = touch(body, s, other, r, 0.0, axes[j], faces, loops, edges, corners, polygons, touching)
         for m in range(found):
             if touching[m, 3] < 0.0:
                 place = touching[m, 0], touching[m, 1], touching[m, 2]
