@@ -75,14 +75,15 @@ angular momentum, rotation rate, and the inverse of the inertia in the room's ax
 CONTACT = np.dtype(
     [(name, "i8") for name in ("a", "b", "key", "stuck")]
     + [(name, "f8") for name in ("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz")]
-    + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz", "gap")]
+    + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz", "gap", "bent")]
     + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "target", "target_s", "target_t")]
     + [(name, "f8") for name in ("pn", "ps", "pt", "dn", "ds", "dt", "on", "os", "ot")]
     + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")],
     align=True,
 )
 """A closed contact: bodies a and b (−1: the room), the normal towards a and two tangents, the levers about
-both G, its gap, coefficients of friction, the normal velocity wanted, impulses, and the inverse mass that they see.
+both G, its gap and what
+free flight bends it by, coefficients of friction, the normal velocity wanted, impulses, and the inverse mass that they see.
 """
 
 HISTORY = ("x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz")

@@ -14,13 +14,14 @@ import math
 from typing import Any
 
 from stayput.compiled import entry, inline, inner
-from stayput.mechanics.space.body import angular_response, copy_pose, drift, nudge, place_of, sag, update_inertia
+from stayput.mechanics.space.body import angular_response, bend, copy_pose, drift, nudge, place_of, sag, update_inertia
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
 from stayput.mechanics.space.solve import STICKS, ask_for_bend, prepare, slip_rate, solve
 from stayput.mechanics.space.touching import (
     RIM_POINTS,
     ROOM,
+    bend_of_rim,
     gap_of,
     lever_of_point,
     lever_on_rim,
@@ -98,6 +99,7 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
                     gap = gap_of(s, lever, plane)
                     if gap <= closed:
                         _on_plane(contacts[count], b, lever, gap, plane)
+                        contacts[count].bent = dot(plane_normal(plane), bend(body, s, lever))
                         key = j * points.shape[0] + i
                         count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
             for i in range(body.first_rim, body.first_rim + body.rims):
@@ -107,6 +109,7 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
                         gap = gap_of(s, lever, plane)
                         if there and gap <= closed:
                             _on_plane(contacts[count], b, lever, gap, plane)
+                            contacts[count].bent = bend_of_rim(body, s, rims[i], plane, number)
                             key = first_key + i * RIM_POINTS + number
                             count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
             if count > first:
@@ -118,7 +121,7 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
         _, found, n = touch(
-            bodies[a], poses[a], bodies[b], poses[b], CLOSED, axes[j], faces, loops, edges, corners, polygons, touching
+            bodies[a], poses[a], bodies[b], poses[b], closed, axes[j], faces, loops, edges, corners, polygons, touching
         )
         for m in range(found):
             c = contacts[count]
@@ -128,6 +131,8 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
             place = touching[m, 0], touching[m, 1], touching[m, 2]
             c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
             c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
+            bent = bend(bodies[a], poses[a], (c.rax, c.ray, c.raz))
+            c.bent = dot(n, added(bent, -1.0, bend(bodies[b], poses[b], (c.rbx, c.rby, c.rbz))))
             key = first_key + j * MOST_TOUCHING + m
             count = _close(contacts, count, key, kept, ratio, pairs[j], bodies, poses)
         if found:

@@ -43,7 +43,7 @@ ACCURACY = 1e-7
 STICKS = 1e-4
 """Acceleration from rest up to which a contact has not slipped [m/s²]."""
 
-LONGEST_PAUSE = 16
+LONGEST_PAUSE = 8
 """Most sweeps before the next step of Newton's method, after steps that had to be taken back."""
 
 CLOSES = 1e-3
@@ -101,12 +101,13 @@ def ask_for_bend(contacts, first, count, bodies, poses, h):
     no rigid motion could give each its own.
     """
     weight, arm, other = 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-    gap = math.inf
+    gap, upwards = math.inf, 0.0
     for k in range(first, count):
         c = contacts[k]
         gap = min(gap, c.gap)
         share = c.pn * c.wnn + TINY
         weight += share
+        upwards += share * c.bent
         arm, other = added(arm, share, lever_a(c)), added(other, share, lever_b(c))
     c = contacts[first]
     arm = arm[0] / weight, arm[1] / weight, arm[2] / weight
@@ -120,7 +121,7 @@ def ask_for_bend(contacts, first, count, bodies, poses, h):
         c.target_s = -0.5 * h * dot(first_tangent(c), bent)
         c.target_t = -0.5 * h * dot(second_tangent(c), bent)
         if c.target == 0.0:
-            c.target = min(0.0, -0.5 * h * dot(normal_of(c), bent) - closes)
+            c.target = min(0.0, -0.5 * h * upwards / weight - closes)
 
 
 @inner
@@ -193,7 +194,7 @@ def solve(contacts, count, bodies, poses, system, h):
             if not _let_slip(contacts, count, poses, h):
                 return True
             last = math.inf
-        elif improved and change > last:
+        elif improved and change > 3.0 * last:
             take_back(contacts, count, bodies, poses)
             due, pause = sweep + pause, min(2 * pause, LONGEST_PAUSE)
         improved = sweep >= due
