@@ -269,10 +269,11 @@ def _step(world, before, after, push, h, scratch, ratio, work):
 
 @inner
 def _sag(bodies, poses, h):
+    """Return how far the path of a body's point bends in a step, at most, seen from another body."""
     found = 0.0
     for b in range(bodies.shape[0]):
         found = max(found, sag(bodies[b], poses[b], h))
-    return found
+    return found if bodies.shape[0] == 1 else 2.0 * found
 
 
 @inner
