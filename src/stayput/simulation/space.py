@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-STEP = 5e-4
+STEP = 1e-3
 """Longest step [s]."""
 
 ON_THE_FLOOR = 1e-4

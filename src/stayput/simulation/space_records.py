@@ -248,6 +248,11 @@ def scratch_of(world: tuple[Any, ...]) -> tuple[NDArray[Any], ...]:
         np.zeros((2, most_corners, 4)),
         np.zeros((MOST_TOUCHING, 5)),
         (np.zeros((len(points), 3)), np.zeros(len(bodies), np.int64), np.zeros((len(bodies), 3))),
-        (np.zeros((keys, 2, 3, 6)), np.zeros((unknowns, unknowns)), np.zeros(unknowns), np.zeros(len(bodies), np.int64)),
+        (
+            np.zeros((keys, 2, 3, 6)),
+            np.zeros((unknowns, unknowns)),
+            np.zeros(unknowns),
+            np.zeros(len(bodies), np.int64),
+        ),
         np.full((len(pairs), 2), -1),
     )

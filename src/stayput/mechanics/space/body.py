@@ -8,7 +8,14 @@ Kutta's method of fourth order in the quaternion.
 from __future__ import annotations
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.space.vectors import added, cross, quaternion_rate, turned, turned_back, unit_quaternion
+from stayput.mechanics.space.vectors import (
+    added,
+    cross,
+    quaternion_rate,
+    turned,
+    turned_back,
+    unit_quaternion,
+)
 
 
 @inline

@@ -14,7 +14,16 @@ import math
 from typing import Any
 
 from stayput.compiled import entry, inline, inner
-from stayput.mechanics.space.body import angular_response, bend, copy_pose, drift, nudge, place_of, sag, update_inertia
+from stayput.mechanics.space.body import (
+    angular_response,
+    bend,
+    copy_pose,
+    drift,
+    nudge,
+    place_of,
+    sag,
+    update_inertia,
+)
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
 from stayput.mechanics.space.solve import STICKS, ask_for_bend, prepare, slip_rate, solve
@@ -33,9 +42,10 @@ from stayput.mechanics.space.touching import (
 from stayput.mechanics.space.vectors import added, cross, dot
 
 CLOSED = 1e-6
-"""Gap up to which a contact is closed [m], and by how much it grows with the square of the step [m/s²]."""
+"""Gap up to which a contact is closed [m]."""
 
 REACH = 1.0
+"""By how much this gap grows with the square of the step [m/s²]: what a path bends less than foreseen."""
 
 ENTERS = 2e-6
 """How far a body may enter another in a step [m]."""
@@ -121,7 +131,18 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
         _, found, n = touch(
-            bodies[a], poses[a], bodies[b], poses[b], closed, axes[j], faces, loops, edges, corners, polygons, touching
+            bodies[a],
+            poses[a],
+            bodies[b],
+            poses[b],
+            closed,
+            axes[j],
+            faces,
+            loops,
+            edges,
+            corners,
+            polygons,
+            touching,
         )
         for m in range(found):
             c = contacts[count]
@@ -153,7 +174,18 @@ def _note_gaps(world, poses, scratch, gaps):
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
         apart, _, _ = touch(
-            bodies[a], poses[a], bodies[b], poses[b], CLOSED, axes[j], faces, loops, edges, corners, polygons, touching
+            bodies[a],
+            poses[a],
+            bodies[b],
+            poses[b],
+            CLOSED,
+            axes[j],
+            faces,
+            loops,
+            edges,
+            corners,
+            polygons,
+            touching,
         )
         gaps[first + j] = apart
         least = min(least, apart)

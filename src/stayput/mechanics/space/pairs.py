@@ -266,7 +266,10 @@ def _apart_along(a, s, b, r, axis_of, edges, faces, loops, corners):
         return _least(b if own else a, corners, n) - level, n
     i, j = axis_of[0], axis_of[1]
     p, q = _corner(corners, edges[i, 0]), _corner(corners, edges[j, 0])
-    along_a, along_b = added(_corner(corners, edges[i, 1]), -1.0, p), added(_corner(corners, edges[j, 1]), -1.0, q)
+    along_a, along_b = (
+        added(_corner(corners, edges[i, 1]), -1.0, p),
+        added(_corner(corners, edges[j, 1]), -1.0, q),
+    )
     n = cross(along_a, along_b)
     size = norm(n)
     if size <= PARALLEL * norm(along_a) * norm(along_b):
