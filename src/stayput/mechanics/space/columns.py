@@ -82,8 +82,9 @@ CONTACT = np.dtype(
     align=True,
 )
 """A closed contact: bodies a and b (−1: the room), the normal towards a and two tangents, the levers about
-both G, its gap and what
-free flight bends it by, coefficients of friction, the normal velocity wanted, impulses, and the inverse mass that they see.
+both G, its gap and the acceleration by which free flight opens it, coefficients of friction, the velocity
+wanted, impulses, their changes by a step of Newton's method, those before it, and the inverse mass that they
+see.
 """
 
 HISTORY = ("x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz")

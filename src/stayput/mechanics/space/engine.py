@@ -362,7 +362,10 @@ def run_in_space(
         Time between samples [s], longest step [s], gravity [m/s²].
     scratch : tuple
         Working memory: CONTACT[c], impulses that are kept float64[keys, 4], gaps float64[2, features], places
-        of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5].
+        of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5]; what
+        bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n, 3]; Newton's method:
+        Jacobians float64[c, 2, 3, 6], matrix float64[6n, 6n], vector float64[6n], first bodies of rows
+        int64[n]; the axes that separated pairs last int64[m, 2], −1 at first.
     histories : float64[n, samples, 13]
         Set to the poses at the samples.
     work : float64[2]

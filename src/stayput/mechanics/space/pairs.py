@@ -22,13 +22,13 @@ PREFER_FACES = 1e-6
 """By how much edges must separate bodies more than faces do, which touch in more points [m]."""
 
 SHALLOW = 1e-5
-"""Depth up to which bodies that touch on a face or by edges are not asked whether another axis keeps them apart [m]."""
+"""Depth up to which no other axis is tried where bodies touch [m]."""
 
 OUTERMOST = 1e-9
 """By how much an edge may lie inside its body along an axis to count as outermost [m]."""
 
 NEAR = 0.01
-"""Edges that are farther from the other body, as a share of both bodies' radii, are tried when nearer ones do not tell."""
+"""Share of both radii up to which edges are near the other body: others are tried where these do not tell."""
 
 PARALLEL = 1e-6
 """Sine of the angle up to which edges are parallel: they have no common normal that faces have not."""
@@ -139,7 +139,7 @@ def _best_edges(a, b, away, best, near, edges, corners):
 
 @inner
 def _crossing(edges, corners, i, j):
-    """Return the middle of the shortest way between the lines of two edges, and whether both edges meet it."""
+    """Return the middle of the shortest way between two edges' lines, and whether it is on both edges."""
     p, q = _corner(corners, edges[i, 0]), _corner(corners, edges[j, 0])
     u = added(_corner(corners, edges[i, 1]), -1.0, p)
     v = added(_corner(corners, edges[j, 1]), -1.0, q)

@@ -80,7 +80,7 @@ def note_stances(world, poses, closed, stances):
 
 @inner
 def stays_at_rest(bodies, poses, floor, push, stances):
-    """Return whether the floor alone holds all bodies where they are at rest; False where bodies do it too."""
+    """Return whether the floor alone holds all bodies at rest; False where they stand on each other."""
     sides, counts, discs = stances
     weight = -push[2]
     if weight <= 0.0 or math.hypot(push[0], push[1]) > floor.mu_static * weight:

@@ -7,7 +7,8 @@ With the impulses p of the contacts the velocities after a step of length h are
 and each contact asks (Moreau 1988; Jean 1999) for u_n⁺ ≥ −e u_n⁻, p_n ≥ 0, one of them equal, and by
 Coulomb's law for |p_t| ≤ μ p_n, with p_t against u_t⁺ where it slips. The impulses are found contact by
 contact, again and again, each with the others as they are (projected Gauss–Seidel), from those of the step
-before. A body on more than three points has no unique impulses; its motion is unique without friction, and
+before. After a sweep Newton's method solves for all contacts at once, each as the sweep left it: open,
+sticking or slipping; where the next sweep then changes more than the last, its step is taken back. A body on more than three points has no unique impulses; its motion is unique without friction, and
 taken as found with it.
 
 A contact sticks by its static coefficient as long as it did before the step; where it slips in the solution
@@ -94,11 +95,11 @@ def prepare(c, bodies, poses, restitution):
 
 @inner
 def ask_for_bend(contacts, first, count, bodies, poses, h):
-    """Let the contacts from ``first`` on, of two bodies or a body and a plane, ask for what free flight bends.
+    """Let the contacts from ``first`` on ask for what free flight bends; they are of the same two bodies.
 
-    The velocity that a point has after the impulses is the mean of that at the ends of the step to the next ones,
-    in which its path bends. All contacts of two bodies ask for the same, that of the middle of their forces:
-    no rigid motion could give each its own.
+    From the impulses of a step to those of the next the path of a point bends: so that it ends where it
+    begins, it has to leave with half the bend. All contacts of two bodies, or of a body and a plane, ask for
+    the same, that of the middle of their forces: no rigid motion could give each its own.
     """
     weight, arm, other = 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
     gap, upwards = math.inf, 0.0

@@ -70,8 +70,8 @@ def lever_on_rim(s, rim, plane, number, towards):
 def bend_of_rim(body, s, rim, plane, number):
     """Return the acceleration in free flight, without gravity, of the gap of a rim, point ``number`` of it.
 
-    The gap of a tilted rim is that of its centre less R √(1 − c²) with c = n·a, the axis a; it does not change as
-    the rim rolls.
+    The gap of a tilted rim is that of its centre less R √(1 − c²) with c = n·a, the axis a; it does not
+    change as the rim rolls.
     """
     q, n = attitude(s), plane_normal(plane)
     bent = dot(n, bend(body, s, turned(q, (rim.x, rim.y, rim.z))))
