@@ -157,3 +157,24 @@ def test_no_impact_makes_energy(seed: int) -> None:
     assert energies[-1] < energies[0]
     lowest = run.place[0, :, 2, np.newaxis] + run.turn[0][:, 2] @ (solid.vertices - solid.centre_of_gravity).T
     assert lowest.min() > -1e-4
+
+
+@pytest.mark.parametrize("direction", [0.0, 0.7, 2.5])
+@pytest.mark.parametrize("factor", [0.999, 1.02])
+def test_a_body_rocks_where_the_push_leaves_its_base(direction: float, factor: float) -> None:
+    """It tips where h a > g d with d from below G to the edge of the base in the direction of the push."""
+    push = np.array([math.cos(direction), math.sin(direction)])
+    edge = min(0.2 / max(abs(push[0]), 1e-9), 0.3 / max(abs(push[1]), 1e-9))
+    least = G * edge / 0.75
+    run = sp.simulate(BOX, STICKING, steady(*(factor * least * push), 1.0))
+    assert (run.tilt.max() > 1e-6) == (factor > 1.0)
+    assert (run.steps == 0) == (factor < 1.0)
+
+
+@pytest.mark.parametrize("factor", [0.999, 1.02])
+def test_a_cylinder_rocks_where_the_push_leaves_its_circle(factor: float) -> None:
+    drum = sp.Solid.cylinder(0.4, 1.2, 60.0)
+    least = factor * G * 0.2 / 0.6
+    run = sp.simulate(drum, STICKING, steady(0.8 * least, 0.6 * least, 1.0))
+    assert (run.tilt.max() > 1e-6) == (factor > 1.0)
+    assert (run.steps == 0) == (factor < 1.0)

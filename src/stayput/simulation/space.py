@@ -140,6 +140,7 @@ def _run(
         trace.pressing,
         hits,
         trace.hit_numbers[:-1],
+        trace.peak_tilt,
         devices,
         trace.steps,
         trace.unconverged,

@@ -198,7 +198,8 @@ def result_of(piece: Piece, trace: SpaceTrace, time: NDArray[np.float64]) -> NDA
     end = int(fell[0]) if len(fell) else len(time) - 1
     result["outcome"] = NUMBERS[outcome_of(one, piece.planes, place, turn)]
     result["end"] = time[end]
-    result["peak_tilt"], result["peak_slide"] = tilt[: end + 1].max(), slide[: end + 1].max()
+    result["peak_tilt"] = tilt[: end + 1].max() if len(fell) else trace.peak_tilt[0]
+    result["peak_slide"] = slide[: end + 1].max()
     result["residual_tilt"], result["residual_slide"] = tilt[end], slide[end]
     result["floor_impacts"], result["wall_impacts"] = trace.hit_numbers[0, [ON_FLOOR, ON_ROOM]]
     result["events"], result["steps"] = trace.hit_numbers[-1, 0], trace.steps

@@ -15,7 +15,7 @@ from stayput.simulation.space_records import refuse_overlaps, scratch_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-STEP = 5e-4
+STEP = 1e-3
 """Longest step [s]."""
 
 MOST_HITS = 10_000
@@ -43,6 +43,8 @@ class SpaceTrace(NamedTuple):
         The first hits.
     hit_numbers : ndarray of int64, shape (bodies + 1, 3)
         Hits of each body on floor, walls and ceiling, and other bodies; in the last row of all.
+    peak_tilt : ndarray, shape (bodies,)
+        Largest tilt at any step [rad].
     steps, unconverged : int
         Steps, and those whose contact forces did not converge.
     """
@@ -56,6 +58,7 @@ class SpaceTrace(NamedTuple):
     devices: NDArray[np.void]
     hits: NDArray[np.void]
     hit_numbers: NDArray[np.int64]
+    peak_tilt: NDArray[np.float64]
     steps: int
     unconverged: int
 
@@ -98,8 +101,8 @@ def run_world(
     held[2]["failure_time"] = np.nan
     histories = np.zeros((bodies, samples, len(HISTORY)))
     forces, hits = np.zeros((samples, len(springs), FORCES)), np.zeros(MOST_HITS, HIT)
-    numbers, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(2)
-    output = histories, forces, hits, numbers, work
+    numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(2)
+    output = histories, forces, hits, numbers, peaks, work
     times = np.array([dt, longest_step(springs, world[0], step), gravity])
     scratch = scratch_of(world)
     run_in_space(world, held, both, acceleration[:1], times, scratch, output)  # notes gaps, takes no step
@@ -115,6 +118,7 @@ def run_world(
         held[2],
         hits[: min(len(hits), numbers[-1, 0])].copy(),
         numbers,
+        2.0 * np.arcsin(np.sqrt(0.5 * peaks)),
         int(work[0]),
         int(work[1]),
     )

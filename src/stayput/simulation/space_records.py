@@ -202,11 +202,12 @@ def _add(
         ]
     body["restitution"], body["landing_place"] = floor.restitution, floor.landing_place
     body["edge_static"], body["edge_kinetic"] = floor.edge_friction
+    up = solid.up_at_rest
+    body["ux"], body["uy"], body["uz"] = axes[2] if up is None else up @ axes
     body["points"] = len(points) - first
     body["radius"] = np.linalg.norm(vertices, axis=1).max()
     body["first_rim"], body["rims"] = len(rims), len(solid.rims)
-    for rim in solid.rims:
-        rims.append((*own(rim[:3]), *(rim[3:6] @ axes), rim[6], int(rim[2] > feet_reach), 1))
+    rims += [(*own(rim[:3]), *(rim[3:6] @ axes), rim[6], int(rim[2] > feet_reach), 1) for rim in solid.rims]
     body["first_face"], body["faces"] = len(faces), len(solid.faces)
     body["first_edge"] = len(edges)
     for face in solid.faces:
@@ -326,4 +327,5 @@ def scratch_of(world: tuple[Any, ...]) -> tuple[Any, ...]:
             np.zeros(unknowns),
             np.zeros(len(bodies), np.int64),
         ),
+        np.full((len(pairs), 2), -1),
     )

@@ -95,6 +95,8 @@ class SpaceRun:
         The first hits, up to `stayput.simulation.space_engine.MOST_HITS`, in order.
     hit_numbers : ndarray of int, shape (bodies, 3)
         How often each body hit the floor, walls and ceiling, and other bodies.
+    peak_tilt : ndarray, shape (bodies,)
+        Largest tilt of each body at any step [rad].
     devices : tuple of DeviceResult
         What became of each device and joint.
     steps : int
@@ -117,6 +119,7 @@ class SpaceRun:
     force: NDArray[np.float64]
     hits: tuple[Hit, ...]
     hit_numbers: NDArray[np.int64]
+    peak_tilt: NDArray[np.float64]
     devices: tuple[DeviceResult, ...]
     steps: int
     unconverged: int
@@ -174,16 +177,9 @@ class SpaceRun:
         return max(self.outcomes, key=SEVERITY.index)
 
     @property
-    def peak_tilt(self) -> NDArray[np.float64]:
-        """Largest tilt of each body up to when it overturned, shape (bodies,) [rad]."""
-        return self._until_fallen(self.tilt)
-
-    @property
     def peak_slide(self) -> NDArray[np.float64]:
-        """Largest slide of each body up to when it overturned, shape (bodies,) [m]."""
-        return self._until_fallen(np.hypot(self.slide[..., 0], self.slide[..., 1]))
-
-    def _until_fallen(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Largest slide of each body up to when it overturned, at a sample, shape (bodies,) [m]."""
+        values = np.hypot(self.slide[..., 0], self.slide[..., 1])
         ends = np.where(self.overturned, self.overturn_time, math.inf)
         return np.where(self.time <= ends[:, np.newaxis], values, 0.0).max(axis=1)
 

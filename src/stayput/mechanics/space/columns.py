@@ -44,12 +44,15 @@ SOLID = np.dtype(
         ("landing_place", "f8"),
         ("edge_static", "f8"),
         ("edge_kinetic", "f8"),
+        ("ux", "f8"),
+        ("uy", "f8"),
+        ("uz", "f8"),
     ],
     align=True,
 )
 """A body: mass, principal moments of inertia; its points, of which the first are the corners of its convex
 hull, rims, faces and edges; the radius about G of a ball around it; and of the floor under it restitution and
-place of a landing, and friction while it stands on one corner or edge.
+place of a landing, and friction while it stands on one corner or edge; and what points up at rest.
 """
 
 POINT = np.dtype(
@@ -102,15 +105,17 @@ angular momentum, rotation rate, and the inverse of the inertia in the room's ax
 CONTACT = np.dtype(
     [(name, "i8") for name in ("a", "b", "key", "stuck", "plane", "floor")]
     + [(name, "f8") for name in ("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz")]
-    + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz")]
+    + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz", "gap", "bent")]
     + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "closing")]
-    + [(name, "f8") for name in ("target", "target_s", "target_t", "pn", "ps", "pt", "dn", "ds", "dt")]
+    + [(name, "f8") for name in ("target", "target_s", "target_t")]
+    + [(name, "f8") for name in ("pn", "ps", "pt", "dn", "ds", "dt", "on", "os", "ot")]
     + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")],
     align=True,
 )
 """A closed contact: bodies a and b (−1: the room), the plane of the room (−1: none) and whether it is the
-floor, the normal towards a and two tangents, the levers about both G, coefficients of friction, the normal
-velocity before and the one wanted, impulses, and the inverse mass that they see.
+floor, the normal towards a and two tangents, the levers about both G, its gap and the acceleration by which
+free flight opens it, coefficients of friction, the normal velocity before and the one wanted, impulses, their
+changes by a step of Newton's method, those before it, and the inverse mass that they see.
 """
 
 SPRING = np.dtype(

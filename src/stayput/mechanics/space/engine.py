@@ -16,6 +16,8 @@ from typing import Any
 from stayput.compiled import entry, inline, inner
 from stayput.mechanics.space.body import (
     angular_response,
+    attitude,
+    bend,
     copy_pose,
     drift,
     nudge,
@@ -29,10 +31,11 @@ from stayput.mechanics.space.devices import give, hold, note_forces, note_loads,
 from stayput.mechanics.space.landing import land
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
-from stayput.mechanics.space.solve import STICKS, begin, prepare, slip_rate, solve
+from stayput.mechanics.space.solve import STICKS, ask_for_bend, begin, prepare, slip_rate, solve
 from stayput.mechanics.space.touching import (
     RIM_POINTS,
     ROOM,
+    bend_of_rim,
     gap_of,
     lever_of_point,
     lever_on_rim,
@@ -41,13 +44,16 @@ from stayput.mechanics.space.touching import (
     note_gaps,
     plane_normal,
 )
-from stayput.mechanics.space.vectors import added, cross, dot, scaled
+from stayput.mechanics.space.vectors import added, cross, dot, scaled, turned
 
 NO_PLANE = -1
 """The plane of a contact between bodies."""
 
 CLOSED = 1e-6
 """Gap up to which a contact is closed [m]."""
+
+REACH = 1.0
+"""By how much this gap grows with the square of the step [m/s²]: what a path bends less than foreseen."""
 
 ENTERS = 2e-6
 """How far a body may enter another in a step [m]."""
@@ -78,22 +84,23 @@ def _keep(contacts, count, kept):
 
 
 @inline
-def _close(contacts, count, key, kept, ratio, h, surface, bodies, poses):
+def _close(contacts, count, key, kept, ratio, surface, bodies, poses):
     """Add a contact whose bodies, normal and levers are set; its impulses begin with those kept."""
     c = contacts[count]
     c.key = key
     c.mu_static, c.mu_kinetic = surface.mu_static, surface.mu_kinetic
     c.stuck = 1 if kept[key, 3] != 0.0 else 0
-    prepare(c, bodies, poses, surface.restitution, h)
+    prepare(c, bodies, poses, surface.restitution)
     c.pn, c.ps, c.pt = ratio * kept[key, 0], ratio * kept[key, 1], ratio * kept[key, 2]
     return count + 1
 
 
 @inline
-def _on_plane(c, b, lever, j, plane):
+def _on_plane(c, b, lever, gap, j, plane):
     c.a, c.b, c.plane, c.floor = b, ROOM, j, plane.floor
     c.nx, c.ny, c.nz = plane_normal(plane)
     c.rax, c.ray, c.raz = lever
+    c.gap = gap
 
 
 @inline
@@ -107,21 +114,22 @@ def _rub(c, static, kinetic):
 def _find_contacts(world, poses, push, scratch, ratio, h):
     """Fill in the closed contacts; return their number. Impulses begin with those kept, times a ratio."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    contacts, kept, _, corners, polygons, touching, _, _ = scratch
-    count = 0
+    contacts, kept, _, corners, polygons, touching, _, _, axes = scratch
+    count, closed = 0, CLOSED + REACH * h * h
     for j in range(planes.shape[0]):
         plane = planes[j]
         first_key = planes.shape[0] * points.shape[0] + j * rims.shape[0] * RIM_POINTS
         for b in range(bodies.shape[0]):
-            body, s = bodies[b], poses[b]
-            first = count
+            body, s, first = bodies[b], poses[b], count
             for i in range(body.first_point, body.first_point + body.points):
                 if may_touch(points[i], plane):
                     lever = lever_of_point(s, points[i])
-                    if gap_of(s, lever, plane) <= CLOSED:
-                        _on_plane(contacts[count], b, lever, j, plane)
+                    gap = gap_of(s, lever, plane)
+                    if gap <= closed:
+                        _on_plane(contacts[count], b, lever, gap, j, plane)
+                        contacts[count].bent = dot(plane_normal(plane), bend(body, s, lever))
                         key = j * points.shape[0] + i
-                        count = _close(contacts, count, key, kept, ratio, h, plane, bodies, poses)
+                        count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
                         if plane.floor and points[i].mu_static >= 0.0:  # not NaN
                             _rub(contacts[count - 1], points[i].mu_static, points[i].mu_kinetic)
             if plane.floor and count - first <= 2:  # on a corner or an edge
@@ -132,10 +140,14 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
                 if may_touch(rims[i], plane):
                     for number in range(RIM_POINTS):
                         lever, there = lever_on_rim(s, rims[i], plane, number, push)
-                        if there and gap_of(s, lever, plane) <= CLOSED:
-                            _on_plane(contacts[count], b, lever, j, plane)
+                        gap = gap_of(s, lever, plane)
+                        if there and gap <= closed:
+                            _on_plane(contacts[count], b, lever, gap, j, plane)
+                            contacts[count].bent = bend_of_rim(body, s, rims[i], plane, number)
                             key = first_key + i * RIM_POINTS + number
-                            count = _close(contacts, count, key, kept, ratio, h, plane, bodies, poses)
+                            count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
+            if count > first:
+                ask_for_bend(contacts, first, count, bodies, poses, h)
     if pairs.shape[0] == 0:
         return count
     place_corners(bodies, poses, points, corners)
@@ -143,17 +155,33 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
         _, found, n = touch(
-            bodies[a], poses[a], bodies[b], poses[b], CLOSED, faces, loops, edges, corners, polygons, touching
+            bodies[a],
+            poses[a],
+            bodies[b],
+            poses[b],
+            closed,
+            axes[j],
+            faces,
+            loops,
+            edges,
+            corners,
+            polygons,
+            touching,
         )
         for m in range(found):
             c = contacts[count]
             c.a, c.b, c.plane, c.floor = a, b, NO_PLANE, 0
             c.nx, c.ny, c.nz = n
+            c.gap = 0.0
             place = touching[m, 0], touching[m, 1], touching[m, 2]
             c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
             c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
+            bent = bend(bodies[a], poses[a], (c.rax, c.ray, c.raz))
+            c.bent = dot(n, added(bent, -1.0, bend(bodies[b], poses[b], (c.rbx, c.rby, c.rbz))))
             key = first_key + j * MOST_TOUCHING + m
-            count = _close(contacts, count, key, kept, ratio, h, pairs[j], bodies, poses)
+            count = _close(contacts, count, key, kept, ratio, pairs[j], bodies, poses)
+        if found:
+            ask_for_bend(contacts, count - found, count, bodies, poses, h)
     return count
 
 
@@ -161,7 +189,7 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
 def _note_gaps(world, poses, scratch, gaps):
     """Set the gaps of all features and planes and of all pairs of bodies; return the least."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    _, _, _, corners, polygons, touching, _, _ = scratch
+    _, _, _, corners, polygons, touching, _, _, axes = scratch
     least = note_gaps(bodies, poses, points, rims, planes, gaps)
     if pairs.shape[0] == 0:
         return least
@@ -170,7 +198,18 @@ def _note_gaps(world, poses, scratch, gaps):
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
         apart, _, _ = touch(
-            bodies[a], poses[a], bodies[b], poses[b], CLOSED, faces, loops, edges, corners, polygons, touching
+            bodies[a],
+            poses[a],
+            bodies[b],
+            poses[b],
+            CLOSED,
+            axes[j],
+            faces,
+            loops,
+            edges,
+            corners,
+            polygons,
+            touching,
         )
         gaps[first + j] = apart
         least = min(least, apart)
@@ -204,12 +243,12 @@ def _move_out(body, s, lever, plane):
 def _move_all_out(world, poses, scratch):
     """Move bodies out of each other and of planes that they have entered."""
     bodies, points, rims, planes, pairs, faces, loops, edges = world
-    _, _, _, corners, polygons, touching, _, _ = scratch
+    _, _, _, corners, polygons, touching, _, _, axes = scratch
     for j in range(pairs.shape[0]):
         place_corners(bodies, poses, points, corners)
         body, other = bodies[pairs[j].a], bodies[pairs[j].b]
         s, r = poses[pairs[j].a], poses[pairs[j].b]
-        _, found, n = touch(body, s, other, r, 0.0, faces, loops, edges, corners, polygons, touching)
+        _, found, n = touch(body, s, other, r, 0.0, axes[j], faces, loops, edges, corners, polygons, touching)
         for m in range(found):
             if touching[m, 3] < 0.0:
                 place = touching[m, 0], touching[m, 1], touching[m, 2]
@@ -321,10 +360,11 @@ def _note_hits(contacts, count, kept, time, hits, numbers):
 
 @inner
 def _sag(bodies, poses, h):
+    """Return how far the path of a body's point bends in a step, at most, seen from another body."""
     found = 0.0
     for b in range(bodies.shape[0]):
         found = max(found, sag(bodies[b], poses[b], h))
-    return found
+    return found if bodies.shape[0] == 1 else 2.0 * found
 
 
 @inner
@@ -411,17 +451,21 @@ def run_in_space(
         Time between samples [s], longest step [s], gravity [m/s²].
     scratch : tuple
         Working memory: CONTACT[c], impulses that are kept float64[keys, 4], gaps float64[2, features], places
-        of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5].
+        of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5]; what
+        bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n, 3], least friction
+        float64[n], forces and moments of devices float64[n, 6]; Newton's method: Jacobians
+        float64[c, 2, 3, 6], matrix float64[6n, 6n], vector float64[6n], first bodies of rows int64[n]; the
+        axes that separated pairs last int64[m, 2], −1 at first.
     output : tuple
         Histories at the samples float64[n, samples, 19]; forces of the devices there float64[samples, d, 2],
         along the normal, + where it pulls, and the plane; HIT[h], the first hits; numbers of hits by body and
-        kind int64[n + 1, 3], in the last row of all hits; steps, and steps whose impulses did not converge,
-        float64[2]: added to.
+        kind int64[n + 1, 3], in the last row of all hits; the largest 1 − cos of the bodies' tilts at any
+        step float64[n]; steps, and steps whose impulses did not converge, float64[2]: added to.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     bodies, floor = world[0], world[3][0]
     contacts, kept, gaps = scratch[0], scratch[1], scratch[2]
-    histories, forces, hits, hit_numbers, work = output
+    histories, forces, hits, hit_numbers, peaks, work = output
     now, trial = poses[0], poses[1]
     for b in range(bodies.shape[0]):
         update_inertia(bodies[b], now[b])
@@ -429,23 +473,46 @@ def run_in_space(
     _note_gaps(world, now, scratch, gaps[0])
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
     last, count = 0.0, 0
-    standing = False
+    noted = level = bears = False
     for k in range(acceleration.shape[0] - 1):
         a0, a1 = acceleration[k], acceleration[k + 1]
-        if last > 0.0 and _at_rest(now):
-            if not standing:
-                note_stances(world, now, CLOSED, scratch[6])
-                standing = note_loads(held[0], held[1], last, scratch[6][4])
+        # what preloaded devices bear at rest is known after a step
+        if (last > 0.0 or held[0].shape[0] == 0) and _at_rest(now):
+            if not noted:
+                note_stances(world, now, CLOSED + REACH * longest * longest, scratch[6])
+                level = note_loads(held[0], held[1], last, scratch[6][4])
+                noted = True
             if (
-                standing
+                level
                 and stays_at_rest(bodies, now, floor, _push(a0, gravity), scratch[6])
                 and stays_at_rest(bodies, now, floor, _push(a1, gravity), scratch[6])
             ):
                 _note(histories, k + 1, now)
                 _note_weight(histories, k + 1, bodies, _push(a1, gravity), scratch[6][4])
                 note_forces(held[1], forces[k + 1])
+                bears = False
                 continue
-        standing = False
+            # what walls and other bodies help to bear is convex in the push too: steps at both samples tell
+            h = dt / parts
+            if not bears:
+                ratio = h / last if last > 0.0 else 0.0
+                count = _step(world, held, now, trial, _push(a0, gravity), h, scratch, ratio, work)
+                bears = _at_rest(trial)
+                if bears:
+                    _keep(contacts, count, kept)
+                    last = h
+            if bears:
+                count = _step(world, held, now, trial, _push(a1, gravity), h, scratch, h / last, work)
+                bears = _at_rest(trial)
+            if bears:
+                _keep(contacts, count, kept)
+                give(held[0], held[1], held[2], trial, dt * (k + 1))
+                last = h
+                _note(histories, k + 1, now)
+                _note_pressing(histories, k + 1, contacts, count, last)
+                note_forces(held[1], forces[k + 1])
+                continue
+        noted = bears = False
         for part in range(parts):
             t, end = dt * part / parts, dt * (part + 1) / parts
             while t < end:
@@ -468,6 +535,8 @@ def run_in_space(
                 give(held[0], held[1], held[2], trial, dt * k + t + h)
                 for b in range(bodies.shape[0]):
                     copy_pose(trial[b], now[b])
+                    up = turned(attitude(now[b]), (bodies[b].ux, bodies[b].uy, bodies[b].uz))
+                    peaks[b] = max(peaks[b], 1.0 - up[2])
                 for place in range(gaps.shape[1]):
                     gaps[0, place] = gaps[1, place]
                 last = h

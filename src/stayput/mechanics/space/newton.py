@@ -29,7 +29,7 @@ from stayput.mechanics.space.contact import (
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot, turned_back
 
-FIRM = 1e7
+FIRM = 1e6
 """Penalty of a velocity that a contact forbids, times the inverse mass that it sees."""
 
 
@@ -167,6 +167,7 @@ def improve(contacts, count, bodies, poses, system):
             c.dt = p[2] - dot(d3, u)
     for k in range(count):
         c = contacts[k]
+        c.on, c.os, c.ot = c.pn, c.ps, c.pt
         if c.pn > 0.0:
             _add_impulse(c, bodies, poses)
 
@@ -185,6 +186,21 @@ def _change(vector, c, rows):
     return u0, u1, u2
 
 
+@inner
+def take_back(contacts, count, bodies, poses):
+    """Take the last step of Newton's method back, and what sweeps did since."""
+    for k in range(count):
+        _set_impulse(contacts[k], bodies, poses, contacts[k].on, contacts[k].os, contacts[k].ot)
+
+
+@inline
+def _set_impulse(c, bodies, poses, pn, ps, pt):
+    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
+    dn, ds, dt = pn - c.pn, ps - c.ps, pt - c.pt
+    c.pn, c.ps, c.pt = pn, ps, pt
+    push(c, bodies, poses, added(added((dn * n[0], dn * n[1], dn * n[2]), ds, s), dt, t))
+
+
 @inline
 def _add_impulse(c, bodies, poses):
     """Change a contact's impulse by what was found, as far as its cone lets it."""
@@ -193,7 +209,4 @@ def _add_impulse(c, bodies, poses):
     size, most = math.sqrt(ps * ps + pt * pt), c.mu * pn
     if size > most:
         ps, pt = ps * most / size, pt * most / size
-    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
-    dn, ds, dt = pn - c.pn, ps - c.ps, pt - c.pt
-    c.pn, c.ps, c.pt = pn, ps, pt
-    push(c, bodies, poses, added(added((dn * n[0], dn * n[1], dn * n[2]), ds, s), dt, t))
+    _set_impulse(c, bodies, poses, pn, ps, pt)

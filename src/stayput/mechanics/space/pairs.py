@@ -21,6 +21,15 @@ MOST_TOUCHING = 8
 PREFER_FACES = 1e-6
 """By how much edges must separate bodies more than faces do, which touch in more points [m]."""
 
+SHALLOW = 1e-5
+"""Depth up to which no other axis is tried where bodies touch [m]."""
+
+OUTERMOST = 1e-9
+"""By how much an edge may lie inside its body along an axis to count as outermost [m]."""
+
+NEAR = 0.01
+"""Share of both radii up to which edges are near the other body: others are tried where these do not tell."""
+
 PARALLEL = 1e-6
 """Sine of the angle up to which edges are parallel: they have no common normal that faces have not."""
 
@@ -68,15 +77,47 @@ def _best_face(body, s, other, faces, loops, corners):
 
 
 @inner
-def _best_edges(a, b, away, best, edges, corners):
+def _bounds(body, near, corners):
+    """Return the least and the greatest coordinates of what is nearer to the hull of a body than ``near``."""
+    low, high = (math.inf, math.inf, math.inf), (-math.inf, -math.inf, -math.inf)
+    for i in range(body.first_point, body.first_point + body.hull):
+        x, y, z = _corner(corners, i)
+        low = min(low[0], x - near), min(low[1], y - near), min(low[2], z - near)
+        high = max(high[0], x + near), max(high[1], y + near), max(high[2], z + near)
+    return low, high
+
+
+@inline
+def _is_outside(edge, low, high, corners):
+    """Return whether all of an edge lies beyond a side of a box."""
+    p, q = _corner(corners, edge[0]), _corner(corners, edge[1])
+    return (
+        max(p[0], q[0]) < low[0]
+        or max(p[1], q[1]) < low[1]
+        or max(p[2], q[2]) < low[2]
+        or min(p[0], q[0]) > high[0]
+        or min(p[1], q[1]) > high[1]
+        or min(p[2], q[2]) > high[2]
+    )
+
+
+@inner
+def _best_edges(a, b, away, best, near, edges, corners):
     """Return the edges of two bodies whose common normal separates them most, how far, and the normal from a.
 
-    ``away`` is the direction from a to b; edges that separate them less than ``best`` do not count.
+    ``away`` is the direction from a to b; edges that separate them less than ``best`` do not count, and none
+    that is farther from the other body than ``near``.
     """
     first, second, axis = -1, -1, away
+    low_a, high_a = _bounds(a, near, corners)
+    low_b, high_b = _bounds(b, near, corners)
     for i in range(a.first_edge, a.first_edge + a.edges):
+        if _is_outside(edges[i], low_b, high_b, corners):
+            continue
         along_a = added(_corner(corners, edges[i, 1]), -1.0, _corner(corners, edges[i, 0]))
         for j in range(b.first_edge, b.first_edge + b.edges):
+            if _is_outside(edges[j], low_a, high_a, corners):
+                continue
             along_b = added(_corner(corners, edges[j, 1]), -1.0, _corner(corners, edges[j, 0]))
             n = cross(along_a, along_b)
             size = norm(n)
@@ -98,15 +139,17 @@ def _best_edges(a, b, away, best, edges, corners):
 
 @inner
 def _crossing(edges, corners, i, j):
-    """Return the middle of the shortest way between the lines of two edges."""
+    """Return the middle of the shortest way between two edges' lines, and whether it is on both edges."""
     p, q = _corner(corners, edges[i, 0]), _corner(corners, edges[j, 0])
     u = added(_corner(corners, edges[i, 1]), -1.0, p)
     v = added(_corner(corners, edges[j, 1]), -1.0, q)
     w = added(p, -1.0, q)
     uu, uv, vv, uw, vw = dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w)
     det = uu * vv - uv * uv
-    x, y = added(p, (uv * vw - vv * uw) / det, u), added(q, (uu * vw - uv * uw) / det, v)
-    return 0.5 * (x[0] + y[0]), 0.5 * (x[1] + y[1]), 0.5 * (x[2] + y[2])
+    f, g = (uv * vw - vv * uw) / det, (uu * vw - uv * uw) / det
+    x, y = added(p, f, u), added(q, g, v)
+    middle = 0.5 * (x[0] + y[0]), 0.5 * (x[1] + y[1]), 0.5 * (x[2] + y[2])
+    return middle, 0.0 <= f <= 1.0 and 0.0 <= g <= 1.0
 
 
 @inner
@@ -177,7 +220,69 @@ def _thin_out(polygon, count, n, touching):
 
 
 @inner
-def touch(a, s, b, r, closed, faces, loops, edges, corners, polygons, touching):
+def _meet_on_face(a, s, b, r, face, closed, faces, loops, corners, polygons, touching):
+    """Find where a face of one of two bodies touches the other.
+
+    Returns
+    -------
+    tuple
+        How many points touch, and the normal from b to a.
+    """
+    if a.first_face <= face < a.first_face + a.faces:
+        n = _normal(s, faces[face])
+        incident, towards = _facing(b, r, faces, n), (-n[0], -n[1], -n[2])
+    else:
+        n = _normal(r, faces[face])
+        incident, towards = _facing(a, s, faces, n), n
+    now, count = _cut(face, incident, n, faces, loops, corners, polygons)
+    level = dot(n, _corner(corners, loops[faces[face].first]))
+    left = 0
+    for m in range(count):
+        p = polygons[now, m, 0], polygons[now, m, 1], polygons[now, m, 2]
+        gap = dot(n, p) - level
+        if gap <= closed:
+            polygons[now, left, 0], polygons[now, left, 1], polygons[now, left, 2] = p
+            polygons[now, left, 3] = gap
+            left += 1
+    if left > MOST_TOUCHING:
+        return _thin_out(polygons[now], left, n, touching), towards
+    for m in range(left):
+        for c in range(4):
+            touching[m, c] = polygons[now, m, c]
+    return left, towards
+
+
+@inner
+def _apart_along(a, s, b, r, axis_of, edges, faces, loops, corners):
+    """Return how far the face or the two edges in ``axis_of`` keep two bodies apart, and the normal from a.
+
+    Edges that are not outermost along their normal, or parallel, tell nothing: −inf.
+    """
+    if axis_of[1] < 0:
+        face = axis_of[0]
+        own = a.first_face <= face < a.first_face + a.faces
+        n = _normal(s, faces[face]) if own else _normal(r, faces[face])
+        level = dot(n, _corner(corners, loops[faces[face].first]))
+        return _least(b if own else a, corners, n) - level, n
+    i, j = axis_of[0], axis_of[1]
+    p, q = _corner(corners, edges[i, 0]), _corner(corners, edges[j, 0])
+    along_a, along_b = (
+        added(_corner(corners, edges[i, 1]), -1.0, p),
+        added(_corner(corners, edges[j, 1]), -1.0, q),
+    )
+    n = cross(along_a, along_b)
+    size = norm(n)
+    if size <= PARALLEL * norm(along_a) * norm(along_b):
+        return -math.inf, n
+    if dot(n, added(place_of(r), -1.0, place_of(s))) < 0.0:
+        size = -size
+    n = n[0] / size, n[1] / size, n[2] / size
+    apart = _least(b, corners, n) + _least(a, corners, (-n[0], -n[1], -n[2]))
+    return apart if dot(n, added(q, -1.0, p)) <= apart + OUTERMOST else -math.inf, n
+
+
+@inner
+def touch(a, s, b, r, closed, axis_of, faces, loops, edges, corners, polygons, touching):
     """Find where two bodies touch.
 
     Parameters
@@ -186,6 +291,10 @@ def touch(a, s, b, r, closed, faces, loops, edges, corners, polygons, touching):
         The bodies, and where they are.
     closed : float
         Gap up to which they touch [m].
+    axis_of : int64[2]
+        The face, and −1, or the two edges that separated them last, (−1, −1) if none has: tried first, and
+        set. Where they still keep them apart, or touch, no other tells more: points of both that are as near
+        to each other as an axis keeps the bodies apart are the nearest.
     touching : float64[8, 5]
         Set to the points (x, y, z) and their gaps.
 
@@ -200,38 +309,44 @@ def touch(a, s, b, r, closed, faces, loops, edges, corners, polygons, touching):
     reach = norm(away) - a.radius - b.radius
     if reach > closed:
         return reach, 0, none
+    if axis_of[0] >= 0:
+        apart, n = _apart_along(a, s, b, r, axis_of, edges, faces, loops, corners)
+        if apart > closed:
+            return apart, 0, none
+        if apart >= -SHALLOW:
+            if axis_of[1] < 0:
+                found, towards = _meet_on_face(
+                    a, s, b, r, axis_of[0], closed, faces, loops, corners, polygons, touching
+                )
+                if found:
+                    return apart, found, towards
+            else:
+                point, crosses = _crossing(edges, corners, axis_of[0], axis_of[1])
+                if crosses:
+                    touching[0, 0], touching[0, 1], touching[0, 2] = point
+                    touching[0, 3] = apart
+                    return apart, 1, (-n[0], -n[1], -n[2])
     face_a, apart_a = _best_face(a, s, b, faces, loops, corners)
     face_b, apart_b = _best_face(b, r, a, faces, loops, corners)
     apart = max(apart_a, apart_b)
+    # of two faces alike the first body's, so that it does not change
+    face = face_a if apart_a >= apart_b - PREFER_FACES else face_b
+    axis_of[0], axis_of[1] = face, -1
     if apart > closed:
         return apart, 0, none
-    edge_a, edge_b, apart_e, axis = _best_edges(a, b, away, apart, edges, corners)
-    if apart_e > apart + PREFER_FACES:
-        if apart_e > closed:
-            return apart_e, 0, none
-        point = _crossing(edges, corners, edge_a, edge_b)
-        touching[0, 0], touching[0, 1], touching[0, 2] = point
-        touching[0, 3] = apart_e
-        return apart_e, 1, (-axis[0], -axis[1], -axis[2])
-    if apart_a >= apart_b - PREFER_FACES:  # of two faces alike the first body's, so that it does not change
-        reference, n = face_a, _normal(s, faces[face_a])
-        incident, towards = _facing(b, r, faces, n), (-n[0], -n[1], -n[2])
-    else:
-        reference, n = face_b, _normal(r, faces[face_b])
-        incident, towards = _facing(a, s, faces, n), n
-    now, count = _cut(reference, incident, n, faces, loops, corners, polygons)
-    level = dot(n, _corner(corners, loops[faces[reference].first]))
-    left = 0
-    for m in range(count):
-        p = polygons[now, m, 0], polygons[now, m, 1], polygons[now, m, 2]
-        gap = dot(n, p) - level
-        if gap <= closed:
-            polygons[now, left, 0], polygons[now, left, 1], polygons[now, left, 2] = p
-            polygons[now, left, 3] = gap
-            left += 1
-    if left > MOST_TOUCHING:
-        return apart, _thin_out(polygons[now], left, n, touching), towards
-    for m in range(left):
-        for c in range(4):
-            touching[m, c] = polygons[now, m, c]
-    return apart, left, towards
+    found, towards = _meet_on_face(a, s, b, r, face, closed, faces, loops, corners, polygons, touching)
+    if found and apart >= -SHALLOW:
+        return apart, found, towards
+    near = NEAR * (a.radius + b.radius)
+    edge_a, edge_b, apart_e, axis = _best_edges(a, b, away, apart, near, edges, corners)
+    if edge_a < 0 and not found:
+        edge_a, edge_b, apart_e, axis = _best_edges(a, b, away, apart, math.inf, edges, corners)
+    if apart_e <= apart + PREFER_FACES:
+        return apart, found, towards
+    axis_of[0], axis_of[1] = edge_a, edge_b
+    if apart_e > closed:
+        return apart_e, 0, none
+    point, _ = _crossing(edges, corners, edge_a, edge_b)
+    touching[0, 0], touching[0, 1], touching[0, 2] = point
+    touching[0, 3] = apart_e
+    return apart_e, 1, (-axis[0], -axis[1], -axis[2])

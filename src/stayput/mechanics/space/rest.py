@@ -87,7 +87,7 @@ def note_stances(world, poses, closed, stances):
 
 @inner
 def stays_at_rest(bodies, poses, floor, push, stances):
-    """Return whether the floor holds all bodies where they are at rest, without walls and other bodies."""
+    """Return whether the floor alone holds all bodies at rest; False where they stand on each other."""
     sides, counts, discs, frictions, loads = stances
     for b in range(bodies.shape[0]):
         mass, load = bodies[b].mass, loads[b]

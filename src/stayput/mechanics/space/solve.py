@@ -7,8 +7,10 @@ With the impulses p of the contacts the velocities after a step of length h are
 and each contact asks (Moreau 1988; Jean 1999) for u_n⁺ ≥ −e u_n⁻, p_n ≥ 0, one of them equal, and by
 Coulomb's law for |p_t| ≤ μ p_n, with p_t against u_t⁺ where it slips. The impulses are found contact by
 contact, again and again, each with the others as they are (projected Gauss–Seidel), from those of the step
-before. A body on more than three points has no unique impulses; its motion is unique without friction, and
-taken as found with it.
+before. After a sweep Newton's method solves for all contacts at once, each as the sweep left it: open,
+sticking or slipping; where the next sweep then changes more than the last, its step is taken back. A body on
+more than three points has no unique impulses; its motion is unique without friction, and taken as found with
+it.
 
 A contact sticks by its static coefficient as long as it did before the step; where it slips in the solution
 its kinetic one takes over and all is solved again.
@@ -30,7 +32,7 @@ from stayput.mechanics.space.contact import (
     second_tangent,
     slip,
 )
-from stayput.mechanics.space.newton import improve, set_rows
+from stayput.mechanics.space.newton import improve, set_rows, take_back
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot, scaled, tangents
 
@@ -43,13 +45,16 @@ ACCURACY = 1e-7
 STICKS = 1e-4
 """Acceleration from rest up to which a contact has not slipped [m/s²]."""
 
-OFTEN = 20
-"""Sweeps each of which a step of Newton's method follows."""
+LONGEST_PAUSE = 8
+"""Most sweeps before the next step of Newton's method, after steps that had to be taken back."""
 
-SELDOM = 25
-"""Later it follows each of so many sweeps: where contacts jam it may go astray, and sweeps then find back."""
+CLOSES = 1e-3
+"""Shortest time in which a gap that counts as closed does close [s]: not all at once in a short step."""
 
-MOST_SWEEPS = 300
+TINY = 1e-12
+"""What a contact without an impulse counts among others, as a velocity [m/s]."""
+
+MOST_SWEEPS = 500
 """Sweeps after which a step is taken as it is, and counted as not converged."""
 
 
@@ -69,7 +74,7 @@ def _inverse_mass(c, bodies, poses, along, by):
 
 
 @inner
-def prepare(c, bodies, poses, restitution, h):
+def prepare(c, bodies, poses, restitution):
     """Set a contact's frame, inverse masses and the velocity wanted; its normal and levers are set."""
     n = normal_of(c)
     s, t = tangents(n)
@@ -83,13 +88,42 @@ def prepare(c, bodies, poses, restitution, h):
     c.wtt = _inverse_mass(c, bodies, poses, t, t)
     half, off = 0.5 * (c.wss - c.wtt), c.wst
     c.stiff = 0.5 * (c.wss + c.wtt) + math.sqrt(half * half + off * off)
-    bent = bend(bodies[c.a], poses[c.a], lever_a(c))
-    if c.b != ROOM:
-        bent = added(bent, -1.0, bend(bodies[c.b], poses[c.b], lever_b(c)))
-    c.target_s, c.target_t = -0.5 * h * dot(s, bent), -0.5 * h * dot(t, bent)
     c.closing = dot(n, slip(c, poses))
-    c.target = -restitution * c.closing if c.closing < -IMPACT else min(0.0, -0.5 * h * dot(n, bent))
+    c.target = -restitution * c.closing if c.closing < -IMPACT else 0.0
+    c.target_s = c.target_t = 0.0
     c.mu = c.mu_static if c.stuck else c.mu_kinetic
+
+
+@inner
+def ask_for_bend(contacts, first, count, bodies, poses, h):
+    """Let the contacts from ``first`` on ask for what free flight bends; they are of the same two bodies.
+
+    From the impulses of a step to those of the next the path of a point bends: so that it ends where it
+    begins, it has to leave with half the bend. All contacts of two bodies, or of a body and a plane, ask for
+    the same, that of the middle of their forces: no rigid motion could give each its own.
+    """
+    weight, arm, other = 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    gap, upwards = math.inf, 0.0
+    for k in range(first, count):
+        c = contacts[k]
+        gap = min(gap, c.gap)
+        share = c.pn * c.wnn + TINY
+        weight += share
+        upwards += share * c.bent
+        arm, other = added(arm, share, lever_a(c)), added(other, share, lever_b(c))
+    c = contacts[first]
+    arm = arm[0] / weight, arm[1] / weight, arm[2] / weight
+    bent = bend(bodies[c.a], poses[c.a], arm)
+    if c.b != ROOM:
+        other = other[0] / weight, other[1] / weight, other[2] / weight
+        bent = added(bent, -1.0, bend(bodies[c.b], poses[c.b], other))
+    closes = max(0.0, gap) / max(h, CLOSES)
+    for k in range(first, count):
+        c = contacts[k]
+        c.target_s = -0.5 * h * dot(first_tangent(c), bent)
+        c.target_t = -0.5 * h * dot(second_tangent(c), bent)
+        if c.target == 0.0:
+            c.target = min(0.0, -0.5 * h * upwards / weight - closes)
 
 
 @inner
@@ -158,14 +192,22 @@ def solve(contacts, count, bodies, poses, system, h):
     bool
         Whether they converged.
     """
+    last, due, pause, improved = math.inf, 0, 1, False
     for sweep in range(MOST_SWEEPS):
         change = 0.0
         for k in range(count):
             change = max(change, _update(contacts[k], bodies, poses))
-        if change <= ACCURACY * h and not _let_slip(contacts, count, poses, h):
-            return True
-        if sweep == 0:
-            set_rows(contacts, count, bodies, poses, system)
-        if sweep < OFTEN or sweep % SELDOM == 0:
+        if change <= ACCURACY * h:
+            if not _let_slip(contacts, count, poses, h):
+                return True
+            last = math.inf
+        elif improved and change > 3.0 * last:
+            take_back(contacts, count, bodies, poses)
+            due, pause = sweep + pause, min(2 * pause, LONGEST_PAUSE)
+        improved = sweep >= due
+        if improved:
+            if sweep == 0:
+                set_rows(contacts, count, bodies, poses, system)
+            last = change
             improve(contacts, count, bodies, poses, system)
     return False

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.space.body import attitude, place_of
+from stayput.mechanics.space.body import attitude, bend, place_of, rotation
 from stayput.mechanics.space.vectors import added, cross, dot, norm, turned
 
 ROOM = -1
@@ -64,6 +64,25 @@ def lever_on_rim(s, rim, plane, number, towards):
     if number == 3:
         return added(centre, rim.radius, across), True
     return added(centre, -rim.radius, across), True
+
+
+@inner
+def bend_of_rim(body, s, rim, plane, number):
+    """Return the acceleration in free flight, without gravity, of the gap of a rim, point ``number`` of it.
+
+    The gap of a tilted rim is that of its centre less R √(1 − c²) with c = n·a, the axis a; it does not
+    change as the rim rolls.
+    """
+    q, n = attitude(s), plane_normal(plane)
+    bent = dot(n, bend(body, s, turned(q, (rim.x, rim.y, rim.z))))
+    if number == 0:
+        axis, spin = turned(q, (rim.ax, rim.ay, rim.az)), rotation(s)
+        c = dot(n, axis)
+        rate, change = dot(n, cross(spin, axis)), dot(n, bend(body, s, axis))
+        sine = math.sqrt(max(0.0, 1.0 - c * c))
+        if sine > FLAT:
+            bent += rim.radius * (c * change + rate * rate / (sine * sine)) / sine
+    return bent
 
 
 @inline
