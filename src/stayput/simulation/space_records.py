@@ -230,7 +230,7 @@ def refuse_overlaps(world: tuple[Any, ...], gaps: NDArray[np.float64]) -> None:
             )
 
 
-def scratch_of(world: tuple[Any, ...]) -> tuple[NDArray[Any], ...]:
+def scratch_of(world: tuple[Any, ...]) -> tuple[Any, ...]:
     """Return the working memory of `run_in_space`; all contacts stick at first."""
     bodies, points, rims, planes, pairs, faces = world[:6]
     unknowns = 6 * len(bodies)
