@@ -8,9 +8,8 @@ and each contact asks (Moreau 1988; Jean 1999) for u_n⁺ ≥ −e u_n⁻, p_n �
 Coulomb's law for |p_t| ≤ μ p_n, with p_t against u_t⁺ where it slips. The impulses are found contact by
 contact, again and again, each with the others as they are (projected Gauss–Seidel), from those of the step
 before. After a sweep Newton's method solves for all contacts at once, each as the sweep left it: open,
-sticking or slipping; where the next sweep then changes more than the last, its step is taken back. A body on
-more than three points has no unique impulses; its motion is unique without friction, and taken as found with
-it.
+sticking or slipping; where the next sweep then changes far more, its step is taken back. A body on more than
+three points has no unique impulses; its motion is unique without friction, and taken as found with it.
 
 A contact sticks by its static coefficient as long as it did before the step; where it slips in the solution
 its kinetic one takes over and all is solved again.
@@ -44,6 +43,9 @@ ACCURACY = 1e-7
 
 STICKS = 1e-4
 """Acceleration from rest up to which a contact has not slipped [m/s²]."""
+
+ASTRAY = 3.0
+"""By how much more than before a sweep may change after a step of Newton's method that is kept."""
 
 LONGEST_PAUSE = 8
 """Most sweeps before the next step of Newton's method, after steps that had to be taken back."""
@@ -201,7 +203,7 @@ def solve(contacts, count, bodies, poses, system, h):
             if not _let_slip(contacts, count, poses, h):
                 return True
             last = math.inf
-        elif improved and change > 3.0 * last:
+        elif improved and change > ASTRAY * last:
             take_back(contacts, count, bodies, poses)
             due, pause = sweep + pause, min(2 * pause, LONGEST_PAUSE)
         improved = sweep >= due
