@@ -28,8 +28,10 @@ from stayput.simulation.standing import Standing
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from pathlib import Path
 
     import xarray as xr
+    from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
 STEP = 5e-4
@@ -60,6 +62,10 @@ class SpaceRun:
     ----------
     standing : tuple of Standing
         The bodies, as they stood at first.
+    room : Room
+        Where they stood.
+    motion : Motion
+        How the floor moved.
     time : ndarray, shape (samples,)
         Time [s].
     place : ndarray, shape (bodies, samples, 3)
@@ -75,6 +81,8 @@ class SpaceRun:
     """
 
     standing: tuple[Standing, ...]
+    room: Room
+    motion: Motion
     time: NDArray[np.float64]
     place: NDArray[np.float64]
     attitude: NDArray[np.float64]
@@ -135,6 +143,20 @@ class SpaceRun:
             },
             {"time": ("time", self.time, about), "axis": list("xyz"), "part": list("wxyz")},
         )
+
+    def plot(
+        self, path: str | Path | None = None, *, names: Sequence[str] | None = None, language: str = "en"
+    ) -> Figure:
+        """Draw the histories and the ways in plan; see `stayput.report.space.plot.plot_space_run`."""
+        from stayput.report.space.plot import plot_space_run
+
+        return plot_space_run(self, path, names=names, language=language)
+
+    def animate(self, path: str | Path, *, names: Sequence[str] | None = None, language: str = "en") -> Path:
+        """Write an animation (GIF, MP4 or HTML); see `stayput.report.space.animation.animate_space_run`."""
+        from stayput.report.space.animation import animate_space_run
+
+        return animate_space_run(self, path, names=names, language=language)
 
 
 def simulate_in_space(
@@ -210,6 +232,8 @@ def simulate_in_space(
     run_in_space(world, poses, acceleration, times, scratch, histories, work)
     return SpaceRun(
         standing,
+        room,
+        motion,
         motion.dt * np.arange(count, dtype=np.float64),
         histories[..., 0:3],
         frames_of(standing, histories[..., 3:7]),

@@ -114,7 +114,7 @@ def world_of(standing: Sequence[Standing], room: Room, between: tuple[float, flo
         bodies,
         np.array(points, POINT),
         np.array(rims, RIM),
-        _planes(standing, room),
+        planes_of(standing, room),
         np.array(pairs, PAIR),
         np.array(faces, FACE),
         np.array(loops, np.int64),
@@ -140,7 +140,7 @@ def _add(
 
     vertices = own(solid.vertices)
     first = len(points)
-    on_rim = _on_rims(solid)
+    on_rim = on_rims(solid).any(axis=0)
     lowest = solid.vertices[:, 2] <= solid.vertices[:, 2].min() + 1e-6
     on_floor = ~on_rim if solid.feet is None else ~on_rim & ~lowest
     body["mass"] = solid.mass
@@ -158,31 +158,31 @@ def _add(
     body["first_face"], body["faces"] = len(faces), len(solid.faces)
     body["first_edge"] = len(edges)
     for face in solid.faces:
-        faces.append((*_normal(vertices[face]), len(loops), len(face)))
+        faces.append((*face_normal(vertices[face]), len(loops), len(face)))
         loops += [first + int(i) for i in face]
         around = zip(face, np.roll(face, -1), strict=True)
         edges += [(first + int(i), first + int(j)) for i, j in around if i < j]
     body["edges"] = len(edges) - body["first_edge"]
 
 
-def _normal(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+def face_normal(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the outward normal of a face (Newell's method, which bears corners nearly on a line)."""
     n = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
     return n / np.linalg.norm(n)
 
 
-def _on_rims(solid: Solid) -> NDArray[np.bool_]:
-    """Return which corners lie on a rim, shape (n,): planes meet the rim itself."""
-    found = np.zeros(len(solid.vertices), np.bool_)
-    for rim in solid.rims:
+def on_rims(solid: Solid) -> NDArray[np.bool_]:
+    """Return which corners lie on which rim, shape (rims, n): planes meet the rim itself."""
+    found = np.zeros((len(solid.rims), len(solid.vertices)), np.bool_)
+    for own, rim in zip(found, solid.rims, strict=True):
         arms = solid.vertices - rim[:3]
         along = arms @ rim[3:6]
         across = np.linalg.norm(arms - along[:, np.newaxis] * rim[3:6], axis=1)
-        found |= (np.abs(along) <= 1e-6) & (np.abs(across - rim[6]) <= 0.01 * rim[6])
+        own[:] = (np.abs(along) <= 1e-6) & (np.abs(across - rim[6]) <= 0.01 * rim[6])
     return found
 
 
-def _planes(standing: Sequence[Standing], room: Room) -> NDArray[np.void]:
+def planes_of(standing: Sequence[Standing], room: Room) -> NDArray[np.void]:
     """Return the floor, the walls at either end of x, their gaps from what is outermost, and the ceiling."""
     floor = room.floor
     law = floor.static_friction, floor.kinetic_friction, floor.normal_restitution
