@@ -21,6 +21,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "least_angle": ("by less than 0.1°", "0.1°未満"),
     "up_to_cm": ("by up to {length:.1f} cm", "最大{length:.1f} cm"),
     "least_cm": ("by less than a millimetre", "1 mm未満"),
+    "state": ("tilt {tilt:.1f}°, slide {slide:.1f} cm", "傾き {tilt:.1f}°、移動量 {slide:.1f} cm"),
     # Names of bodies
     "names": ("the names", "名前（names）"),
     "number_of_names": (

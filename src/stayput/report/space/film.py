@@ -56,6 +56,15 @@ class SpaceFilm:
         part = "" if scale >= 1.0 else phrase("runs.drawn_smaller", share=100.0 * scale)
         return say("space.caption_moved", self.language, corner=DRIFT_CORNER, part=part)
 
+    def state(self, time: float) -> str:
+        """Return how the first body stands at a time [s], where it is the only one; else nothing."""
+        run = self.scene.run
+        if len(run.standing) > 1:
+            return ""
+        tilt = float(np.interp(time, run.time, np.degrees(run.tilt[0])))
+        slide = float(np.interp(time, run.time, 100.0 * np.linalg.norm(run.slide[0], axis=1)))
+        return say("space.state", self.language, tilt=tilt, slide=slide)
+
     def times(self, fps: float, speed: float, hold: float) -> NDArray[np.float64]:
         """Return the instant that each frame shows [s]; see `stayput.report.movie.frame_times`."""
         return frame_times(self.scene.start, self.scene.end, fps, speed, hold)

@@ -55,8 +55,8 @@ class SpaceScene:
         Displacement of the floor in the picture [m].
     shift_scale : float
         What part of the floor's displacement the picture shows, at most 1.
-    low, high : ndarray, shape (3,)
-        Corners of the box that the picture shows [m].
+    points : ndarray, shape (k, 3)
+        The outermost points of the bodies over time, which the picture shows [m].
     """
 
     run: SpaceRun
@@ -67,8 +67,7 @@ class SpaceScene:
     attitude: NDArray[np.float64]
     shift: NDArray[np.float64]
     shift_scale: float
-    low: NDArray[np.float64]
-    high: NDArray[np.float64]
+    points: NDArray[np.float64]
 
     @property
     def start(self) -> float:
@@ -79,6 +78,16 @@ class SpaceScene:
     def end(self) -> float:
         """Time of the last pose [s]."""
         return float(self.time[-1])
+
+    @property
+    def low(self) -> NDArray[np.float64]:
+        """Lowest corner of the box around what the picture shows, shape (3,) [m]."""
+        return self.points.min(axis=0)
+
+    @property
+    def high(self) -> NDArray[np.float64]:
+        """Highest corner of that box, shape (3,) [m]."""
+        return self.points.max(axis=0)
 
     @property
     def grid(self) -> float:
@@ -122,8 +131,8 @@ class SpaceScene:
         dict
             ``poses``: ``start_s``, ``end_s``, ``count``. ``floor``: ``shift_m`` (at the poses), ``dt_s`` and
             ``acceleration_m_s2`` by components (at the motion's samples). ``planes``: walls and ceiling.
-            ``view``: ``low_m``, ``high_m``, ``grid_m``. ``bodies``: ``name``, ``colour``, ``shape`` (see
-            `Shape.data`), ``centre_of_gravity_m``, ``footprint_m`` (where it first stood on the floor),
+            ``view``: ``low_m``, ``high_m``, ``grid_m``, ``points_m``. ``bodies``: ``name``, ``colour``,
+            ``shape`` (see `Shape.data`), ``centre_of_gravity_m``, ``footprint_m`` (where it first stood on the floor),
             and at the poses ``place_m``, ``attitude``, ``tilt_rad``, ``slide_m``, ``yaw_rad``.
         """
         run = self.run
@@ -146,6 +155,7 @@ class SpaceScene:
                 "low_m": rounded(self.low),
                 "high_m": rounded(self.high),
                 "grid_m": self.grid,
+                "points_m": [rounded(point, 3) for point in self.points],
             },
             "bodies": [
                 {
@@ -208,7 +218,7 @@ def space_scene(run: SpaceRun, names: tuple[str, ...]) -> SpaceScene:
     count = min(len(run.time), math.ceil((end - start) * RATE) + 1)
     times = np.linspace(start, end, count)
     place, attitude = _between(run.time, run.place, run.attitude, times)
-    low, high, size = _view(run)
+    points, size = _outermost(run)
     ground = np.zeros((len(run.motion), 3))
     for axis, name in enumerate("xyz"):
         if name in run.motion.components:
@@ -217,7 +227,7 @@ def space_scene(run: SpaceRun, names: tuple[str, ...]) -> SpaceScene:
     scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
     shift = np.column_stack([scale * np.interp(times, run.time, along) for along in ground.T])
     shapes = tuple(shape_of(one.solid) for one in run.standing)
-    return SpaceScene(run, names, shapes, times, place, attitude, shift, scale, low, high)
+    return SpaceScene(run, names, shapes, times, place, attitude, shift, scale, points)
 
 
 def _between(
@@ -244,19 +254,20 @@ def _between(
     return places, attitudes / np.linalg.norm(attitudes, axis=-1, keepdims=True)
 
 
-def _view(run: SpaceRun) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
-    """Return the corners of a box around the bodies all the time, not far from the start, and their size."""
+def _outermost(run: SpaceRun) -> tuple[NDArray[np.float64], float]:
+    """Return the outermost points of the bodies over time, near the start, and their size at first [m]."""
     some = np.linspace(0, len(run.time) - 1, min(len(run.time), _POSES_VIEWED)).astype(np.intp)
-    firsts, lows, highs = [], [], []
+    found: list[NDArray[np.float64]] = []
     for b, one in enumerate(run.standing):
         arms = one.solid.vertices - one.solid.centre_of_gravity
-        corners = run.place[b, some, np.newaxis] + arms @ np.swapaxes(matrices(run.attitude[b, some]), 1, 2)
-        firsts.append(corners[0])
-        lows.append(corners.min(axis=(0, 1)))
-        highs.append(corners.max(axis=(0, 1)))
-    first = np.concatenate(firsts)
+        turns = np.swapaxes(matrices(run.attitude[b, some]), 1, 2)
+        found.append(run.place[b, some, np.newaxis] + arms @ turns)
+    first = np.concatenate([corners[0] for corners in found])
     size = float(np.ptp(first, axis=0).max())
-    low = np.maximum(np.min(lows, axis=0), first.min(axis=0) - _FARTHEST * size)
-    high = np.minimum(np.max(highs, axis=0), first.max(axis=0) + _FARTHEST * size)
-    low[2] = min(low[2], 0.0)
-    return low, high, size
+    reach = _FARTHEST * size
+    points = np.concatenate([corners.reshape(-1, 3) for corners in found])
+    points = np.clip(points, first.min(axis=0) - reach, first.max(axis=0) + reach)
+    axes = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1) if x or y or z])
+    diagonals = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    slopes = np.concatenate([diagonals * weights for weights in ((2, 1, 1), (1, 2, 1), (1, 1, 2))])
+    return points[np.unique((points @ np.concatenate([axes, slopes]).T).argmax(axis=0))], size

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 _PANEL = 0.82
 """Size of the panel on the front, of that of the face."""
 
-_ARROW = 0.16
+_ARROW = 0.2
 """Half the length of the arrow on the top, of the shorter side of the body in plan."""
 
 _STRIPE = 0.12
