@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.report.space.film import SpaceFilm
-    from stayput.report.space.shape import Shape
+    from stayput.report.space.shape import SolidShape
 
 _LIGHT = np.array([0.5, -0.3, 0.85]) / math.hypot(0.5, -0.3, 0.85)
 _SHADOW = 0.26  # what part of the floor's light a shadow takes
@@ -153,7 +153,7 @@ class SpacePainter:
     def _draw_body(
         self,
         draw: ImageDraw.ImageDraw,
-        shape: Shape,
+        shape: SolidShape,
         corners: NDArray[np.float64],
         turn: NDArray[np.float64],
         colour: str,
@@ -188,7 +188,7 @@ def _shaded(colour: str, normal: NDArray[np.float64]) -> tuple[int, int, int]:
 
 
 def _apart(
-    shape: Shape,
+    shape: SolidShape,
     corners: NDArray[np.float64],
     turn: NDArray[np.float64],
     others: NDArray[np.float64],

@@ -15,7 +15,7 @@ import numpy as np
 
 from stayput.report.palette import BODY_COLOURS
 from stayput.report.scene import SHIFT_SHOWN, TIME_DIGITS, View, ground_displacement, rounded
-from stayput.report.space.shape import Shape, shape_of
+from stayput.report.space.shape import SolidShape, shape_of
 from stayput.simulation.space_records import matrices, planes_of
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class SpaceScene:
         The run.
     names : tuple of str
         What the bodies are called.
-    shapes : tuple of Shape
+    shapes : tuple of SolidShape
         What is drawn of each.
     time : ndarray, shape (n,)
         Times of the poses, evenly spaced [s].
@@ -61,7 +61,7 @@ class SpaceScene:
 
     run: SpaceRun
     names: tuple[str, ...]
-    shapes: tuple[Shape, ...]
+    shapes: tuple[SolidShape, ...]
     time: NDArray[np.float64]
     place: NDArray[np.float64]
     attitude: NDArray[np.float64]
@@ -132,8 +132,8 @@ class SpaceScene:
             ``poses``: ``start_s``, ``end_s``, ``count``. ``floor``: ``shift_m`` (at the poses), ``dt_s`` and
             ``acceleration_m_s2`` by components (at the motion's samples). ``planes``: walls and ceiling.
             ``view``: ``low_m``, ``high_m``, ``grid_m``, ``points_m``. ``bodies``: ``name``, ``colour``,
-            ``shape`` (see `Shape.data`), ``centre_of_gravity_m``, ``footprint_m`` (where it first stood on the floor),
-            and at the poses ``place_m``, ``attitude``, ``tilt_rad``, ``slide_m``, ``yaw_rad``.
+            ``shape`` (see `SolidShape.data`), ``centre_of_gravity_m``, ``footprint_m`` (where it first stood
+            on the floor), and at the poses ``place_m``, ``attitude``, ``tilt_rad``, ``slide_m``, ``yaw_rad``.
         """
         run = self.run
         yaws, ways = yaw(run), np.linalg.norm(run.slide, axis=2)

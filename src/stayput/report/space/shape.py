@@ -50,7 +50,7 @@ class Mark:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Shape:
+class SolidShape:
     """A solid made ready for drawing.
 
     Parameters
@@ -92,11 +92,13 @@ class Shape:
         }
 
 
-def shape_of(solid: Solid) -> Shape:
+def shape_of(solid: Solid) -> SolidShape:
     """Make a solid ready for drawing."""
     normals = np.array([face_normal(solid.vertices[face]) for face in solid.faces])
     curved = _curved(solid)
-    return Shape(solid, normals, curved, _edges(solid.faces, curved), tuple(_marks(solid, normals, curved)))
+    return SolidShape(
+        solid, normals, curved, _edges(solid.faces, curved), tuple(_marks(solid, normals, curved))
+    )
 
 
 def _curved(solid: Solid) -> NDArray[np.bool_]:
