@@ -72,8 +72,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
     ),
     "no_webgl": (
-        "This browser does not draw in space (it has no WebGL 2), so the bodies are shown by their edges.",
-        "このブラウザーは立体表示（WebGL 2）に対応していないため、物体を線で表示しています。",
+        "This browser has no WebGL 2, so the bodies are drawn without light and shadows.",
+        "このブラウザーはWebGL 2に対応していないため、光や影のない図で表示しています。",
     ),
     # Plots
     "axis_tilt": ("Tilt [°]", "傾き [°]"),

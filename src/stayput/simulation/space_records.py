@@ -140,7 +140,7 @@ def _add(
 
     vertices = own(solid.vertices)
     first = len(points)
-    on_rim = on_rims(solid).any(axis=0)
+    on_rim: NDArray[np.bool_] = np.any(on_rims(solid), axis=0)
     lowest = solid.vertices[:, 2] <= solid.vertices[:, 2].min() + 1e-6
     on_floor = ~on_rim if solid.feet is None else ~on_rim & ~lowest
     body["mass"] = solid.mass

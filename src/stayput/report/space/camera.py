@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from copy import copy
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -41,6 +42,12 @@ class Camera:
         far = _MARGIN * (((above + below) / (2.0 * tangents)).max() - nearest)
         self._place = np.array([*(above - below) / 2.0, nearest + far])
         self._focus = self._half[1] / _TANGENT
+
+    def moved(self, way: NDArray[np.float64]) -> Camera:
+        """Return the camera moved, shape (3,) [m]."""
+        other = copy(self)
+        other._place = self._place + self._axes @ way
+        return other
 
     @property
     def place(self) -> NDArray[np.float64]:

@@ -11,6 +11,7 @@ from stayput.catalogue import phrase, say
 from stayput.errors import InputError
 from stayput.report.movie import frame_times
 from stayput.report.scene import DRIFT_CORNER
+from stayput.report.space.histories import at_time, slid
 from stayput.report.space.said import became, names_of
 from stayput.report.space.scene import SpaceScene, space_scene
 from stayput.report.summary import motion_label
@@ -61,8 +62,8 @@ class SpaceFilm:
         run = self.scene.run
         if len(run.standing) > 1:
             return ""
-        tilt = float(np.interp(time, run.time, np.degrees(run.tilt[0])))
-        slide = float(np.interp(time, run.time, 100.0 * np.linalg.norm(run.slide[0], axis=1)))
+        tilt = at_time(time, run, np.degrees(run.tilt[0]))
+        slide = at_time(time, run, 100.0 * slid(run)[0])
         return say("space.state", self.language, tilt=tilt, slide=slide)
 
     def times(self, fps: float, speed: float, hold: float) -> NDArray[np.float64]:

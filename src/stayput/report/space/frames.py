@@ -45,7 +45,8 @@ class SpacePainter:
         self._film, scene = film, film.scene
         self._layout = FrameLayout(width, height, scene.start, scene.end)
         motion = scene.run.motion
-        self._still = self._layout.still(film.strip_title, film.caption, motion.time, motion.components)
+        caption = f"{film.caption} {film.moved}"
+        self._still = self._layout.still(film.strip_title, caption, motion.time, motion.components)
         self._camera = Camera(scene.points, *self._layout.scene)
         self._line = self._layout.line
         size = float(np.linalg.norm(scene.high - scene.low))
@@ -58,29 +59,26 @@ class SpacePainter:
                 elif part < -0.5:
                     self._high[axis] = -offset
         self._low[2] = 0.0
-        self._room = self._draw_room()
 
     def frame(self, time: float) -> Image.Image:
         """Return the frame of an instant [s], in RGB."""
         film = self._film
-        scene = self._room.copy()
+        camera = self._camera.moved(-film.scene.shift_at(time))
+        scene = self._draw_room(camera)
         places, turns = film.scene.pose(time)
         corners = [film.scene.corners(b, turns[b], places[b]) for b in range(len(places))]
-        self._draw_shadows(scene, corners)
+        self._draw_shadows(scene, camera, corners)
         draw = ImageDraw.Draw(scene)
-        for b in self._from_far(corners, turns):
-            self._draw_body(draw, film.scene.shapes[b], corners[b], turns[b], body_colour(b))
+        for b in self._from_far(camera.place, corners, turns):
+            _draw_body(draw, camera, self._line, film.scene.shapes[b], corners[b], turns[b], body_colour(b))
         image = self._layout.frame(self._still, scene, time)
         self._layout.head(image, film.title if time >= film.scene.end else film.state(time))
         if len(corners) > 1:
             self._layout.legend(image, {name: body_colour(b) for b, name in enumerate(film.scene.names)})
         return image
 
-    def _polygon(self, points: NDArray[np.float64]) -> list[tuple[float, float]]:
-        return [(x, y) for x, y in self._camera.seen(points).tolist()]
-
-    def _draw_room(self) -> Image.Image:
-        """Draw what does not move: floor, walls and ceiling that face the camera, and where bodies stood."""
+    def _draw_room(self, camera: Camera) -> Image.Image:
+        """Draw floor, walls and ceiling, where they face the camera, and where bodies stood."""
         image = Image.new("RGB", self._layout.scene, PAPER)
         draw = ImageDraw.Draw(image)
         faces = [
@@ -88,17 +86,19 @@ class SpacePainter:
             *(((x, y, z), offset) for x, y, z, offset in self._film.scene.planes),
         ]
         for normal, offset in faces:
-            if np.dot(normal, self._camera.place) > offset:
+            if np.dot(normal, camera.place) > offset:
                 axis = int(np.argmax(np.abs(normal)))
-                self._draw_face(draw, axis, offset * normal[axis], 0.16 if axis == 2 else 0.26)
+                self._draw_face(draw, camera, axis, offset * normal[axis], 0.16 if axis == 2 else 0.26)
         for b in range(len(self._film.scene.names)):
             foot = self._film.scene.footprint(b)
             if len(foot):
-                outline = self._polygon(foot)
+                outline = _polygon(camera, foot)
                 draw.line([*outline, outline[0]], fill=_mixed(body_colour(b), INK, 0.25), width=self._line)
         return image
 
-    def _draw_face(self, draw: ImageDraw.ImageDraw, axis: int, at: float, tone: float) -> None:
+    def _draw_face(
+        self, draw: ImageDraw.ImageDraw, camera: Camera, axis: int, at: float, tone: float
+    ) -> None:
         """Draw a rectangle across an axis with its grid."""
         u, v = (axis + 1) % 3, (axis + 2) % 3
         low, high, grid = self._low, self._high, self._film.scene.grid
@@ -110,17 +110,17 @@ class SpacePainter:
 
         corners = [(low[u], low[v]), (high[u], low[v]), (high[u], high[v]), (low[u], high[v])]
         draw.polygon(
-            self._polygon(np.array([point(*corner) for corner in corners])), fill=_mixed(PAPER, ROOM, tone)
+            _polygon(camera, np.array([point(*corner) for corner in corners])), fill=_mixed(PAPER, ROOM, tone)
         )
         colour = _mixed(PAPER, ROOM, tone + 0.22)
         for k in range(math.ceil(low[u] / grid), math.floor(high[u] / grid) + 1):
             ends = np.array([point(k * grid, low[v]), point(k * grid, high[v])])
-            draw.line(self._polygon(ends), fill=colour, width=self._line)
+            draw.line(_polygon(camera, ends), fill=colour, width=self._line)
         for k in range(math.ceil(low[v] / grid), math.floor(high[v] / grid) + 1):
             ends = np.array([point(low[u], k * grid), point(high[u], k * grid)])
-            draw.line(self._polygon(ends), fill=colour, width=self._line)
+            draw.line(_polygon(camera, ends), fill=colour, width=self._line)
 
-    def _draw_shadows(self, scene: Image.Image, corners: list[NDArray[np.float64]]) -> None:
+    def _draw_shadows(self, scene: Image.Image, camera: Camera, corners: list[NDArray[np.float64]]) -> None:
         """Darken the floor where the light does not reach it."""
         mask = Image.new("L", scene.size)
         draw = ImageDraw.Draw(mask)
@@ -128,12 +128,14 @@ class SpacePainter:
             fallen = points - points[:, 2:] / _LIGHT[2] * _LIGHT
             fallen = np.clip(fallen, self._low, self._high)  # none beyond a wall
             for face in shape.solid.faces:
-                draw.polygon(self._polygon(fallen[face]), fill=round(255 * _SHADOW))
+                draw.polygon(_polygon(camera, fallen[face]), fill=round(255 * _SHADOW))
         scene.paste(INK, (0, 0), mask.filter(ImageFilter.BoxBlur(2.5 * self._line)))
 
-    def _from_far(self, corners: list[NDArray[np.float64]], turns: NDArray[np.float64]) -> list[int]:
+    def _from_far(
+        self, eye: NDArray[np.float64], corners: list[NDArray[np.float64]], turns: NDArray[np.float64]
+    ) -> list[int]:
         """Return the bodies in an order in which each is drawn over those that it hides."""
-        shapes, eye = self._film.scene.shapes, self._camera.place
+        shapes = self._film.scene.shapes
         count = len(shapes)
         behind: list[set[int]] = [set() for _ in shapes]
         for a in range(count):
@@ -150,34 +152,40 @@ class SpacePainter:
             left.remove(order[-1])
         return order
 
-    def _draw_body(
-        self,
-        draw: ImageDraw.ImageDraw,
-        shape: SolidShape,
-        corners: NDArray[np.float64],
-        turn: NDArray[np.float64],
-        colour: str,
-    ) -> None:
-        solid, normals = shape.solid, shape.normals @ turn.T
-        firsts = corners[[face[0] for face in solid.faces]]
-        facing = np.einsum("fi,fi->f", normals, self._camera.place - firsts) > 0.0
-        sides: dict[tuple[int, int], int] = {}
-        for number in np.flatnonzero(facing):
-            face = solid.faces[number]
-            draw.polygon(self._polygon(corners[face]), fill=_shaded(colour, normals[number]))
-            for i, j in zip(face.tolist(), np.roll(face, -1).tolist(), strict=True):
-                side = (min(i, j), max(i, j))
-                sides[side] = sides.get(side, 0) + 1
-        origin = corners[0] - turn @ solid.vertices[0]
-        for mark in shape.marks:
-            if facing[mark.face]:
-                tone = _mixed(colour, "#ffffff", 0.42) if mark.light else _mixed(colour, "#000000", 0.65)
-                fill = _shaded("#{:02x}{:02x}{:02x}".format(*tone), normals[mark.face])
-                draw.polygon(self._polygon(origin + mark.corners @ turn.T), fill=fill)
-        sharp = {(min(i, j), max(i, j)) for i, j in shape.edges.tolist()}
-        for side, count in sides.items():
-            if count == 1 or side in sharp:  # an outline, or an edge
-                draw.line(self._polygon(corners[list(side)]), fill=INK, width=self._line)
+
+def _polygon(camera: Camera, points: NDArray[np.float64]) -> list[tuple[float, float]]:
+    return [(x, y) for x, y in camera.seen(points).tolist()]
+
+
+def _draw_body(
+    draw: ImageDraw.ImageDraw,
+    camera: Camera,
+    line: int,
+    shape: SolidShape,
+    corners: NDArray[np.float64],
+    turn: NDArray[np.float64],
+    colour: str,
+) -> None:
+    solid, normals = shape.solid, shape.normals @ turn.T
+    firsts = corners[[face[0] for face in solid.faces]]
+    facing = np.einsum("fi,fi->f", normals, camera.place - firsts) > 0.0
+    sides: dict[tuple[int, int], int] = {}
+    for number in np.flatnonzero(facing):
+        face = solid.faces[number]
+        draw.polygon(_polygon(camera, corners[face]), fill=_shaded(colour, normals[number]))
+        for i, j in zip(face.tolist(), np.roll(face, -1).tolist(), strict=True):
+            side = (min(i, j), max(i, j))
+            sides[side] = sides.get(side, 0) + 1
+    origin = corners[0] - turn @ solid.vertices[0]
+    for mark in shape.marks:
+        if facing[mark.face]:
+            tone = _mixed(colour, "#ffffff", 0.42) if mark.light else _mixed(colour, "#000000", 0.65)
+            fill = _shaded("#{:02x}{:02x}{:02x}".format(*tone), normals[mark.face])
+            draw.polygon(_polygon(camera, origin + mark.corners @ turn.T), fill=fill)
+    sharp = {(min(i, j), max(i, j)) for i, j in shape.edges.tolist()}
+    for side, count in sides.items():
+        if count == 1 or side in sharp:  # an outline, or an edge
+            draw.line(_polygon(camera, corners[list(side)]), fill=INK, width=line)
 
 
 def _shaded(colour: str, normal: NDArray[np.float64]) -> tuple[int, int, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,8 +12,9 @@ from stayput.catalogue import say
 from stayput.report.figures import FONT, new_figure, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED, ROOM
+from stayput.report.space.histories import at_time, yaw
 from stayput.report.space.said import became, names_of
-from stayput.report.space.scene import body_colour, yaw
+from stayput.report.space.scene import body_colour
 from stayput.report.summary import motion_label
 from stayput.simulation.space_records import matrices, planes_of
 from stayput.wording import check_language
@@ -101,11 +103,12 @@ def _draw_of_bodies(
     style(axis)
     for b, history in enumerate(values):
         axis.plot(run.time, history, color=body_colour(b), linewidth=1.6)
-    for b in np.flatnonzero(run.overturned):
-        fallen = float(run.overturn_time[b])
+    for b, fallen in enumerate(run.overturn_time.tolist()):
+        if math.isnan(fallen):
+            continue
         axis.plot(
             fallen,
-            np.interp(fallen, run.time, values[b]),
+            at_time(fallen, run, values[b]),
             "X",
             color=body_colour(b),
             markersize=8.0,
@@ -138,10 +141,10 @@ def _draw_plan(axis: Axes, run: SpaceRun, names: Sequence[str], language: str) -
         axis.plot(*run.place[b, :, :2].T, color=colour, linewidth=1.4, zorder=4, label=drawable(name))
         axis.plot(*run.place[b, -1, :2], "o", color=colour, markersize=6.0, markeredgecolor=INK, zorder=5)
     for plane in planes_of(run.standing, run.room)[1:]:
-        normal, offset = np.array([plane["nx"], plane["ny"]]), float(plane["offset"])
-        if np.abs(normal).max() > 0.5:
-            along = axis.axvline if abs(normal[0]) > 0.5 else axis.axhline
-            along(offset * float(normal.sum()), color=ROOM, linewidth=4.0, zorder=1)
+        nx, ny, offset = (float(plane[name]) for name in ("nx", "ny", "offset"))
+        if abs(nx) + abs(ny) > 0.5:
+            x, y = offset * nx, offset * ny
+            axis.axline((x, y), (x + ny, y + nx), color=ROOM, linewidth=4.0, zorder=1)
     axis.set_aspect("equal", adjustable="datalim")
     axis.set_xlabel(say("space.axis_x", language), fontsize=FONT)
     axis.set_ylabel(say("space.axis_y", language), fontsize=FONT)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError, list_of
+from stayput.report.space.histories import slid
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,10 +41,10 @@ def became(run: SpaceRun, names: Sequence[str]) -> Phrase:
     """Return what became of the bodies of a run, in one sentence."""
     if len(names) == 1:
         return _of_one(run, names[0])
-    fallen = np.flatnonzero(run.overturned)
-    if len(fallen) == 0:
+    times = run.overturn_time.tolist()
+    fallen = [b for b, time in enumerate(times) if math.isfinite(time)]
+    if not fallen:
         return phrase("space.none_fell", count=len(names))
-    times = run.overturn_time
     each = [
         phrase("space.fell_at", name=names[b], time=times[b]) for b in sorted(fallen, key=times.__getitem__)
     ]
@@ -55,7 +57,7 @@ def _of_one(run: SpaceRun, name: str) -> Phrase:
     if run.overturned[0]:
         return phrase("space.overturned", name=name, time=float(run.overturn_time[0]))
     angle = float(np.degrees(run.tilt.max()))
-    length = 100.0 * float(np.linalg.norm(run.slide[0], axis=1).max())
+    length = 100.0 * float(slid(run).max())
     if angle < 0.1 and length < 0.1:
         return phrase("runs.rested", name=name)
     tilt = phrase("space.least_angle") if angle < 0.1 else phrase("space.up_to_angle", angle=angle)

@@ -15,6 +15,7 @@ import numpy as np
 
 from stayput.report.palette import BODY_COLOURS
 from stayput.report.scene import SHIFT_SHOWN, TIME_DIGITS, View, ground_displacement, rounded
+from stayput.report.space.histories import slid, yaw
 from stayput.report.space.shape import SolidShape, shape_of
 from stayput.simulation.space_records import matrices, planes_of
 
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 RATE = 60.0
 """Most poses a second in a scene; pages and films turn between them."""
 
-_FARTHEST = 1.5
+_FARTHEST = 2.5
 """How far from where the bodies begin the view follows them, in sizes of all of them."""
 
 _POSES_VIEWED = 200
@@ -119,7 +120,7 @@ class SpaceScene:
 
     def shift_at(self, time: float) -> NDArray[np.float64]:
         """Return the displacement of the floor in the picture at a time [s], shape (3,) [m]."""
-        return np.array([np.interp(time, self.time, along) for along in self.shift.T])
+        return np.array([float(np.interp(time, self.time, self.shift[:, axis])) for axis in range(3)])
 
     def data(self) -> dict[str, Any]:
         """Return the scene as plain values for JSON.
@@ -136,7 +137,7 @@ class SpaceScene:
             on the floor), and at the poses ``place_m``, ``attitude``, ``tilt_rad``, ``slide_m``, ``yaw_rad``.
         """
         run = self.run
-        yaws, ways = yaw(run), np.linalg.norm(run.slide, axis=2)
+        histories = {"tilt_rad": run.tilt, "slide_m": slid(run), "yaw_rad": yaw(run)}
         return {
             "poses": {
                 "start_s": round(self.start, TIME_DIGITS),
@@ -166,13 +167,14 @@ class SpaceScene:
                     "footprint_m": [rounded(corner) for corner in self.footprint(b)],
                     "place_m": packed(self.place[b]),
                     "attitude": packed(self.attitude[b]),
-                    "tilt_rad": packed(np.interp(self.time, run.time, run.tilt[b])),
-                    "slide_m": packed(np.interp(self.time, run.time, ways[b])),
-                    "yaw_rad": packed(np.interp(self.time, run.time, yaws[b])),
+                    **{key: packed(self._at_poses(values[b])) for key, values in histories.items()},
                 }
                 for b, one in enumerate(run.standing)
             ],
         }
+
+    def _at_poses(self, history: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.asarray(np.interp(self.time, self.run.time, history))
 
     def footprint(self, body: int) -> NDArray[np.float64]:
         """Return the outline of a body's base as it first stands on the floor, shape (k, 3) [m]; or none."""
@@ -191,17 +193,6 @@ def body_colour(number: int) -> str:
 def packed(values: NDArray[np.float64]) -> str:
     """Return values as the base 64 of 32-bit floating-point numbers."""
     return base64.b64encode(values.astype("<f4").tobytes()).decode("ascii")
-
-
-def yaw(run: SpaceRun) -> NDArray[np.float64]:
-    """Return by how much each body has turned about the vertical, shape (bodies, samples) [rad].
-
-    It is the twist of the turn from the first attitude when that is split into a twist about the vertical
-    and the shortest tilt; whole turns count.
-    """
-    w, x, y, z = np.moveaxis(run.attitude, -1, 0)
-    a, b, c, d = (part[:, :1] for part in (w, -x, -y, -z))
-    return np.unwrap(2.0 * np.arctan2(w * d + x * c - y * b + z * a, w * a - x * b - y * c - z * d))
 
 
 def space_scene(run: SpaceRun, names: tuple[str, ...]) -> SpaceScene:
@@ -225,7 +216,7 @@ def space_scene(run: SpaceRun, names: tuple[str, ...]) -> SpaceScene:
             ground[:, axis] = ground_displacement(run.motion.component(name))
     largest = float(np.linalg.norm(ground, axis=1).max())
     scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
-    shift = np.column_stack([scale * np.interp(times, run.time, along) for along in ground.T])
+    shift = np.column_stack([scale * np.interp(times, run.motion.time, along) for along in ground.T])
     shapes = tuple(shape_of(one.solid) for one in run.standing)
     return SpaceScene(run, names, shapes, times, place, attitude, shift, scale, points)
 
