@@ -106,9 +106,8 @@ def test_the_picture_holds_every_pose_near_the_start() -> None:
     scene = space_scene(run, ("box",))
     for time in (0.0, 1.0, 1.3, 2.0):
         places, turns = scene.pose(time)
-        seen = SpacePainter(space_film(run, None, "en"), 640, 480)._camera.seen(
-            scene.corners(0, turns[0], places[0])
-        )
+        painter = SpacePainter(space_film(run, None, "en"), 640, 480)
+        seen = np.array(painter._camera.seen(scene.corners(0, turns[0], places[0])))
         assert (seen > 0.0).all()
         assert (seen < [1280, 622]).all()
     far = dataclasses.replace(run, place=run.place + 50.0 * TIME[:, np.newaxis])
@@ -168,6 +167,14 @@ def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
         hue = np.array(rgb(colour)) / max(rgb(colour))
         near = np.abs(shown / np.maximum(shown.max(axis=1, keepdims=True), 1) - hue).max(axis=1) < 0.02
         assert near.sum() > 300
+
+
+def test_what_is_behind_the_camera_is_not_drawn() -> None:
+    run = falling()
+    way = np.array([4.0, -8.0, 2.0]) * TIME[:, np.newaxis]
+    painter = SpacePainter(space_film(dataclasses.replace(run, place=run.place + way), None, "en"), 640, 480)
+    for time in (0.8, 1.2, 1.6, 2.0):
+        assert painter.frame(time).size == (640, 480)
 
 
 def test_a_gif_has_its_frames_and_its_time(tmp_path: Path) -> None:

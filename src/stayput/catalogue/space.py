@@ -63,13 +63,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "caption_moved": (
         (
-            "The room can be seen to move with the ground: the record integrated twice, without its drift "
-            "below {corner:g}\u00a0Hz{part}."
+            "The room moves as the ground does: the record integrated twice, without its drift below "
+            "{corner:g}\u00a0Hz{part}."
         ),
-        (
-            "部屋を地盤とともに動かして表示できます（記録を2回積分し、{corner:g}\u00a0Hz未満の"
-            "ゆっくりした動きを除いたもの{part}）。"
-        ),
+        "部屋は地盤とともに動きます（記録を2回積分し、{corner:g}\u00a0Hz未満のゆっくりした動きを除いたもの{part}）。",
     ),
     "no_webgl": (
         "This browser has no WebGL 2, so the bodies are drawn without light and shadows.",

@@ -8,12 +8,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from stayput.report.space.shape import cut
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 _AZIMUTH, _HEIGHT = -1.02, 0.33  # direction from which the scene is seen, as on the page [rad]
 _TANGENT = math.tan(math.radians(14.0))  # of half the angle of the picture's height
 _MARGIN = 1.13
+_NEAREST = 0.2  # nothing nearer than this is seen, in the distance of the nearest point
 
 
 class Camera:
@@ -41,6 +44,7 @@ class Camera:
         nearest = along[:, 2].max()
         far = _MARGIN * (((above + below) / (2.0 * tangents)).max() - nearest)
         self._place = np.array([*(above - below) / 2.0, nearest + far])
+        self._nearest = _NEAREST * far
         self._focus = self._half[1] / _TANGENT
 
     def moved(self, way: NDArray[np.float64]) -> Camera:
@@ -54,8 +58,13 @@ class Camera:
         """Where it stands, shape (3,) [m]."""
         return self._place @ self._axes
 
-    def seen(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return where points lie in the picture, shape (k, 2) [pixels]: right, down."""
-        across, up, back = (points @ self._axes.T - self._place).T
-        scale = self._focus / np.maximum(-back, 1e-6)
-        return np.column_stack((self._half[0] + scale * across, self._half[1] - scale * up))
+    def seen(self, points: NDArray[np.float64]) -> list[tuple[float, float]]:
+        """Return where the corners of a convex polygon or the ends of a line lie in the picture [pixels].
+
+        Right and down; what is behind the camera, or nearly so, is cut off.
+        """
+        apart = points @ self._axes.T - self._place
+        across, up, back = cut(apart, -apart[:, 2] - self._nearest).T
+        scale = self._focus / -back
+        places = np.column_stack((self._half[0] + scale * across, self._half[1] - scale * up))
+        return [(x, y) for x, y in places.tolist()]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFilter
@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
     from stayput.report.space.film import SpaceFilm
     from stayput.report.space.shape import SolidShape
+
+Colour: TypeAlias = str | int | tuple[int, int, int]
+"""A colour as Pillow takes it."""
 
 _LIGHT = np.array([0.5, -0.3, 0.85]) / math.hypot(0.5, -0.3, 0.85)
 _SHADOW = 0.26  # what part of the floor's light a shadow takes
@@ -92,8 +95,12 @@ class SpacePainter:
         for b in range(len(self._film.scene.names)):
             foot = self._film.scene.footprint(b)
             if len(foot):
-                outline = _polygon(camera, foot)
-                draw.line([*outline, outline[0]], fill=_mixed(body_colour(b), INK, 0.25), width=self._line)
+                _stroke(
+                    draw,
+                    camera.seen(np.concatenate([foot, foot[:1]])),
+                    _mixed(body_colour(b), INK, 0.25),
+                    self._line,
+                )
         return image
 
     def _draw_face(
@@ -109,16 +116,14 @@ class SpacePainter:
             return place
 
         corners = [(low[u], low[v]), (high[u], low[v]), (high[u], high[v]), (low[u], high[v])]
-        draw.polygon(
-            _polygon(camera, np.array([point(*corner) for corner in corners])), fill=_mixed(PAPER, ROOM, tone)
-        )
+        _fill(draw, camera.seen(np.array([point(*corner) for corner in corners])), _mixed(PAPER, ROOM, tone))
         colour = _mixed(PAPER, ROOM, tone + 0.22)
         for k in range(math.ceil(low[u] / grid), math.floor(high[u] / grid) + 1):
             ends = np.array([point(k * grid, low[v]), point(k * grid, high[v])])
-            draw.line(_polygon(camera, ends), fill=colour, width=self._line)
+            _stroke(draw, camera.seen(ends), colour, self._line)
         for k in range(math.ceil(low[v] / grid), math.floor(high[v] / grid) + 1):
             ends = np.array([point(low[u], k * grid), point(high[u], k * grid)])
-            draw.line(_polygon(camera, ends), fill=colour, width=self._line)
+            _stroke(draw, camera.seen(ends), colour, self._line)
 
     def _draw_shadows(self, scene: Image.Image, camera: Camera, corners: list[NDArray[np.float64]]) -> None:
         """Darken the floor where the light does not reach it."""
@@ -128,7 +133,7 @@ class SpacePainter:
             fallen = points - points[:, 2:] / _LIGHT[2] * _LIGHT
             fallen = np.clip(fallen, self._low, self._high)  # none beyond a wall
             for face in shape.solid.faces:
-                draw.polygon(_polygon(camera, fallen[face]), fill=round(255 * _SHADOW))
+                _fill(draw, camera.seen(fallen[face]), round(255 * _SHADOW))
         scene.paste(INK, (0, 0), mask.filter(ImageFilter.BoxBlur(2.5 * self._line)))
 
     def _from_far(
@@ -153,8 +158,14 @@ class SpacePainter:
         return order
 
 
-def _polygon(camera: Camera, points: NDArray[np.float64]) -> list[tuple[float, float]]:
-    return [(x, y) for x, y in camera.seen(points).tolist()]
+def _fill(draw: ImageDraw.ImageDraw, outline: list[tuple[float, float]], colour: Colour) -> None:
+    if len(outline) > 2:  # else it is behind the camera
+        draw.polygon(outline, fill=colour)
+
+
+def _stroke(draw: ImageDraw.ImageDraw, points: list[tuple[float, float]], colour: Colour, width: int) -> None:
+    if len(points) > 1:
+        draw.line(points, fill=colour, width=width)
 
 
 def _draw_body(
@@ -172,7 +183,7 @@ def _draw_body(
     sides: dict[tuple[int, int], int] = {}
     for number in np.flatnonzero(facing):
         face = solid.faces[number]
-        draw.polygon(_polygon(camera, corners[face]), fill=_shaded(colour, normals[number]))
+        _fill(draw, camera.seen(corners[face]), _shaded(colour, normals[number]))
         for i, j in zip(face.tolist(), np.roll(face, -1).tolist(), strict=True):
             side = (min(i, j), max(i, j))
             sides[side] = sides.get(side, 0) + 1
@@ -181,11 +192,11 @@ def _draw_body(
         if facing[mark.face]:
             tone = _mixed(colour, "#ffffff", 0.42) if mark.light else _mixed(colour, "#000000", 0.65)
             fill = _shaded("#{:02x}{:02x}{:02x}".format(*tone), normals[mark.face])
-            draw.polygon(_polygon(camera, origin + mark.corners @ turn.T), fill=fill)
+            _fill(draw, camera.seen(origin + mark.corners @ turn.T), fill)
     sharp = {(min(i, j), max(i, j)) for i, j in shape.edges.tolist()}
     for side, count in sides.items():
         if count == 1 or side in sharp:  # an outline, or an edge
-            draw.line(_polygon(camera, corners[list(side)]), fill=INK, width=line)
+            _stroke(draw, camera.seen(corners[list(side)]), INK, line)
 
 
 def _shaded(colour: str, normal: NDArray[np.float64]) -> tuple[int, int, int]:

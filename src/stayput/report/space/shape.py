@@ -123,7 +123,9 @@ def _marks(solid: Solid, normals: NDArray[np.float64], curved: NDArray[np.bool_]
     if curved.any():
         front = vertices[solid.faces[int(np.argmax(normals[:, 0]))], 0].mean()
         for face in np.flatnonzero(curved & (normals[:, 0] > _FACING)):
-            stripe = _between(vertices[solid.faces[face]], _STRIPE * front)
+            half, stripe = _STRIPE * front, vertices[solid.faces[face]]
+            for side in (1.0, -1.0):
+                stripe = cut(stripe, half - side * stripe[:, 1])
             if len(stripe) > 2:
                 found.append(Mark(int(face), stripe, light=True))
     else:
@@ -143,15 +145,21 @@ def _marks(solid: Solid, normals: NDArray[np.float64], curved: NDArray[np.bool_]
     return found
 
 
-def _between(corners: NDArray[np.float64], half: float) -> NDArray[np.float64]:
-    """Return the part of a convex polygon where −half ≤ y ≤ half, shape (k, 3)."""
-    for side in (1.0, -1.0):
-        kept: list[NDArray[np.float64]] = []
-        for one, following in zip(corners, np.roll(corners, -1, axis=0), strict=True):
-            here, there = half - side * one[1], half - side * following[1]
-            if here >= 0.0:
-                kept.append(one)
-            if here * there < 0.0:
-                kept.append(one + here / (here - there) * (following - one))
-        corners = np.array(kept).reshape(-1, 3)
-    return corners
+def cut(corners: NDArray[np.float64], inside: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the part of a convex polygon, or of a line, on one side of a plane, shape (m, 3).
+
+    Parameters
+    ----------
+    corners : ndarray, shape (k, 3)
+        Its corners in order.
+    inside : ndarray, shape (k,)
+        How far each is on that side of the plane, negative beyond it.
+    """
+    kept: list[NDArray[np.float64]] = []
+    following = zip(np.roll(corners, -1, axis=0), np.roll(inside, -1).tolist(), strict=True)
+    for one, here, (other, there) in zip(corners, inside.tolist(), following, strict=True):
+        if here >= 0.0:
+            kept.append(one)
+        if here * there < 0.0:
+            kept.append(one + here / (here - there) * (other - one))
+    return np.array(kept).reshape(-1, 3)
