@@ -4,7 +4,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     # What became of them
     "numbered": ("body {number}", "物体{number}"),
     "upright": (
-        "The {name} did not overturn; it tilted {tilt} and slid {slide}.",
+        "The {name} did not overturn; it tilted by {tilt} and slid by {slide}.",
         "{name}は転倒しませんでした（傾き：{tilt}、移動量：{slide}）。",
     ),
     "overturned": (
@@ -17,10 +17,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{count}個の物体のうち{fallen}個が転倒しました：{which}。",
     ),
     "fell_at": ("{name} at {time:.1f} s", "{name}（{time:.1f}秒）"),
-    "up_to_angle": ("by up to {angle:.1f}°", "最大{angle:.1f}°"),
-    "least_angle": ("by less than 0.1°", "0.1°未満"),
-    "up_to_cm": ("by up to {length:.1f} cm", "最大{length:.1f} cm"),
-    "least_cm": ("by less than a millimetre", "1 mm未満"),
+    "up_to_angle": ("up to {angle:.1f}°", "最大{angle:.1f}°"),
+    "least_angle": ("less than 0.1°", "0.1°未満"),
     "state": ("tilt {tilt:.1f}°, slide {slide:.1f} cm", "傾き {tilt:.1f}°、移動量 {slide:.1f} cm"),
     # Names of bodies
     "names": ("the names", "名前（names）"),

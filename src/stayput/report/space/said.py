@@ -10,6 +10,7 @@ import numpy as np
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError, list_of
 from stayput.report.space.histories import slid
+from stayput.report.summary import length
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -57,9 +58,9 @@ def _of_one(run: SpaceRun, name: str) -> Phrase:
     if run.overturned[0]:
         return phrase("space.overturned", name=name, time=float(run.overturn_time[0]))
     angle = float(np.degrees(run.tilt.max()))
-    length = 100.0 * float(slid(run).max())
-    if angle < 0.1 and length < 0.1:
+    way = float(slid(run).max())
+    if angle < 0.1 and way < 1e-3:
         return phrase("runs.rested", name=name)
     tilt = phrase("space.least_angle") if angle < 0.1 else phrase("space.up_to_angle", angle=angle)
-    slide = phrase("space.least_cm") if length < 0.1 else phrase("space.up_to_cm", length=length)
+    slide = phrase("runs.slid_least") if way < 1e-3 else phrase("runs.slid_up_to", length=length(way))
     return phrase("space.upright", name=name, tilt=tilt, slide=slide)

@@ -33,6 +33,9 @@ _FARTHEST = 2.5
 _POSES_VIEWED = 200
 """Poses from which the view is chosen."""
 
+_DIRECTIONS = 300
+"""Directions in which the outermost points are looked for."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SpaceScene:
@@ -258,7 +261,12 @@ def _outermost(run: SpaceRun) -> tuple[NDArray[np.float64], float]:
     reach = _FARTHEST * size
     points = np.concatenate([corners.reshape(-1, 3) for corners in found])
     points = np.clip(points, first.min(axis=0) - reach, first.max(axis=0) + reach)
-    axes = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1) if x or y or z])
-    diagonals = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
-    slopes = np.concatenate([diagonals * weights for weights in ((2, 1, 1), (1, 2, 1), (1, 1, 2))])
-    return points[np.unique((points @ np.concatenate([axes, slopes]).T).argmax(axis=0))], size
+    return points[np.unique((points @ _directions().T).argmax(axis=0))], size
+
+
+def _directions() -> NDArray[np.float64]:
+    """Return directions all around, evenly spread on a spiral, shape (`_DIRECTIONS`, 3)."""
+    height = np.linspace(-1.0, 1.0, _DIRECTIONS)
+    turn = math.pi * (3.0 - math.sqrt(5.0)) * np.arange(_DIRECTIONS)
+    across = np.sqrt(1.0 - height**2)
+    return np.column_stack((across * np.cos(turn), across * np.sin(turn), height))
