@@ -9,7 +9,12 @@ const OPENING = (28 * Math.PI) / 180, // angle of the picture's height
   FARTHEST = 6;
 
 /** Directions from which a scene is seen: azimuth from x towards y, and height above the floor [rad]. */
-export const VIEWS = { free: [-1.02, 0.33], front: [0, 0.06], side: [-Math.PI / 2, 0.06], top: [-Math.PI / 2, STEEPEST] };
+export const VIEWS = {
+  free: [-1.02, 0.33], // as in the films: stayput/report/space/camera.py
+  front: [0, 0.06],
+  side: [-Math.PI / 2, 0.06],
+  top: [-Math.PI / 2, STEEPEST],
+};
 
 /** A camera that sees all of the points; `look` gives its matrices and its place. */
 export function orbit(points, size) {
@@ -52,11 +57,13 @@ export function orbit(points, size) {
     look(aspect) {
       const [right, up, back] = axes(),
         tangents = [OPENING_TANGENT * aspect, OPENING_TANGENT];
-      // The planes through the points that bound the picture meet in the eye: along each of its axes the one on
-      // either side, and the eye as far back as the wider pair needs.
+      // The planes through the points that bound the picture meet in the eye: a pair for its width and one for
+      // its height, and the eye as far back as the wider pair needs.
       const ends = [right, up].map((axis, i) =>
         [1, -1].map((side) =>
-          Math.max(...points.map((point) => side * vec.dot(point, axis) + tangents[i] * vec.dot(point, back))),
+          Math.max(
+            ...points.map((point) => side * vec.dot(point, axis) + tangents[i] * vec.dot(point, back)),
+          ),
         ),
       );
       const depth = Math.max(...ends.map(([one, other], i) => (one + other) / (2 * tangents[i])));

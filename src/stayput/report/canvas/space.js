@@ -109,8 +109,8 @@ function lightMatrix({ low, high, size }) {
 }
 
 /**
- * What draws a scene of `spaceScene` on a canvas; null where the browser has no WebGL 2. `draw` takes the time,
- * a camera of `orbit`, the body that is chosen, and whether the room moves with the ground.
+ * What draws a scene of `spaceScene` on a canvas; null where the browser has no WebGL 2. `draw` takes the
+ * time, a camera of `orbit`, the body that is chosen, and whether the room moves with the ground.
  */
 export function spacePainter(canvas, scene) {
   const gl = canvas.getContext("webgl2", { antialias: true, alpha: false });
@@ -217,7 +217,8 @@ export function spacePainter(canvas, scene) {
     drawSurface(floor, { ...ground, alpha: fromAbove ? 1 : 0.3, lineAlpha: fromAbove ? 1 : 0.4 }, eye);
     const lines = { view, projection, canvas: [width, height] };
     made.meshes.forEach(({ footprint, colour }) => {
-      use(made.programs.LINES, { ...lines, model: STILL, width: 2.2 * sharp, colour: [...mixed(colour, EDGE, 0.25), 0.9] });
+      const outline = [...mixed(colour, EDGE, 0.25), 0.9];
+      use(made.programs.LINES, { ...lines, model: STILL, width: 2.2 * sharp, colour: outline });
       strip(footprint);
     });
     made.meshes.forEach(({ body, marks, edges, colour }, b) => {
@@ -230,7 +231,8 @@ export function spacePainter(canvas, scene) {
       fill(marks);
       gl.disable(gl.POLYGON_OFFSET_FILL);
       const outline = b === chosen ? [...parts(ink.ink), 1] : [...EDGE, 0.85];
-      use(made.programs.LINES, { ...lines, model: models[b], width: (b === chosen ? 3.4 : 1.7) * sharp, colour: outline });
+      const thick = (b === chosen ? 3.4 : 1.7) * sharp;
+      use(made.programs.LINES, { ...lines, model: models[b], width: thick, colour: outline });
       strip(edges);
     });
     gl.depthMask(false);

@@ -1,5 +1,5 @@
-// A scene in space as it is read from its data, and where everything is at a time. What the data hold is said by
-// stayput/report/space/scene.py.
+// A scene in space as it is read from its data, and where everything is at a time. What the data hold is said
+// by stayput/report/space/scene.py.
 
 import { between, mat, vec } from "./vectors.js";
 
@@ -90,7 +90,12 @@ export function surfaces({ low, high, planes, size }) {
       point[v] = b;
       return point;
     };
-    const corners = [corner(from[u], from[v]), corner(to[u], from[v]), corner(to[u], to[v]), corner(from[u], to[v])];
-    return { corners, normal, offset };
+    const ends = [
+      [from[u], from[v]],
+      [to[u], from[v]],
+      [to[u], to[v]],
+      [from[u], to[v]],
+    ];
+    return { corners: ends.map(([a, b]) => corner(a, b)), normal, offset };
   });
 }

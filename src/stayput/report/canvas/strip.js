@@ -9,8 +9,9 @@ const LEFT = 46,
 export const most = (values) => values.reduce((peak, value) => Math.max(peak, Math.abs(value)), 0) || 1;
 
 /**
- * Draws rows {label, unit, peak, series: [{times, values, colour, width, name}]} of a time span; names of series
- * stand beside the label. `below` is the height that is left free. Returns the pen and where a time is.
+ * Draws rows {label, unit, peak, positive, series: [{times, values, colour, width, name}]} of a time span;
+ * names of series stand beside the label, and what is positive rises from the row's foot. `below` is the
+ * height that is left free. Returns the pen, where a time is, and the height.
  */
 export function drawRows(canvas, rows, { start, end, now, below = 0 }) {
   const [pen, width, height] = prepared(canvas),

@@ -1,4 +1,4 @@
-// Vectors of three numbers, matrices of sixteen (columns one after the other, as WebGL has them), quaternions.
+// Vectors of three numbers, matrices of sixteen (columns one after the other, as in WebGL), and quaternions.
 
 export const vec = {
   plus: (a, b) => a.map((value, i) => value + b[i]),
@@ -22,12 +22,14 @@ export const mat = {
   perspective(height, aspect, near, far) {
     const f = 1 / Math.tan(height / 2),
       depth = near - far;
-    return [f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / depth, -1, 0, 0, (2 * far * near) / depth, 0];
+    const [scale, shift] = [(far + near) / depth, (2 * far * near) / depth];
+    return [f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, scale, -1, 0, 0, shift, 0];
   },
   /** A box in front of an eye, along its axes, to the cube of WebGL. */
   orthographic([left, low, near], [right, high, far]) {
     const [w, h, d] = [right - left, high - low, far - near];
-    return [2 / w, 0, 0, 0, 0, 2 / h, 0, 0, 0, 0, 2 / d, 0, -(right + left) / w, -(high + low) / h, -(far + near) / d, 1];
+    const middle = [-(right + left) / w, -(high + low) / h, -(far + near) / d];
+    return [2 / w, 0, 0, 0, 0, 2 / h, 0, 0, 0, 0, 2 / d, 0, ...middle, 1];
   },
   /** Into the axes of an eye (right, up, backwards) at a place. */
   seenFrom([right, up, back], eye) {
@@ -50,9 +52,8 @@ export function between(q, r, share) {
   const cosine = q.reduce((sum, value, i) => sum + value * r[i], 0),
     angle = Math.acos(Math.min(1, Math.abs(cosine)));
   const sine = Math.sin(angle),
-    [one, other] =
-      sine < 1e-6 ? [1 - share, share] : [Math.sin((1 - share) * angle) / sine, Math.sin(share * angle) / sine];
-  const sum = q.map((value, i) => one * value + (cosine < 0 ? -other : other) * r[i]);
+    part = (of) => (sine < 1e-6 ? of : Math.sin(of * angle) / sine);
+  const sum = q.map((value, i) => part(1 - share) * value + (cosine < 0 ? -1 : 1) * part(share) * r[i]);
   return vec.times(sum, 1 / Math.hypot(...sum));
 }
 

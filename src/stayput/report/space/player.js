@@ -23,7 +23,7 @@ let chosen = 0;
 
 const peaks = {
   acceleration: Math.max(...scene.accelerations.map(({ values }) => most(values))),
-  tilts: bodies.map(({ tilts }) => Math.max(most(tilts) === 1 ? 0 : most(tilts), 0.001)),
+  tilts: bodies.map(({ tilts }) => tilts.reduce((peak, value) => Math.max(peak, value))),
 };
 const AXES = { x: "record", y: "calm", z: "pad" };
 
@@ -43,7 +43,7 @@ function drawStrip(now) {
         .replace("{name}", () => name)
         .replace("{angle}", degrees(peaks.tilts[chosen]).toFixed(1)),
       unit: texts.tilt,
-      peak: peaks.tilts[chosen],
+      peak: Math.max(0.001, peaks.tilts[chosen]), // what is rounding is drawn as nothing
       positive: true,
       series: [{ times: scene.times, values: tilts, colour: ink.ink, width: 1.5 }],
     },
