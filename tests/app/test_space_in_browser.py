@@ -125,6 +125,31 @@ def test_the_mouse_turns_moves_and_comes_nearer(browser: Browser, tmp_path: Path
         assert page.get_by_label("Corner", exact=True).is_checked()
 
 
+def test_a_finger_turns_and_two_come_nearer(browser: Browser, tmp_path: Path, run: Any) -> None:
+    with opened(browser, written(run, tmp_path), size=PHONE, has_touch=True) as page:
+        box = page.locator("#scene").bounding_box()
+        assert box
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        session = page.context.new_cdp_session(page)
+
+        def touch(kind: str, *places: tuple[float, float]) -> None:
+            points = [{"x": across, "y": down, "id": number} for number, (across, down) in enumerate(places)]
+            session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+        shown = picture(page)
+        touch("touchStart", (x, y))
+        for way in (20, 40, 60):
+            touch("touchMove", (x + way, y))
+        touch("touchEnd")
+        turned = picture(page)
+        assert differ(shown, turned) > 0.01
+        touch("touchStart", (x - 20, y), (x + 20, y))
+        for way in (25, 30, 35):
+            touch("touchMove", (x - way, y), (x + way, y))
+        touch("touchEnd")
+        assert sum(coloured(picture(page))) > 1.3 * sum(coloured(turned))
+
+
 def test_the_keyboard_plays_steps_turns_and_chooses(browser: Browser, tmp_path: Path, run: Any) -> None:
     with opened(browser, written(run, tmp_path)) as page:
         page.keyboard.press("ArrowRight")

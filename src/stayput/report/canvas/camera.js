@@ -57,8 +57,8 @@ export function orbit(points, size) {
     look(aspect) {
       const [right, up, back] = axes(),
         tangents = [OPENING_TANGENT * aspect, OPENING_TANGENT];
-      // The planes through the points that bound the picture meet in the eye: a pair for its width and one for
-      // its height, and the eye as far back as the wider pair needs.
+      // The planes through the outermost points meet in the eye: a pair for the picture's width and one for its
+      // height, and the eye as far back as the wider pair needs.
       const ends = [right, up].map((axis, i) =>
         [1, -1].map((side) =>
           Math.max(
