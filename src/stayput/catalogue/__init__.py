@@ -44,6 +44,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "scenario",
         "simulation",
         "solids",
+        "space",
         "standards",
         "studies",
         "verification",

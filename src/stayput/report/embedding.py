@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import html
 import json
 import re
 from importlib import resources
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from importlib.resources.abc import Traversable
 
 _IN_SCRIPT = str.maketrans({c: f"\\u{ord(c):04x}" for c in "<>&\u2028\u2029"})
-_MODULES = ("clock.js", "pen.js", "furniture.js", "painter.js")
-_IMPORT = re.compile(r"^import [^;]*;\n", re.MULTILINE)
+_IMPORT = re.compile(r"^import [^;]*/([\w.]+)\";\n", re.MULTILINE)
 _EXPORT = re.compile(r"^export ", re.MULTILINE)
 
 
@@ -38,7 +39,7 @@ def script_json(values: object) -> str:
 
 
 def script_module(script: str) -> str:
-    """Return a script and the modules that draw a scene as the text of one inline module.
+    """Return a script and the modules that it needs as the text of one inline module.
 
     A page that is opened from disk cannot import a module, so all stand in one scope: imports and the word
     ``export`` are left out.
@@ -46,13 +47,39 @@ def script_module(script: str) -> str:
     Parameters
     ----------
     script : str
-        The page's own script, which imports from the modules.
+        The page's own script, which imports from the modules of `canvas_files`.
     """
-    files = canvas_files()
-    texts = [*(files[name].read_text(encoding="utf-8") for name in _MODULES), script]
+    files, needed = canvas_files(), dict[str, str]()
+
+    def add(text: str) -> None:
+        for name in _IMPORT.findall(text):
+            if name not in needed:
+                module = files[name].read_text(encoding="utf-8")
+                add(module)  # what it needs comes before it
+                needed[name] = module
+
+    add(script)
+    texts = [*needed.values(), script]
     return "\n".join(_EXPORT.sub("", _IMPORT.sub("", text)) for text in texts)
 
 
 def inks_css() -> str:
     """Return the colours of a scene in both themes, as the text of a style sheet."""
     return canvas_files()["inks.css"].read_text(encoding="utf-8")
+
+
+def filled(page: str, texts: Mapping[str, str], code: Mapping[str, str]) -> str:
+    """Return a page with what stands for its marks in double braces.
+
+    Parameters
+    ----------
+    page : str
+        HTML.
+    texts : mapping of str
+        Texts by their marks.
+    code : mapping of str
+        Style sheets, scripts and data by their marks, which stand as they are.
+    """
+    parts = {**{key: html.escape(text) for key, text in texts.items()}, **code}
+    # In one pass, as a title may hold a mark.
+    return re.sub(r"\{\{(\w+)\}\}", lambda mark: parts[mark[1]], page)

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError
+from stayput.report.movie import frame_times
 from stayput.report.scene import DRIFT_CORNER, Scene, scene_of
 from stayput.report.summary import motion_label, sentences
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import NDArray
 
     from stayput.simulation.run import Run
@@ -57,20 +56,8 @@ class Film:
         return self.say("floor_acceleration", motion=self.motion_title)
 
     def times(self, fps: float, speed: float, hold: float) -> NDArray[np.float64]:
-        """Return the instant that each frame shows [s].
-
-        Parameters
-        ----------
-        fps : float
-            Frames a second of the film.
-        speed : float
-            Seconds of the run shown in one second of the film.
-        hold : float
-            How long the last pose is held [s of the film].
-        """
-        start, end = self.scene.start, self.scene.end
-        moving = start + np.arange(math.ceil((end - start) * fps / speed - 1e-9)) * speed / fps
-        return np.append(moving, np.full(max(1, round(hold * fps)), end))
+        """Return the instant that each frame shows [s]; see `stayput.report.movie.frame_times`."""
+        return frame_times(self.scene.start, self.scene.end, fps, speed, hold)
 
 
 def film_of(run: Run, name: str | None = None, language: str = "en") -> Film:

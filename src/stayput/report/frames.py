@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,14 +9,11 @@ from PIL import Image, ImageDraw
 
 from stayput.catalogue import say
 from stayput.catalogue.names import MODES
-from stayput.report.fonts import font, with_face
+from stayput.report.layout import FrameLayout
 from stayput.report.palette import (
-    ALARM,
-    COMPONENT_COLOURS,
     FAINT,
     INK,
     MODE_COLOURS,
-    MUTED,
     PAPER,
     ROLE_COLOURS,
     ROOM,
@@ -28,8 +24,6 @@ from stayput.report.scene import room_data, section
 if TYPE_CHECKING:
     from stayput.report.film import Film
     from stayput.report.scene import Pose
-
-_SMOOTH = 2  # the scene is drawn so many times larger and reduced, which smooths its edges
 
 
 class Painter:
@@ -45,18 +39,8 @@ class Painter:
 
     def __init__(self, film: Film, width: int, height: int) -> None:
         self._film = film
-        self._size = (width, height)
-        unit = height / 480.0
-        self._fonts = {size: font(size * unit) for size in (11, 13, 15)}
-        self._header = round(40 * unit)
-        self._strip = (
-            round(46 * unit),
-            height - round(104 * unit),
-            width - round(12 * unit),
-            height - round(46 * unit),
-        )
-        self._scene = (width * _SMOOTH, (self._strip[1] - round(22 * unit) - self._header) * _SMOOTH)
-        self._line = max(1, round(unit * _SMOOTH))
+        self._layout = FrameLayout(width, height, film.scene.start, film.scene.end)
+        self._scene, self._line = self._layout.scene, self._layout.line
         room, view = room_data(film.scene.runs[0]), film.scene.view
         # A face of the room that the view leaves out would only be seen where the frame is wider than it.
         left, right, ceiling = room["left_wall_x_m"], room["right_wall_x_m"], room["ceiling_z_m"]
@@ -70,67 +54,17 @@ class Painter:
             wall_is_left = self._right_wall is None
             self._middle = view.left + self._half if wall_is_left else view.right - self._half
         self._low = view.low
-        self._still = self._still_part()
+        motion = film.scene.motion
+        self._still = self._layout.still(film.strip_title, film.caption, motion.time, {"x": motion.x})
 
     def frame(self, time: float) -> Image.Image:
         """Return the frame of an instant [s], in RGB."""
         pose = self._film.scene.pose(time)
-        image = self._still.copy()
-        scene = self._draw_scene(pose)
-        image.paste(scene.reduce(_SMOOTH), (0, self._header))
-        draw = ImageDraw.Draw(image)
-        self._draw_header(draw, pose)
-        left, top, right, bottom = self._strip
-        start, end = self._film.scene.start, self._film.scene.end
-        x = left + (right - left) * (pose.time - start) / (end - start)
-        draw.line(((x, top), (x, bottom)), fill=ALARM, width=2)
-        return image
-
-    def _still_part(self) -> Image.Image:
-        """Draw the static part of all frames: the acceleration strip and the caption."""
-        image = Image.new("RGB", self._size, PAPER)
-        draw = ImageDraw.Draw(image)
-        left, top, right, bottom = self._strip
-        small, text = self._fonts[11], self._fonts[13]
-        heading, face = with_face(self._film.strip_title, text.size)
-        draw.text((left, top - 3), heading, fill=INK, font=face, anchor="ls")
-        scene = self._film.scene
-        motion, start, end = scene.motion, scene.start, scene.end
-        shown = (motion.time >= start) & (motion.time <= end)
-        a = motion.x[shown]
-        peak = float(np.abs(a).max(initial=0.0)) or 1.0
-        middle, half = 0.5 * (top + bottom), 0.46 * (bottom - top)
-        draw.line(((left, middle), (right, middle)), fill=FAINT)
-        x = left + (right - left) * (motion.time[shown] - start) / (end - start)
-        draw.line(
-            list(zip(x.tolist(), (middle - half * a / peak).tolist(), strict=True)),
-            fill=COMPONENT_COLOURS["x"],
-        )
-        for level in (peak, -peak):
-            draw.text(
-                (left - 4, middle - half * level / peak), f"{level:.1f}", fill=MUTED, font=small, anchor="rm"
-            )
-        draw.text((left - 4, middle), "m/s²", fill=MUTED, font=small, anchor="rm")
-        characters = int(1.08 * (right - 8) / small.getlength("e"))
-        lines = "\n".join(textwrap.wrap(self._film.caption, characters))
-        draw.multiline_text((8, bottom + 8), lines, fill=MUTED, font=small, spacing=3)
-        return image
-
-    def _draw_header(self, draw: ImageDraw.ImageDraw, pose: Pose) -> None:
-        width, middle = self._size[0], 0.5 * self._header
-        draw.text((width - 10, middle), f"{pose.time:.2f} s", fill=INK, font=self._fonts[15], anchor="rm")
-        chip = 0.3 * self._header
-        draw.rectangle(
-            (10, middle - chip, 10 + 2 * chip, middle + chip), fill=MODE_COLOURS[pose.mode], outline=INK
-        )
+        image = self._layout.frame(self._still, self._draw_scene(pose), pose.time)
         ended = pose.time >= self._film.scene.end
         text = self._film.title if ended else say(MODES[pose.mode], self._film.language)
-        room = width - 90 - 2 * chip
-        words, face = with_face(text, self._fonts[15].size)
-        if face.getlength(words) > room:
-            words, face = with_face(text, self._fonts[13].size)
-        lines = "\n".join(textwrap.wrap(words, max(20, int(1.08 * room / face.getlength("e")))))
-        draw.multiline_text((20 + 2 * chip, middle), lines, fill=INK, font=face, anchor="lm", spacing=2)
+        self._layout.head(image, text, MODE_COLOURS[pose.mode])
+        return image
 
     def _point(self, x: float, z: float) -> tuple[float, float]:
         return (

@@ -61,6 +61,9 @@ PAPER = "#ffffff"
 ALARM = "#d55e00"
 """Time cursor and overturning."""
 
+BODY_COLOURS = ("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00", "#0072b2")
+"""Colours of bodies in space, one after the other."""
+
 COMPONENT_COLOURS: dict[str, str] = {"x": "#0072b2", "y": "#009e73", "z": "#cc79a7"}
 """Colour of each component of a motion."""
 

@@ -2,7 +2,8 @@
 
 import { player, prefersReducedMotion } from "./canvas/clock.js";
 import { drawScene } from "./canvas/painter.js";
-import { ink, line, prepared, readInks } from "./canvas/pen.js";
+import { ink, readInks } from "./canvas/pen.js";
+import { drawRows, most, picked } from "./canvas/strip.js";
 
 const film = JSON.parse(document.getElementById("run").textContent);
 const { floor, modes: looks, texts } = film,
@@ -11,72 +12,35 @@ const part = (id) => document.getElementById(id);
 const start = run.time_s[0],
   end = run.time_s.at(-1);
 const modeColours = Object.fromEntries(Object.entries(looks).map(([mode, { colour }]) => [mode, colour]));
-const LEFT = 46,
-  RIGHT = 8,
-  BAND = 8;
+const BAND = 8; // height of the modes' colours
 
-const along = (width, t) => LEFT + ((width - LEFT - RIGHT) * (t - start)) / (end - start);
-const most = (values) => values.reduce((peak, value) => Math.max(peak, Math.abs(value)), 0) || 1;
 const peaks = {
   acceleration: most(floor.acceleration_m_s2),
   // no more than three critical angles, so that the rocking before a fall is seen
   tilt: Math.min(most(run.tilt_rad), 3 * run.body.slenderness_rad),
 };
 
-function drawHistory(pen, width, top, height, { times, values, peak, colour, label, unit }) {
-  const middle = top + 16 + (height - 16) / 2,
-    half = (height - 20) / 2;
-  line(pen, ink.faint, 1, [
-    [LEFT, middle],
-    [width - RIGHT, middle],
-  ]);
-  pen.save();
-  pen.beginPath();
-  pen.rect(0, top, width, height);
-  pen.clip();
-  line(
-    pen,
-    colour,
-    1.2,
-    times.map((t, i) => [along(width, t), middle - (half * values[i]) / peak]),
-  );
-  pen.restore();
-  pen.fillStyle = ink.muted;
-  pen.font = "12px system-ui, sans-serif";
-  pen.textAlign = "left";
-  pen.fillText(label, LEFT, top + 11);
-  pen.textAlign = "right";
-  pen.fillText(unit, LEFT - 4, middle + 4);
-}
-
 function drawStrip(now) {
-  const [pen, width, height] = prepared(part("strip")),
-    each = (height - BAND - 4) / 2;
-  drawHistory(pen, width, 0, each, {
-    times: floor.time_s,
-    values: floor.acceleration_m_s2,
-    peak: peaks.acceleration,
-    colour: ink.record,
-    label: film.strip_title,
-    unit: "m/s²",
-  });
-  drawHistory(pen, width, each, each, {
-    times: run.time_s,
-    values: run.tilt_rad,
-    peak: peaks.tilt,
-    colour: ink.ink,
-    label: texts.tilt_shown.replace("{angle}", ((peaks.tilt * 180) / Math.PI).toFixed(1)),
-    unit: texts.tilt,
-  });
+  const rows = [
+    {
+      label: film.strip_title,
+      unit: "m/s²",
+      peak: peaks.acceleration,
+      series: [{ times: floor.time_s, values: floor.acceleration_m_s2, colour: ink.record }],
+    },
+    {
+      label: texts.tilt_shown.replace("{angle}", ((peaks.tilt * 180) / Math.PI).toFixed(1)),
+      unit: texts.tilt,
+      peak: peaks.tilt,
+      series: [{ times: run.time_s, values: run.tilt_rad, colour: ink.ink }],
+    },
+  ];
+  const { pen, along, height } = drawRows(part("strip"), rows, { start, end, now, below: BAND + 4 });
   run.modes.forEach(([t, mode], i) => {
     const next = run.modes[i + 1]?.[0] ?? end;
     pen.fillStyle = modeColours[mode];
-    pen.fillRect(along(width, t), height - BAND, along(width, next) - along(width, t), BAND);
+    pen.fillRect(along(t), height - BAND, along(next) - along(t), BAND);
   });
-  line(pen, ink.alarm, 2, [
-    [along(width, now), 0],
-    [along(width, now), height],
-  ]);
 }
 
 function draw(now) {
@@ -112,15 +76,7 @@ part("theme").onclick = () => {
   document.documentElement.dataset.theme = dark ? "light" : "dark";
   again();
 };
-const pick = (event) => {
-  const box = part("strip").getBoundingClientRect();
-  clock.seek(start + ((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT)) * (end - start));
-};
-part("strip").onpointerdown = (event) => {
-  part("strip").setPointerCapture(event.pointerId);
-  pick(event);
-};
-part("strip").onpointermove = (event) => event.buttons && pick(event);
+picked(part("strip"), { start, end }, (time) => clock.seek(time));
 addEventListener("keydown", (event) => {
   if (event.target.closest("button, select, input")) return;
   if (event.key === " ") {

@@ -58,7 +58,7 @@ def simulate_assembly(
     if room.floor.settlement:
         raise InputError("simulation.settles", "room.floor.settlement", value=room.floor.settlement)
     standing = assembly.members
-    planes = _planes(standing, room)
+    planes = planes_in(standing, room)
     laws = [_floor_laws(room.floor)] * len(standing)
     world = world_of([one.solid for one in standing], laws, planes, assembly.friction)
     poses = np.stack(
@@ -156,7 +156,7 @@ def _floor_laws(floor: Floor) -> FloorLaws:
     return FloorLaws(floor.restitution, floor.landing_place, floor.edge_friction, own("left"), own("right"))
 
 
-def _planes(standing: Sequence[Standing], room: Room) -> NDArray[np.void]:
+def planes_in(standing: Sequence[Standing], room: Room) -> NDArray[np.void]:
     """Return the room; the gaps of its walls are from what is outermost of all bodies."""
     back, front = zip(*(one.depth for one in standing), strict=True)
     floor, above = room.floor, room.ceiling

@@ -184,7 +184,7 @@ def _add(
 
     vertices = own(solid.vertices)
     first = len(points)
-    on_rim = _on_rims(solid)
+    on_rim: NDArray[np.bool_] = np.any(on_rims(solid), axis=0)
     # feet stand in place of all that is not above them
     feet_reach = -math.inf if solid.feet is None else solid.feet[:, 2].max() + 1e-6
     on_floor = ~on_rim & (solid.vertices[:, 2] > feet_reach)
@@ -211,27 +211,27 @@ def _add(
     body["first_face"], body["faces"] = len(faces), len(solid.faces)
     body["first_edge"] = len(edges)
     for face in solid.faces:
-        faces.append((*_normal(vertices[face]), len(loops), len(face)))
+        faces.append((*face_normal(vertices[face]), len(loops), len(face)))
         loops += [first + int(i) for i in face]
         around = zip(face, np.roll(face, -1), strict=True)
         edges += [(first + int(i), first + int(j)) for i, j in around if i < j]
     body["edges"] = len(edges) - body["first_edge"]
 
 
-def _normal(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+def face_normal(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the outward normal of a face (Newell's method, which bears corners nearly on a line)."""
     n = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
     return n / np.linalg.norm(n)
 
 
-def _on_rims(solid: Solid) -> NDArray[np.bool_]:
-    """Return which corners lie on a rim, shape (n,): planes meet the rim itself."""
-    found = np.zeros(len(solid.vertices), np.bool_)
-    for rim in solid.rims:
+def on_rims(solid: Solid) -> NDArray[np.bool_]:
+    """Return which corners lie on which rim, shape (rims, n): planes meet the rim itself."""
+    found = np.zeros((len(solid.rims), len(solid.vertices)), np.bool_)
+    for own, rim in zip(found, solid.rims, strict=True):
         arms = solid.vertices - rim[:3]
         along = arms @ rim[3:6]
         across = np.linalg.norm(arms - along[:, np.newaxis] * rim[3:6], axis=1)
-        found |= (np.abs(along) <= 1e-6) & (np.abs(across - rim[6]) <= 0.01 * rim[6])
+        own[:] = (np.abs(along) <= 1e-6) & (np.abs(across - rim[6]) <= 0.01 * rim[6])
     return found
 
 

@@ -13,7 +13,11 @@ from stayput.simulation.space_kinematics import lies, slides, tilts, touches, ya
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
     import xarray as xr
+    from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
     from stayput.measures.measure import Held
@@ -215,6 +219,20 @@ class SpaceRun:
                 "by": ["room", "bodies"],
             },
         )
+
+    def plot(
+        self, path: str | Path | None = None, *, names: Sequence[str] | None = None, language: str = "en"
+    ) -> Figure:
+        """Draw the histories and the ways in plan; see `stayput.report.space.plot.plot_space_run`."""
+        from stayput.report.space.plot import plot_space_run
+
+        return plot_space_run(self, path, names=names, language=language)
+
+    def animate(self, path: str | Path, *, names: Sequence[str] | None = None, language: str = "en") -> Path:
+        """Write an animation (GIF, MP4 or HTML); see `stayput.report.space.animation.animate_space_run`."""
+        from stayput.report.space.animation import animate_space_run
+
+        return animate_space_run(self, path, names=names, language=language)
 
 
 def fallen(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:

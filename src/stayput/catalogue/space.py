@@ -1,0 +1,83 @@
+"""Pictures and animations of bodies in space."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # What became of them
+    "numbered": ("body {number}", "物体{number}"),
+    "upright": (
+        "The {name} did not overturn; it tilted by {tilt} and slid by {slide}.",
+        "{name}は転倒しませんでした（傾き：{tilt}、移動量：{slide}）。",
+    ),
+    "overturned": (
+        "The {name} overturned {time:.1f} s into the motion.",
+        "{name}は揺れ始めから{time:.1f}秒後に転倒しました。",
+    ),
+    "none_fell": ("None of the {count} bodies overturned.", "{count}個の物体はいずれも転倒しませんでした。"),
+    "some_fell": (
+        "{fallen} of {count} bodies overturned: {which}.",
+        "{count}個の物体のうち{fallen}個が転倒しました：{which}。",
+    ),
+    "fell_at": ("{name} at {time:.1f} s", "{name}（{time:.1f}秒）"),
+    "up_to_angle": ("up to {angle:.1f}°", "最大{angle:.1f}°"),
+    "least_angle": ("less than 0.1°", "0.1°未満"),
+    "state": ("tilt {tilt:.1f}°, slide {slide:.1f} cm", "傾き {tilt:.1f}°、移動量 {slide:.1f} cm"),
+    # Names of bodies
+    "names": ("the names", "名前（names）"),
+    "number_of_names": (
+        "There are {count} names for {bodies} bodies; give one for each.",
+        "名前が{count}個ありますが、物体は{bodies}個です。それぞれに1つずつ指定してください。",
+    ),
+    # The player
+    "body": ("Body", "物体"),
+    "tilt": ("tilt", "傾き"),
+    "slide": ("slide", "移動量"),
+    "yaw": ("turn in plan", "水平面内の回転"),
+    "view": ("View", "視点"),
+    "view_free": ("Corner", "斜め"),
+    "view_front": ("Front", "正面"),
+    "view_side": ("Side", "側面"),
+    "view_top": ("Top", "上"),
+    "shaken": ("Move the room with the ground", "部屋を地盤とともに動かす"),
+    "scene": (
+        "Picture in space, turned by dragging or by the arrow keys",
+        "立体図（ドラッグまたは矢印キーで回転）",
+    ),
+    "strip": ("Floor acceleration and tilt over time", "床の加速度と傾きの時刻歴"),
+    "tilt_of": ("Tilt: {name}, up to {angle}°", "傾き：{name}、最大{angle}°"),
+    "keys": (
+        (
+            "Drag to turn the picture, with the right button or two fingers to move it; the wheel or a pinch "
+            "comes nearer. Space plays and pauses, the arrow keys step; while the picture has the focus "
+            "they turn it, with Shift they move it, + and − come nearer and go back. 1 to 4 choose a view."
+        ),
+        (
+            "ドラッグで回転、右ボタンまたは2本指で移動、ホイールまたはピンチで拡大・縮小します。"
+            "スペースキーで再生・一時停止、矢印キーでコマ送りができます。図を選択しているときは矢印キーで回転、"
+            "Shift＋矢印キーで移動、＋と－で拡大・縮小します。1～4で視点を選べます。"
+        ),
+    ),
+    "caption": (
+        "The floor's grid is {grid:g}\u00a0m wide; what is lighter or striped is the front.",
+        "床の格子の間隔は{grid:g}\u00a0mです。明るい面または縞のある側が正面です。",
+    ),
+    "caption_moved": (
+        (
+            "The room moves as the ground does: the record integrated twice, without its drift below "
+            "{corner:g}\u00a0Hz{part}."
+        ),
+        "部屋は地盤とともに動きます（記録を2回積分し、{corner:g}\u00a0Hz未満のゆっくりした動きを除いたもの{part}）。",
+    ),
+    "no_webgl": (
+        "This browser has no WebGL 2, so the bodies are drawn without light and shadows.",
+        "このブラウザーはWebGL 2に対応していないため、光や影のない図で表示しています。",
+    ),
+    # Plots
+    "axis_tilt": ("Tilt [°]", "傾き [°]"),
+    "axis_yaw": ("Turn in plan [°]", "水平面内の回転 [°]"),
+    "axis_x": ("x, towards the front [m]", "x、正面側 [m]"),
+    "axis_y": ("y, across [m]", "y、左右 [m]"),
+    "plan": ("Seen from above: at first (dashed) and at the end", "平面図：最初（破線）と最後"),
+    "floor_x": ("x", "x"),
+    "floor_y": ("y, across", "y、左右"),
+    "floor_z": ("z, vertical", "z、上下"),
+}
+"""Texts by their keys: English, Japanese."""

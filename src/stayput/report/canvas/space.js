@@ -1,0 +1,247 @@
+// Draws a scene in space with WebGL 2: bodies with the shadows of one light, on a floor with a grid, between
+// translucent walls. It knows nothing of the page around its canvas.
+
+import { ink } from "./pen.js";
+import { BODIES, DEPTHS, LINES, SURFACES } from "./shaders.js";
+import { STRIDE, around, bodyMesh } from "./space_mesh.js";
+import { surfaces } from "./space_scene.js";
+import { mat, mixed, parts, vec } from "./vectors.js";
+
+const MAP = 1024, // pixels of the shadow map's sides
+  LIGHT = vec.unit([0.5, -0.3, 0.85]),
+  EDGE = parts("#1f2933"), // lines on the bodies, whose colours are the same in both themes
+  STILL = mat.moved([0, 0, 0]);
+
+/** A program and the places of its uniforms. */
+function program(gl, [vertex, fragment]) {
+  const made = gl.createProgram();
+  for (const [kind, text] of [
+    [gl.VERTEX_SHADER, vertex],
+    [gl.FRAGMENT_SHADER, fragment],
+  ]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    gl.attachShader(made, shader);
+  }
+  gl.linkProgram(made);
+  if (!gl.getProgramParameter(made, gl.LINK_STATUS) && !gl.isContextLost())
+    throw new Error(gl.getProgramInfoLog(made));
+  const uniforms = {};
+  for (let i = gl.getProgramParameter(made, gl.ACTIVE_UNIFORMS) - 1; i >= 0; i--) {
+    const { name } = gl.getActiveUniform(made, i);
+    uniforms[name] = gl.getUniformLocation(made, name);
+  }
+  return { made, uniforms };
+}
+
+/** Numbers on the graphics processor: attributes are [place, how many numbers each, once an instance]. */
+function array(gl, buffers) {
+  const made = gl.createVertexArray();
+  gl.bindVertexArray(made);
+  for (const { values, stride, attributes, instanced = false } of buffers) {
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
+    let offset = 0;
+    for (const [place, size] of attributes) {
+      gl.enableVertexAttribArray(place);
+      gl.vertexAttribPointer(place, size, gl.FLOAT, false, 4 * stride, 4 * offset);
+      if (instanced) gl.vertexAttribDivisor(place, 1);
+      offset += size;
+    }
+  }
+  return made;
+}
+
+const CORNERS = new Float32Array([0, -1, 1, -1, 0, 1, 1, 1]);
+
+function triangles(gl, values) {
+  const attributes = [
+    [0, 3],
+    [1, 3],
+    [2, 1],
+  ];
+  return { array: array(gl, [{ values, stride: STRIDE, attributes }]), count: values.length / STRIDE };
+}
+
+function segments(gl, values) {
+  const ends = [
+    [1, 3],
+    [2, 3],
+  ];
+  const buffers = [
+    { values: CORNERS, stride: 2, attributes: [[0, 2]] },
+    { values, stride: 6, attributes: ends, instanced: true },
+  ];
+  return { array: array(gl, buffers), count: values.length / 6 };
+}
+
+/** A depth texture and what draws into it. */
+function shadowMap(gl) {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.DEPTH_COMPONENT24, MAP, MAP);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_COMPARE_MODE, gl.COMPARE_REF_TO_TEXTURE);
+  const frame = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, texture, 0);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  return frame;
+}
+
+/** The light's view of all that a scene shows. */
+function lightMatrix({ low, high, size }) {
+  const right = vec.unit(vec.cross([0, 1, 0], LIGHT)),
+    axes = [right, vec.cross(LIGHT, right), LIGHT];
+  const view = mat.seenFrom(axes, [0, 0, 0]);
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) =>
+    mat.image(view, [k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1], k & 4 ? high[2] : low[2]]),
+  );
+  const margin = 0.05 * size,
+    ends = (pick, sign) => [0, 1, 2].map((i) => pick(...corners.map((corner) => corner[i])) + sign * margin);
+  const [from, to] = [ends(Math.min, -1), ends(Math.max, 1)];
+  // depths grow away from the light, down to where its rays meet the floor
+  return mat.product(mat.orthographic([from[0], from[1], to[2]], [to[0], to[1], from[2] - 2 * size]), view);
+}
+
+/**
+ * What draws a scene of `spaceScene` on a canvas; null where the browser has no WebGL 2. `draw` takes the
+ * time, a camera of `orbit`, the body that is chosen, and whether the room moves with the ground.
+ */
+export function spacePainter(canvas, scene) {
+  const gl = canvas.getContext("webgl2", { antialias: true, alpha: false });
+  if (!gl) return null;
+  let made = prepare();
+  canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+  canvas.addEventListener("webglcontextrestored", () => (made = prepare()));
+
+  function prepare() {
+    const meshes = scene.bodies.map(({ shape, footprint_m: footprint, colour }) => {
+      const mesh = bodyMesh(shape);
+      return {
+        body: triangles(gl, mesh.body),
+        marks: triangles(gl, mesh.marks),
+        edges: segments(gl, mesh.edges),
+        footprint: segments(gl, around(footprint)),
+        colour: parts(colour),
+      };
+    });
+    const faces = surfaces(scene).map(({ corners, normal, offset }) => {
+      const values = new Float32Array([0, 1, 3, 2].flatMap((i) => corners[i]));
+      return { array: array(gl, [{ values, stride: 3, attributes: [[0, 3]] }]), normal, offset };
+    });
+    const programs = Object.fromEntries(
+      Object.entries({ DEPTHS, BODIES, SURFACES, LINES }).map(([name, texts]) => [name, program(gl, texts)]),
+    );
+    return { meshes, faces, programs, frame: shadowMap(gl), light: lightMatrix(scene) };
+  }
+
+  /** Uses a program with values for its uniforms; those that it lacks are left out. */
+  function use({ made: which, uniforms }, values) {
+    gl.useProgram(which);
+    for (const [name, value] of Object.entries(values)) {
+      const place = uniforms[name];
+      if (place === undefined) continue;
+      if (typeof value === "number") gl.uniform1f(place, value);
+      else if (value.length === 16) gl.uniformMatrix4fv(place, false, value);
+      else gl[`uniform${value.length}fv`](place, value);
+    }
+  }
+
+  function strip({ array: which, count }) {
+    gl.bindVertexArray(which);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
+  }
+  function fill({ array: which, count }) {
+    gl.bindVertexArray(which);
+    gl.drawArrays(gl.TRIANGLES, 0, count);
+  }
+
+  function castShadows(models) {
+    gl.bindFramebuffer(gl.FRAMEBUFFER, made.frame);
+    gl.viewport(0, 0, MAP, MAP);
+    gl.clear(gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.polygonOffset(2, 4);
+    made.meshes.forEach(({ body }, b) => {
+      use(made.programs.DEPTHS, { model: models[b], light: made.light });
+      fill(body);
+    });
+    gl.disable(gl.POLYGON_OFFSET_FILL);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  }
+
+  function drawSurface({ array: which, normal }, look, eye) {
+    const middle = [0, 1, 2].map((i) => (scene.low[i] + scene.high[i]) / 2);
+    use(made.programs.SURFACES, {
+      ...{ eye, light: made.light, normal, middle, grid: scene.grid, reach: 1.9 * scene.size },
+      ...look,
+    });
+    gl.bindVertexArray(which);
+    gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
+  }
+
+  /** Sizes the drawing to the canvas; returns CSS pixels of its sides and how sharp the screen is. */
+  function fitted() {
+    const sharp = devicePixelRatio || 1,
+      [wide, high] = [canvas.clientWidth, canvas.clientHeight];
+    const [w, h] = [Math.max(1, Math.round(wide * sharp)), Math.max(1, Math.round(high * sharp))];
+    if (canvas.width !== w || canvas.height !== h) Object.assign(canvas, { width: w, height: h });
+    return [w, h, sharp];
+  }
+
+  function draw(t, camera, { chosen = null, shaken = false } = {}) {
+    if (gl.isContextLost()) return;
+    const [width, height, sharp] = fitted(),
+      paper = parts(ink.paper),
+      models = scene.bodies.map((body) => body.matrix(t));
+    const { view: still, projection, place } = camera.look(width / height),
+      shift = shaken ? scene.shift(t) : [0, 0, 0];
+    const view = mat.product(still, mat.moved(shift)),
+      eye = mat.product(projection, view);
+    gl.enable(gl.DEPTH_TEST);
+    castShadows(models);
+    gl.viewport(0, 0, width, height);
+    gl.clearColor(...paper, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    const [floor, ...faces] = made.faces,
+      room = parts(ink.room),
+      fromAbove = place[2] - shift[2] > 0;
+    const ground = { colour: mixed(paper, room, 0.16), lines: mixed(paper, room, 0.42), dark: 0.26 };
+    drawSurface(floor, { ...ground, alpha: fromAbove ? 1 : 0.3, lineAlpha: fromAbove ? 1 : 0.4 }, eye);
+    const lines = { view, projection, canvas: [width, height] };
+    made.meshes.forEach(({ footprint, colour }) => {
+      const outline = [...mixed(colour, EDGE, 0.25), 0.9];
+      use(made.programs.LINES, { ...lines, model: STILL, width: 2.2 * sharp, colour: outline });
+      strip(footprint);
+    });
+    made.meshes.forEach(({ body, marks, edges, colour }, b) => {
+      const look = { model: models[b], eye, light: made.light, colour, towardsLight: LIGHT };
+      use(made.programs.BODIES, look);
+      gl.enable(gl.POLYGON_OFFSET_FILL);
+      gl.polygonOffset(1, 2);
+      fill(body);
+      gl.polygonOffset(0, 0);
+      fill(marks);
+      gl.disable(gl.POLYGON_OFFSET_FILL);
+      const outline = b === chosen ? [...parts(ink.ink), 1] : [...EDGE, 0.85];
+      const thick = (b === chosen ? 3.4 : 1.7) * sharp;
+      use(made.programs.LINES, { ...lines, model: models[b], width: thick, colour: outline });
+      strip(edges);
+    });
+    gl.depthMask(false);
+    const wall = { colour: mixed(paper, room, 0.45), lines: mixed(paper, room, 0.8), dark: 0.25 };
+    for (const face of faces) {
+      const inside = vec.dot(face.normal, vec.minus(place, shift)) > face.offset;
+      drawSurface(face, { ...wall, alpha: inside ? 0.45 : 0.05, lineAlpha: inside ? 0.8 : 0.12 }, eye);
+    }
+    gl.depthMask(true);
+  }
+  return { draw };
+}

@@ -1,0 +1,50 @@
+// Draws a scene in space without WebGL: the faces that look at the eye, outlined, on a floor of lines.
+
+import { ink, line, prepared } from "./pen.js";
+import { mat, vec } from "./vectors.js";
+
+const STROKE = 1.5; // width of the lines [pixels]
+
+/** What draws a scene on a canvas, with the same `draw` as `spacePainter`. */
+export function flatPainter(canvas, scene) {
+  function draw(t, camera, { chosen = null, shaken = false } = {}) {
+    const [pen, width, height] = prepared(canvas);
+    const { view: still, projection, place: eye } = camera.look(width / height),
+      shift = shaken ? scene.shift(t) : [0, 0, 0];
+    const whole = mat.product(projection, mat.product(still, mat.moved(shift))),
+      from = vec.minus(eye, shift);
+    const seen = (point) => {
+      const [x, y, , w] = mat.image(whole, point);
+      return [(0.5 + (0.5 * x) / w) * width, (0.5 - (0.5 * y) / w) * height];
+    };
+    const { low, high, grid } = scene;
+    const ends = [0, 1].map((axis) => [Math.floor(low[axis] / grid) - 1, Math.ceil(high[axis] / grid) + 1]);
+    for (const axis of [0, 1])
+      for (let k = ends[axis][0]; k <= ends[axis][1]; k++)
+        line(
+          pen,
+          ink.faint,
+          1,
+          ends[1 - axis].map((end) => seen(axis ? [end * grid, k * grid, 0] : [k * grid, end * grid, 0])),
+        );
+    const bodies = scene.bodies.map((body, b) => {
+      const matrix = body.matrix(t),
+        corners = body.shape.vertices_m.map((corner) => mat.image(matrix, corner).slice(0, 3));
+      return { ...body, b, corners, apart: Math.hypot(...vec.minus(matrix.slice(12, 15), from)) };
+    });
+    for (const { b, shape, corners, colour } of bodies.sort((one, other) => other.apart - one.apart))
+      for (const face of shape.faces) {
+        const [p, q, r] = face.map((i) => corners[i]);
+        if (vec.dot(vec.cross(vec.minus(q, p), vec.minus(r, p)), vec.minus(from, p)) <= 0) continue;
+        pen.beginPath();
+        for (const i of face) pen.lineTo(...seen(corners[i]));
+        pen.closePath();
+        pen.fillStyle = colour;
+        pen.fill();
+        pen.strokeStyle = "#1f2933";
+        pen.lineWidth = b === chosen ? 2 * STROKE : STROKE;
+        pen.stroke();
+      }
+  }
+  return { draw };
+}

@@ -1,0 +1,101 @@
+// A scene in space as it is read from its data, and where everything is at a time. What the data hold is said
+// by stayput/report/space/scene.py.
+
+import { between, mat, vec } from "./vectors.js";
+
+/** The numbers in a text of base 64. */
+function unpacked(text) {
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const view = new DataView(bytes.buffer);
+  return Float32Array.from({ length: bytes.length / 4 }, (_, i) => view.getFloat32(4 * i, true));
+}
+
+/** A scene whose bodies and floor tell where they are at a time. */
+export function spaceScene(data) {
+  const { start_s: start, end_s: end, count } = data.poses;
+  const times = Float64Array.from({ length: count }, (_, i) => start + ((end - start) * i) / (count - 1));
+
+  /** The pose before a time, and what part of the way to the next has passed. */
+  function sample(t) {
+    const place = ((Math.min(end, Math.max(start, t)) - start) / (end - start)) * (count - 1),
+      i = Math.min(count - 2, Math.floor(place));
+    return [i, place - i];
+  }
+  const pick = (values, size, i) => Array.from(values.subarray(size * i, size * (i + 1)));
+  const along = (values, size, t) => {
+    const [i, share] = sample(t),
+      from = pick(values, size, i);
+    return vec.plus(from, vec.times(vec.minus(pick(values, size, i + 1), from), share));
+  };
+
+  const bodies = data.bodies.map((body) => {
+    const place = unpacked(body.place_m),
+      attitude = unpacked(body.attitude);
+    const [tilt, slide, yaw] = [body.tilt_rad, body.slide_m, body.yaw_rad].map(unpacked);
+    const toCentre = mat.moved(vec.times(body.centre_of_gravity_m, -1));
+    return {
+      ...body,
+      tilts: tilt,
+      /** From the body's frame into the room. */
+      matrix(t) {
+        const [i, share] = sample(t),
+          turn = between(pick(attitude, 4, i), pick(attitude, 4, i + 1), share);
+        return mat.product(mat.pose(turn, along(place, 3, t)), toCentre);
+      },
+      state: (t) => ({ tilt: along(tilt, 1, t)[0], slide: along(slide, 1, t)[0], yaw: along(yaw, 1, t)[0] }),
+    };
+  });
+  const shift = unpacked(data.floor.shift_m),
+    dt = data.floor.dt_s;
+  const accelerations = Object.entries(data.floor.acceleration_m_s2).map(([axis, text]) => {
+    const values = unpacked(text);
+    return { axis, values, times: values.map((_, i) => i * dt) };
+  });
+  const { low_m: low, high_m: high, grid_m: grid, points_m: points } = data.view;
+  return {
+    start,
+    end,
+    times,
+    bodies,
+    accelerations,
+    shift: (t) => along(shift, 3, t),
+    planes: data.planes.map(([x, y, z, offset]) => ({ normal: [x, y, z], offset })),
+    low,
+    high,
+    points,
+    grid,
+    size: Math.hypot(...vec.minus(high, low)),
+  };
+}
+
+/** The floor's corners and those of the walls and the ceiling: {corners, normal, offset}, the floor first. */
+export function surfaces({ low, high, planes, size }) {
+  const from = [low[0] - 2 * size, low[1] - 2 * size, 0],
+    to = [high[0] + 2 * size, high[1] + 2 * size, high[2] + 0.6 * size];
+  const level = planes.find(({ normal }) => normal[2] < -0.5);
+  if (level) to[2] = -level.offset;
+  for (const { normal, offset } of planes)
+    for (const axis of [0, 1]) {
+      if (normal[axis] > 0.5) from[axis] = offset;
+      if (normal[axis] < -0.5) to[axis] = -offset;
+    }
+  const flat = { normal: [0, 0, 1], offset: 0 };
+  return [flat, ...planes].map(({ normal, offset }) => {
+    const axis = normal.findIndex((part) => Math.abs(part) > 0.5),
+      [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+    const corner = (a, b) => {
+      const point = [0, 0, 0];
+      point[axis] = offset * normal[axis];
+      point[u] = a;
+      point[v] = b;
+      return point;
+    };
+    const ends = [
+      [from[u], from[v]],
+      [to[u], from[v]],
+      [to[u], to[v]],
+      [from[u], to[v]],
+    ];
+    return { corners: ends.map(([a, b]) => corner(a, b)), normal, offset };
+  });
+}

@@ -1,0 +1,127 @@
+"""What all frames of animations share: a heading, the scene, a strip of histories, and a caption."""
+
+from __future__ import annotations
+
+import textwrap
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PIL import Image, ImageDraw
+
+from stayput.report.fonts import font, with_face
+from stayput.report.palette import ALARM, COMPONENT_COLOURS, FAINT, INK, MUTED, PAPER
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+SMOOTH = 2
+"""A scene is drawn so many times larger and reduced, which smooths its edges."""
+
+
+class FrameLayout:
+    """The parts of a frame, and how all but the scene are drawn.
+
+    Parameters
+    ----------
+    width, height : int
+        Size of a frame [pixels].
+    start, end : float
+        The time that the strip spans [s].
+    """
+
+    def __init__(self, width: int, height: int, start: float, end: float) -> None:
+        self._size = (width, height)
+        self._span = (start, end)
+        unit = height / 480.0
+        self._fonts = {size: font(size * unit) for size in (11, 13, 15)}
+        self._header = round(40 * unit)
+        self._strip = (
+            round(46 * unit),
+            height - round(104 * unit),
+            width - round(12 * unit),
+            height - round(46 * unit),
+        )
+        self.scene = (width * SMOOTH, (self._strip[1] - round(22 * unit) - self._header) * SMOOTH)
+        self.line = max(1, round(unit * SMOOTH))
+
+    def still(
+        self, heading: str, caption: str, time: NDArray[np.float64], parts: dict[str, NDArray[np.float64]]
+    ) -> Image.Image:
+        """Return the part that all frames share: the strip with its heading, and the caption.
+
+        Parameters
+        ----------
+        heading, caption : str
+            Texts above and below the strip.
+        time : ndarray, shape (n,)
+            Times [s].
+        parts : dict
+            Components of the floor's acceleration by their names, shape (n,) each [m/s²].
+        """
+        image = Image.new("RGB", self._size, PAPER)
+        draw = ImageDraw.Draw(image)
+        left, top, right, bottom = self._strip
+        small, text = self._fonts[11], self._fonts[13]
+        words, face = with_face(heading, text.size)
+        draw.text((left, top - 3), words, fill=INK, font=face, anchor="ls")
+        start, end = self._span
+        shown = (time >= start) & (time <= end)
+        peak = max(float(np.abs(a[shown]).max(initial=0.0)) for a in parts.values()) or 1.0
+        middle, half = 0.5 * (top + bottom), 0.46 * (bottom - top)
+        draw.line(((left, middle), (right, middle)), fill=FAINT)
+        x = left + (right - left) * (time[shown] - start) / (end - start)
+        for place, (name, a) in enumerate(reversed(parts.items())):
+            y = middle - half * a[shown] / peak
+            draw.line(list(zip(x.tolist(), y.tolist(), strict=True)), fill=COMPONENT_COLOURS[name])
+            if len(parts) > 1:
+                beside = (right - 1.2 * place * text.size, top - 3)
+                draw.text(beside, name, fill=COMPONENT_COLOURS[name], font=text, anchor="rs")
+        for level in (peak, -peak):
+            place = (left - 4, middle - half * level / peak)
+            draw.text(place, f"{level:.1f}", fill=MUTED, font=small, anchor="rm")
+        draw.text((left - 4, middle), "m/s²", fill=MUTED, font=small, anchor="rm")
+        words, face = with_face(caption, small.size)
+        lines = "\n".join(textwrap.wrap(words, int(1.08 * (right - 8) / face.getlength("e"))))
+        draw.multiline_text((8, bottom + 8), lines, fill=MUTED, font=face, spacing=3)
+        return image
+
+    def frame(self, still: Image.Image, scene: Image.Image, time: float) -> Image.Image:
+        """Return a frame without its heading: the still part, the scene, and the time [s]."""
+        image = still.copy()
+        image.paste(scene.reduce(SMOOTH), (0, self._header))
+        draw = ImageDraw.Draw(image)
+        place = (self._size[0] - 10, 0.5 * self._header)
+        draw.text(place, f"{time:.2f} s", fill=INK, font=self._fonts[15], anchor="rm")
+        left, top, right, bottom = self._strip
+        start, end = self._span
+        x = left + (right - left) * (time - start) / (end - start)
+        draw.line(((x, top), (x, bottom)), fill=ALARM, width=2)
+        return image
+
+    def head(self, image: Image.Image, text: str, chip: str | None = None) -> None:
+        """Write a heading on a frame, after a chip of a colour where one is given."""
+        draw, middle = ImageDraw.Draw(image), 0.5 * self._header
+        side = 0.6 * self._header
+        start = 10.0
+        if chip is not None:
+            draw.rectangle((10, middle - side / 2, 10 + side, middle + side / 2), fill=chip, outline=INK)
+            start += side + 10.0
+        room = self._size[0] - 80 - start
+        words, face = with_face(text, self._fonts[15].size)
+        if face.getlength(words) > room:
+            words, face = with_face(text, self._fonts[13].size)
+        lines = "\n".join(textwrap.wrap(words, max(20, int(1.08 * room / face.getlength("e")))))
+        draw.multiline_text((start, middle), lines, fill=INK, font=face, anchor="lm", spacing=2)
+
+    def legend(self, image: Image.Image, entries: dict[str, str]) -> None:
+        """Write names with their colours below the heading of a frame."""
+        draw, small = ImageDraw.Draw(image), self._fonts[11]
+        side, y = 0.8 * small.size, self._header + small.size
+        x = 10.0
+        for name, colour in entries.items():
+            words, face = with_face(name, small.size)
+            if x > 10.0 and x + side + 5 + face.getlength(words) > self._size[0] - 10:
+                x, y = 10.0, y + 1.5 * small.size
+            draw.rectangle((x, y - side / 2, x + side, y + side / 2), fill=colour, outline=INK)
+            draw.text((x + side + 5, y), words, fill=INK, font=face, anchor="lm")
+            x += side + 5 + face.getlength(words) + 14

@@ -1,0 +1,222 @@
+"""Frames of an animation in space, drawn with Pillow: from the far bodies to the near ones."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+from PIL import Image, ImageDraw, ImageFilter
+
+from stayput.report.layout import FrameLayout
+from stayput.report.palette import INK, PAPER, ROOM, rgb
+from stayput.report.space.camera import Camera
+from stayput.report.space.scene import body_colour
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from stayput.report.space.film import SpaceFilm
+    from stayput.report.space.shape import SolidShape
+
+Colour: TypeAlias = str | int | tuple[int, int, int]
+"""A colour as Pillow takes it."""
+
+_LIGHT = np.array([0.5, -0.3, 0.85]) / math.hypot(0.5, -0.3, 0.85)
+_SHADOW = 0.26  # what part of the floor's light a shadow takes
+_STAGE = 0.9  # how far the floor goes beyond the bodies, in sizes of them
+
+
+def _mixed(one: str, other: str, share: float) -> tuple[int, int, int]:
+    """Return a colour between two."""
+    red, green, blue = (round(a + share * (b - a)) for a, b in zip(rgb(one), rgb(other), strict=True))
+    return red, green, blue
+
+
+class SpacePainter:
+    """Draws the frames of one film in space.
+
+    Parameters
+    ----------
+    film : SpaceFilm
+        What is shown.
+    width, height : int
+        Size of a frame [pixels].
+    """
+
+    def __init__(self, film: SpaceFilm, width: int, height: int) -> None:
+        self._film, scene = film, film.scene
+        self._layout = FrameLayout(width, height, scene.start, scene.end)
+        motion = scene.run.motion
+        caption = f"{film.caption} {film.moved}"
+        self._still = self._layout.still(film.strip_title, caption, motion.time, motion.components)
+        self._camera = Camera(scene.points, *self._layout.scene)
+        self._line = self._layout.line
+        size = float(np.linalg.norm(scene.high - scene.low))
+        self._low, self._high = scene.low - _STAGE * size, scene.high + _STAGE * size
+        self._high[2] = scene.high[2] + 0.2 * size
+        for x, y, z, offset in scene.planes:
+            for axis, part in enumerate((x, y, z)):
+                if part > 0.5:
+                    self._low[axis] = offset
+                elif part < -0.5:
+                    self._high[axis] = -offset
+        self._low[2] = 0.0
+
+    def frame(self, time: float) -> Image.Image:
+        """Return the frame of an instant [s], in RGB."""
+        film = self._film
+        camera = self._camera.moved(-film.scene.shift_at(time))
+        scene = self._draw_room(camera)
+        places, turns = film.scene.pose(time)
+        corners = [film.scene.corners(b, turns[b], places[b]) for b in range(len(places))]
+        self._draw_shadows(scene, camera, corners)
+        draw = ImageDraw.Draw(scene)
+        for b in self._from_far(camera.place, corners, turns):
+            _draw_body(draw, camera, self._line, film.scene.shapes[b], corners[b], turns[b], body_colour(b))
+        image = self._layout.frame(self._still, scene, time)
+        self._layout.head(image, film.title if time >= film.scene.end else film.state(time))
+        if len(corners) > 1:
+            self._layout.legend(image, {name: body_colour(b) for b, name in enumerate(film.scene.names)})
+        return image
+
+    def _draw_room(self, camera: Camera) -> Image.Image:
+        """Draw floor, walls and ceiling, where they face the camera, and where bodies stood."""
+        image = Image.new("RGB", self._layout.scene, PAPER)
+        draw = ImageDraw.Draw(image)
+        faces = [
+            ((0.0, 0.0, 1.0), 0.0),
+            *(((x, y, z), offset) for x, y, z, offset in self._film.scene.planes),
+        ]
+        for normal, offset in faces:
+            if np.dot(normal, camera.place) > offset:
+                axis = int(np.argmax(np.abs(normal)))
+                self._draw_face(draw, camera, axis, offset * normal[axis], 0.16 if axis == 2 else 0.26)
+        for b in range(len(self._film.scene.names)):
+            foot = self._film.scene.footprint(b)
+            if len(foot):
+                _stroke(
+                    draw,
+                    camera.seen(np.concatenate([foot, foot[:1]])),
+                    _mixed(body_colour(b), INK, 0.25),
+                    self._line,
+                )
+        return image
+
+    def _draw_face(
+        self, draw: ImageDraw.ImageDraw, camera: Camera, axis: int, at: float, tone: float
+    ) -> None:
+        """Draw a rectangle across an axis with its grid."""
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        low, high, grid = self._low, self._high, self._film.scene.grid
+
+        def point(a: float, b: float) -> NDArray[np.float64]:
+            place = np.empty(3)
+            place[[axis, u, v]] = at, a, b
+            return place
+
+        corners = [(low[u], low[v]), (high[u], low[v]), (high[u], high[v]), (low[u], high[v])]
+        _fill(draw, camera.seen(np.array([point(*corner) for corner in corners])), _mixed(PAPER, ROOM, tone))
+        colour = _mixed(PAPER, ROOM, tone + 0.22)
+        for k in range(math.ceil(low[u] / grid), math.floor(high[u] / grid) + 1):
+            ends = np.array([point(k * grid, low[v]), point(k * grid, high[v])])
+            _stroke(draw, camera.seen(ends), colour, self._line)
+        for k in range(math.ceil(low[v] / grid), math.floor(high[v] / grid) + 1):
+            ends = np.array([point(low[u], k * grid), point(high[u], k * grid)])
+            _stroke(draw, camera.seen(ends), colour, self._line)
+
+    def _draw_shadows(self, scene: Image.Image, camera: Camera, corners: list[NDArray[np.float64]]) -> None:
+        """Darken the floor where the light does not reach it."""
+        mask = Image.new("L", scene.size)
+        draw = ImageDraw.Draw(mask)
+        for shape, points in zip(self._film.scene.shapes, corners, strict=True):
+            fallen = points - points[:, 2:] / _LIGHT[2] * _LIGHT
+            fallen = np.clip(fallen, self._low, self._high)  # none beyond a wall
+            for face in shape.solid.faces:
+                _fill(draw, camera.seen(fallen[face]), round(255 * _SHADOW))
+        scene.paste(INK, (0, 0), mask.filter(ImageFilter.BoxBlur(2.5 * self._line)))
+
+    def _from_far(
+        self, eye: NDArray[np.float64], corners: list[NDArray[np.float64]], turns: NDArray[np.float64]
+    ) -> list[int]:
+        """Return the bodies in an order in which each is drawn over those that it hides."""
+        shapes = self._film.scene.shapes
+        count = len(shapes)
+        behind: list[set[int]] = [set() for _ in shapes]
+        for a in range(count):
+            for b in range(a):
+                beyond_a, seen_a = _apart(shapes[a], corners[a], turns[a], corners[b], eye)
+                beyond_b, seen_b = _apart(shapes[b], corners[b], turns[b], corners[a], eye)
+                b_in_front = seen_a if beyond_a > beyond_b else not seen_b
+                behind[b if b_in_front else a].add(a if b_in_front else b)
+        farness = [float(np.linalg.norm(points.mean(axis=0) - eye)) for points in corners]
+        left, order = set(range(count)), list[int]()
+        while left:
+            free = [b for b in left if not behind[b] & left] or list(left)  # three may lie in a circle
+            order.append(max(free, key=farness.__getitem__))
+            left.remove(order[-1])
+        return order
+
+
+def _fill(draw: ImageDraw.ImageDraw, outline: list[tuple[float, float]], colour: Colour) -> None:
+    if len(outline) > 2:  # else it is behind the camera
+        draw.polygon(outline, fill=colour)
+
+
+def _stroke(draw: ImageDraw.ImageDraw, points: list[tuple[float, float]], colour: Colour, width: int) -> None:
+    if len(points) > 1:
+        draw.line(points, fill=colour, width=width)
+
+
+def _draw_body(
+    draw: ImageDraw.ImageDraw,
+    camera: Camera,
+    line: int,
+    shape: SolidShape,
+    corners: NDArray[np.float64],
+    turn: NDArray[np.float64],
+    colour: str,
+) -> None:
+    solid, normals = shape.solid, shape.normals @ turn.T
+    firsts = corners[[face[0] for face in solid.faces]]
+    facing = np.einsum("fi,fi->f", normals, camera.place - firsts) > 0.0
+    sides: dict[tuple[int, int], int] = {}
+    for number in np.flatnonzero(facing):
+        face = solid.faces[number]
+        _fill(draw, camera.seen(corners[face]), _shaded(colour, normals[number]))
+        for i, j in zip(face.tolist(), np.roll(face, -1).tolist(), strict=True):
+            side = (min(i, j), max(i, j))
+            sides[side] = sides.get(side, 0) + 1
+    origin = corners[0] - turn @ solid.vertices[0]
+    for mark in shape.marks:
+        if facing[mark.face]:
+            tone = _mixed(colour, "#ffffff", 0.42) if mark.light else _mixed(colour, "#000000", 0.65)
+            fill = _shaded("#{:02x}{:02x}{:02x}".format(*tone), normals[mark.face])
+            _fill(draw, camera.seen(origin + mark.corners @ turn.T), fill)
+    sharp = {(min(i, j), max(i, j)) for i, j in shape.edges.tolist()}
+    for side, count in sides.items():
+        if count == 1 or side in sharp:  # an outline, or an edge
+            _stroke(draw, camera.seen(corners[list(side)]), INK, line)
+
+
+def _shaded(colour: str, normal: NDArray[np.float64]) -> tuple[int, int, int]:
+    """Return how a face of a colour looks in the light, with the sky's and the floor's."""
+    light = 0.46 + 0.12 * normal[2] + 0.7 * max(0.0, float(_LIGHT @ normal))
+    red, green, blue = (min(255, round(part * light ** (1.0 / 2.2))) for part in rgb(colour))
+    return red, green, blue
+
+
+def _apart(
+    shape: SolidShape,
+    corners: NDArray[np.float64],
+    turn: NDArray[np.float64],
+    others: NDArray[np.float64],
+    eye: NDArray[np.float64],
+) -> tuple[float, bool]:
+    """Return how far others lie beyond the plane of the face that parts them best, and if the eye does."""
+    normals = shape.normals @ turn.T
+    firsts = corners[[face[0] for face in shape.solid.faces]]
+    offsets = np.einsum("fi,fi->f", normals, firsts)
+    gaps = (others @ normals.T).min(axis=0) - offsets
+    best = int(np.argmax(gaps))
+    return float(gaps[best]), bool(normals[best] @ eye > offsets[best])

@@ -1,0 +1,154 @@
+// Plays one run in space: its scene, its histories below it, and the time that they share.
+
+import { VIEWS, lead, orbit } from "./canvas/camera.js";
+import { beforeNextFrame, player, prefersReducedMotion } from "./canvas/clock.js";
+import { ink, readInks } from "./canvas/pen.js";
+import { spacePainter } from "./canvas/space.js";
+import { flatPainter } from "./canvas/space_flat.js";
+import { spaceScene } from "./canvas/space_scene.js";
+import { drawRows, most, picked } from "./canvas/strip.js";
+
+const film = JSON.parse(document.getElementById("run").textContent);
+const scene = spaceScene(film),
+  { texts } = film,
+  { start, end, bodies } = scene;
+const part = (id) => document.getElementById(id);
+const degrees = (angle) => (angle * 180) / Math.PI;
+const several = bodies.length > 1;
+const camera = orbit(scene.points, scene.size);
+const solid = spacePainter(part("scene"), scene);
+const painter = solid ?? flatPainter(part("scene"), scene);
+part("flat").hidden = solid !== null;
+let chosen = 0;
+
+const peaks = {
+  acceleration: Math.max(...scene.accelerations.map(({ values }) => most(values))),
+  tilts: bodies.map(({ tilts }) => tilts.reduce((peak, value) => Math.max(peak, value))),
+};
+const AXES = { x: "record", y: "calm", z: "pad" };
+
+function drawStrip(now) {
+  const { tilts, name } = bodies[chosen];
+  const rows = [
+    {
+      label: film.strip_title,
+      unit: "m/s²",
+      peak: peaks.acceleration,
+      series: scene.accelerations.map(({ axis, times, values }) => ({
+        ...{ times, values, name: axis, colour: ink[AXES[axis]] },
+      })),
+    },
+    {
+      label: texts.tilt_of
+        .replace("{name}", () => name)
+        .replace("{angle}", degrees(peaks.tilts[chosen]).toFixed(1)),
+      unit: texts.tilt,
+      peak: Math.max(0.001, peaks.tilts[chosen]), // what is rounding is drawn as nothing
+      positive: true,
+      series: [{ times: scene.times, values: tilts, colour: ink.ink, width: 1.5 }],
+    },
+  ];
+  drawRows(part("strip"), rows, { start, end, now });
+}
+
+function drawPicture(now) {
+  painter.draw(now, camera, { chosen: several ? chosen : null, shaken: part("shaken").checked });
+}
+
+function draw(now) {
+  drawPicture(now);
+  drawStrip(now);
+  const { tilt, slide, yaw } = bodies[chosen].state(now);
+  part("tilt").textContent = `${degrees(tilt).toFixed(1)}°`;
+  part("slide").textContent = `${(100 * slide).toFixed(1)} cm`;
+  part("yaw").textContent = `${degrees(yaw).toFixed(1)}°`;
+  part("clock").textContent = `${now.toFixed(2)} s`;
+  part("time").value = (1000 * (now - start)) / (end - start);
+}
+
+const clock = player(
+  draw,
+  (playing) => (part("play").textContent = playing ? texts.pause : texts.play),
+  film.hold_s,
+);
+const turned = beforeNextFrame(() => drawPicture(clock.now));
+
+bodies.forEach(({ name, colour }, b) => {
+  const label = document.createElement("label"),
+    choice = document.createElement("input"),
+    chip = document.createElement("span");
+  Object.assign(choice, { type: "radio", name: "body", value: b, checked: b === chosen });
+  choice.onchange = () => {
+    chosen = b;
+    draw(clock.now);
+  };
+  chip.className = "chip";
+  chip.style.background = colour;
+  label.append(choice, chip, name);
+  part("bodies").append(label);
+});
+
+/** Goes to a view, along an arc unless the reader wants less motion. */
+function go(name) {
+  const from = camera.direction,
+    began = performance.now();
+  camera.view(name);
+  const to = VIEWS[name];
+  const way = ((to[0] - from[0] + 3 * Math.PI) % (2 * Math.PI)) - Math.PI;
+  const step = (stamp) => {
+    const share = prefersReducedMotion() ? 1 : Math.min(1, Math.max(0, (stamp - began) / 400)),
+      eased = share * share * (3 - 2 * share);
+    camera.direction = [to[0] - way * (1 - eased), to[1] + (from[1] - to[1]) * (1 - eased)];
+    drawPicture(clock.now);
+    if (share < 1) requestAnimationFrame(step);
+  };
+  requestAnimationFrame(step);
+}
+const views = [...part("views").querySelectorAll("input")];
+for (const choice of views) choice.onchange = () => go(choice.value);
+lead(part("scene"), camera, () => {
+  for (const choice of views) choice.checked = false;
+  turned();
+});
+part("shaken").checked = !prefersReducedMotion();
+part("shaken").onchange = turned;
+
+for (const value of [...new Set([0.1, 0.25, 0.5, 1, 2, 4, film.speed])].sort((p, q) => p - q))
+  part("speed").add(new Option(`${value} ×`, value, false, value === film.speed));
+clock.faster(film.speed);
+part("speed").onchange = (event) => clock.faster(Number(event.target.value));
+part("play").onclick = () => clock.toggle();
+part("time").oninput = (event) => clock.seek(start + (event.target.value / 1000) * (end - start));
+const again = () => {
+  readInks();
+  draw(clock.now);
+};
+part("theme").onclick = () => {
+  const dark = getComputedStyle(document.documentElement).getPropertyValue("--paper").trim() === "#14181d";
+  document.documentElement.dataset.theme = dark ? "light" : "dark";
+  again();
+};
+picked(part("strip"), scene, (time) => clock.seek(time));
+addEventListener("keydown", (event) => {
+  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  const place = Number(event.key) - 1;
+  if (views[place] && !event.target.closest("select")) {
+    views[place].checked = true;
+    go(views[place].value);
+  }
+  if (event.target.closest("button, select, input")) return;
+  if (event.key === " ") {
+    clock.toggle();
+    event.preventDefault();
+  }
+  if (event.key === "ArrowRight") clock.step(0.02);
+  if (event.key === "ArrowLeft") clock.step(-0.02);
+});
+addEventListener("resize", again);
+part("scene").addEventListener("webglcontextrestored", again);
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", again);
+const wanted = Number(location.hash.slice(1)); // "#6.3" opens the page at 6.3 s, paused
+const shown = location.hash && Number.isFinite(wanted);
+readInks();
+clock.span(start, end, shown ? wanted : start, shown || prefersReducedMotion());
+again();

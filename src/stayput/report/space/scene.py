@@ -1,0 +1,272 @@
+"""A scene in space: bodies, room and floor over time, which every picture and page draws.
+
+`SpaceScene.data` is the one form in which it leaves Python. ``report/canvas/space.js`` draws it;
+`stayput.report.space.frames` draws it with Pillow.
+"""
+
+from __future__ import annotations
+
+import base64
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stayput.report.palette import BODY_COLOURS
+from stayput.report.scene import SHIFT_SHOWN, TIME_DIGITS, View, ground_displacement, rounded
+from stayput.report.space.histories import slid
+from stayput.report.space.shape import SolidShape, shape_of
+from stayput.simulation.space_records import matrices
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from stayput.simulation.space_run import SpaceRun
+
+RATE = 60.0
+"""Most poses a second in a scene; pages and films turn between them."""
+
+_FARTHEST = 2.5
+"""How far from where the bodies begin the view follows them, in sizes of all of them."""
+
+_POSES_VIEWED = 200
+"""Poses from which the view is chosen."""
+
+_DIRECTIONS = 300
+"""Directions in which the outermost points are looked for."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SpaceScene:
+    """A run in space, ready to be drawn.
+
+    Parameters
+    ----------
+    run : SpaceRun
+        The run.
+    names : tuple of str
+        What the bodies are called.
+    shapes : tuple of SolidShape
+        What is drawn of each.
+    time : ndarray, shape (n,)
+        Times of the poses, evenly spaced [s].
+    place : ndarray, shape (bodies, n, 3)
+        Centres of gravity [m].
+    attitude : ndarray, shape (bodies, n, 4)
+        Unit quaternions w, x, y, z.
+    shift : ndarray, shape (n, 3)
+        Displacement of the floor in the picture [m].
+    shift_scale : float
+        What part of the floor's displacement the picture shows, at most 1.
+    points : ndarray, shape (k, 3)
+        The outermost points of the bodies over time, which the picture shows [m].
+    """
+
+    run: SpaceRun
+    names: tuple[str, ...]
+    shapes: tuple[SolidShape, ...]
+    time: NDArray[np.float64]
+    place: NDArray[np.float64]
+    attitude: NDArray[np.float64]
+    shift: NDArray[np.float64]
+    shift_scale: float
+    points: NDArray[np.float64]
+
+    @property
+    def start(self) -> float:
+        """Time of the first pose [s]."""
+        return float(self.time[0])
+
+    @property
+    def end(self) -> float:
+        """Time of the last pose [s]."""
+        return float(self.time[-1])
+
+    @property
+    def low(self) -> NDArray[np.float64]:
+        """Lowest corner of the box around what the picture shows, shape (3,) [m]."""
+        return self.points.min(axis=0)
+
+    @property
+    def high(self) -> NDArray[np.float64]:
+        """Highest corner of that box, shape (3,) [m]."""
+        return self.points.max(axis=0)
+
+    @property
+    def grid(self) -> float:
+        """Distance of the lines on the floor [m], a round number."""
+        across = max(self.high[:2] - self.low[:2])
+        return View(0.0, across, 0.0, float(self.high[2] - self.low[2])).grid
+
+    @property
+    def planes(self) -> list[tuple[float, float, float, float]]:
+        """Walls and ceiling: planes n·x = offset, as n into the room and the offset [m]."""
+        planes = self.run.planes
+        return [tuple(plane[name].item() for name in ("nx", "ny", "nz", "offset")) for plane in planes[1:]]
+
+    def at_start(self, body: int) -> NDArray[np.float64]:
+        """Return the corners of a body as it begins, shape (vertices, 3) [m]."""
+        return self.corners(body, matrices(self.attitude[body, 0]), self.place[body, 0])
+
+    def corners(
+        self, body: int, turn: NDArray[np.float64], place: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Return the corners of a body in a pose, shape (vertices, 3) [m]."""
+        solid = self.run.standing[body].solid
+        return place + (solid.vertices - solid.centre_of_gravity) @ turn.T
+
+    def pose(self, time: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return places, shape (bodies, 3) [m], and rotations, shape (bodies, 3, 3), at a time [s]."""
+        places, attitudes = _between(self.time, self.place, self.attitude, np.array([time]))
+        return places[:, 0], matrices(attitudes[:, 0])
+
+    def shift_at(self, time: float) -> NDArray[np.float64]:
+        """Return the displacement of the floor in the picture at a time [s], shape (3,) [m]."""
+        return np.array([float(np.interp(time, self.time, self.shift[:, axis])) for axis in range(3)])
+
+    def data(self) -> dict[str, Any]:
+        """Return the scene as plain values for JSON.
+
+        Long histories are texts: the base 64 of 32-bit floating-point numbers, least byte first.
+
+        Returns
+        -------
+        dict
+            ``poses``: ``start_s``, ``end_s``, ``count``. ``floor``: ``shift_m`` (at the poses), ``dt_s`` and
+            ``acceleration_m_s2`` by components (at the motion's samples). ``planes``: walls and ceiling.
+            ``view``: ``low_m``, ``high_m``, ``grid_m``, ``points_m``. ``bodies``: ``name``, ``colour``,
+            ``shape`` (see `SolidShape.data`), ``centre_of_gravity_m``, ``footprint_m`` (where it first stood
+            on the floor), and at the poses ``place_m``, ``attitude``, ``tilt_rad``, ``slide_m``, ``yaw_rad``.
+        """
+        run = self.run
+        histories = {"tilt_rad": run.tilt, "slide_m": slid(run), "yaw_rad": run.yaw}
+        return {
+            "poses": {
+                "start_s": round(self.start, TIME_DIGITS),
+                "end_s": round(self.end, TIME_DIGITS),
+                "count": len(self.time),
+            },
+            "floor": {
+                "shift_m": packed(self.shift),
+                "dt_s": run.motion.dt,
+                "acceleration_m_s2": {
+                    name: packed(run.motion.component(name).x) for name in run.motion.components
+                },
+            },
+            "planes": self.planes,
+            "view": {
+                "low_m": rounded(self.low),
+                "high_m": rounded(self.high),
+                "grid_m": self.grid,
+                "points_m": [rounded(point, 3) for point in self.points],
+            },
+            "bodies": [
+                {
+                    "name": self.names[b],
+                    "colour": body_colour(b),
+                    "shape": self.shapes[b].data(),
+                    "centre_of_gravity_m": rounded(one.solid.centre_of_gravity),
+                    "footprint_m": [rounded(corner) for corner in self.footprint(b)],
+                    "place_m": packed(self.place[b]),
+                    "attitude": packed(self.attitude[b]),
+                    **{key: packed(self._at_poses(values[b])) for key, values in histories.items()},
+                }
+                for b, one in enumerate(run.standing)
+            ],
+        }
+
+    def _at_poses(self, history: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.asarray(np.interp(self.time, self.run.time, history))
+
+    def footprint(self, body: int) -> NDArray[np.float64]:
+        """Return the outline of a body's base as it first stands on the floor, shape (k, 3) [m]; or none."""
+        shape, corners = self.shapes[body], self.at_start(body)
+        lowest = int(np.argmin(shape.normals @ matrices(self.attitude[body, 0])[2]))
+        base = corners[shape.solid.faces[lowest]]
+        on_floor = base[:, 2].max() < 0.02 * float(np.ptp(corners, axis=0).max())
+        return base * [1.0, 1.0, 0.0] if on_floor else np.empty((0, 3))
+
+
+def body_colour(number: int) -> str:
+    """Return the colour of a body by its number; they repeat."""
+    return BODY_COLOURS[number % len(BODY_COLOURS)]
+
+
+def packed(values: NDArray[np.float64]) -> str:
+    """Return values as the base 64 of 32-bit floating-point numbers."""
+    return base64.b64encode(values.astype("<f4").tobytes()).decode("ascii")
+
+
+def space_scene(run: SpaceRun, names: tuple[str, ...]) -> SpaceScene:
+    """Make a run in space ready to be drawn.
+
+    Parameters
+    ----------
+    run : SpaceRun
+        The run, of two samples at least.
+    names : tuple of str
+        What the bodies are called.
+    """
+    start, end = float(run.time[0]), float(run.time[-1])
+    count = min(len(run.time), math.ceil((end - start) * RATE) + 1)
+    times = np.linspace(start, end, count)
+    place, attitude = _between(run.time, run.place, run.attitude, times)
+    points, size = _outermost(run)
+    ground = np.zeros((len(run.motion), 3))
+    for axis, name in enumerate("xyz"):
+        if name in run.motion.components:
+            ground[:, axis] = ground_displacement(run.motion.component(name))
+    largest = float(np.linalg.norm(ground, axis=1).max())
+    scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
+    shift = np.column_stack([scale * np.interp(times, run.motion.time, along) for along in ground.T])
+    shapes = tuple(shape_of(one.solid) for one in run.standing)
+    return SpaceScene(run, names, shapes, times, place, attitude, shift, scale, points)
+
+
+def _between(
+    time: NDArray[np.float64],
+    place: NDArray[np.float64],
+    attitude: NDArray[np.float64],
+    wanted: NDArray[np.float64],
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return places, shape (bodies, n, 3), and attitudes, shape (bodies, n, 4), at n times between samples.
+
+    Places are linear in time; attitudes turn evenly about a fixed axis, the short way round.
+    """
+    first = np.clip(np.searchsorted(time, wanted, side="right") - 1, 0, len(time) - 2)
+    share = np.clip((wanted - time[first]) / (time[first + 1] - time[first]), 0.0, 1.0)[:, np.newaxis]
+    places = place[:, first] + share * (place[:, first + 1] - place[:, first])
+    q, r = attitude[:, first], attitude[:, first + 1]
+    cosine = np.einsum("bni,bni->bn", q, r)[..., np.newaxis]
+    r = np.where(cosine < 0.0, -r, r)
+    angle = np.arccos(np.minimum(np.abs(cosine), 1.0))
+    nearly = angle < 1e-6
+    sine = np.where(nearly, 1.0, np.sin(angle))
+    parts = (np.where(nearly, s, np.sin(s * angle) / sine) for s in (1.0 - share, share))
+    attitudes = sum(part * one for part, one in zip(parts, (q, r), strict=True))
+    return places, attitudes / np.linalg.norm(attitudes, axis=-1, keepdims=True)
+
+
+def _outermost(run: SpaceRun) -> tuple[NDArray[np.float64], float]:
+    """Return the outermost points of the bodies over time, near the start, and their size at first [m]."""
+    some = np.linspace(0, len(run.time) - 1, min(len(run.time), _POSES_VIEWED)).astype(np.intp)
+    found: list[NDArray[np.float64]] = []
+    for b, one in enumerate(run.standing):
+        arms = one.solid.vertices - one.solid.centre_of_gravity
+        turns = np.swapaxes(matrices(run.attitude[b, some]), 1, 2)
+        found.append(run.place[b, some, np.newaxis] + arms @ turns)
+    first = np.concatenate([corners[0] for corners in found])
+    size = float(np.ptp(first, axis=0).max())
+    reach = _FARTHEST * size
+    points = np.concatenate([corners.reshape(-1, 3) for corners in found])
+    points = np.clip(points, first.min(axis=0) - reach, first.max(axis=0) + reach)
+    return points[np.unique((points @ _directions().T).argmax(axis=0))], size
+
+
+def _directions() -> NDArray[np.float64]:
+    """Return directions all around, evenly spread on a spiral, shape (`_DIRECTIONS`, 3)."""
+    height = np.linspace(-1.0, 1.0, _DIRECTIONS)
+    turn = math.pi * (3.0 - math.sqrt(5.0)) * np.arange(_DIRECTIONS)
+    across = np.sqrt(1.0 - height**2)
+    return np.column_stack((across * np.cos(turn), across * np.sin(turn), height))

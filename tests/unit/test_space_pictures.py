@@ -1,0 +1,287 @@
+"""Pictures and animations of runs in space that are made by hand."""
+
+from __future__ import annotations
+
+import base64
+import dataclasses
+import json
+import re
+import shutil
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from space_runs import BOX, DRUM, DT, SHAKE, TIME, falling, spinning
+
+import stayput as sp
+from stayput.report.embedding import script_module
+from stayput.report.palette import BODY_COLOURS, rgb
+from stayput.report.space.animation import animate_space_run, space_player_page
+from stayput.report.space.film import space_film
+from stayput.report.space.frames import SpacePainter
+from stayput.report.space.plot import plot_space_run
+from stayput.report.space.said import became
+from stayput.report.space.scene import RATE, space_scene
+from stayput.report.space.shape import shape_of
+from stayput.simulation.space_records import matrices
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from stayput.simulation.space_run import SpaceRun
+
+NAMES = ["cupboard", "drum", "vase"]
+
+
+def unpacked(text: str) -> Any:
+    return np.frombuffer(base64.b64decode(text), "<f4")
+
+
+def part(run: SpaceRun, *, bodies: slice = slice(None), samples: slice = slice(None)) -> SpaceRun:
+    return dataclasses.replace(
+        run,
+        standing=run.standing[bodies],
+        time=run.time[samples],
+        place=run.place[bodies, samples],
+        attitude=run.attitude[bodies, samples],
+    )
+
+
+def data_of(page: str) -> dict[str, Any]:
+    found = re.search(r'type="application/json">(.*?)</script>', page, re.DOTALL)
+    assert found
+    return json.loads(found[1])
+
+
+def test_the_yaw_counts_whole_turns_and_leaves_out_the_tilt() -> None:
+    assert spinning().yaw[:, -1] == pytest.approx([0.0, 3.0 * np.pi, 0.0])
+    assert falling().yaw[0] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_poses_turn_evenly_between_samples_and_hold_at_the_ends() -> None:
+    run = spinning()
+    scene = space_scene(run, tuple(NAMES))
+    for time in (0.3, 0.3041, 1.7777):
+        angle = 3.0 * np.pi * time / TIME[-1]
+        _, turns = scene.pose(time)
+        assert turns[1][0] == pytest.approx([np.cos(angle), -np.sin(angle), 0.0], abs=1e-6)
+    assert np.array_equal(scene.pose(99.0)[1], scene.pose(TIME[-1])[1])
+    assert np.array_equal(scene.pose(-1.0)[0], run.place[:, 0])
+
+
+def test_a_scene_has_no_more_poses_than_a_screen_shows() -> None:
+    run = falling()
+    assert len(space_scene(run, ("box",)).time) == np.ceil(TIME[-1] * RATE) + 1
+    slow = part(run, samples=slice(None, None, 4))
+    assert np.array_equal(space_scene(slow, ("box",)).time, TIME[::4])
+
+
+def test_the_data_hold_all_that_is_drawn_in_si_units() -> None:
+    run = falling()
+    scene = space_scene(run, ("box",))
+    data = json.loads(json.dumps(scene.data(), allow_nan=False))
+    [body] = data["bodies"]
+    place, attitude = unpacked(body["place_m"]).reshape(-1, 3), unpacked(body["attitude"]).reshape(-1, 4)
+    assert data["poses"] == {"start_s": 0.0, "end_s": 2.0, "count": len(place)}
+    assert place == pytest.approx(scene.place[0], abs=1e-6)
+    assert np.linalg.norm(attitude, axis=1) == pytest.approx(1.0, abs=1e-6)
+    assert unpacked(body["tilt_rad"])[-1] == pytest.approx(np.pi / 2, abs=1e-6)
+    assert unpacked(body["slide_m"])[60] == pytest.approx(0.1, abs=1e-6)
+    accelerations = data["floor"]["acceleration_m_s2"]
+    assert {name: len(unpacked(text)) for name, text in accelerations.items()} == dict.fromkeys("xyz", 201)
+    assert data["floor"]["dt_s"] == DT
+    assert [plane[:3] for plane in data["planes"]] == [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0]]
+    assert data["planes"][0][3] == pytest.approx(run.standing[0].depth[0] - 0.1)
+    foot = np.array(body["footprint_m"])
+    assert np.ptp(foot @ run.standing[0].turn, axis=0) == pytest.approx([0.4, 0.6, 0.0], abs=1e-4)
+    vertices = np.array(body["shape"]["vertices_m"])
+    lowest = place[-1][2] + ((vertices - body["centre_of_gravity_m"]) @ matrices(attitude[-1])[2]).min()
+    assert lowest == pytest.approx(0.0, abs=1e-5)
+
+
+def test_the_picture_holds_every_pose_near_the_start() -> None:
+    run = falling()
+    scene = space_scene(run, ("box",))
+    for time in (0.0, 1.0, 1.3, 2.0):
+        places, turns = scene.pose(time)
+        painter = SpacePainter(space_film(run, None, "en"), 640, 480)
+        seen = np.array(painter._camera.seen(scene.corners(0, turns[0], places[0])))
+        assert (seen > 0.0).all()
+        assert (seen < [1280, 622]).all()
+    far = dataclasses.replace(run, place=run.place + 50.0 * TIME[:, np.newaxis])
+    assert np.ptp(space_scene(far, ("box",)).points, axis=0).max() < 15.0
+
+
+def test_a_large_ground_displacement_is_drawn_smaller_and_said_so() -> None:
+    run = falling()
+    assert space_scene(run, ("box",)).shift_scale == 1.0
+    long = dataclasses.replace(run, motion=dataclasses.replace(SHAKE, x=20.0 * np.cos(2.0 * TIME)))
+    film = space_film(long, None, "en")
+    assert film.scene.shift_scale < 1.0
+    assert np.linalg.norm(film.scene.shift, axis=1).max() == pytest.approx(0.9, rel=0.01)
+    assert "of its size" in film.moved
+
+
+def test_a_box_has_sharp_edges_and_a_round_body_a_smooth_side() -> None:
+    box, drum = shape_of(BOX), shape_of(DRUM)
+    assert (len(box.edges), box.curved.any()) == (12, False)
+    assert (len(drum.edges), int(drum.curved.sum())) == (64, 32)
+    panel, arrow = box.marks
+    assert panel.corners[:, 0] == pytest.approx(0.2)
+    assert arrow.corners[:, 2] == pytest.approx(1.8)
+    assert arrow.corners[0, 0] == arrow.corners[:, 0].max()
+    stripe = np.concatenate([mark.corners for mark in drum.marks if mark.light])
+    assert stripe[:, 0].min() > 0.19
+    assert np.abs(stripe[:, 1]).max() < 0.03
+    for shape in (box, drum):
+        for mark in shape.marks:
+            face = shape.solid.vertices[shape.solid.faces[mark.face]]
+            assert (mark.corners - face[0]) @ shape.normals[mark.face] == pytest.approx(0.0, abs=1e-9)
+            assert np.cross(*np.diff(mark.corners[:3], axis=0)) @ shape.normals[mark.face] > 0.0
+
+
+def test_near_bodies_are_drawn_over_those_they_hide() -> None:
+    """The drum on the box, and the one in front of it, whichever body comes first."""
+    run = spinning()
+    for order in ([0, 1, 2], [2, 1, 0], [1, 0, 2]):
+        mixed = dataclasses.replace(
+            run,
+            standing=tuple(run.standing[b] for b in order),
+            place=run.place[order],
+            attitude=run.attitude[order],
+        )
+        painter = SpacePainter(space_film(mixed, None, "en"), 640, 480)
+        places, turns = painter._film.scene.pose(0.0)
+        corners = [painter._film.scene.corners(b, turns[b], places[b]) for b in range(3)]
+        drawn = [order[b] for b in painter._from_far(painter._camera.place, corners, turns)]
+        assert drawn.index(0) < drawn.index(2)
+        assert drawn.index(0) < drawn.index(1)
+
+
+def test_frames_show_each_body_in_its_colour(tmp_path: Path) -> None:
+    painter = SpacePainter(space_film(spinning(), NAMES, "en"), 640, 480)
+    shown = np.asarray(painter.frame(0.7)).astype(int).reshape(-1, 3)
+    for colour in BODY_COLOURS[:3]:  # light and shade leave the hue
+        hue = np.array(rgb(colour)) / max(rgb(colour))
+        near = np.abs(shown / np.maximum(shown.max(axis=1, keepdims=True), 1) - hue).max(axis=1) < 0.02
+        assert near.sum() > 300
+
+
+def test_what_is_behind_the_camera_is_not_drawn() -> None:
+    run = falling()
+    way = np.array([4.0, -8.0, 2.0]) * TIME[:, np.newaxis]
+    painter = SpacePainter(space_film(dataclasses.replace(run, place=run.place + way), None, "en"), 640, 480)
+    for time in (0.8, 1.2, 1.6, 2.0):
+        assert painter.frame(time).size == (640, 480)
+
+
+def test_a_gif_has_its_frames_and_its_time(tmp_path: Path) -> None:
+    done: list[tuple[int, int]] = []
+    path = animate_space_run(
+        falling(), tmp_path / "a.gif", fps=10, hold=0.5, width=320, progress=lambda *step: done.append(step)
+    )
+    with Image.open(path) as gif:
+        assert (gif.size, getattr(gif, "n_frames", 0)) == ((320, 240), 21)  # those that hold are one
+    assert done[-1] == (25, 25)
+
+
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not installed")
+def test_an_mp4_is_written(tmp_path: Path) -> None:
+    path = animate_space_run(falling(), tmp_path / "a.mp4", fps=10)
+    assert path.read_bytes()[4:8] == b"ftyp"
+
+
+def test_the_html_page_stands_alone_and_is_small(tmp_path: Path) -> None:
+    page = spinning().animate(tmp_path / "a.html", names=["</script><b>", "{{data}}", "c"]).read_text("utf-8")
+    assert not re.search(r"https?:|src=|@import|url\(", page)
+    assert page.count("</script>") == 2
+    assert [body["name"] for body in data_of(page)["bodies"]] == ["</script><b>", "{{data}}", "c"]
+    code = page.rsplit('<script type="module">', 1)[1]
+    declared = re.findall(r"^(?:const|let|function) (\w+)", code, re.MULTILINE)
+    assert len(declared) == len(set(declared)), "all modules share one scope"
+    assert len(page) < 130_000
+    assert "import " not in script_module('import { orbit } from "./canvas/camera.js";\n')
+
+
+def test_the_html_page_is_in_the_language_that_is_wanted() -> None:
+    page = space_player_page(space_film(falling(), ["本棚"], "ja"), 1.0, 1.0)
+    assert '<html lang="ja">' in page
+    for text in ("本棚は揺れ始めから", "再生", "傾き", "床の加速度：", "視点", "正面"):
+        assert text in page
+    assert "Space plays" not in page
+
+
+def test_what_became_of_the_bodies() -> None:
+    assert became(falling(), ["box"])[0] == "The box overturned 1.5 s into the motion."
+    assert became(spinning(), NAMES)[0] == "None of the 3 bodies overturned."
+    run, other = falling(), spinning()
+    both = dataclasses.replace(
+        run,
+        standing=(*run.standing, *other.standing),
+        place=np.concatenate([run.place, other.place]),
+        attitude=np.concatenate([run.attitude, other.attitude]),
+    )
+    assert became(both, ["box", *NAMES])[0] == "1 of 4 bodies overturned: box at 1.5 s."
+    upright = part(run, samples=slice(101))
+    assert became(upright, ["box"])[0] == (
+        "The box did not overturn; it tilted by less than 0.1° and slid by up to 10.0 cm."
+    )
+    still = part(other, bodies=slice(1))
+    assert became(still, ["box"])[0] == "The box stayed put: it neither slid nor rocked."
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "message"),
+    [
+        ("a.html", {"language": "fr"}, "language is 'fr'"),
+        ("a.avi", {}, "must end in .gif, .mp4, .html"),
+        ("nowhere/a.gif", {}, "its folder must exist"),
+        ("a.gif", {"fps": 0.0}, "fps is 0"),
+        ("a.gif", {"width": 10}, "width is 10"),
+        ("a.html", {"names": ["a", "b"]}, "2 names for 1 bodies"),
+        ("a.html", {"names": "a"}, "must be a list"),
+    ],
+)
+def test_animations_that_are_refused_leave_nothing(
+    tmp_path: Path, name: str, options: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(sp.InputError, match=message):
+        animate_space_run(falling(), tmp_path / name, **options)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_run_of_one_sample_is_refused(tmp_path: Path) -> None:
+    short = part(falling(), samples=slice(1))
+    with pytest.raises(sp.InputError, match="needs at least 2"):
+        short.animate(tmp_path / "a.html")
+
+
+@pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf"])
+def test_plots_are_saved(tmp_path: Path, suffix: str) -> None:
+    path = tmp_path / f"run{suffix}"
+    falling().plot(path)
+    assert path.read_bytes().startswith({".png": b"\x89PNG", ".svg": b"<?xml", ".pdf": b"%PDF"}[suffix])
+
+
+def test_the_plot_shows_the_histories_and_the_ways_in_plan() -> None:
+    figure = plot_space_run(falling(), names=["chest"])
+    acceleration, tilt, turn, plan = figure.axes
+    assert [line.get_ydata()[7] for line in acceleration.lines[1:]] == pytest.approx(
+        [part[7] for part in SHAKE.components.values()]
+    )
+    assert max(tilt.lines[1].get_ydata()) == pytest.approx(90.0)
+    assert [text.get_text() for text in tilt.get_legend().get_texts()] == ["overturned at 1.50 s"]
+    assert turn.lines[1].get_ydata() == pytest.approx(0.0, abs=1e-6)
+    first, last, *_ = plan.lines
+    assert len(first.get_xdata()) == 5
+    assert np.ptp(last.get_xdata()) > 1.7
+    assert [text.get_text() for text in plan.get_legend().get_texts()] == ["chest"]
+    assert "chest overturned" in figure.get_suptitle()
+
+
+def test_a_still_run_of_several_bodies_is_plotted_in_japanese() -> None:
+    figure = plot_space_run(spinning(), names=NAMES, language="ja")
+    assert figure.axes[3].get_xlabel() == "x、正面側 [m]"
+    assert figure.axes[1].get_ylim() == (-0.1, 0.1)
+    assert len(figure.axes[3].get_legend().get_texts()) == 3
