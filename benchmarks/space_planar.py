@@ -5,8 +5,8 @@ engine's, as quantiles, and how many outcomes differ. Cases are boxes that stand
 a ceiling, and rest, slide, rock or fall under the near-fault motion with its vertical component.
 
 A case counts where the planar engine's own answer hangs neither on the shaking nor on the friction: with
-either larger and smaller by each of `SHARES` it must end alike, and as near as the engine in space is asked to
-be. That is asked of the planar engine alone, before the engine in space runs.
+either larger and smaller by each of `SHARES` it must end alike, and as near as the engine in space is asked
+to be. That is asked of the planar engine alone, before the engine in space runs.
 """
 
 from __future__ import annotations
