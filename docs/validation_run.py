@@ -22,6 +22,7 @@ for folder in (HERE, HERE.parent / "benchmarks"):
 
 import convergence  # noqa: E402
 from reference_cases import CASES  # noqa: E402
+from reference_space import SPACE_CASES  # noqa: E402
 
 
 def markdown(heads: list[str], rows: list[list[str]], align: str) -> str:
@@ -60,9 +61,9 @@ def case_section(number: int, case: Callable[[], Iterator[Row]]) -> str:
     return f"### {number}. {title.removesuffix('.')}\n\n{text}\n\n{table}"
 
 
-def cases_sections() -> str:
-    """Run every reference case."""
-    return "\n".join(case_section(number, case) for number, case in enumerate(CASES, 1))
+def cases_sections(cases: tuple[Callable[[], Iterator[Row]], ...]) -> str:
+    """Run reference cases."""
+    return "\n".join(case_section(number, case) for number, case in enumerate(cases, 1))
 
 
 def convergence_table(found: list[convergence.Curve]) -> str:
@@ -99,11 +100,12 @@ def work_table() -> str:
 def write(folder: Path) -> None:
     """Run everything and write the tables and the plot into a folder."""
     found = convergence.curves()
-    (folder / "validation_cases.md").write_text(cases_sections(), encoding="utf-8")
+    (folder / "validation_cases.md").write_text(cases_sections(CASES), encoding="utf-8")
+    (folder / "validation_space.md").write_text(cases_sections(SPACE_CASES), encoding="utf-8")
     (folder / "validation_convergence.md").write_text(convergence_table(found), encoding="utf-8")
     (folder / "validation_work.md").write_text(work_table(), encoding="utf-8")
     convergence.plot(found, folder / "convergence.svg")
 
 
 if __name__ == "__main__":
-    print(cases_sections())
+    print(cases_sections(CASES + SPACE_CASES))

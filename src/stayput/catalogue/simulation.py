@@ -4,6 +4,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Names
     "at": ("Place", "位置"),
     "to": ("Second place of a joint", "接合部の2点目の位置"),
+    "tilt": ("Tilt", "傾き"),
     "velocity": ("Velocity", "速度"),
     "rotation_rate": ("Rotation rate", "回転速度"),
     "not_three": (

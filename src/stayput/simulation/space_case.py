@@ -140,7 +140,10 @@ def piece_of(case: np.void, mass: float = 1.0) -> Piece:
     )
     floor = [float(case[name]) for name in ("static_friction", "kinetic_friction", "normal_restitution")]
     planes = planes_of((floor[0], floor[1], floor[2]), back, front, above)
-    return Piece(Standing(solid, (float(origin[0]), 0.0, 0.0)), planes)
+    u, v = case["u"], case["v"]
+    lean = math.atan2(v[1] - v[0], u[1] - u[0])
+    standing = Standing(solid, (float(origin[0]), 0.0, float(origin[2])), tilt=(0.0, lean, 0.0))
+    return Piece(standing, planes)
 
 
 def trace_case(
@@ -192,7 +195,7 @@ def result_of(piece: Piece, trace: SpaceTrace, time: NDArray[np.float64]) -> NDA
     result = np.zeros((), RESULT)
     one = piece.standing
     turn, place = matrices(frames_of([one], trace.attitude)[0]), trace.place[0]
-    tilt = tilts(one.turn, turn)
+    tilt = tilts(one.rest, turn)
     slide = np.linalg.norm(slides(one, place, turn), axis=1)
     fell = np.flatnonzero(fallen(one, place, turn))
     end = int(fell[0]) if len(fell) else len(time) - 1

@@ -52,12 +52,13 @@ def slides(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64])
     """Return how far the base has slid in plan [m], shape (samples, 2).
 
     It is the way of the foot that is lowest, less that which it moved as the body turned about the vertical
-    through the middle of its base; for a body in the plane the slide of its fulcrum.
+    through the middle of its base; for a body in the plane the slide of its fulcrum. The feet of a body that
+    begins tilted count from where they would come down.
 
     Parameters
     ----------
     one : Standing
-        The body as it rests.
+        The body at first.
     place : ndarray, shape (samples, 3)
         Where its centre of gravity is [m].
     turn : ndarray, shape (samples, 3, 3)
@@ -67,10 +68,12 @@ def slides(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64])
     at = place[:, np.newaxis] + np.einsum("sij,fj->sfi", turn, feet)
     lowest = at[..., 2].argmin(axis=1)
     samples = np.arange(len(place))
-    stood = (one.place + feet @ one.turn.T)[:, :2]
+    first = one.place + feet @ one.turn.T
+    foot = first[:, 2].argmin()
+    stood = (first[foot] + (feet - feet[foot]) @ one.rest.T)[:, :2]
     middle = 0.5 * (stood.min(axis=0) + stood.max(axis=0))
     arms = stood[lowest] - middle
-    angle = yaws(one.turn, turn)
+    angle = yaws(one.rest, turn)
     cos, sin = np.cos(angle), np.sin(angle)
     turned = np.stack([cos * arms[:, 0] - sin * arms[:, 1], sin * arms[:, 0] + cos * arms[:, 1]], axis=1)
     return at[samples, lowest, :2] - middle - turned

@@ -141,12 +141,12 @@ class SpaceRun:
     @property
     def tilt(self) -> NDArray[np.float64]:
         """Angles between what points up at rest and the vertical, shape (bodies, samples) [rad]."""
-        return np.stack([tilts(one.turn, turn) for one, turn in zip(self.standing, self.turn, strict=True)])
+        return np.stack([tilts(one.rest, turn) for one, turn in zip(self.standing, self.turn, strict=True)])
 
     @property
     def yaw(self) -> NDArray[np.float64]:
         """Turns about the vertical from how the bodies stood, shape (bodies, samples) [rad]."""
-        return np.stack([yaws(one.turn, turn) for one, turn in zip(self.standing, self.turn, strict=True)])
+        return np.stack([yaws(one.rest, turn) for one, turn in zip(self.standing, self.turn, strict=True)])
 
     @property
     def slide(self) -> NDArray[np.float64]:
@@ -237,7 +237,7 @@ class SpaceRun:
 
 def fallen(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Return whether a body lies at 90° or on more than its base, shape (samples,)."""
-    return (tilts(one.turn, turn) >= math.pi / 2) | lies(one.solid, place, turn)
+    return (tilts(one.rest, turn) >= math.pi / 2) | lies(one.solid, place, turn)
 
 
 def outcome_of(
@@ -258,7 +258,7 @@ def outcome_of(
         return Outcome.FAILED
     if fallen(one, place, turn).any():
         return Outcome.OVERTURNED
-    tilt = tilts(one.turn, turn)
+    tilt = tilts(one.rest, turn)
     if tilt[-1] > ROCKED and touches(one.solid, planes, place[-1], turn[-1]):
         return Outcome.LEANING
     if tilt.max() > ROCKED:

@@ -19,7 +19,12 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-_VECTORS = ("at", 100.0, "m"), ("velocity", 100.0, "m/s"), ("rotation_rate", 1e3, "rad/s")
+_VECTORS = (
+    ("at", 100.0, "m"),
+    ("tilt", math.pi, "rad"),
+    ("velocity", 100.0, "m/s"),
+    ("rotation_rate", 1e3, "rad/s"),
+)
 """Fields of three numbers, the most of each, and their units."""
 
 
@@ -36,16 +41,17 @@ def _vector(name: str, given: object, most: float, unit: str) -> tuple[float, ..
 class Standing:
     """A body in a room.
 
-    It begins as it rests on its base: one with feet of unequal heights is tilted.
-
     Parameters
     ----------
     solid : Solid
         The body.
     at : tuple of float
-        Where it is: the origin of its frame along x and across y, and its lowest point up z [m].
+        Where the origin of its frame is: along x, across y, up z [m].
     heading : float
         By what it is turned about the vertical, from x towards y [rad].
+    tilt : tuple of float
+        By what it is turned before that: a rotation vector along the axes of its frame [rad]; (0, 0.1, 0)
+        tilts it to its front.
     velocity, rotation_rate : tuple of float
         Of its centre of gravity [m/s], and of itself [rad/s], along x, y and z of the room, at first.
 
@@ -58,6 +64,7 @@ class Standing:
     solid: Solid
     at: tuple[float, float, float] = (0.0, 0.0, 0.0)
     heading: float = 0.0
+    tilt: tuple[float, float, float] = (0.0, 0.0, 0.0)
     velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)
     rotation_rate: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
@@ -69,31 +76,45 @@ class Standing:
 
     @property
     def turn(self) -> NDArray[np.float64]:
-        """The rotation of its frame into the room's as it rests, shape (3, 3)."""
-        cos, sin = math.cos(self.heading), math.sin(self.heading)
-        heading = np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
+        """The rotation of its frame into the room's at first, shape (3, 3)."""
+        return self._facing @ rotation_by(np.asarray(self.tilt))
+
+    @property
+    def rest(self) -> NDArray[np.float64]:
+        """The same as it would rest on its base, shape (3, 3): with feet of unequal heights it leans."""
         up = self.solid.up_at_rest
-        return heading if up is None else heading @ _to_vertical(up)
+        return self._facing if up is None else self._facing @ _to_vertical(up)
+
+    @property
+    def _facing(self) -> NDArray[np.float64]:
+        cos, sin = math.cos(self.heading), math.sin(self.heading)
+        return np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
 
     @property
     def place(self) -> NDArray[np.float64]:
-        """Where its centre of gravity is as it rests [m], shape (3,)."""
-        turn = self.turn
-        lowest = (self.solid.base @ turn[2]).min()
-        if len(self.solid.rims):  # a round base reaches as low as its corners
-            lowest = min(lowest, (self.solid.vertices @ turn[2]).min())
-        return np.asarray(self.at) + turn @ self.solid.centre_of_gravity - [0.0, 0.0, lowest]
+        """Where its centre of gravity is at first [m], shape (3,)."""
+        return np.asarray(self.at) + self.turn @ self.solid.centre_of_gravity
 
     @property
     def depth(self) -> tuple[float, float]:
         """The least and the greatest x of its corners and round edges [m]."""
-        turn, origin = self.turn, self.place - self.turn @ self.solid.centre_of_gravity
-        corners = origin[0] + self.solid.vertices @ turn[0]
-        centres = origin[0] + self.solid.rims[:, :3] @ turn[0]
+        turn = self.turn
+        corners = self.at[0] + self.solid.vertices @ turn[0]
+        centres = self.at[0] + self.solid.rims[:, :3] @ turn[0]
         axes = self.solid.rims[:, 3:6] @ turn.T
         reach = self.solid.rims[:, 6] * np.hypot(axes[:, 1], axes[:, 2])
         ends = np.concatenate([corners, centres - reach, centres + reach])
         return float(ends.min()), float(ends.max())
+
+
+def rotation_by(vector: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the rotation about a vector by its length [rad] (Rodrigues), shape (3, 3)."""
+    angle = float(np.linalg.norm(vector))
+    if angle == 0.0:
+        return np.eye(3)
+    x, y, z = vector / angle
+    across = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    return np.eye(3) + math.sin(angle) * across + (1.0 - math.cos(angle)) * (across @ across)
 
 
 def _to_vertical(up: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -30,6 +30,9 @@ OUTERMOST = 1e-9
 NEAR = 0.01
 """Share of both radii up to which edges are near the other body: others are tried where these do not tell."""
 
+OUTERMOST = 1e-9
+"""How far inside its body's outermost corner along a normal an edge lies that touches there [m]: rounding."""
+
 PARALLEL = 1e-6
 """Sine of the angle up to which edges are parallel: they have no common normal that faces have not."""
 
@@ -132,7 +135,8 @@ def _best_edges(a, b, away, best, near, edges, corners):
             if start - reach <= best:
                 continue
             apart = _least(b, corners, n) + _least(a, corners, (-n[0], -n[1], -n[2]))
-            if apart > best:
+            # of parallel edges, which separate alike, those that are outermost touch
+            if apart > best and start - reach <= apart + OUTERMOST:
                 best, first, second, axis = apart, i, j, n
     return first, second, best, axis
 

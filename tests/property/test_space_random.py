@@ -1,0 +1,57 @@
+"""Random bodies and stacks in space stay finite, enter the floor by microns only, and make no energy.
+
+The cases are those of `benchmarks/space_random.py`, which runs many more.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+import stayput as sp
+
+
+def _load() -> Any:
+    path = Path(__file__).parents[2] / "benchmarks" / "space_random.py"
+    spec = importlib.util.spec_from_file_location("space_random", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+cases = _load()
+
+
+def thrown(seed: int, **kind: Any) -> Any:
+    """One body, or with boxes alone a stack, thrown at a still or a shaken floor."""
+    rng = np.random.default_rng(seed)
+    return cases.case_of(rng, cases.shapes(rng, 6) if not kind else kind["pool"])
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_one_body(seed: int) -> None:
+    case = thrown(seed)
+    alone = cases.Thrown(case.bodies[:1], case.room, case.motion, case.friction)
+    found = cases.run_one(alone)
+    assert found.finite
+    assert found.depth < 3e-6
+    assert found.made < 1e-4
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_boxes_on_each_other(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    pool = [sp.Solid.box(*rng.uniform(0.1, 1.5, 3), float(rng.uniform(1.0, 200.0))) for _ in range(4)]
+    found = cases.run_one(thrown(seed, pool=pool))
+    assert found.finite
+    assert found.depth < 3e-6
+    assert found.made < 1e-4

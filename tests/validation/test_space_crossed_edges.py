@@ -1,0 +1,51 @@
+"""Edges of two boxes that cross: they touch in one point, where they cross, and nowhere else."""
+
+import math
+
+import numpy as np
+import pytest
+from in_space import G, about, energy, lifted, still, turned
+from test_space_impacts import compliance
+
+import stayput as sp
+
+
+@pytest.mark.parametrize("duration", [2e-6, 4e-5, 2e-4])
+def test_an_edge_meets_an_edge(duration: float) -> None:
+    """p = −u_n/K_nn along the normal across both edges; after that both are free, and stay so."""
+    wedge = turned(sp.Solid.box(0.3, 0.9, 0.3, 20.0), about((0.0, 1.0, 0.0), math.pi / 4))
+    other = turned(sp.Solid.box(0.3, 0.9, 0.3, 30.0), about((0.0, 1.0, 0.0), math.pi / 4))
+    other = turned(other, about((0.0, 0.0, 1.0), 1.2))
+    offset, speed = 0.2, 1.5
+    x, y, _ = -wedge.centre_of_gravity
+    below = sp.Standing(other, (-other.centre_of_gravity[0], -other.centre_of_gravity[1], 50.0))
+    top = 50.0 + other.vertices[:, 2].max()
+    above = sp.Standing(wedge, (x, y + offset, lifted(wedge, top + 1e-7)[2]), velocity=(0.0, 0.0, -speed))
+    motion = still(duration, duration / 2.0)
+    run = sp.simulate(sp.Assembly((above, below), (0.0, 0.0)), sp.Room(), motion, step=1e-6)
+    # the wedge's edge goes along y through x = 0; the other's through x = y = 0: they cross there
+    half = 0.3 / math.sqrt(2.0)
+    a, b = np.array([0.0, -offset, -half]), np.array([0.0, 0.0, half])
+    p = speed / (compliance(wedge, a) + compliance(other, b))[2, 2]
+    fallen = duration * G
+    assert run.velocity[0, -1, 2] == pytest.approx(-speed + p / 20.0 - fallen, abs=2e-3)
+    assert run.velocity[1, -1, 2] == pytest.approx(-p / 30.0 - fallen, abs=2e-3)
+    expected = (-offset * p / wedge.inertia[0, 0], 0.0, 0.0)
+    np.testing.assert_allclose(run.rotation_rate[0, -1], expected, atol=5e-3)
+    assert np.abs(run.rotation_rate[1, -1]).max() < 1e-3
+
+
+def test_a_box_that_falls_on_a_box_makes_no_energy() -> None:
+    """Thrown on a box that stands, without friction and restitution: an edge comes to cross an edge."""
+    base = sp.Standing(sp.Solid.box(0.933, 1.247, 0.371, 29.0))
+    thrown = sp.Standing(
+        sp.Solid.box(1.205, 0.381, 0.122, 186.0),
+        (0.0, 0.09, 0.372),
+        heading=1.0,
+        velocity=(-1.31, 0.99, 1.42),
+        rotation_rate=(-4.37, -0.36, -4.19),
+    )
+    room = sp.Room(sp.Floor(0.0, 0.0))
+    run = sp.simulate(sp.Assembly((base, thrown), (0.0, 0.0)), room, still(0.1, 5e-4), step=5e-4)
+    total = energy(run, 0) + energy(run, 1)
+    assert np.diff(total).max() < 1e-5 * total[0]

@@ -1,0 +1,121 @@
+"""Two bodies on each other, beside closed forms: rest, joint rocking, and slides that end together."""
+
+import math
+
+import numpy as np
+import pytest
+from in_space import STICKING, G, steady, still
+
+import stayput as sp
+
+ROUGH = (5.0, 5.0)
+
+
+@pytest.mark.parametrize("upper", ["box", "cylinder", "prism"])
+@pytest.mark.parametrize("push", [0.0, 1.8])
+def test_rest(upper: str, push: float) -> None:
+    """With μ g above the floor's acceleration nothing moves, to the bit."""
+    base = sp.Solid.box(0.6, 0.8, 0.7, 40.0)
+    small = {
+        "box": sp.Solid.box(0.4, 0.5, 0.5, 10.0),
+        "cylinder": sp.Solid.cylinder(0.4, 0.5, 10.0),
+        "prism": sp.Solid.prism([(0, 0), (0.4, 0), (0.3, 0.35), (0.1, 0.35)], 0.5, 10.0),
+    }[upper]
+    stack = (sp.Standing(base), sp.Standing(small, (0.05, -0.1, 0.7), heading=0.4))
+    room = sp.Room(sp.Floor(0.25, 0.2))
+    run = sp.simulate(sp.Assembly(stack, (0.25, 0.2)), room, steady(push, 0.5 * push, 1.0))
+    assert np.array_equal(run.place, np.repeat(run.place[:, :1], len(run.time), axis=1))
+    assert np.array_equal(run.attitude, np.repeat(run.attitude[:, :1], len(run.time), axis=1))
+
+
+@pytest.mark.parametrize("rate", [0.25, 0.5])
+def test_two_blocks_rock_as_one(rate: float) -> None:
+    """About the lower edge, until they land: θ̈ = −(m g R/J_O) sin(α − θ) of both together.
+
+    The upper block presses on the lower while they turn, and has no reason to move on it. So the pair does
+    what one block of the whole height does.
+    """
+    half = sp.Solid.box(0.4, 0.5, 0.7, 30.0)
+    whole = sp.Solid.box(0.4, 0.5, 1.4, 60.0)
+    spin, corner = np.array([0.0, rate, 0.0]), np.array([0.2, 0.0, 0.0])
+    levels = (half, 0.0), (half, 0.7)
+    stack = tuple(
+        sp.Standing(
+            block,
+            (0.0, 0.0, z),
+            velocity=tuple(np.cross(spin, block.centre_of_gravity + np.array([0.0, 0.0, z]) - corner)),
+            rotation_rate=tuple(spin),
+        )
+        for block, z in levels
+    )
+    lever = whole.centre_of_gravity - corner
+    one = sp.Standing(whole, velocity=tuple(np.cross(spin, lever)), rotation_rate=tuple(spin))
+    about = whole.inertia[1, 1] + whole.mass * lever @ lever
+    R, alpha = float(np.linalg.norm(lever)), math.atan2(0.2, 0.7)
+    peak = alpha - math.acos(0.5 * about * rate**2 / (whole.mass * G * R) + math.cos(alpha))
+    motion = still(0.6, 0.002)
+    alone = sp.simulate(one, STICKING, motion, step=1e-4)
+    both = sp.simulate(sp.Assembly(stack, ROUGH), STICKING, motion, step=1e-4)
+    landed = int(np.argmax(alone.tilt[0])) + int(np.argmin(alone.tilt[0, np.argmax(alone.tilt[0]) :]))
+    until = slice(0, min(landed, len(motion.x)) - 2)
+    assert alone.tilt[0, until].max() == pytest.approx(peak, rel=2e-3)
+    for block in (0, 1):
+        np.testing.assert_allclose(both.tilt[block, until], alone.tilt[0, until], atol=2e-3 * peak)
+
+
+@pytest.mark.parametrize("speed", [1.0, 2.0])
+def test_the_upper_drags_the_lower(speed: float) -> None:
+    """Thrown onto a block at rest, the upper loses μ₂ g and the lower gains (μ₂ m₂ − μ₁ (m₁ + m₂)) g/m₁.
+
+    At t = v/((μ₂ g) + gain) they go at one speed; from then on μ₁ g stops both as one.
+    """
+    m1, m2, mu1, mu2 = 20.0, 60.0, 0.1, 0.3
+    lower, upper = sp.Solid.box(1.2, 1.0, 0.1, m1), sp.Solid.box(0.4, 0.4, 0.1, m2)
+    stack = (
+        sp.Standing(lower),
+        sp.Standing(upper, (-0.3, 0.0, 0.1), velocity=(speed, 0.0, 0.0)),
+    )
+    gain = (mu2 * m2 - mu1 * (m1 + m2)) * G / m1
+    assert gain > 0.0
+    meet = speed / (mu2 * G + gain)
+    common = gain * meet
+    assert 0.5 * speed * meet < 0.8, "the upper must stay on the lower"
+    last = 0.5 * common**2 / (mu1 * G)
+    room = sp.Room(sp.Floor(mu1, mu1))
+    run = sp.simulate(sp.Assembly(stack, (mu2, mu2)), room, still(3.0), step=1e-4)
+    assert np.abs(run.velocity[:, -1]).max() == 0.0
+    assert run.slide[0, -1, 0] == pytest.approx(0.5 * gain * meet**2 + last, rel=3e-3)
+    expected = speed * meet - 0.5 * mu2 * G * meet**2 + last
+    assert run.slide[1, -1, 0] == pytest.approx(expected, rel=3e-3)
+
+
+def test_both_slide_at_their_own_rates() -> None:
+    """A floor at a: ẍ₁ = −a + (μ₁ (m₁ + m₂) − μ₂ m₂) g/m₁, and ẍ₂ = −a + μ₂ g, less held, ahead of it."""
+    m1, m2, mu1, mu2, a = 40.0, 10.0, 0.25, 0.1, 5.0
+    lower, upper = sp.Solid.box(3.0, 1.0, 0.2, m1), sp.Solid.box(0.4, 0.4, 0.2, m2)
+    stack = (sp.Standing(lower), sp.Standing(upper, (1.0, 0.0, 0.2)))
+    room, motion = sp.Room(sp.Floor(mu1, mu1)), steady(a, 0.0, 0.5)
+    run = sp.simulate(sp.Assembly(stack, (mu2, mu2)), room, motion, step=1e-4)
+    first = -a + (mu1 * (m1 + m2) - mu2 * m2) * G / m1
+    second = -a + mu2 * G
+    assert second < first < 0.0
+    assert run.slide[0, -1, 0] == pytest.approx(0.5 * first * 0.5**2, rel=2e-3)
+    assert run.slide[1, -1, 0] == pytest.approx(0.5 * second * 0.5**2, rel=2e-3)
+
+
+def test_the_order_of_bodies_does_not_matter() -> None:
+    """The same stack, listed from above: the same to what time stepping leaves."""
+    lower, upper = sp.Solid.box(0.5, 0.6, 0.8, 50.0), sp.Solid.box(0.4, 0.4, 0.5, 12.0)
+    drum = sp.Solid.cylinder(0.4, 0.9, 25.0)
+    bodies = [
+        sp.Standing(lower),
+        sp.Standing(upper, (0.02, 0.0, 0.8), heading=0.2),
+        sp.Standing(drum, (0.9, 0.1, 0.0)),
+    ]
+    t = 0.01 * np.arange(151)
+    shaking = sp.Motion(dt=0.01, x=3.5 * np.sin(7.0 * t), y=2.5 * np.sin(5.0 * t + 1.0), name="two")
+    room = sp.Room(sp.Floor(0.5, 0.4))
+    first = sp.simulate(sp.Assembly(bodies), room, shaking, step=1e-4)
+    other = sp.simulate(sp.Assembly(bodies[::-1]), room, shaking, step=1e-4)
+    assert np.abs(first.slide).max() > 0.01
+    np.testing.assert_allclose(other.place[::-1], first.place, atol=1e-3)
