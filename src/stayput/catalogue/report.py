@@ -204,6 +204,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "axis_time": ("Time [s]", "時刻 [s]"),
     "device_failure": ("device fails", "器具の破損・脱落"),
+    "motion_in_space": (
+        (
+            "Motion {number} of {count}: {name}; peak acceleration of a component of the floor {peak} m/s². "
+            "Shown from {start} to {end} s of {duration} s."
+        ),
+        (
+            "地震動 {number}/{count}：{name}、床の1方向の最大加速度 {peak} m/s²。全{duration}秒のう"
+            "ち{start}～{end}秒を表示。"
+        ),
+    ),
     "motion_shown": (
         (
             "Motion {number} of {count}: {name}; peak acceleration of the floor {peak} m/s². "

@@ -64,6 +64,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "row_slide": ("Peak slide", "最大移動量"),
     "row_residual": ("Residual slide", "残留移動量"),
     "row_floor": ("Floor impacts", "床への衝突"),
+    "row_yaw": ("Peak turn in plan", "水平面内の最大回転"),
+    "row_bodies": ("Hits on other bodies", "他の物体への衝突"),
     "row_walls": ("Wall impacts", "壁への衝突"),
     "row_walls_and_ceiling": ("Wall and ceiling impacts", "壁と天井への衝突"),
     "row_used": (", {share:.0f} % of its strength", "、強度の{share:.0f}%"),

@@ -88,6 +88,8 @@ def overlaid(
     friction: str | None,
     walls: dict[str, float | None],
     contact: str | None,
+    dimensions: int | None,
+    piece: dict[str, float | None],
 ) -> dict[str, Any]:
     """Return a scenario's tables, overridden by the flags.
 
@@ -103,6 +105,10 @@ def overlaid(
         Gap of ``left_wall`` and ``right_wall`` [m]; None where the flag is not given.
     contact : str, optional
         The contact law.
+    dimensions : int, optional
+        2 or 3.
+    piece : dict
+        Single keys of the furniture's table; None where the flag is not given.
 
     Raises
     ------
@@ -128,7 +134,10 @@ def overlaid(
             if name == "left_wall":
                 room.pop("back_wall", None)
             tables["room"] = room
-    return tables if contact is None else {**tables, "contact": contact}
+    if own := {key: value for key, value in piece.items() if value is not None}:
+        tables["furniture"] = {**_table(tables, "furniture"), **own}
+    own_keys = {"contact": contact, "dimensions": dimensions}
+    return tables | {key: value for key, value in own_keys.items() if value is not None}
 
 
 def scenario_data(path: Path | None, body: str | None) -> dict[str, Any]:

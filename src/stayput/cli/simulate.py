@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from stayput.report.animation import Progress
     from stayput.simulation.run import Run
+    from stayput.simulation.space_run import SpaceRun
 
 
 def simulate(
@@ -74,6 +75,15 @@ def simulate(
     ] = None,
     right_wall: Annotated[float | None, typer.Option(help="Gap to a wall in front (right) [m].")] = None,
     contact: Annotated[str | None, typer.Option(metavar="coulomb|paper", help="The contact law.")] = None,
+    length: Annotated[
+        float | None, typer.Option(help="Length of the piece across the shaking [m]; for --dimensions 3.")
+    ] = None,
+    heading: Annotated[
+        float | None, typer.Option(help="Direction in which it faces, from the motion's x towards y [rad].")
+    ] = None,
+    dimensions: Annotated[
+        int | None, typer.Option(metavar="2|3", help="In the plane of its depth (2), or in space (3).")
+    ] = None,
     measure: Annotated[
         list[str] | None,
         typer.Option(
@@ -96,6 +106,7 @@ def simulate(
     Flags override what the scenario file says; --body without a file stands free of walls.
     """
     from stayput.scenario import Scenario
+    from stayput.simulation.run import Run
 
     _check_targets(plot, animate)
     data = overlaid(
@@ -116,28 +127,83 @@ def simulate(
         friction=friction,
         walls={"left_wall": wall, "right_wall": right_wall},
         contact=contact,
+        dimensions=dimensions,
+        piece={"length": length, "heading": heading},
     )
     here = Path() if scenario is None or motion is not None else scenario.parent
     checked = Scenario.parse(data, here)
     case = checked.case(chosen_measures(checked, measure or []))
     with compiling():
         run = case.run()
-    name = checked.furniture.title
-    if plot is not None:
+    wanted = _Wanted(checked.furniture.title, checked.title, plot, animate, speed, fps, json)
+    if isinstance(run, Run):
+        _show_in_the_plane(run, wanted)
+    else:
+        _show_in_space(run, wanted)
+
+
+class _Wanted(NamedTuple):
+    """What is shown of a run, and where it is written."""
+
+    name: str
+    title: str | None
+    plot: Path | None
+    animate: Path | None
+    speed: float
+    fps: float
+    json: bool
+
+
+def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
+    from stayput.report.summary import rows, sentence, summary
+
+    if wanted.plot is not None:
         from stayput.report.plot import plot_run
 
-        plot_run(run, plot, name=name)
-    if animate is not None:
+        plot_run(run, wanted.plot, name=wanted.name)
+    if wanted.animate is not None:
         from stayput.report.animation import animate_run
 
         with _progress() as progress:
-            animate_run(run, animate, fps=fps, speed=speed, name=name, progress=progress)
-    if json:
-        from stayput.report.summary import summary
-
+            animate_run(
+                run,
+                wanted.animate,
+                fps=wanted.fps,
+                speed=wanted.speed,
+                name=wanted.name,
+                progress=progress,
+            )
+    if wanted.json:
         print_json(summary(run))
     else:
-        _print_table(run, name, checked.title, [path for path in (plot, animate) if path is not None])
+        _print_table(sentence(run, wanted.name), rows(run), wanted)
+
+
+def _show_in_space(run: SpaceRun, wanted: _Wanted) -> None:
+    from stayput.report.space.said import became
+    from stayput.report.space.summary import space_rows, space_summary
+
+    names = [wanted.name]
+    if wanted.plot is not None:
+        from stayput.report.space.plot import plot_space_run
+
+        plot_space_run(run, wanted.plot, names=names)
+    if wanted.animate is not None:
+        from stayput.report.space.animation import animate_space_run
+
+        with _progress() as progress:
+            animate_space_run(
+                run,
+                wanted.animate,
+                names=names,
+                fps=wanted.fps,
+                speed=wanted.speed,
+                progress=progress,
+            )
+    if wanted.json:
+        print_json(space_summary(run, names))
+    else:
+        _print_table(became(run, names)[0], space_rows(run, names), wanted)
 
 
 def _check_targets(plot: Path | None, animate: Path | None) -> None:
@@ -166,19 +232,18 @@ def _progress() -> Generator[Progress | None]:
         yield lambda done, total: bar.update(task, completed=done, total=total)
 
 
-def _print_table(run: Run, name: str, title: str | None, written: list[Path]) -> None:
+def _print_table(said: str, rows: list[tuple[str, str]], wanted: _Wanted) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    from stayput.report.summary import rows, sentence
-
     console = Console(highlight=False, markup=False)
-    if title is not None:
-        console.print(title, style="bold")
-    console.print(sentence(run, name))
+    if wanted.title is not None:
+        console.print(wanted.title, style="bold")
+    console.print(said)
     table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
-    for label, value in rows(run):
+    for label, value in rows:
         table.add_row(label, value)
     console.print(table)
-    for path in written:
-        console.print(f"Wrote {path}", soft_wrap=True)
+    for path in (wanted.plot, wanted.animate):
+        if path is not None:
+            console.print(f"Wrote {path}", soft_wrap=True)

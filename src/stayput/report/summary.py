@@ -14,6 +14,8 @@ from stayput.simulation.run import Event, EventKind
 from stayput.wording import FAR, inside
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from stayput.catalogue import Phrase
     from stayput.measures import DeviceResult
     from stayput.motion import Motion
@@ -132,7 +134,7 @@ def device_results(device: DeviceResult) -> dict[str, Any]:
     }
 
 
-_DEVICE_KEYS = {
+DEVICE_KEYS = {
     "measure": "kind",
     "place": "name",
     "peak_pull_N": "peak_pull_n",
@@ -151,16 +153,21 @@ def summary(run: Run) -> dict[str, Any]:
         "end_time_s": number(float(run.time[-1])),
         "contact": run.contact,
         "gravity_m_s2": run.gravity,
-        "motion": {
-            "name": run.motion.name,
-            "synthetic": run.motion.synthetic,
-            "dt_s": run.motion.dt,
-            "duration_s": number(run.motion.duration),
-            "pga_m_s2": number(run.motion.pga),
-        },
+        "motion": motion_data(run.motion),
         "measures": [measure.kind for measure in run.measures],
-        "devices": [{key: device[name] for key, name in _DEVICE_KEYS.items()} for device in devices],
+        "devices": [{key: device[name] for key, name in DEVICE_KEYS.items()} for device in devices],
         "events": [_event(event) for event in run.events],
+    }
+
+
+def motion_data(motion: Motion) -> dict[str, Any]:
+    """Return what a motion is as plain values."""
+    return {
+        "name": motion.name,
+        "synthetic": motion.synthetic,
+        "dt_s": motion.dt,
+        "duration_s": number(motion.duration),
+        "pga_m_s2": number(motion.pga),
     }
 
 
@@ -182,13 +189,13 @@ def rows(run: Run) -> list[tuple[str, str]]:
         "floor": str(run.floor_impacts),
         "walls" if run.room.ceiling is None else "walls_and_ceiling": str(run.wall_impacts),
     }
-    return [*((say(f"runs.row_{key}"), value) for key, value in values.items()), *_device_rows(run)]
+    return [*((say(f"runs.row_{key}"), value) for key, value in values.items()), *device_rows(run.devices)]
 
 
-def _device_rows(run: Run) -> list[tuple[str, str]]:
+def device_rows(devices: Sequence[DeviceResult]) -> list[tuple[str, str]]:
     """Return a row for each device: its largest force, how much of its strength that is, and its failure."""
     rows_of_devices: list[tuple[str, str]] = []
-    for device in run.devices:
+    for device in devices:
         name = " ".join(filter(None, (device.label[0], device.place)))
         peak = max(device.peak_pull, device.peak_push, device.peak_shear)
         used = say("runs.row_used", share=100.0 * device.utilisation) if device.utilisation > 0.0 else ""

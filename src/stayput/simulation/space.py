@@ -93,14 +93,33 @@ def simulate_piece(
     InputError
         A body without a length, or measures that cannot be put in place.
     """
-    if body.length is None:
-        raise InputError("solids.no_length", "length")
     held = hold(body, room, measures, dimensions=3)
-    rows = element_rows(held)
+    return run_held(held, element_rows(held), motion, initial, gravity, checked_step(step))
+
+
+def run_held(
+    held: Held,
+    rows: NDArray[np.void],
+    motion: Motion,
+    initial: State,
+    gravity: float,
+    step: float = STEP,
+) -> SpaceRun:
+    """Run a piece with measures in place.
+
+    Parameters
+    ----------
+    held : Held
+        The piece, of `hold` with three dimensions.
+    rows : ndarray of ELEMENT, shape (n,)
+        Its devices.
+    motion, initial, gravity, step
+        As for `stayput.simulate`.
+    """
     case = case_columns(held.body, held.room, initial, gravity)[0]
     m = held.body.mass
     shaking = SpaceShaking(acceleration_of(motion), motion.dt)
-    piece, trace = trace_case(case, rows, shaking, checked_step(step), m)
+    piece, trace = trace_case(case, rows, shaking, step, m)
     trace = trace._replace(pressing=m * trace.pressing)
     devices = device_results(held, rows, trace.devices, trace.forces)
     return _run((piece.standing,), held.room, motion, piece.planes, trace, devices, held)

@@ -51,6 +51,9 @@ LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
 """JMA intensities of the ground for the fragility curves: from 4 to 7."""
 LEVELS.setflags(write=False)
 
+LEVELS_IN_SPACE: NDArray[np.float64] = LEVELS[1::3]
+"""Those of them that a verification in space takes, whose runs are longer."""
+
 CAPACITIES = (0.1, 0.5)
 """Shares of overturning for which the intensity is given."""
 
@@ -64,7 +67,7 @@ RANKING_RESOLUTION = 0.005
 def verify(
     scenario: Scenario,
     *,
-    levels: Sequence[float] | NDArray[np.float64] = LEVELS,
+    levels: Sequence[float] | NDArray[np.float64] | None = None,
     slide_limit: float = SLIDE_LIMIT,
     every_run: bool = False,
     threads: int | None = None,
@@ -82,8 +85,9 @@ def verify(
     ----------
     scenario : Scenario
         Furniture, room, shaking, measures, uncertainty.
-    levels : sequence of float
-        JMA intensities of the ground for the fragility curves, increasing; with none there are no curves.
+    levels : sequence of float, optional
+        JMA intensities of the ground for the fragility curves, increasing; with none in it there are no
+        curves. Default `LEVELS`, in space `LEVELS_IN_SPACE`.
     slide_limit : float
         Slide that counts as too far [m].
     every_run : bool
@@ -109,6 +113,8 @@ def verify(
     """
     began = time.perf_counter()
     require_coulomb(instance_of("scenario", scenario, Scenario), "verification.a_verification")
+    if levels is None:
+        levels = LEVELS if scenario.dimensions == 2 else LEVELS_IN_SPACE
     rows = numbers("fragility.level", levels, "levels")
     if rows.ndim != 1:
         raise InputError("common.not_a_list", "levels", name=phrase("fragility.level"), value=repr(levels))

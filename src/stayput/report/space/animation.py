@@ -83,7 +83,7 @@ def animate_space_run(
     return target
 
 
-def space_player_page(film: SpaceFilm, speed: float, hold: float) -> str:
+def space_player_page(film: SpaceFilm, speed: float, hold: float, *, plays: bool = True) -> str:
     """Return the HTML player: one file with the run in it, drawn by the browser as fast as its screen.
 
     Parameters
@@ -94,6 +94,8 @@ def space_player_page(film: SpaceFilm, speed: float, hold: float) -> str:
         Seconds of the run in one second, to start with.
     hold : float
         How long the last pose is held before the film starts again [s].
+    plays : bool
+        Whether it plays at once.
     """
     files = resources.files("stayput.report.space")
     texts = {key: say(name, film.language) for key, name in SPACE_PLAYER_TEXTS.items()}
@@ -103,6 +105,7 @@ def space_player_page(film: SpaceFilm, speed: float, hold: float) -> str:
         "strip_title": film.strip_title,
         "speed": speed,
         "hold_s": hold,
+        "plays": plays,
         "texts": texts,
     }
     script = files.joinpath("player.js").read_text(encoding="utf-8")

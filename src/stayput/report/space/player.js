@@ -150,5 +150,5 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", again);
 const wanted = Number(location.hash.slice(1)); // "#6.3" opens the page at 6.3 s, paused
 const shown = location.hash && Number.isFinite(wanted);
 readInks();
-clock.span(start, end, shown ? wanted : start, shown || prefersReducedMotion());
+clock.span(start, end, shown ? wanted : start, shown || !film.plays || prefersReducedMotion());
 again();

@@ -25,6 +25,7 @@ from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.curves import curves_svg, legend, looks
 from stayput.report.verdict.drawing import drawing_svg
 from stayput.report.verdict.histories import histories_svg
+from stayput.report.verdict.in_space import space_pairs
 from stayput.report.verdict.pairs import pairs_of, scene_data
 from stayput.report.verdict.tables import (
     DEVICE_COLUMNS,
@@ -112,7 +113,8 @@ def report_html(verdict: Verdict, language: str = "en") -> str:
 def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     scenario = verdict.scenario
     ground = scenario.ground()
-    pairs = pairs_of(verdict, ground)
+    in_space = scenario.dimensions == 3
+    pairs = () if in_space else pairs_of(verdict, ground)
     scenes = [pair.scene for pair in pairs]
     modes = mode_looks(language)
 
@@ -146,6 +148,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
             _pair(verdict, pair, scene, len(ground), language)
             for pair, scene in zip(pairs, scenes, strict=True)
         ],
+        "space_pairs": space_pairs(verdict, ground, language) if in_space else [],
         "modes": modes.values(),
         "scenes": Markup(
             script_json(

@@ -22,12 +22,17 @@ from stayput.report.verdict.words import word
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.run import Case, run_of, trace_held
+from stayput.simulation.space import run_held
 from stayput.wording import FAR
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from stayput.measures import Held
     from stayput.motion import Motion
     from stayput.scenario.tables import FurnitureTable
     from stayput.simulation.run import Run
+    from stayput.simulation.space_run import SpaceRun
     from stayput.verification import Option, Verdict
     from stayput.verification.verdict import Member
 
@@ -167,11 +172,15 @@ def pairs_of(verdict: Verdict, ground: Suite) -> tuple[RunPair, ...]:
     )
 
 
+def shown_options(verdict: Verdict) -> list[Option]:
+    """Return what is shown side by side: no measure, and the best one, if it is one."""
+    bare, best = verdict.without.option, verdict.best.option
+    return [bare, best] if best.measures else [bare]
+
+
 def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite) -> RunPair:
     motion, scale = floor_motion(verdict, ground, member)
-    options = [verdict.without.option]
-    if verdict.best.option.measures:
-        options.append(verdict.best.option)
+    options = shown_options(verdict)
     runs = [replay_under(verdict, option, member, motion, scale) for option in options]
     sides = tuple(Side(option, run, history(run)) for option, run in zip(options, runs, strict=True))
     start, end = _window(sides, motion)
@@ -232,24 +241,40 @@ def floor_motion(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motio
     """
     shaken = verdict.scenario.shaking
     one_motion = Suite((ground[member.motion],))
-    hazard = Hazard(one_motion, shaken.building, shaken.storey or 1, vertical=bool(shaken.vertical))
+    dimensions = verdict.scenario.dimensions
+    hazard = Hazard(one_motion, shaken.building, shaken.storey or 1, bool(shaken.vertical), dimensions)
     floors = hazard.stated(shaken.wanted_intensity, shaken.scale)
     return floors.motions[0], float(floors.scales[0])
 
 
-def replay_under(verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float) -> Run:
-    """Run a member again under its motion and the factor on it; see `replay`."""
+def drawn_piece(verdict: Verdict, option: Option, member: Member) -> tuple[Held, NDArray[np.void]]:
+    """Return the piece with the measures of an option as a member drew it, and its devices' rows."""
     scenario = verdict.scenario
     motions, samples, measured = member.motion + 1, member.sample + 1, scenario.uncertainty.as_stated
     drawn = draws(motions, samples, verdict.seed, as_stated=measured)[member.motion][member.sample]
     body = drawn_body(scenario.furniture.body(), drawn)
     bought = [measure.fitted_to(scenario.furniture.body()) for measure in option.measures]
-    stated = hold(body, drawn_place(scenario.room.room(), drawn), bought)
+    place = drawn_place(scenario.room.room(), drawn)
+    stated = hold(body, place, bought, dimensions=scenario.dimensions)
     held = replace(stated, room=drawn_surfaces(stated.room, drawn))
-    initial = scenario.initial.state()
+    return held, element_rows(stated, drawn.strength)
+
+
+def replay_in_space(
+    verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float
+) -> SpaceRun:
+    """Run a member of a verdict in space again under its motion and the factor on it: the same bits."""
+    scenario = verdict.scenario
+    held, elements = drawn_piece(verdict, option, member)
+    return run_held(held, elements, motion.scaled(scale), scenario.initial.state(), scenario.gravity)
+
+
+def replay_under(verdict: Verdict, option: Option, member: Member, motion: Motion, scale: float) -> Run:
+    """Run a member again under its motion and the factor on it; see `replay`."""
+    scenario, initial = verdict.scenario, verdict.scenario.initial.state()
+    held, elements = drawn_piece(verdict, option, member)
     row = case_columns(held.body, held.room, initial, scenario.gravity)
     row["scale"] = scale
-    elements = element_rows(stated, drawn.strength)
     traced, devices, forces = trace_held(row[0], elements, shaking(motion.x, motion.z, motion.dt, 0))
     case = Case(held.body, held.room, motion.scaled(scale), initial=initial, gravity=scenario.gravity)
     results = device_results(held, elements, devices, forces)

@@ -1,0 +1,102 @@
+"""A run in space as rows of a table, and as plain numbers."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stayput.catalogue import say
+from stayput.report.space.said import names_of
+from stayput.report.summary import DEVICE_KEYS, device_results, device_rows, motion_data, motion_label, number
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from stayput.simulation.space_run import Hit, SpaceRun
+
+
+def space_rows(run: SpaceRun, names: Sequence[str] | None = None) -> list[tuple[str, str]]:
+    """Return the results as rows of a table: label, and value with its unit; of each body in turn.
+
+    Parameters
+    ----------
+    run : SpaceRun
+        The run.
+    names : sequence of str, optional
+        What the bodies are called; by default by their numbers.
+    """
+    motion = run.motion
+    peak = float(np.linalg.norm(list(motion.components.values()), axis=0).max())
+    shaken = say("runs.row_motion_value", name=motion_label(motion), duration=motion.duration, peak=peak)
+    rows = [(say("runs.row_motion"), shaken)]
+    times, outcomes, called = run.overturn_time, run.outcomes, names_of(run, names, "en")
+    tilts, slides, yaws = run.peak_tilt, run.peak_slide, run.yaw
+    for b, name in enumerate(called):
+        if len(called) > 1:
+            rows.append((name, ""))
+        values = {
+            "outcome": outcomes[b].value,
+            "overturned": "-" if math.isnan(times[b]) else f"{times[b]:.2f} s",
+            "tilt": f"{math.degrees(tilts[b]):.2f}°",
+            "slide": f"{100.0 * slides[b]:.2f} cm",
+            "yaw": f"{math.degrees(np.abs(yaws[b]).max()):.1f}°",
+            "floor": str(run.hit_numbers[b, 0]),
+            "walls" if run.room.ceiling is None else "walls_and_ceiling": str(run.hit_numbers[b, 1]),
+        }
+        if len(called) > 1:
+            values["bodies"] = str(run.hit_numbers[b, 2])
+        rows += [(say(f"runs.row_{key}"), value) for key, value in values.items()]
+    return [*rows, *device_rows(run.devices)]
+
+
+def space_summary(run: SpaceRun, names: Sequence[str] | None = None) -> dict[str, Any]:
+    """Return the results as plain values, in SI units that the keys name: what ``--json`` prints.
+
+    Parameters
+    ----------
+    run, names
+        As for `space_rows`.
+    """
+    times, outcomes, called = run.overturn_time, run.outcomes, names_of(run, names, "en")
+    slides, turns = run.slide, run.yaw
+    devices = [device_results(device) for device in run.devices]
+    return {
+        "outcome": run.outcome.value,
+        "end_time_s": number(float(run.time[-1])),
+        "bodies": [
+            {
+                "name": name,
+                "outcome": outcomes[b].value,
+                "overturned": bool(run.overturned[b]),
+                "overturn_time_s": number(float(times[b])),
+                "peak_tilt_rad": number(float(run.peak_tilt[b])),
+                "peak_slide_m": number(float(run.peak_slide[b])),
+                "residual_slide_m": [number(float(way)) for way in slides[b, -1]],
+                "residual_yaw_rad": number(float(turns[b, -1])),
+                "place_m": [number(float(place)) for place in run.place[b, -1]],
+                "attitude": [number(float(part)) for part in run.attitude[b, -1]],
+                "floor_impacts": int(run.hit_numbers[b, 0]),
+                "wall_impacts": int(run.hit_numbers[b, 1]),
+                "impacts_on_bodies": int(run.hit_numbers[b, 2]),
+            }
+            for b, name in enumerate(called)
+        ],
+        "motion": motion_data(run.motion),
+        "measures": [] if run.held is None else [measure.kind for measure in run.held.measures],
+        "devices": [{key: device[name] for key, name in DEVICE_KEYS.items()} for device in devices],
+        "hits": [_hit(hit, called) for hit in run.hits],
+        "steps": run.steps,
+        "unconverged_steps": run.unconverged,
+    }
+
+
+def _hit(hit: Hit, names: Sequence[str]) -> dict[str, Any]:
+    return {
+        "time_s": hit.time,
+        "body": names[hit.body],
+        "on": hit.surface if hit.other is None else names[hit.other],
+        "speed_m_s": hit.speed,
+        "impulse_n_s": hit.impulse,
+    }

@@ -1,0 +1,128 @@
+"""The typical and the worst case of a verdict in space: players and histories of the runs."""
+
+from __future__ import annotations
+
+import base64
+import io
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stayput.report.fonts import drawable
+from stayput.report.space.animation import space_player_page
+from stayput.report.space.film import space_film
+from stayput.report.space.plot import plot_space_run
+from stayput.report.space.said import became
+from stayput.report.summary import motion_label
+from stayput.report.verdict.pairs import AFTER, BEFORE, LONGEST, floor_motion, replay_in_space, shown_options
+from stayput.report.verdict.words import motion_named, word
+from stayput.verification.words import title
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from stayput.motion.suites import Suite
+    from stayput.simulation.space_run import SpaceRun
+    from stayput.verification import Verdict
+    from stayput.verification.verdict import Member
+
+_MOVED = 1e-3
+"""Tilt [rad] and slide [m] from which something moves."""
+
+
+def space_pairs(verdict: Verdict, ground: Suite, language: str) -> list[dict[str, Any]]:
+    """Return what the report shows of the typical and the worst case; see `stayput.report.verdict.pairs`.
+
+    Parameters
+    ----------
+    verdict : Verdict
+        A verdict in space.
+    ground : Suite
+        The motions of the ground.
+    language : str
+        "en" or "ja".
+    """
+    members = ("typical", verdict.without.typical), ("worst", verdict.best.worst)
+    return [_pair(kind, verdict, member, ground, language) for kind, member in members]
+
+
+def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: str) -> dict[str, Any]:
+    motion, scale = floor_motion(verdict, ground, member)
+    options = shown_options(verdict)
+    runs = [replay_in_space(verdict, option, member, motion, scale) for option in options]
+    start, end = _window(runs)
+    name = verdict.scenario.furniture.title
+    heading = word("histories", language)
+    drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
+    sides: list[dict[str, Any]] = []
+    for option, run in zip(options, runs, strict=True):
+        shown, label = _cut(run, start, end), title(option, verdict, language)
+        # several that play at once would be too much for a slow machine
+        player = space_player_page(space_film(shown, [name], language), 1.0, 1.5, plays=False)
+        figure = plot_space_run(shown, names=[name], language=drawn)
+        sides.append(
+            {
+                "label": label,
+                "outcome": became(run, [name])[0 if language == "en" else 1],
+                "player": player,
+                "histories": _picture(figure),
+            }
+        )
+    about = f"{kind}_text" if len(runs) > 1 else f"{kind}_bare_text"
+    shaken = motion.scaled(scale)
+    return {
+        "title": word(kind, language),
+        "about": word(about, language),
+        "sides": sides,
+        "motion": word(
+            "motion_in_space",
+            language,
+            number=member.motion + 1,
+            count=len(ground),
+            name=motion_named(motion_label(shaken), language),
+            peak=f"{max(float(np.abs(a).max()) for a in shaken.components.values()):.1f}",
+            start=f"{start:.1f}",
+            end=f"{end:.1f}",
+            duration=f"{shaken.duration:g}",
+        ),
+    }
+
+
+def _window(runs: list[SpaceRun]) -> tuple[float, float]:
+    """Return the start and the end of the time in which something moves [s]."""
+    times = runs[0].time
+    first, last = float(times[-1]), 0.0
+    for run in runs:
+        tilt, slide = run.tilt[0], np.hypot(*run.slide[0].T)
+        moved = np.flatnonzero((tilt > _MOVED) | (slide > _MOVED))
+        if len(moved):
+            first = min(first, float(times[moved[0]]))
+        fell = float(run.overturn_time[0])
+        last = max(last, float(times[tilt.argmax()]) if math.isnan(fell) else fell)
+    if first >= last:  # nothing moves: the strongest shaking is shown
+        first = last = float(times[np.abs(runs[0].motion.x).argmax()])
+    end = min(float(times[-1]), last + AFTER)
+    return max(0.0, math.floor(10.0 * max(first - BEFORE, end - LONGEST)) / 10.0), end
+
+
+def _cut(run: SpaceRun, start: float, end: float) -> SpaceRun:
+    """Return the part of a run between two times [s]."""
+    kept = (run.time >= start - 1e-9) & (run.time <= end + 1e-9)
+    return replace(
+        run,
+        time=run.time[kept],
+        place=run.place[:, kept],
+        attitude=run.attitude[:, kept],
+        velocity=run.velocity[:, kept],
+        rotation_rate=run.rotation_rate[:, kept],
+        force=run.force[:, kept],
+    )
+
+
+def _picture(figure: Figure) -> str:
+    """Return a figure as the address of an image that holds it."""
+    written = io.BytesIO()
+    figure.savefig(written, format="svg")
+    return f"data:image/svg+xml;base64,{base64.b64encode(written.getvalue()).decode('ascii')}"
