@@ -98,8 +98,8 @@ def stays_at_rest(bodies, poses, floor, push, stances):
         height = place_of(poses[b])[2] - floor.offset
         # times the weight, where the force meets the floor
         x, y = height * force[0] + load[4], height * force[1] - load[3]
-        on_disc = math.hypot(x - weight * discs[b, 0], y - weight * discs[b, 1]) <= weight * discs[b, 2]
-        if not on_disc:
+        far = math.hypot(x - weight * discs[b, 0], y - weight * discs[b, 1])
+        if discs[b, 2] == 0.0 or far > weight * discs[b, 2]:  # without a circle its centre is no place to stand on
             if counts[b] == 0:
                 return False
             for i in range(bodies[b].first_point, bodies[b].first_point + counts[b]):
