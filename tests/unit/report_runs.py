@@ -6,8 +6,8 @@ import numpy as np
 
 import stayput as sp
 from stayput.model.state import State
-from stayput.simulation.outcome import Outcome
-from stayput.simulation.run import Event, EventKind, Mode, Run
+from stayput.simulation.outcome import Event, EventKind, Mode, Outcome
+from stayput.simulation.run import Run
 
 DT = 0.01
 BODY = sp.Body(0.3, 1.8, 200.0)

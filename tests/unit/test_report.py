@@ -21,8 +21,7 @@ from stayput.report.history import history
 from stayput.report.palette import ALARM, MODE_COLOURS, rgb
 from stayput.report.plot import plot_motion, plot_run
 from stayput.report.scene import ground_displacement, scene_of, section
-from stayput.simulation.outcome import Outcome
-from stayput.simulation.run import Mode
+from stayput.simulation.outcome import Mode, Outcome
 
 
 def test_the_history_ends_with_the_body_lying_on_the_floor():

@@ -15,8 +15,7 @@ import stayput
 from stayput.catalogue import TEXTS
 from stayput.model.room import Room
 from stayput.report.summary import rows, sentence, summary
-from stayput.simulation.outcome import Outcome
-from stayput.simulation.run import EventKind
+from stayput.simulation.outcome import EventKind, Outcome
 
 
 @pytest.mark.parametrize(

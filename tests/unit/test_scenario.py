@@ -193,7 +193,7 @@ def test_every_table_arrives_in_the_case():
         ("WallTable", sp.Wall, set()),
         ("CeilingTable", sp.Ceiling, set()),
         ("InitialTable", sp.State, set()),
-        ("FurnitureTable", sp.Body, {"name", "preset", "shelves"}),
+        ("FurnitureTable", sp.Body, {"name", "preset", "shelves", "heading"}),
     ],
 )
 def test_a_table_has_every_field_of_what_it_makes(table, made, more):
@@ -259,6 +259,7 @@ def test_the_schema_is_json_with_units_and_every_table():
         "room",
         "shaking",
         "contact",
+        "dimensions",
         "gravity",
         "initial",
         "everyday",

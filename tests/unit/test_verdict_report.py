@@ -31,8 +31,7 @@ from stayput.report.verdict.exports import write_curves
 from stayput.report.verdict.markdown import verdict_markdown
 from stayput.report.verdict.numbers import capacity, capacity_interval, change, force, length, share
 from stayput.report.verdict.tables import device_rows, ranking, simulations, verdict_csv
-from stayput.simulation.outcome import Outcome
-from stayput.simulation.run import EventKind, Mode
+from stayput.simulation.outcome import EventKind, Mode, Outcome
 from stayput.uncertainty import USUAL
 from stayput.verification import EVENTS, Quantiles
 from stayput.verification.contents import ContentsVerdict, Leaving

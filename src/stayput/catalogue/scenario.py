@@ -37,6 +37,43 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} follows from furniture.shelves; give only one of them.",
         "{name}はfurniture.shelvesから決まります。どちらか一方だけを指定してください。",
     ),
+    "one_shape": (
+        (
+            "The piece {name!r} needs one shape: preset; width, length and height; diameter and height; "
+            "bottom, top and height; or mesh."
+        ),
+        (
+            "家具{name!r}には形を1つだけ指定してください（preset、width・length・height、diameter・height、"
+            "bottom・top・height、meshのいずれか）。"
+        ),
+    ),
+    "no_mass": (
+        "The piece {name!r} has no mass; give it in kg.",
+        "家具{name!r}に質量（mass）がありません。kgで指定してください。",
+    ),
+    "mesh_and_unit": (
+        "The piece {name!r} has one of mesh and unit alone; a mesh needs the unit of its numbers.",
+        "家具{name!r}にmeshとunitの一方しかありません。メッシュには数値の単位が必要です。",
+    ),
+    "on_and_height": (
+        "The piece {name!r} stands on another and has a height in at; give x and y alone.",
+        "家具{name!r}は他の家具の上に置かれ、atに高さもあります。xとyだけを指定してください。",
+    ),
+    "stands_on": (
+        (
+            "{name} is {value}, which names no piece above it in the file; a piece stands on one that is given "
+            "before."
+        ),
+        "{name}が{value}になっていますが、それより前にその名前の家具がありません。",
+    ),
+    "no_such_piece": (
+        "{name} is {value}, which names no piece of the file.",
+        "{name}が{value}になっていますが、その名前の家具がありません。",
+    ),
+    "one_piece_alone": (
+        "furniture is a list of several pieces, which only simulate takes; it must be one table.",
+        "furnitureが複数の家具のリストになっています。複数の家具はsimulateだけで扱えます。",
+    ),
     "no_length": (
         "furniture.length is missing; with dimensions = 3 the piece needs its length across the depth [m].",
         "furniture.lengthがありません。dimensions = 3では、奥行きと直角な方向の幅 [m] が必要です。",

@@ -109,8 +109,17 @@ def simulate(
     from stayput.simulation.run import Run
 
     _check_targets(plot, animate)
+    given = scenario_data(scenario, body)
+    if scenario is not None and isinstance(given.get("furniture"), list):
+        from stayput.scenario import read_assembly
+
+        pieces = read_assembly(scenario)
+        with compiling():
+            several = pieces.run()
+        _show_in_space(several, pieces.names, _Wanted("", pieces.title, plot, animate, speed, fps, json))
+        return
     data = overlaid(
-        scenario_data(scenario, body),
+        given,
         body=body,
         motion=motion,
         shaking={
@@ -139,7 +148,7 @@ def simulate(
     if isinstance(run, Run):
         _show_in_the_plane(run, wanted)
     else:
-        _show_in_space(run, wanted)
+        _show_in_space(run, (wanted.name,), wanted)
 
 
 class _Wanted(NamedTuple):
@@ -179,11 +188,10 @@ def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
         _print_table(sentence(run, wanted.name), rows(run), wanted)
 
 
-def _show_in_space(run: SpaceRun, wanted: _Wanted) -> None:
+def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> None:
     from stayput.report.space.said import became
     from stayput.report.space.summary import space_rows, space_summary
 
-    names = [wanted.name]
     if wanted.plot is not None:
         from stayput.report.space.plot import plot_space_run
 

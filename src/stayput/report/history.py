@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from stayput.simulation.run import EventKind, Mode
+from stayput.simulation.outcome import EventKind, Mode
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

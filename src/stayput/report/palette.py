@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from stayput.catalogue import say
 from stayput.catalogue.names import MODES
-from stayput.simulation.run import EventKind, Mode
+from stayput.simulation.outcome import EventKind, Mode
 
 MODE_COLOURS: dict[Mode, str] = {
     Mode.REST: "#b9bec5",

@@ -16,7 +16,7 @@ from stayput.report.fonts import drawable
 from stayput.report.history import history
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, EVENT_MARKERS, INK, MODE_COLOURS, MUTED
 from stayput.report.summary import motion_label, sentence
-from stayput.simulation.run import EventKind, Mode
+from stayput.simulation.outcome import EventKind, Mode
 
 if TYPE_CHECKING:
     from pathlib import Path

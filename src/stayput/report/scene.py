@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 
     from stayput.model.body import Body
     from stayput.motion import Motion
-    from stayput.simulation.run import Mode, Run
+    from stayput.simulation.outcome import Mode
+    from stayput.simulation.run import Run
 
 DRIFT_CORNER = 0.1
 """Ground displacement slower than this is taken out of the picture [Hz]."""

@@ -9,8 +9,7 @@ import numpy as np
 
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.catalogue.names import ANY_PIECE, PIECES
-from stayput.simulation.outcome import Outcome
-from stayput.simulation.run import Event, EventKind
+from stayput.simulation.outcome import Event, EventKind, Outcome
 from stayput.wording import FAR, inside
 
 if TYPE_CHECKING:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from stayput.scenario.assembly import AssemblyScenario, read_assembly
 from stayput.scenario.scenario import Scenario, read_scenario
 
-__all__ = ["Scenario", "read_scenario"]
+__all__ = ["AssemblyScenario", "Scenario", "read_assembly", "read_scenario"]

@@ -52,7 +52,7 @@ class Scenario(Table):
     contact: Literal["coulomb", "paper"] = Field(
         default="coulomb", description="The contact law; see the theory page."
     )
-    dimensions: Literal[2, 3] = Field(
+    dimensions: Annotated[int, between(2, 3)] = Field(
         default=2,
         description="2: in the plane of the piece's depth, under the component along it; 3: in space, under "
         "all components.",
@@ -128,6 +128,8 @@ class Scenario(Table):
         InputError
             The first thing that is wrong: the key's dotted name, its value, and what is allowed.
         """
+        if isinstance(data.get("furniture"), list):
+            raise InputError("scenario.one_piece_alone", "furniture")
         try:
             scenario = cls.model_validate(dict(data))
         except ValidationError as error:
@@ -193,7 +195,7 @@ class Scenario(Table):
             initial=self.initial.state(),
             gravity=self.gravity,
             measures=tuple(measures),
-            dimensions=self.dimensions,
+            dimensions=3 if self.dimensions == 3 else 2,
         )
 
     def motion(self) -> Motion:

@@ -1,7 +1,8 @@
-"""What became of a body."""
+"""What a body does: its outcome, the modes of its motion, and the events between them."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import StrEnum
 
 
@@ -14,3 +15,59 @@ class Outcome(StrEnum):
     LEANING = "leaning"
     OVERTURNED = "overturned"
     FAILED = "failed"
+
+
+class Mode(StrEnum):
+    """How the body moves at an instant."""
+
+    REST = "rest"
+    SLIDE = "slide"
+    ROCK = "rock"
+    SLIDE_ROCK = "slide-rock"
+    FLIGHT = "flight"
+    LEAN = "lean"
+    OVERTURNED = "overturned"
+
+
+class EventKind(StrEnum):
+    """Kind of an event."""
+
+    SLIP = "slip"
+    STICK = "stick"
+    UPLIFT = "uplift"
+    FLOOR_IMPACT = "floor impact"
+    WALL_IMPACT = "wall impact"
+    CEILING_IMPACT = "ceiling impact"
+    LIFT_OFF = "lift-off"
+    WALL_RELEASE = "wall release"
+    REST = "rest"
+    OVERTURNED = "overturned"
+    FAILED = "failed"
+    DEVICE_FAILURE = "device failure"
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """An instant at which the body's mode changes, with the state just after it.
+
+    Parameters
+    ----------
+    time : float
+        Time since the record's first sample [s].
+    kind : EventKind
+        What happened.
+    mode : Mode
+        The mode that follows.
+    tilt, tilt_rate : float
+        θ and θ̇ [rad, rad/s].
+    slide, slide_rate : float
+        x' at the fulcrum and its rate [m, m/s].
+    """
+
+    time: float
+    kind: EventKind
+    mode: Mode
+    tilt: float
+    tilt_rate: float
+    slide: float
+    slide_rate: float

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from enum import StrEnum
 from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
@@ -19,7 +18,7 @@ from stayput.model.state import State, refuse_bad_start
 from stayput.motion.record import Motion
 from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
 from stayput.simulation.flat_fields import case_columns
-from stayput.simulation.outcome import Outcome
+from stayput.simulation.outcome import Event, EventKind, Mode, Outcome
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -48,63 +47,7 @@ LAWS: tuple[Contact, ...] = ("coulomb", "paper")
 """The contact laws, in the order of their numbers in the mechanics."""
 
 
-class Mode(StrEnum):
-    """How the body moves at an instant."""
-
-    REST = "rest"
-    SLIDE = "slide"
-    ROCK = "rock"
-    SLIDE_ROCK = "slide-rock"
-    FLIGHT = "flight"
-    LEAN = "lean"
-    OVERTURNED = "overturned"
-
-
-class EventKind(StrEnum):
-    """Kind of an event."""
-
-    SLIP = "slip"
-    STICK = "stick"
-    UPLIFT = "uplift"
-    FLOOR_IMPACT = "floor impact"
-    WALL_IMPACT = "wall impact"
-    CEILING_IMPACT = "ceiling impact"
-    LIFT_OFF = "lift-off"
-    WALL_RELEASE = "wall release"
-    REST = "rest"
-    OVERTURNED = "overturned"
-    FAILED = "failed"
-    DEVICE_FAILURE = "device failure"
-
-
 _KINDS, _MODES = tuple(EventKind), tuple(Mode)
-
-
-@dataclass(frozen=True, slots=True)
-class Event:
-    """An instant at which the body's mode changes, with the state just after it.
-
-    Parameters
-    ----------
-    time : float
-        Time since the record's first sample [s].
-    kind : EventKind
-        What happened.
-    mode : Mode
-        The mode that follows.
-    tilt, tilt_rate : float
-        θ and θ̇ [rad, rad/s].
-    slide, slide_rate : float
-        x' at the fulcrum and its rate [m, m/s].
-    """
-
-    time: float
-    kind: EventKind
-    mode: Mode
-    tilt: float
-    tilt_rate: float
-    slide: float
-    slide_rate: float
 
 
 @dataclass(frozen=True, slots=True, eq=False)

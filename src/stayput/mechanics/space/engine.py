@@ -25,10 +25,9 @@ from stayput.mechanics.space.body import (
     sag,
     update_inertia,
 )
-from stayput.mechanics.space.columns import BY_BODIES, BY_ROOM, HIT_SPEED, ON_BODY, ON_FLOOR, ON_ROOM
-from stayput.mechanics.space.contact import first_tangent, normal_of, second_tangent
 from stayput.mechanics.space.devices import give, hold, note_forces, note_loads, stretch
 from stayput.mechanics.space.landing import land
+from stayput.mechanics.space.notes import note_hits, note_pose, note_pressing, note_weight
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
 from stayput.mechanics.space.solve import STICKS, ask_for_bend, begin, prepare, slip_rate, solve
@@ -44,7 +43,7 @@ from stayput.mechanics.space.touching import (
     note_gaps,
     plane_normal,
 )
-from stayput.mechanics.space.vectors import added, cross, dot, scaled, turned
+from stayput.mechanics.space.vectors import added, cross, dot, turned
 
 NO_PLANE = -1
 """The plane of a contact between bodies."""
@@ -334,31 +333,6 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
 
 
 @inner
-def _note_hits(contacts, count, kept, time, hits, numbers):
-    """Count and list what was hit in a step, once whatever its points; ``kept`` is of the step before."""
-    last = count
-    for k in range(count):
-        c = contacts[k]
-        if c.closing > -HIT_SPEED or kept[c.key, 0] > 0.0:
-            continue
-        if last < count:
-            d = contacts[last]
-            if d.a == c.a and d.b == c.b and d.plane == c.plane:
-                continue
-        last = k
-        kind = ON_FLOOR if c.floor else (ON_ROOM if c.b == ROOM else ON_BODY)
-        numbers[c.a, kind] += 1
-        if c.b != ROOM:
-            numbers[c.b, kind] += 1
-        listed = numbers[numbers.shape[0] - 1, 0]
-        if listed < hits.shape[0]:
-            hit = hits[listed]
-            hit.a, hit.b, hit.plane = c.a, c.b, c.plane
-            hit.time, hit.speed, hit.impulse = time, -c.closing, c.pn
-        numbers[numbers.shape[0] - 1, 0] += 1
-
-
-@inner
 def _sag(bodies, poses, h):
     """Return how far the path of a body's point bends in a step, at most, seen from another body."""
     found = 0.0
@@ -390,38 +364,6 @@ def _at_rest(poses):
 def _push(a, gravity):
     """Return the acceleration that acts on bodies where the floor has the acceleration a."""
     return -a[0], -a[1], -a[2] - gravity
-
-
-@inline
-def _note(histories, sample, poses):
-    for b in range(poses.shape[0]):
-        s, row = poses[b], histories[b, sample]
-        row[0], row[1], row[2] = s.x, s.y, s.z
-        row[3], row[4], row[5], row[6] = s.qw, s.qx, s.qy, s.qz
-        row[7], row[8], row[9] = s.vx, s.vy, s.vz
-        row[10], row[11], row[12] = s.wx, s.wy, s.wz
-
-
-@inner
-def _note_pressing(histories, sample, contacts, count, h):
-    """Note what pressed on the bodies in a step of length h."""
-    for k in range(count):
-        c = contacts[k]
-        n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
-        p = scaled(1.0 / h, added(added(scaled(c.pn, n), c.ps, s), c.pt, t))
-        first = BY_ROOM if c.b == ROOM else BY_BODIES
-        for axis in range(3):
-            histories[c.a, sample, first + axis] += p[axis]
-            if c.b != ROOM:
-                histories[c.b, sample, first + axis] -= p[axis]
-
-
-@inner
-def _note_weight(histories, sample, bodies, push, loads):
-    """Note what presses on bodies that the floor alone holds at rest."""
-    for b in range(bodies.shape[0]):
-        for axis in range(3):
-            histories[b, sample, BY_ROOM + axis] = -bodies[b].mass * push[axis] - loads[b, axis]
 
 
 @entry
@@ -469,7 +411,7 @@ def run_in_space(
     now, trial = poses[0], poses[1]
     for b in range(bodies.shape[0]):
         update_inertia(bodies[b], now[b])
-    _note(histories, 0, now)
+    note_pose(histories, 0, now)
     _note_gaps(world, now, scratch, gaps[0])
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
     last, count = 0.0, 0
@@ -487,8 +429,8 @@ def run_in_space(
                 and stays_at_rest(bodies, now, floor, _push(a0, gravity), scratch[6])
                 and stays_at_rest(bodies, now, floor, _push(a1, gravity), scratch[6])
             ):
-                _note(histories, k + 1, now)
-                _note_weight(histories, k + 1, bodies, _push(a1, gravity), scratch[6][4])
+                note_pose(histories, k + 1, now)
+                note_weight(histories, k + 1, bodies, _push(a1, gravity), scratch[6][4])
                 note_forces(held[1], forces[k + 1])
                 bears = False
                 continue
@@ -508,8 +450,8 @@ def run_in_space(
                 _keep(contacts, count, kept)
                 give(held[0], held[1], held[2], trial, dt * (k + 1))
                 last = h
-                _note(histories, k + 1, now)
-                _note_pressing(histories, k + 1, contacts, count, last)
+                note_pose(histories, k + 1, now)
+                note_pressing(histories, k + 1, contacts, count, last)
                 note_forces(held[1], forces[k + 1])
                 continue
         noted = bears = False
@@ -530,7 +472,7 @@ def run_in_space(
                 if least < -IGNORED - bent:
                     _move_all_out(world, trial, scratch)
                     _note_gaps(world, trial, scratch, gaps[1])
-                _note_hits(contacts, count, kept, dt * k + t + h, hits, hit_numbers)
+                note_hits(contacts, count, kept, dt * k + t + h, hits, hit_numbers)
                 _keep(contacts, count, kept)
                 give(held[0], held[1], held[2], trial, dt * k + t + h)
                 for b in range(bodies.shape[0]):
@@ -541,6 +483,6 @@ def run_in_space(
                     gaps[0, place] = gaps[1, place]
                 last = h
                 t = end if t + h >= end - 1e-12 else t + h
-        _note(histories, k + 1, now)
-        _note_pressing(histories, k + 1, contacts, count, last)
+        note_pose(histories, k + 1, now)
+        note_pressing(histories, k + 1, contacts, count, last)
         note_forces(held[1], forces[k + 1])

@@ -1,0 +1,141 @@
+"""Scenarios in space: dimensions and heading, several pieces, the command line, verdicts, reports."""
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import stayput as sp
+from stayput.cli import app
+from stayput.report.verdict.html import write_report
+from stayput.report.verdict.pairs import floor_motion, replay_in_space
+from stayput.scenario import AssemblyScenario, Scenario
+from stayput.simulation.run import Case
+
+BOOKCASE = {
+    "furniture": {"preset": "bookcase"},
+    "room": {"back_wall": {"gap": 0.02}},
+    "shaking": {"suite": {"family": "near-fault", "count": 3}, "intensity": "6-upper"},
+    "measures": [{"type": "l_bracket"}],
+    "dimensions": 3,
+    "uncertainty": {"samples": 6},
+}
+DRESSER = Path(__file__).parents[2] / "examples" / "dresser.toml"
+
+
+def run(*arguments: str) -> str:
+    found = CliRunner().invoke(app, list(arguments))
+    assert found.exit_code == 0, found.output
+    return found.output
+
+
+def refused(data: dict[str, object], kind: type[Scenario] | type[AssemblyScenario] = Scenario) -> str:
+    with pytest.raises(sp.InputError) as caught:
+        kind.parse(data)
+    return caught.value.told("en")
+
+
+def test_the_heading_turns_the_motion_to_the_piece() -> None:
+    ahead = Scenario.parse(BOOKCASE)
+    aside = Scenario.parse({**BOOKCASE, "furniture": {"preset": "bookcase", "heading": math.pi / 2}})
+    first, second = ahead.motion(), aside.motion()
+    assert first.y is not None
+    np.testing.assert_allclose(second.x, first.y, atol=1e-12)
+    assert second.intensity == pytest.approx(first.intensity, abs=1e-9)
+    alone = Scenario.parse(
+        {
+            "furniture": {"preset": "chest", "heading": 0.5},
+            "shaking": {"sine": {"amplitude": 1.0, "frequency": 1.0}},
+        }
+    ).motion()
+    assert alone.y is not None
+    np.testing.assert_allclose(alone.y, -math.tan(0.5) * alone.x, atol=1e-12)
+
+
+def test_a_body_with_a_length_under_two_components_is_simulated_in_space() -> None:
+    motion, room = sp.near_fault().scaled(0.3), sp.Room()
+    body = sp.Body(0.4, 1.8, 100.0)
+    long = sp.Body(0.4, 1.8, 100.0, length=0.9)
+    assert isinstance(sp.simulate(body, room, motion), sp.Run)
+    assert isinstance(sp.simulate(long, room, motion), sp.SpaceRun)
+    assert isinstance(sp.simulate(long, room, motion, dimensions=2), sp.Run)
+    assert isinstance(sp.simulate(long, room, sp.sine(1.0, 1.0, 2.0)), sp.Run)
+    with pytest.raises(sp.InputError, match="length"):
+        sp.simulate(body, room, motion, dimensions=3)
+    solid = sp.Solid.of(long)
+    with pytest.raises(sp.InputError, match="only a Body has"):
+        sp.simulate(solid, room, motion, [sp.MEASURES["belt"]()], dimensions=3)
+
+
+def test_sweeps_in_space_have_the_bits_of_single_runs() -> None:
+    body = sp.Body(0.4, 1.8, 100.0, length=0.9)
+    case = Case(body, sp.Room(left_wall=sp.Wall(0.02)), sp.near_fault(), dimensions=3)
+    scales = [0.4, 0.8, 1.2]
+    data = sp.sweep(case, {"motion.scale": scales}, threads=2)
+    again = sp.sweep(case, {"motion.scale": scales}, threads=1, chunk=1)
+    assert data.peak_tilt.values.tobytes() == again.peak_tilt.values.tobytes()
+    for place, scale in enumerate(scales):
+        one = sp.simulate(body, case.room, sp.near_fault().scaled(scale), dimensions=3)
+        assert bool(data.overturned[place]) == bool(one.overturned[0])
+        if not one.overturned[0]:
+            assert float(data.peak_tilt[place]) == pytest.approx(float(one.peak_tilt[0]), rel=1e-12)
+
+
+def test_what_is_refused() -> None:
+    own = {"width": 0.4, "height": 1.8, "mass": 100.0}
+    assert "needs its length" in refused({"furniture": own, "dimensions": 3})
+    assert "plane" in refused({**BOOKCASE, "contact": "paper"})
+    assert "alone" in refused({**BOOKCASE, "contents": {"kind": "books"}})
+    assert "several pieces" in refused({"furniture": [{"preset": "chest"}]})
+    box = {"name": "box", "width": 0.4, "length": 0.4, "height": 0.4, "mass": 5.0}
+    several = AssemblyScenario
+    assert "one shape" in refused({"furniture": [{**box, "diameter": 0.3}]}, several)
+    assert "no mass" in refused({"furniture": [{k: v for k, v in box.items() if k != "mass"}]}, several)
+    assert "given before" in refused({"furniture": [{**box, "on": "shelf"}]}, several)
+    assert "furniture[1].name" in refused({"furniture": [box, box]}, several)
+    joint = {"first": "box", "second": "door", "at": [0.0, 0.0, 0.0]}
+    assert "joints[0].second" in refused({"furniture": [box], "joints": [joint]}, several)
+
+
+def test_the_file_of_several_pieces() -> None:
+    scenario = sp.read_assembly(DRESSER)
+    assembly = scenario.assembly()
+    assert scenario.names == ("lower part", "upper part", "vase", "chest")
+    assert assembly.members[1].at == pytest.approx((-0.05, 0.0, 0.9))
+    assert assembly.members[2].at[2] == pytest.approx(1.85)
+    printed = json.loads(run("simulate", str(DRESSER), "--json"))
+    assert [body["name"] for body in printed["bodies"]] == list(scenario.names)
+    assert printed["devices"][0]["failed"]
+    assert {hit["on"] for hit in printed["hits"]} >= {"floor", "lower part"}
+
+
+def test_the_command_line(tmp_path: Path) -> None:
+    picture, film = tmp_path / "run.png", tmp_path / "run.html"
+    said = run(
+        "simulate", "--dimensions", "3", "--scale", "0.5", "--plot", str(picture), "--animate", str(film)
+    )
+    assert "Peak turn in plan" in said
+    assert picture.stat().st_size > 10_000
+    assert "webgl2" in film.read_text(encoding="utf-8")
+    own = run("simulate", "--body", "0.3x1.2x40", "--length", "0.5", "--dimensions", "3", "--json")
+    assert json.loads(own)["bodies"][0]["name"] == "body"
+
+
+def test_a_verdict_and_its_report(tmp_path: Path) -> None:
+    scenario = Scenario.parse(BOOKCASE)
+    verdict = sp.verify(scenario, levels=[], threads=2)
+    again = sp.verify(scenario, levels=[], threads=1)
+    assert verdict.options[0].tilt == again.options[0].tilt
+    bracket = next(each for each in verdict.options if each.option.measures)
+    assert [device.name for device in bracket.devices] == ["l_bracket left", "l_bracket right"]
+    ground, member = scenario.ground(), verdict.without.worst
+    motion, scale = floor_motion(verdict, ground, member)
+    replayed = replay_in_space(verdict, verdict.without.option, member, motion, scale)
+    assert bool(replayed.overturned[0]) == (verdict.without.probabilities["overturned"].estimate > 0.0)
+    write_report(verdict, tmp_path / "verdict.html", "en")
+    page = (tmp_path / "verdict.html").read_text(encoding="utf-8")
+    assert page.count("<iframe") == (4 if verdict.best.option.measures else 2)
+    assert "data:image/svg+xml;base64," in page
