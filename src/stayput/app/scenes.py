@@ -62,6 +62,8 @@ def read_scene(
         scenario = Scenario.parse(scene, motions.folder)
     except InputError as error:
         raise refusal(error, bool(measures)) from None
+    if scenario.dimensions == 3:
+        raise refused(422, "app.in_space", "scene.dimensions")
     if scenario.uncertainty.samples > limits.samples:
         raise _too_many("uncertainty.samples", scenario.uncertainty.samples, limits.samples)
     return scenario

@@ -2,6 +2,10 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # Requests
+    "in_space": (
+        "dimensions is 3; the app simulates in the plane, with 2.",
+        "三次元の解析が指定されています。アプリは平面（2次元）の解析だけに対応しています。",
+    ),
     "other_host": (
         "The Host header names another server; open the address that stayput printed.",
         "別のサーバー宛てのリクエストです。stayputが表示したアドレスを開いてください。",

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from stayput.catalogue import say
+from stayput.catalogue.names import ANY_PIECE, PIECES
 from stayput.report.fonts import drawable
 from stayput.report.space.animation import space_player_page
 from stayput.report.space.film import space_film
@@ -53,7 +55,8 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: 
     options = shown_options(verdict)
     runs = [replay_in_space(verdict, option, member, motion, scale) for option in options]
     start, end = _window(runs)
-    name = verdict.scenario.furniture.title
+    piece = verdict.scenario.furniture
+    name = piece.name or say(PIECES.get(piece.preset or "", ANY_PIECE), language)
     heading = word("histories", language)
     drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
     sides: list[dict[str, Any]] = []
@@ -65,7 +68,7 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: 
         sides.append(
             {
                 "label": label,
-                "outcome": became(run, [name])[0 if language == "en" else 1],
+                "outcome": say(became(run, [name]), language),
                 "player": player,
                 "histories": _picture(figure),
             }
