@@ -158,6 +158,7 @@ def three_dimensions(study: Study, motion: sp.Motion | None) -> Numbers:
         "short_plane": points(less_space(short, PLANE)),
         "short_lower": points(less_space(at["6-lower"].sel(setting=data["kind"] == "short"), PLANE)),
         "square_rubber": points(less_space(rubber["square cabinet"], PLANE)),
+        "square_flooring": points(less_space(strongest.sel(setting="square cabinet"), PLANE)),
         "round_plane": points(less_space(round_, PLANE)),
         "heater": points(less_space(rubber["water heater"], PLANE)),
         "gas_plane": f"{float(gas.sel(engine=PLANE)):.0f}",
