@@ -176,7 +176,8 @@ def compared(kind: str, count: int) -> Table:
     table = Table(
         title=f"{kind}: {count} free boxes, {rocks.sum()} rock and stand, {exact.fell.sum()} fall; "
         f"{motion.name}, {motion.duration:g} s, one core\n"
-        f"errors of the peak tilt against steps of {EXACT:g} s: of the median of all, and of each that rocks and stands",
+        f"errors of the peak tilt against steps of {EXACT:g} s: of the median of all, and of "
+        "each that rocks and stands",
         title_justify="left",
     )
     for heading in ("", "step [ms]", "cases/s", "ratio", "slowest", "of the median", "half", "90 %", "flips"):
@@ -184,14 +185,15 @@ def compared(kind: str, count: int) -> Table:
     for (name, step), run in sorted(runs.items()):
         both = rocks & ~run.fell
         off = np.abs(run.peak[both] / exact.peak[both] - 1.0)
-        middle = float(np.median(run.peak) / np.median(exact.peak) - 1.0)
+        found, truth = float(np.median(run.peak)), float(np.median(exact.peak))
+        middle = f"{100.0 * (found / truth - 1.0):+.2f} %" if 0.0 < truth < np.inf else "none"
         table.add_row(
             name,
             f"{1e3 * step:g}",
             f"{run.rate:.1f}",
             f"{run.rate / runs['MuJoCo', STEP].rate:.1f}",
             f"{1e3 * run.seconds.max():.0f} ms",
-            f"{100.0 * middle:+.2f} %",
+            middle,
             f"{100.0 * np.median(off):.2f} %",
             f"{100.0 * np.quantile(off, 0.9):.2f} %",
             f"{(run.fell != exact.fell).sum()}",
