@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.fragility import Difference, Probability
+    from stayput.studies.three_dimensions_runs import ShapeSetting
 
 PLANE, STRONGER, SPACE = ENGINES
 
@@ -98,7 +99,7 @@ def three_dimensions(motions: int = 12, *, headings: Sequence[float] = HEADINGS,
         },
         {
             "setting": [setting.name for setting in SETTINGS],
-            "kind": ("setting", list(map(kind_of, range(len(SETTINGS))))),
+            "kind": ("setting", list(map(kind_of, SETTINGS))),
             "level": list(LEVELS),
             "intensity": ("level", list(LEVELS.values())),
             "engine": list(ENGINES),
@@ -130,9 +131,8 @@ def three_dimensions(motions: int = 12, *, headings: Sequence[float] = HEADINGS,
     )
 
 
-def kind_of(place: int) -> str:
+def kind_of(setting: ShapeSetting) -> str:
     """Return the kind of a setting: a class of `CLASSES`, `ROUND` or `LIMITED`."""
-    setting = SETTINGS[place]
     if not setting.is_free:
         return LIMITED
     if setting.round:
