@@ -69,6 +69,7 @@ bench: $(STAMP)-test
 	$(BIN)/python benchmarks/devices.py
 	$(BIN)/python benchmarks/start.py
 	$(BIN)/python benchmarks/verification.py speed
+	$(BIN)/python benchmarks/space.py
 
 bench-app: $(STAMP)-test
 	$(BIN)/python benchmarks/app.py $(BENCH_ARGS)

@@ -33,15 +33,15 @@ if TYPE_CHECKING:
 
 SCENARIO = Path(__file__).parents[1] / "examples" / "bookcase.toml"
 PROGRAMS = {
-    "stayput simulate": ["simulate", "--motion", "sine:1,1,1", "--json"],
-    "stayput verify": ["verify", str(SCENARIO), "--threads", "1", "--json"],
+    "stayput simulate": ["-m", "stayput", "simulate", "--motion", "sine:1,1,1", "--json"],
+    "stayput verify": ["-m", "stayput", "verify", str(SCENARIO), "--threads", "1", "--json"],
 }
 
 
 def program_seconds(arguments: list[str], folder: str) -> float:
-    """Run the command line with its machine code in a folder; return its processor time [s]."""
+    """Run the interpreter with its machine code in a folder; return its processor time [s]."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    command = [sys.executable, "-m", "stayput", *arguments]
+    command = [sys.executable, *arguments]
     environment = {**os.environ, "NUMBA_CACHE_DIR": folder}
     subprocess.run(command, env=environment, capture_output=True, check=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)

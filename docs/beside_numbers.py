@@ -1,4 +1,4 @@
-"""Numbers that the texts quote of the studies beside standards, rules and surveys: see `study_numbers`."""
+"""Numbers that the texts quote of studies beside standards, rules, surveys and space: see `study_numbers`."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 import stayput as sp
+import stayput.studies.three_dimensions_runs as shapes
 import stayput.studies.tombstones_runs as cemetery
 from stayput.everyday import CARPET
 from stayput.studies.ac156 import passing
@@ -14,6 +15,18 @@ from stayput.studies.ac156_runs import LONG_PERIOD_RATIO, PIECES, SLIDING_FRICTI
 from stayput.studies.consumer_centre import GAPS, agreement
 from stayput.studies.consumer_centre import TESTS as SHOWN
 from stayput.studies.study import listed, span
+from stayput.studies.three_dimensions import (
+    LONG,
+    PLANE,
+    SPACE,
+    STRONGER,
+    STRONGEST,
+    differing,
+    less_space,
+    points,
+    pulses,
+    slide_ratio,
+)
 from stayput.studies.tip_over import LIGHT_CHEST
 from stayput.studies.tombstones import inside
 
@@ -111,4 +124,56 @@ def consumer_centre(study: Study, motion: sp.Motion | None) -> Numbers:
         "moved": span(agrees[2], ".0f"),
         "poles": span(agrees[3], ".0f"),
         "strongest": span(agrees[4], ".0f"),
+    }
+
+
+def three_dimensions(study: Study, motion: sp.Motion | None) -> Numbers:
+    data = study.data
+    at = {level: data.sel(level=level) for level in shapes.LEVELS}
+    strongest = at[STRONGEST]
+    short, square, long, round_ = (
+        strongest.sel(setting=data["kind"] == kind) for kind in ("short", "square", "long", "round")
+    )
+    shares = 100.0 * data["overturned"].mean(("heading", "motion"))
+    gas = shares.sel(setting="gas cylinder", level="5-upper")
+    rubber = {
+        name: strongest.sel(setting=f"{name}, rubber feet") for name in ("square cabinet", "water heater")
+    }
+    held = strongest.sel(setting=data["setting"].str.startswith("bookcase, wall"))
+    across = {kind: pulses(data, kind).isel(heading=-1) for kind in ("short", "square", "long")}
+    return {
+        "motions": data.attrs["motions"],
+        "families": " and ".join(shapes.FAMILIES),
+        "middles": listed(data["intensity"]),
+        "headings": listed(data["heading"]),
+        "flooring": listed(shapes.FLOORING),
+        "rubber": listed(shapes.RUBBER),
+        "wall": 100.0 * shapes.GAP,
+        "long_from": LONG,
+        "strongest": STRONGEST,
+        "differ_short": f"{100.0 * differing(short, PLANE):.0f}",
+        "differ_square": f"{100.0 * differing(square, PLANE):.0f}",
+        "differ_long": f"{100.0 * differing(long, PLANE):.0f}",
+        "differ_round": f"{100.0 * differing(round_, PLANE):.0f}",
+        "short_plane": points(less_space(short, PLANE)),
+        "short_lower": points(less_space(at["6-lower"].sel(setting=data["kind"] == "short"), PLANE)),
+        "square_rubber": points(less_space(rubber["square cabinet"], PLANE)),
+        "square_flooring": points(less_space(strongest.sel(setting="square cabinet"), PLANE)),
+        "round_plane": points(less_space(round_, PLANE)),
+        "heater": points(less_space(rubber["water heater"], PLANE)),
+        "gas_plane": f"{float(gas.sel(engine=PLANE)):.0f}",
+        "gas_space": f"{float(gas.sel(engine=SPACE)):.0f}",
+        "long_plane": points(less_space(long, PLANE)),
+        "long_stronger": points(less_space(long, STRONGER)),
+        "bookcase": points(less_space(at["6-lower"].sel(setting="bookcase"), PLANE)),
+        "held": "; ".join(
+            f"{name.removeprefix('bookcase, wall').removeprefix(', ') or 'wall alone'} "
+            f"{points(less_space(held.sel(setting=name), PLANE))}"
+            for name in held["setting"].to_numpy().tolist()
+        ),
+        "across_short": points(less_space(across["short"], PLANE)),
+        "across_square": points(less_space(across["square"], PLANE)),
+        "across_long": points(less_space(across["long"], PLANE)),
+        "across_stronger": points(less_space(across["long"], STRONGER)),
+        "slide_ratio": f"{slide_ratio(strongest.sel(setting=data['kind'] != 'limited')):.1f}",
     }

@@ -12,7 +12,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from beside_numbers import ac156, consumer_centre, tip_over, tombstones
+from beside_numbers import ac156, consumer_centre, three_dimensions, tip_over, tombstones
 
 import stayput.studies.baseline_runs as baselines
 import stayput.studies.capacity_runs as capacities
@@ -463,5 +463,6 @@ NUMBERS: dict[str, Callable[[Study, sp.Motion | None], Numbers]] = {
     "ac156": ac156,
     "capacity": capacity,
     "contents": contents,
+    "three-dimensions": three_dimensions,
 }
 """The function of each study."""

@@ -67,6 +67,11 @@ def of_stones() -> Runs:
     return [(studies.tombstones(), None)]
 
 
+def of_space() -> Runs:
+    """Run the study of the plane beside space."""
+    return [(studies.three_dimensions(), None)]
+
+
 def inside() -> Runs:
     """Run the study of what is in furniture."""
     motion = three_components()
@@ -96,6 +101,7 @@ def write(folder: Path) -> None:
         "standards": of_standards,
         "everyday": of_everyday,
         "fallen": of_stones,
+        "plane_or_space": of_space,
     }
     claims: list[Claim] = []
     for name, run in pages.items():

@@ -55,6 +55,7 @@ def runs():
             (studies.tombstones(4, stones=4), None),
             (studies.ac156(sds=[0.5, 1.0], tests=1, motions=2), None),
             (studies.contents(record, intensities=[6.0]), record),
+            (studies.three_dimensions(2, headings=[0.0, 90.0]), None),
             (studies.capacity(4, corners=(0.4, 1.6), sizes=("chest", "cupboard"), step=0.1), None),
         )
     }

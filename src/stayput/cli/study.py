@@ -28,6 +28,7 @@ STUDIES = {
     "ac156": "does a piece that passes AC156 survive the floors of buildings?",
     "contents": "what comes out of shelves and cupboards, beside tests and reports",
     "capacity": "median overturning capacity beside Kaneko and Hayashi's formula",
+    "three-dimensions": "how often, and for which shapes, the plane's verdict differs from that of space",
 }
 """Names of the studies, and what they are about."""
 

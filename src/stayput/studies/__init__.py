@@ -13,6 +13,7 @@ from stayput.studies.critical_ratio import critical_ratio
 from stayput.studies.friction import friction
 from stayput.studies.spectrum import spectrum
 from stayput.studies.study import Quantity, Study
+from stayput.studies.three_dimensions import three_dimensions
 from stayput.studies.tip_over import tip_over
 from stayput.studies.tokyo import tokyo
 from stayput.studies.tombstones import tombstones
@@ -30,6 +31,7 @@ __all__ = [
     "critical_ratio",
     "friction",
     "spectrum",
+    "three_dimensions",
     "tip_over",
     "tokyo",
     "tombstones",
