@@ -49,20 +49,29 @@ from stayput.mechanics.space.vectors import added, cross, dot, scaled, turned
 NO_PLANE = -1
 """The plane of a contact between bodies."""
 
-CLOSED = 1e-6
-"""Gap up to which a contact is closed [m]."""
+CLOSED = 1e-7
+"""Gap from a plane up to which a contact is closed [m]: one that closes early turns a body back early."""
 
-REACH = 1.0
+CLOSED_BETWEEN = 1e-6
+"""The same between bodies [m]."""
+
+REACH = 0.1
 """By how much this gap grows with the square of the step [m/s²]: what a path bends less than foreseen."""
 
-ENTERS = 2e-6
-"""How far a body may enter another in a step [m]."""
+ENTERS = 2e-7
+"""How far a body may enter a plane in a step [m]."""
+
+ENTERS_BODIES = 2e-6
+"""How far bodies may enter each other in a step [m]."""
 
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
 
 SHORTEST = 1e-6
 """Shortest step to where bodies meet [s]."""
+
+SHORT_STEPS = 8
+"""Shortest steps in a row after which they are twice as long: bodies meet that do not come apart."""
 
 MOST_ROUNDS = 8
 """Rounds of devices and contacts in a step: their dampers feel what the contacts do."""
@@ -151,6 +160,7 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
     if pairs.shape[0] == 0:
         return count
     place_corners(bodies, poses, points, corners)
+    closed += CLOSED_BETWEEN - CLOSED
     first_key = planes.shape[0] * (points.shape[0] + rims.shape[0] * RIM_POINTS)
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
@@ -187,12 +197,19 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
 
 @inner
 def _note_gaps(world, poses, scratch, gaps):
-    """Set the gaps of all features and planes and of all pairs of bodies; return the least."""
+    """Set the gaps of all features and planes and of all pairs of bodies.
+
+    Returns
+    -------
+    tuple
+        The least gap, and the least of what is left until bodies are too deep in planes or each other.
+    """
     bodies, points, rims, planes, pairs, faces, loops, edges = world
     _, _, _, corners, polygons, touching, _, _, axes = scratch
     least = note_gaps(bodies, poses, points, rims, planes, gaps)
+    left = least + ENTERS
     if pairs.shape[0] == 0:
-        return least
+        return least, left
     place_corners(bodies, poses, points, corners)
     first = planes.shape[0] * (points.shape[0] + rims.shape[0])
     for j in range(pairs.shape[0]):
@@ -202,7 +219,7 @@ def _note_gaps(world, poses, scratch, gaps):
             poses[a],
             bodies[b],
             poses[b],
-            CLOSED,
+            CLOSED_BETWEEN,
             axes[j],
             faces,
             loops,
@@ -212,8 +229,8 @@ def _note_gaps(world, poses, scratch, gaps):
             touching,
         )
         gaps[first + j] = apart
-        least = min(least, apart)
-    return least
+        least, left = min(least, apart), min(left, apart + ENTERS_BODIES)
+    return least, left
 
 
 @inner
@@ -368,11 +385,14 @@ def _sag(bodies, poses, h):
 
 
 @inner
-def _meeting(gaps, later, h):
-    """Return when within a step the first feature meets a plane, by a straight line through its gaps."""
-    first = h
+def _meeting(gaps, later, pairs, h):
+    """Return when within a step bodies first meet planes or each other, by straight lines through their gaps.
+
+    The last ``pairs`` gaps are those of bodies.
+    """
+    first, between = h, gaps.shape[0] - pairs
     for k in range(gaps.shape[0]):
-        if later[k] < -ENTERS:
+        if later[k] < (-ENTERS if k < between else -ENTERS_BODIES):
             start = max(gaps[k], 0.0)
             first = min(first, h * start / (start - later[k]))
     return first
@@ -473,6 +493,7 @@ def run_in_space(
     _note_gaps(world, now, scratch, gaps[0])
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
     last, count = 0.0, 0
+    short, shortest = 0, SHORTEST
     noted = level = bears = False
     for k in range(acceleration.shape[0] - 1):
         a0, a1 = acceleration[k], acceleration[k + 1]
@@ -522,11 +543,16 @@ def run_in_space(
                     push = _push(added(a0, f, added(a1, -1.0, a0)), gravity)
                     ratio = h / last if last > 0.0 else 0.0
                     count = _step(world, held, now, trial, push, h, scratch, ratio, work)
-                    least = _note_gaps(world, trial, scratch, gaps[1])
+                    least, left = _note_gaps(world, trial, scratch, gaps[1])
                     bent = _sag(bodies, trial, h)
-                    if least >= -ENTERS - bent or h <= SHORTEST:
+                    if left >= -bent or h <= shortest:
                         break
-                    h = max(SHORTEST, min(_meeting(gaps[0], gaps[1], h), 0.9 * h))
+                    h = max(shortest, min(_meeting(gaps[0], gaps[1], world[4].shape[0], h), 0.9 * h))
+                short = short + 1 if h <= shortest else 0
+                if short == 0:
+                    shortest = SHORTEST
+                elif short % SHORT_STEPS == 0:
+                    shortest *= 2.0
                 if least < -IGNORED - bent:
                     _move_all_out(world, trial, scratch)
                     _note_gaps(world, trial, scratch, gaps[1])
@@ -536,7 +562,7 @@ def run_in_space(
                 for b in range(bodies.shape[0]):
                     copy_pose(trial[b], now[b])
                     up = turned(attitude(now[b]), (bodies[b].ux, bodies[b].uy, bodies[b].uz))
-                    peaks[b] = max(peaks[b], 1.0 - up[2])
+                    peaks[b] = max(peaks[b], min(1.0 - up[2], 2.0))
                 for place in range(gaps.shape[1]):
                     gaps[0, place] = gaps[1, place]
                 last = h
