@@ -55,7 +55,7 @@ CLOSED = 1e-7
 CLOSED_BETWEEN = 1e-6
 """The same between bodies [m]."""
 
-REACH = 0.1
+REACH = 1.0
 """By how much this gap grows with the square of the step [m/s²]: what a path bends less than foreseen."""
 
 ENTERS = 2e-7
