@@ -8,7 +8,7 @@ and each contact asks (Moreau 1988; Jean 1999) for u_n⁺ ≥ −e u_n⁻, p_n �
 Coulomb's law for |p_t| ≤ μ p_n, with p_t against u_t⁺ where it slips. The impulses are found contact by
 contact, again and again, each with the others as they are (projected Gauss–Seidel), from those of the step
 before. After a sweep Newton's method solves for all contacts at once, each as the sweep left it: open,
-sticking or slipping; where the next sweep then changes far more, its step is taken back. A body on more than
+sticking or slipping; where the next sweeps then change far more, its steps are taken back. A body on more than
 three points has no unique impulses; its motion is unique without friction, and taken as found with it.
 
 A contact sticks by its static coefficient as long as it did before the step; where it slips in the solution
@@ -31,7 +31,7 @@ from stayput.mechanics.space.contact import (
     second_tangent,
     slip,
 )
-from stayput.mechanics.space.newton import improve, set_rows, take_back
+from stayput.mechanics.space.newton import improve, note_impulses, set_rows, take_back
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot, scaled, tangents
 
@@ -46,6 +46,9 @@ STICKS = 1e-4
 
 ASTRAY = 3.0
 """By how much more than before a sweep may change after a step of Newton's method that is kept."""
+
+MOST_TRIES = 4
+"""Steps of Newton's method in a row that may change more: contacts may have to stick or slip anew."""
 
 LONGEST_PAUSE = 8
 """Most sweeps before the next step of Newton's method, after steps that had to be taken back."""
@@ -194,7 +197,7 @@ def solve(contacts, count, bodies, poses, system, h):
     bool
         Whether they converged.
     """
-    last, due, pause, improved = math.inf, 0, 1, False
+    last, due, pause, tries = math.inf, 0, 1, 0
     for sweep in range(MOST_SWEEPS):
         change = 0.0
         for k in range(count):
@@ -202,14 +205,18 @@ def solve(contacts, count, bodies, poses, system, h):
         if change <= ACCURACY * h:
             if not _let_slip(contacts, count, poses, h):
                 return True
-            last = math.inf
-        elif improved and change > ASTRAY * last:
+            tries = 0
+        elif tries > 0 and change <= ASTRAY * last:
+            tries = 0
+        elif tries == MOST_TRIES:
             take_back(contacts, count, bodies, poses)
-            due, pause = sweep + pause, min(2 * pause, LONGEST_PAUSE)
-        improved = sweep >= due
-        if improved:
+            due, pause, tries = sweep + pause, min(2 * pause, LONGEST_PAUSE), 0
+        if sweep >= due:
             if sweep == 0:
                 set_rows(contacts, count, bodies, poses, system)
-            last = change
+            if tries == 0:
+                note_impulses(contacts, count)
+                last = change
+            tries += 1
             improve(contacts, count, bodies, poses, system)
     return False
