@@ -26,12 +26,13 @@ from stayput.mechanics.space.body import (
     update_inertia,
 )
 from stayput.mechanics.space.columns import BY_BODIES, BY_ROOM, HIT_SPEED, ON_BODY, ON_FLOOR, ON_ROOM
-from stayput.mechanics.space.contact import first_tangent, normal_of, second_tangent
+from stayput.mechanics.space.contact import first_tangent, normal_of, second_tangent, turns_back
 from stayput.mechanics.space.devices import give, hold, note_forces, note_loads, stretch
+from stayput.mechanics.space.impact import bounces, mark_what_hits, mend
 from stayput.mechanics.space.landing import land
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
-from stayput.mechanics.space.solve import STICKS, ask_for_bend, begin, prepare, slip_rate, solve
+from stayput.mechanics.space.solve import IMPACT, STICKS, apply, ask_for_bend, prepare, slip_rate, solve
 from stayput.mechanics.space.touching import (
     RIM_POINTS,
     ROOM,
@@ -81,14 +82,18 @@ RESTS = 4e-5
 
 
 @inner
-def _keep(contacts, count, kept):
-    """Note the impulses and what sticks, by contact, for the next step."""
+def _keep(contacts, count, kept, marks):
+    """Note the impulses and what sticks, by contact, for the next step.
+
+    Impulses of impacts say nothing of those of the next step, which begins without.
+    """
+    mark_what_hits(contacts, count, marks, IMPACT)
     for k in range(kept.shape[0]):
-        kept[k, 0] = 0.0
-        kept[k, 3] = 0.0
+        kept[k, 0] = kept[k, 1] = kept[k, 2] = kept[k, 3] = 0.0
     for k in range(count):
         c = contacts[k]
-        kept[c.key, 0], kept[c.key, 1], kept[c.key, 2] = c.pn, c.ps, c.pt
+        part = 0.0 if marks[c.a] else 1.0
+        kept[c.key, 0], kept[c.key, 1], kept[c.key, 2] = part * c.pn, part * c.ps, part * c.pt
         kept[c.key, 3] = float(c.stuck)
 
 
@@ -326,19 +331,23 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
         s.vy += h * push[1]
         s.vz += h * push[2]
     work[0] += 1.0
-    begin(contacts, count, bodies, after)
+    apply(contacts, count, bodies, after, 1.0)
     hold(springs, pulls, bodies, after, h)
     converged = count == 0 or solve(contacts, count, bodies, after, system, h)
     for _ in range(MOST_ROUNDS):
         if not hold(springs, pulls, bodies, after, h):
             break
         converged = count == 0 or solve(contacts, count, bodies, after, system, h)
+    if not converged or bounces(contacts, count):
+        converged = mend(contacts, count, bodies, after, system, h, converged)
     if not converged:
         work[1] += 1.0
     land(contacts, count, bodies, before, after)
     for k in range(count):
         c = contacts[k]
-        c.stuck = 1 if c.pn > 0.0 and slip_rate(c, after) <= STICKS * h else 0
+        c.stuck = 0
+        if c.pn > 0.0 and (slip_rate(c, after) <= STICKS * h or turns_back(c, before, after)):
+            c.stuck = 1
     for b in range(bodies.shape[0]):
         s = after[b]
         if _speed(bodies[b], s) <= RESTS * h:
@@ -520,13 +529,13 @@ def run_in_space(
                 count = _step(world, held, now, trial, _push(a0, gravity), h, scratch, ratio, work)
                 bears = _at_rest(trial)
                 if bears:
-                    _keep(contacts, count, kept)
+                    _keep(contacts, count, kept, scratch[7][3])
                     last = h
             if bears:
                 count = _step(world, held, now, trial, _push(a1, gravity), h, scratch, h / last, work)
                 bears = _at_rest(trial)
             if bears:
-                _keep(contacts, count, kept)
+                _keep(contacts, count, kept, scratch[7][3])
                 give(held[0], held[1], held[2], trial, dt * (k + 1))
                 last = h
                 _note(histories, k + 1, now)
@@ -557,7 +566,7 @@ def run_in_space(
                     _move_all_out(world, trial, scratch)
                     _note_gaps(world, trial, scratch, gaps[1])
                 _note_hits(contacts, count, kept, dt * k + t + h, hits, hit_numbers)
-                _keep(contacts, count, kept)
+                _keep(contacts, count, kept, scratch[7][3])
                 give(held[0], held[1], held[2], trial, dt * k + t + h)
                 for b in range(bodies.shape[0]):
                     copy_pose(trial[b], now[b])

@@ -99,7 +99,8 @@ def stays_at_rest(bodies, poses, floor, push, stances):
         # times the weight, where the force meets the floor
         x, y = height * force[0] + load[4], height * force[1] - load[3]
         far = math.hypot(x - weight * discs[b, 0], y - weight * discs[b, 1])
-        if discs[b, 2] == 0.0 or far > weight * discs[b, 2]:  # without a circle its centre is no place to stand on
+        # without a circle its centre is no place to stand on
+        if discs[b, 2] == 0.0 or far > weight * discs[b, 2]:
             if counts[b] == 0:
                 return False
             for i in range(bodies[b].first_point, bodies[b].first_point + counts[b]):
