@@ -11,6 +11,7 @@ from stayput.compiled import inline, inner
 from stayput.mechanics.space.vectors import (
     added,
     cross,
+    dot,
     quaternion_rate,
     turned,
     turned_back,
@@ -40,6 +41,13 @@ def velocity(s):
 def rotation(s):
     """Return the rotation rate ω."""
     return s.wx, s.wy, s.wz
+
+
+@inline
+def kinetic_energy(body, s):
+    """Return the kinetic energy."""
+    v, w = velocity(s), rotation(s)
+    return 0.5 * (body.mass * dot(v, v) + dot(w, (s.lx, s.ly, s.lz)))
 
 
 @inline

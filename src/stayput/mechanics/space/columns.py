@@ -106,7 +106,7 @@ CONTACT = np.dtype(
     [(name, "i8") for name in ("a", "b", "key", "stuck", "plane", "floor")]
     + [(name, "f8") for name in ("nx", "ny", "nz", "sx", "sy", "sz", "tx", "ty", "tz")]
     + [(name, "f8") for name in ("rax", "ray", "raz", "rbx", "rby", "rbz", "gap", "bent")]
-    + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "closing")]
+    + [(name, "f8") for name in ("mu_static", "mu_kinetic", "mu", "closing", "bounce")]
     + [(name, "f8") for name in ("target", "target_s", "target_t")]
     + [(name, "f8") for name in ("pn", "ps", "pt", "dn", "ds", "dt", "on", "os", "ot")]
     + [(name, "f8") for name in ("wnn", "wns", "wnt", "wss", "wst", "wtt", "stiff")],
@@ -114,7 +114,8 @@ CONTACT = np.dtype(
 )
 """A closed contact: bodies a and b (−1: the room), the plane of the room (−1: none) and whether it is the
 floor, the normal towards a and two tangents, the levers about both G, its gap and the acceleration by which
-free flight opens it, coefficients of friction, the normal velocity before and the one wanted, impulses, their
+free flight opens it, coefficients of friction, the normal velocity before, its restitution
+(0: it does not bounce) and the velocity wanted, impulses, their
 changes by a step of Newton's method, those before it, and the inverse mass that they see.
 """
 

@@ -54,6 +54,13 @@ def slip(c, poses):
 
 
 @inline
+def turns_back(c, before, after):
+    """Return whether a contact slips against the way in which it slipped before: it has stood between."""
+    u, v, n = slip(c, before), slip(c, after), normal_of(c)
+    return dot(u, v) - dot(n, u) * dot(n, v) < 0.0
+
+
+@inline
 def beyond_target(c, poses):
     """Return the relative velocity less that wanted, along the normal and the tangents."""
     u = slip(c, poses)

@@ -25,12 +25,14 @@ from stayput.mechanics.space.body import (
     sag,
     update_inertia,
 )
+from stayput.mechanics.space.contact import turns_back
 from stayput.mechanics.space.devices import give, hold, note_forces, note_loads, stretch
+from stayput.mechanics.space.impact import bounces, mark_what_hits, mend
 from stayput.mechanics.space.landing import land
 from stayput.mechanics.space.notes import note_hits, note_pose, note_pressing, note_weight
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
 from stayput.mechanics.space.rest import note_stances, stays_at_rest
-from stayput.mechanics.space.solve import STICKS, ask_for_bend, begin, prepare, slip_rate, solve
+from stayput.mechanics.space.solve import IMPACT, STICKS, apply, ask_for_bend, prepare, slip_rate, solve
 from stayput.mechanics.space.touching import (
     RIM_POINTS,
     ROOM,
@@ -48,20 +50,29 @@ from stayput.mechanics.space.vectors import added, cross, dot, turned
 NO_PLANE = -1
 """The plane of a contact between bodies."""
 
-CLOSED = 1e-6
-"""Gap up to which a contact is closed [m]."""
+CLOSED = 1e-7
+"""Gap from a plane up to which a contact is closed [m]: one that closes early turns a body back early."""
+
+CLOSED_BETWEEN = 1e-6
+"""The same between bodies [m]."""
 
 REACH = 1.0
 """By how much this gap grows with the square of the step [m/s²]: what a path bends less than foreseen."""
 
-ENTERS = 2e-6
-"""How far a body may enter another in a step [m]."""
+ENTERS = 2e-7
+"""How far a body may enter a plane in a step [m]."""
+
+ENTERS_BODIES = 2e-6
+"""How far bodies may enter each other in a step [m]."""
 
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
 
 SHORTEST = 1e-6
 """Shortest step to where bodies meet [s]."""
+
+SHORT_STEPS = 8
+"""Shortest steps in a row after which they are twice as long: bodies meet that do not come apart."""
 
 MOST_ROUNDS = 8
 """Rounds of devices and contacts in a step: their dampers feel what the contacts do."""
@@ -71,14 +82,18 @@ RESTS = 4e-5
 
 
 @inner
-def _keep(contacts, count, kept):
-    """Note the impulses and what sticks, by contact, for the next step."""
+def _keep(contacts, count, kept, marks):
+    """Note the impulses and what sticks, by contact, for the next step.
+
+    Impulses of impacts say nothing of those of the next step, which begins without.
+    """
+    mark_what_hits(contacts, count, marks, IMPACT)
     for k in range(kept.shape[0]):
-        kept[k, 0] = 0.0
-        kept[k, 3] = 0.0
+        kept[k, 0] = kept[k, 1] = kept[k, 2] = kept[k, 3] = 0.0
     for k in range(count):
         c = contacts[k]
-        kept[c.key, 0], kept[c.key, 1], kept[c.key, 2] = c.pn, c.ps, c.pt
+        part = 0.0 if marks[c.a] else 1.0
+        kept[c.key, 0], kept[c.key, 1], kept[c.key, 2] = part * c.pn, part * c.ps, part * c.pt
         kept[c.key, 3] = float(c.stuck)
 
 
@@ -150,6 +165,7 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
     if pairs.shape[0] == 0:
         return count
     place_corners(bodies, poses, points, corners)
+    closed += CLOSED_BETWEEN - CLOSED
     first_key = planes.shape[0] * (points.shape[0] + rims.shape[0] * RIM_POINTS)
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
@@ -186,12 +202,19 @@ def _find_contacts(world, poses, push, scratch, ratio, h):
 
 @inner
 def _note_gaps(world, poses, scratch, gaps):
-    """Set the gaps of all features and planes and of all pairs of bodies; return the least."""
+    """Set the gaps of all features and planes and of all pairs of bodies.
+
+    Returns
+    -------
+    tuple
+        The least gap, and the least of what is left until bodies are too deep in planes or each other.
+    """
     bodies, points, rims, planes, pairs, faces, loops, edges = world
     _, _, _, corners, polygons, touching, _, _, axes = scratch
     least = note_gaps(bodies, poses, points, rims, planes, gaps)
+    left = least + ENTERS
     if pairs.shape[0] == 0:
-        return least
+        return least, left
     place_corners(bodies, poses, points, corners)
     first = planes.shape[0] * (points.shape[0] + rims.shape[0])
     for j in range(pairs.shape[0]):
@@ -201,7 +224,7 @@ def _note_gaps(world, poses, scratch, gaps):
             poses[a],
             bodies[b],
             poses[b],
-            CLOSED,
+            CLOSED_BETWEEN,
             axes[j],
             faces,
             loops,
@@ -211,8 +234,8 @@ def _note_gaps(world, poses, scratch, gaps):
             touching,
         )
         gaps[first + j] = apart
-        least = min(least, apart)
-    return least
+        least, left = min(least, apart), min(left, apart + ENTERS_BODIES)
+    return least, left
 
 
 @inner
@@ -308,19 +331,23 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
         s.vy += h * push[1]
         s.vz += h * push[2]
     work[0] += 1.0
-    begin(contacts, count, bodies, after)
+    apply(contacts, count, bodies, after, 1.0)
     hold(springs, pulls, bodies, after, h)
     converged = count == 0 or solve(contacts, count, bodies, after, system, h)
     for _ in range(MOST_ROUNDS):
         if not hold(springs, pulls, bodies, after, h):
             break
         converged = count == 0 or solve(contacts, count, bodies, after, system, h)
+    if not converged or bounces(contacts, count):
+        converged = mend(contacts, count, bodies, after, system, h, converged)
     if not converged:
         work[1] += 1.0
     land(contacts, count, bodies, before, after)
     for k in range(count):
         c = contacts[k]
-        c.stuck = 1 if c.pn > 0.0 and slip_rate(c, after) <= STICKS * h else 0
+        c.stuck = 0
+        if c.pn > 0.0 and (slip_rate(c, after) <= STICKS * h or turns_back(c, before, after)):
+            c.stuck = 1
     for b in range(bodies.shape[0]):
         s = after[b]
         if _speed(bodies[b], s) <= RESTS * h:
@@ -342,11 +369,14 @@ def _sag(bodies, poses, h):
 
 
 @inner
-def _meeting(gaps, later, h):
-    """Return when within a step the first feature meets a plane, by a straight line through its gaps."""
-    first = h
+def _meeting(gaps, later, pairs, h):
+    """Return when within a step bodies first meet planes or each other, by straight lines through their gaps.
+
+    The last ``pairs`` gaps are those of bodies.
+    """
+    first, between = h, gaps.shape[0] - pairs
     for k in range(gaps.shape[0]):
-        if later[k] < -ENTERS:
+        if later[k] < (-ENTERS if k < between else -ENTERS_BODIES):
             start = max(gaps[k], 0.0)
             first = min(first, h * start / (start - later[k]))
     return first
@@ -415,6 +445,7 @@ def run_in_space(
     _note_gaps(world, now, scratch, gaps[0])
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
     last, count = 0.0, 0
+    short, shortest = 0, SHORTEST
     noted = level = bears = False
     for k in range(acceleration.shape[0] - 1):
         a0, a1 = acceleration[k], acceleration[k + 1]
@@ -441,13 +472,13 @@ def run_in_space(
                 count = _step(world, held, now, trial, _push(a0, gravity), h, scratch, ratio, work)
                 bears = _at_rest(trial)
                 if bears:
-                    _keep(contacts, count, kept)
+                    _keep(contacts, count, kept, scratch[7][3])
                     last = h
             if bears:
                 count = _step(world, held, now, trial, _push(a1, gravity), h, scratch, h / last, work)
                 bears = _at_rest(trial)
             if bears:
-                _keep(contacts, count, kept)
+                _keep(contacts, count, kept, scratch[7][3])
                 give(held[0], held[1], held[2], trial, dt * (k + 1))
                 last = h
                 note_pose(histories, k + 1, now)
@@ -464,21 +495,26 @@ def run_in_space(
                     push = _push(added(a0, f, added(a1, -1.0, a0)), gravity)
                     ratio = h / last if last > 0.0 else 0.0
                     count = _step(world, held, now, trial, push, h, scratch, ratio, work)
-                    least = _note_gaps(world, trial, scratch, gaps[1])
+                    least, left = _note_gaps(world, trial, scratch, gaps[1])
                     bent = _sag(bodies, trial, h)
-                    if least >= -ENTERS - bent or h <= SHORTEST:
+                    if left >= -bent or h <= shortest:
                         break
-                    h = max(SHORTEST, min(_meeting(gaps[0], gaps[1], h), 0.9 * h))
+                    h = max(shortest, min(_meeting(gaps[0], gaps[1], world[4].shape[0], h), 0.9 * h))
+                short = short + 1 if h <= shortest else 0
+                if short == 0:
+                    shortest = SHORTEST
+                elif short % SHORT_STEPS == 0:
+                    shortest *= 2.0
                 if least < -IGNORED - bent:
                     _move_all_out(world, trial, scratch)
                     _note_gaps(world, trial, scratch, gaps[1])
                 note_hits(contacts, count, kept, dt * k + t + h, hits, hit_numbers)
-                _keep(contacts, count, kept)
+                _keep(contacts, count, kept, scratch[7][3])
                 give(held[0], held[1], held[2], trial, dt * k + t + h)
                 for b in range(bodies.shape[0]):
                     copy_pose(trial[b], now[b])
                     up = turned(attitude(now[b]), (bodies[b].ux, bodies[b].uy, bodies[b].uz))
-                    peaks[b] = max(peaks[b], 1.0 - up[2])
+                    peaks[b] = max(peaks[b], min(1.0 - up[2], 2.0))
                 for place in range(gaps.shape[1]):
                     gaps[0, place] = gaps[1, place]
                 last = h

@@ -10,20 +10,13 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.space.body import rotation, velocity
+from stayput.mechanics.space.body import kinetic_energy, rotation, velocity
 from stayput.mechanics.space.contact import lever_a, normal_of, slip
 from stayput.mechanics.space.solve import IMPACT
 from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled
 
 RISES = 1e-4
 """Speed from which on the old edge has left the floor [m/s]."""
-
-
-@inline
-def energy(body, s):
-    """Return the kinetic energy."""
-    v, w = velocity(s), rotation(s)
-    return 0.5 * (body.mass * dot(v, v) + w[0] * s.lx + w[1] * s.ly + w[2] * s.lz)
 
 
 @inner
@@ -85,7 +78,9 @@ def land(contacts, count, bodies, before, after):
         if square == 0.0:
             continue
         if change > 0.0:
-            room = linear * linear + 4.0 * square * max(energy(body, before[b]) - energy(body, s), 0.0)
+            room = linear * linear + 4.0 * square * max(
+                kinetic_energy(body, before[b]) - kinetic_energy(body, s), 0.0
+            )
             change = max(0.0, min(change, (math.sqrt(room) - linear) / (2.0 * square)))
         else:
             change = min(0.0, max(change, -linear / square))

@@ -167,7 +167,6 @@ def improve(contacts, count, bodies, poses, system):
             c.dt = p[2] - dot(d3, u)
     for k in range(count):
         c = contacts[k]
-        c.on, c.os, c.ot = c.pn, c.ps, c.pt
         if c.pn > 0.0:
             _add_impulse(c, bodies, poses)
 
@@ -187,8 +186,16 @@ def _change(vector, c, rows):
 
 
 @inner
+def note_impulses(contacts, count):
+    """Note the impulses for `take_back`."""
+    for k in range(count):
+        c = contacts[k]
+        c.on, c.os, c.ot = c.pn, c.ps, c.pt
+
+
+@inner
 def take_back(contacts, count, bodies, poses):
-    """Take the last step of Newton's method back, and what sweeps did since."""
+    """Bring back the impulses that were noted last."""
     for k in range(count):
         _set_impulse(contacts[k], bodies, poses, contacts[k].on, contacts[k].os, contacts[k].ot)
 

@@ -344,8 +344,9 @@ def touch(a, s, b, r, closed, axis_of, faces, loops, edges, corners, polygons, t
     near = NEAR * (a.radius + b.radius)
     edge_a, edge_b, apart_e, axis = _best_edges(a, b, away, apart, near, edges, corners)
     if edge_a < 0 and not found:
-        edge_a, edge_b, apart_e, axis = _best_edges(a, b, away, apart, math.inf, edges, corners)
-    if apart_e <= apart + PREFER_FACES:
+        # the faces that separate them most do not lie on each other: edges that do nearly as well must touch
+        edge_a, edge_b, apart_e, axis = _best_edges(a, b, away, apart - SHALLOW, math.inf, edges, corners)
+    if edge_a < 0 or (found and apart_e <= apart + PREFER_FACES):
         return apart, found, towards
     axis_of[0], axis_of[1] = edge_a, edge_b
     if apart_e > closed:

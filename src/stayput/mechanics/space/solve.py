@@ -7,9 +7,10 @@ With the impulses p of the contacts the velocities after a step of length h are
 and each contact asks (Moreau 1988; Jean 1999) for u_n⁺ ≥ −e u_n⁻, p_n ≥ 0, one of them equal, and by
 Coulomb's law for |p_t| ≤ μ p_n, with p_t against u_t⁺ where it slips. The impulses are found contact by
 contact, again and again, each with the others as they are (projected Gauss–Seidel), from those of the step
-before. After a sweep Newton's method solves for all contacts at once, each as the sweep left it: open,
-sticking or slipping; where the next sweep then changes far more, its step is taken back. A body on more than
-three points has no unique impulses; its motion is unique without friction, and taken as found with it.
+before, or from none after an impact. After a sweep Newton's method solves for all contacts at once, each as
+the sweep left it: open, sticking or slipping; where the next sweeps then change far more, its steps are taken
+back. A body on more than three points has no unique impulses; its motion is unique without friction, and
+taken as found with it.
 
 A contact sticks by its static coefficient as long as it did before the step; where it slips in the solution
 its kinetic one takes over and all is solved again.
@@ -31,7 +32,7 @@ from stayput.mechanics.space.contact import (
     second_tangent,
     slip,
 )
-from stayput.mechanics.space.newton import improve, set_rows, take_back
+from stayput.mechanics.space.newton import improve, note_impulses, set_rows, take_back
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot, scaled, tangents
 
@@ -41,11 +42,17 @@ IMPACT = 1e-3
 ACCURACY = 1e-7
 """Change of any contact's acceleration in a sweep at which the impulses are accepted [m/s²]."""
 
+ROUNDING = 1e-10
+"""The same as a velocity, as a share of the fastest with which contacts close or open."""
+
 STICKS = 1e-4
 """Acceleration from rest up to which a contact has not slipped [m/s²]."""
 
 ASTRAY = 3.0
 """By how much more than before a sweep may change after a step of Newton's method that is kept."""
+
+MOST_TRIES = 4
+"""Steps of Newton's method in a row that may change more: contacts may have to stick or slip anew."""
 
 LONGEST_PAUSE = 8
 """Most sweeps before the next step of Newton's method, after steps that had to be taken back."""
@@ -91,7 +98,8 @@ def prepare(c, bodies, poses, restitution):
     half, off = 0.5 * (c.wss - c.wtt), c.wst
     c.stiff = 0.5 * (c.wss + c.wtt) + math.sqrt(half * half + off * off)
     c.closing = dot(n, slip(c, poses))
-    c.target = -restitution * c.closing if c.closing < -IMPACT else 0.0
+    c.bounce = restitution if c.closing < -IMPACT else 0.0
+    c.target = -c.bounce * c.closing
     c.target_s = c.target_t = 0.0
     c.mu = c.mu_static if c.stuck else c.mu_kinetic
 
@@ -129,7 +137,7 @@ def ask_for_bend(contacts, first, count, bodies, poses, h):
 
 
 @inner
-def _update(c, bodies, poses):
+def update(c, bodies, poses):
     """Find a contact's impulse with the others as they are; return the largest change of its velocities."""
     un, us, ut = beyond_target(c, poses)
     pn = max(0.0, c.pn - un / c.wnn)
@@ -176,13 +184,18 @@ def _let_slip(contacts, count, poses, h):
     return found
 
 
+@inline
+def apply_one(c, bodies, poses, factor):
+    """Apply the impulse of a contact times a factor."""
+    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
+    push(c, bodies, poses, scaled(factor, added(added(scaled(c.pn, n), c.ps, s), c.pt, t)))
+
+
 @inner
-def begin(contacts, count, bodies, poses):
-    """Apply the impulses that the contacts have from the step before."""
+def apply(contacts, count, bodies, poses, factor):
+    """Apply the impulses of all contacts times a factor; −1 takes them back."""
     for k in range(count):
-        c = contacts[k]
-        n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
-        push(c, bodies, poses, added(added(scaled(c.pn, n), c.ps, s), c.pt, t))
+        apply_one(contacts[k], bodies, poses, factor)
 
 
 @inner
@@ -194,22 +207,29 @@ def solve(contacts, count, bodies, poses, system, h):
     bool
         Whether they converged.
     """
-    last, due, pause, improved = math.inf, 0, 1, False
+    last, due, pause, tries = math.inf, 0, 1, 0
+    accuracy = ACCURACY * h
+    for k in range(count):
+        accuracy = max(accuracy, ROUNDING * abs(contacts[k].closing))
     for sweep in range(MOST_SWEEPS):
         change = 0.0
         for k in range(count):
-            change = max(change, _update(contacts[k], bodies, poses))
-        if change <= ACCURACY * h:
+            change = max(change, update(contacts[k], bodies, poses))
+        if change <= accuracy:
             if not _let_slip(contacts, count, poses, h):
                 return True
-            last = math.inf
-        elif improved and change > ASTRAY * last:
+            change, tries = math.inf, 0  # what comes is new
+        elif tries > 0 and change <= ASTRAY * last:
+            tries = 0
+        elif tries == MOST_TRIES:
             take_back(contacts, count, bodies, poses)
-            due, pause = sweep + pause, min(2 * pause, LONGEST_PAUSE)
-        improved = sweep >= due
-        if improved:
+            due, pause, tries = sweep + pause, min(2 * pause, LONGEST_PAUSE), 0
+        if sweep >= due:
             if sweep == 0:
                 set_rows(contacts, count, bodies, poses, system)
-            last = change
+            if tries == 0:
+                note_impulses(contacts, count)
+                last = change
+            tries += 1
             improve(contacts, count, bodies, poses, system)
     return False

@@ -1,0 +1,168 @@
+"""Impacts that have no impulses by the usual law, or whose impulses would make energy.
+
+As in the plane (`stayput.mechanics.impact`): where Newton's restitution with friction makes energy, impulses
+are those of a plastic impact, times 1 + the least restitution of the contacts that bounce. Where no impulses
+are found for all contacts at once, those of one pair (two bodies, or a body and a plane) follow one another,
+each by itself, the pair first whose contacts close fastest: with restitution, or plastic where that makes
+energy. Each plastic one takes energy.
+"""
+
+from __future__ import annotations
+
+from stayput.compiled import inline, inner
+from stayput.mechanics.space.body import kinetic_energy
+from stayput.mechanics.space.contact import normal_of, slip
+from stayput.mechanics.space.solve import IMPACT, apply, apply_one, solve, update
+from stayput.mechanics.space.touching import ROOM
+from stayput.mechanics.space.vectors import dot
+
+MADE = 1e-9
+"""Share of the kinetic energy that rounding may make."""
+
+MOST_IN_A_ROW = 200
+"""Most impacts of single pairs in a step."""
+
+SWEEPS_OF_PAIR = 100
+"""Most sweeps for the impulses of one pair."""
+
+CLOSING = 1e-9
+"""Velocity beyond that wanted from which on a contact closes [m/s]."""
+
+SETTLED = 1e-12
+"""Change of a velocity in a sweep at which the impulses of one pair are accepted [m/s]."""
+
+
+@inner
+def _energy(bodies, poses):
+    found = 0.0
+    for b in range(bodies.shape[0]):
+        found += kinetic_energy(bodies[b], poses[b])
+    return found
+
+
+@inner
+def bounces(contacts, count):
+    """Return whether any contact closes so fast that it bounces."""
+    for k in range(count):
+        if contacts[k].bounce > 0.0:
+            return True
+    return False
+
+
+@inner
+def mark_what_hits(contacts, count, marks, speed):
+    """Mark with 1 the bodies at contacts that close faster than a speed, and all that presses on these."""
+    for b in range(marks.shape[0]):
+        marks[b] = 0
+    found = False
+    for k in range(count):
+        c = contacts[k]
+        if c.closing < -speed and c.pn > 0.0:
+            marks[c.a] = 1
+            found = True
+    while found:
+        found = False
+        for k in range(count):
+            c = contacts[k]
+            if c.b != ROOM and c.pn > 0.0 and marks[c.a] != marks[c.b]:
+                marks[c.a] = marks[c.b] = 1
+                found = True
+
+
+@inner
+def _bounce_alike(contacts, count, bodies, poses, marks, factor):
+    """Give all that presses on bodies that hit, or on what touches them, a further part of its impulse."""
+    mark_what_hits(contacts, count, marks, IMPACT)
+    for k in range(count):
+        c = contacts[k]
+        if marks[c.a]:
+            apply_one(c, bodies, poses, factor)
+            c.pn, c.ps, c.pt = (1.0 + factor) * c.pn, (1.0 + factor) * c.ps, (1.0 + factor) * c.pt
+
+
+@inline
+def _beyond(c, poses):
+    """Return the normal velocity beyond that which a contact may close with."""
+    return dot(normal_of(c), slip(c, poses)) - min(c.target, 0.0)
+
+
+@inner
+def _meet(contacts, count, pair, bodies, poses, restitution):
+    """Find the impulses of the contacts of one pair by themselves, and add them to the sums."""
+    for k in range(count):
+        c = contacts[k]
+        if c.a == pair.a and c.b == pair.b and c.plane == pair.plane:
+            closing = dot(normal_of(c), slip(c, poses))
+            if c.bounce > 0.0:
+                c.target = -restitution * c.bounce * closing if closing < -IMPACT else 0.0
+            c.pn = c.ps = c.pt = 0.0
+    for _ in range(SWEEPS_OF_PAIR):
+        change = 0.0
+        for k in range(count):
+            c = contacts[k]
+            if c.a == pair.a and c.b == pair.b and c.plane == pair.plane:
+                change = max(change, update(c, bodies, poses))
+        if change <= SETTLED:
+            break
+    for k in range(count):
+        c = contacts[k]
+        if c.a == pair.a and c.b == pair.b and c.plane == pair.plane:
+            c.dn, c.ds, c.dt = c.dn + c.pn, c.ds + c.ps, c.dt + c.pt
+
+
+@inner
+def _one_after_the_other(contacts, count, bodies, poses, restitution):
+    """Let pairs meet by themselves until none closes; return whether none does.
+
+    ``restitution`` is a factor on that of the contacts, 0 or 1.
+    """
+    ended = False
+    for k in range(count):
+        contacts[k].dn = contacts[k].ds = contacts[k].dt = 0.0  # sums of the impulses
+    for _ in range(MOST_IN_A_ROW):
+        first, fastest = -1, -CLOSING
+        for k in range(count):
+            closing = _beyond(contacts[k], poses)
+            if closing < fastest:
+                first, fastest = k, closing
+        ended = first < 0
+        if ended:
+            break
+        _meet(contacts, count, contacts[first], bodies, poses, restitution)
+    for k in range(count):
+        c = contacts[k]
+        c.pn, c.ps, c.pt = c.dn, c.ds, c.dt
+    return ended
+
+
+@inner
+def mend(contacts, count, bodies, poses, system, h, converged):
+    """Replace the impulses of a step if they make energy, or have not converged where bodies bounce.
+
+    Returns
+    -------
+    bool
+        Whether those that there are now hold at all contacts.
+    """
+    after = _energy(bodies, poses)
+    apply(contacts, count, bodies, poses, -1.0)
+    most = _energy(bodies, poses) * (1.0 + MADE)
+    if after <= most and (converged or not bounces(contacts, count)):
+        apply(contacts, count, bodies, poses, 1.0)
+        return converged
+    if converged:
+        least = 1.0
+        for k in range(count):
+            c = contacts[k]
+            if c.bounce > 0.0:
+                c.target, least = 0.0, min(least, c.bounce)
+            c.pn = c.ps = c.pt = 0.0
+        if solve(contacts, count, bodies, poses, system, h):
+            _bounce_alike(contacts, count, bodies, poses, system[3], least)
+            return True
+        apply(contacts, count, bodies, poses, -1.0)
+    ended = _one_after_the_other(contacts, count, bodies, poses, 1.0)
+    if _energy(bodies, poses) > most:
+        apply(contacts, count, bodies, poses, -1.0)
+        ended = _one_after_the_other(contacts, count, bodies, poses, 0.0)
+    return ended
