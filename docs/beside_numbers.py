@@ -16,7 +16,6 @@ from stayput.studies.consumer_centre import GAPS, agreement
 from stayput.studies.consumer_centre import TESTS as SHOWN
 from stayput.studies.study import listed, span
 from stayput.studies.three_dimensions import (
-    LONG,
     PLANE,
     SPACE,
     STRONGER,
@@ -29,6 +28,7 @@ from stayput.studies.three_dimensions import (
 )
 from stayput.studies.tip_over import LIGHT_CHEST
 from stayput.studies.tombstones import inside
+from stayput.verification.notes import LONG
 
 if TYPE_CHECKING:
     from stayput.studies import Study

@@ -1,6 +1,21 @@
 """Verdicts: what happens with each measure, and why; Monte Carlo sampling behind them."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    "in_space": (
+        "Simulated in space, under all components of the motions; the piece faces {heading:.0f}° from their x.",
+        "三次元で、地震動のすべての成分を使って計算しました（家具の向きはx成分から{heading:.0f}°）。",
+    ),
+    "not_long": (
+        (
+            "The piece is {ratio:.2g} times as long as deep and was simulated across its depth alone: below "
+            "{long:g} times it may also fall over a corner or its length, which dimensions = 3 in the scenario "
+            "takes into account (study three-dimensions)."
+        ),
+        (
+            "幅が奥行きの{ratio:.2g}倍の家具を、奥行き方向だけで計算しました。{long:g}倍未満では角や幅の方向にも"
+            "倒れることがあり、シナリオのdimensions = 3で考慮できます（three-dimensionsの検討）。"
+        ),
+    ),
     # verification
     "needs_coulomb": (
         "The contact is '{contact}'; {what} needs 'coulomb'.",

@@ -25,6 +25,7 @@ from stayput.studies.three_dimensions_runs import (
     Shaken,
     outcomes,
 )
+from stayput.verification.notes import LONG
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -37,9 +38,6 @@ if TYPE_CHECKING:
     from stayput.studies.three_dimensions_runs import ShapeSetting
 
 PLANE, STRONGER, SPACE = ENGINES
-
-LONG = 1.5
-"""Length over depth from which on a piece is long."""
 
 SLIDES = 0.01
 """Slide from which on ratios of slides are taken [m]."""

@@ -29,6 +29,12 @@ if TYPE_CHECKING:
 APART = 0.20
 """A quick estimate that is farther from the simulation than this is explained."""
 
+LONG = 1.5
+"""From so many depths of length on one component across the depth tells how a piece falls.
+
+See the study `stayput.studies.three_dimensions`.
+"""
+
 LISTED = 4
 """Most inputs that a note names."""
 
@@ -66,7 +72,17 @@ def shaken_notes(verdict: Verdict, graded: Option) -> tuple[Phrase, ...]:
         *_grade(graded, verdict),
         *_far(verdict),
         *_contents(verdict),
+        *_engine(verdict.scenario),
     )
+
+
+def _engine(scenario: Scenario) -> Iterator[Phrase]:
+    """Yield that a piece was simulated in space, or that the plane may miss how it falls."""
+    body = scenario.furniture.body()
+    if scenario.dimensions == 3:
+        yield phrase("verification.in_space", heading=math.degrees(scenario.furniture.heading))
+    elif body.length is not None and body.length < LONG * body.width:
+        yield phrase("verification.not_long", ratio=body.length / body.width, long=LONG)
 
 
 def _listed(phrases: Iterable[Phrase]) -> Phrase:

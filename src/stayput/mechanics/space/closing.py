@@ -1,0 +1,199 @@
+"""Which contacts are closed in a step, and how far all others are apart."""
+
+from __future__ import annotations
+
+from stayput.compiled import inline, inner
+from stayput.mechanics.space.body import (
+    bend,
+    place_of,
+)
+from stayput.mechanics.space.impact import mark_what_hits
+from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
+from stayput.mechanics.space.solve import IMPACT, ask_for_bend, prepare
+from stayput.mechanics.space.touching import (
+    RIM_POINTS,
+    ROOM,
+    bend_of_rim,
+    gap_of,
+    lever_of_point,
+    lever_on_rim,
+    may_touch,
+    note_gaps,
+    plane_normal,
+)
+from stayput.mechanics.space.vectors import added, dot
+
+NO_PLANE = -1
+"""The plane of a contact between bodies."""
+
+CLOSED = 1e-7
+"""Gap from a plane up to which a contact is closed [m]: one that closes early turns a body back early."""
+
+CLOSED_BETWEEN = 1e-6
+"""The same between bodies [m]."""
+
+REACH = 1.0
+"""By how much this gap grows with the square of the step [m/s²]: what a path bends less than foreseen."""
+
+ENTERS = 2e-7
+"""How far a body may enter a plane in a step [m]."""
+
+ENTERS_BODIES = 2e-6
+"""How far bodies may enter each other in a step [m]."""
+
+
+@inner
+def keep(contacts, count, kept, marks):
+    """Note the impulses and what sticks, by contact, for the next step.
+
+    Impulses of impacts say nothing of those of the next step, which begins without.
+    """
+    mark_what_hits(contacts, count, marks, IMPACT)
+    for k in range(kept.shape[0]):
+        kept[k, 0] = kept[k, 1] = kept[k, 2] = kept[k, 3] = 0.0
+    for k in range(count):
+        c = contacts[k]
+        part = 0.0 if marks[c.a] else 1.0
+        kept[c.key, 0], kept[c.key, 1], kept[c.key, 2] = part * c.pn, part * c.ps, part * c.pt
+        kept[c.key, 3] = float(c.stuck)
+
+
+@inline
+def _close(contacts, count, key, kept, ratio, surface, bodies, poses):
+    """Add a contact whose bodies, normal and levers are set; its impulses begin with those kept."""
+    c = contacts[count]
+    c.key = key
+    c.mu_static, c.mu_kinetic = surface.mu_static, surface.mu_kinetic
+    c.stuck = 1 if kept[key, 3] != 0.0 else 0
+    prepare(c, bodies, poses, surface.restitution)
+    c.pn, c.ps, c.pt = ratio * kept[key, 0], ratio * kept[key, 1], ratio * kept[key, 2]
+    return count + 1
+
+
+@inline
+def _on_plane(c, b, lever, gap, j, plane):
+    c.a, c.b, c.plane, c.floor = b, ROOM, j, plane.floor
+    c.nx, c.ny, c.nz = plane_normal(plane)
+    c.rax, c.ray, c.raz = lever
+    c.gap = gap
+
+
+@inline
+def _rub(c, static, kinetic):
+    """Set the friction of a contact."""
+    c.mu_static, c.mu_kinetic = static, kinetic
+    c.mu = static if c.stuck else kinetic
+
+
+@inner
+def find_contacts(world, poses, push, scratch, ratio, h):
+    """Fill in the closed contacts; return their number. Impulses begin with those kept, times a ratio."""
+    bodies, points, rims, planes, pairs, faces, loops, edges = world
+    contacts, kept, _, corners, polygons, touching, _, _, axes = scratch
+    count, closed = 0, CLOSED + REACH * h * h
+    for j in range(planes.shape[0]):
+        plane = planes[j]
+        first_key = planes.shape[0] * points.shape[0] + j * rims.shape[0] * RIM_POINTS
+        for b in range(bodies.shape[0]):
+            body, s, first = bodies[b], poses[b], count
+            for i in range(body.first_point, body.first_point + body.points):
+                if may_touch(points[i], plane):
+                    lever = lever_of_point(s, points[i])
+                    gap = gap_of(s, lever, plane)
+                    if gap <= closed:
+                        _on_plane(contacts[count], b, lever, gap, j, plane)
+                        contacts[count].bent = dot(plane_normal(plane), bend(body, s, lever))
+                        key = j * points.shape[0] + i
+                        count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
+                        if plane.floor and points[i].mu_static >= 0.0:  # not NaN
+                            _rub(contacts[count - 1], points[i].mu_static, points[i].mu_kinetic)
+            if plane.floor and count - first <= 2:  # on a corner or an edge
+                for k in range(first, count):
+                    if not points[contacts[k].key - j * points.shape[0]].mu_static >= 0.0:
+                        _rub(contacts[k], body.edge_static, body.edge_kinetic)
+            for i in range(body.first_rim, body.first_rim + body.rims):
+                if may_touch(rims[i], plane):
+                    for number in range(RIM_POINTS):
+                        lever, there = lever_on_rim(s, rims[i], plane, number, push)
+                        gap = gap_of(s, lever, plane)
+                        if there and gap <= closed:
+                            _on_plane(contacts[count], b, lever, gap, j, plane)
+                            contacts[count].bent = bend_of_rim(body, s, rims[i], plane, number)
+                            key = first_key + i * RIM_POINTS + number
+                            count = _close(contacts, count, key, kept, ratio, plane, bodies, poses)
+            if count > first:
+                ask_for_bend(contacts, first, count, bodies, poses, h)
+    if pairs.shape[0] == 0:
+        return count
+    place_corners(bodies, poses, points, corners)
+    closed += CLOSED_BETWEEN - CLOSED
+    first_key = planes.shape[0] * (points.shape[0] + rims.shape[0] * RIM_POINTS)
+    for j in range(pairs.shape[0]):
+        a, b = pairs[j].a, pairs[j].b
+        _, found, n = touch(
+            bodies[a],
+            poses[a],
+            bodies[b],
+            poses[b],
+            closed,
+            axes[j],
+            faces,
+            loops,
+            edges,
+            corners,
+            polygons,
+            touching,
+        )
+        for m in range(found):
+            c = contacts[count]
+            c.a, c.b, c.plane, c.floor = a, b, NO_PLANE, 0
+            c.nx, c.ny, c.nz = n
+            c.gap = 0.0
+            place = touching[m, 0], touching[m, 1], touching[m, 2]
+            c.rax, c.ray, c.raz = added(place, -1.0, place_of(poses[a]))
+            c.rbx, c.rby, c.rbz = added(place, -1.0, place_of(poses[b]))
+            bent = bend(bodies[a], poses[a], (c.rax, c.ray, c.raz))
+            c.bent = dot(n, added(bent, -1.0, bend(bodies[b], poses[b], (c.rbx, c.rby, c.rbz))))
+            key = first_key + j * MOST_TOUCHING + m
+            count = _close(contacts, count, key, kept, ratio, pairs[j], bodies, poses)
+        if found:
+            ask_for_bend(contacts, count - found, count, bodies, poses, h)
+    return count
+
+
+@inner
+def note_all_gaps(world, poses, scratch, gaps):
+    """Set the gaps of all features and planes and of all pairs of bodies.
+
+    Returns
+    -------
+    tuple
+        The least gap, and the least of what is left until bodies are too deep in planes or each other.
+    """
+    bodies, points, rims, planes, pairs, faces, loops, edges = world
+    _, _, _, corners, polygons, touching, _, _, axes = scratch
+    least = note_gaps(bodies, poses, points, rims, planes, gaps)
+    left = least + ENTERS
+    if pairs.shape[0] == 0:
+        return least, left
+    place_corners(bodies, poses, points, corners)
+    first = planes.shape[0] * (points.shape[0] + rims.shape[0])
+    for j in range(pairs.shape[0]):
+        a, b = pairs[j].a, pairs[j].b
+        apart, _, _ = touch(
+            bodies[a],
+            poses[a],
+            bodies[b],
+            poses[b],
+            CLOSED_BETWEEN,
+            axes[j],
+            faces,
+            loops,
+            edges,
+            corners,
+            polygons,
+            touching,
+        )
+        gaps[first + j] = apart
+        least, left = min(least, apart), min(left, apart + ENTERS_BODIES)
+    return least, left
