@@ -12,7 +12,7 @@ from __future__ import annotations
 from stayput.compiled import inline, inner
 from stayput.mechanics.space.body import kinetic_energy
 from stayput.mechanics.space.contact import normal_of, slip
-from stayput.mechanics.space.solve import IMPACT, apply, apply_one, solve, update
+from stayput.mechanics.space.solve import IMPACT, apply, apply_one, solve, update, update_surely
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import dot
 
@@ -22,13 +22,13 @@ MADE = 1e-9
 MOST_IN_A_ROW = 200
 """Most impacts of single pairs in a step."""
 
-SWEEPS_OF_PAIR = 100
-"""Most sweeps for the impulses of one pair."""
+SWEEPS_OF_PAIR, SURE_AFTER = 50, 40
+"""Most sweeps for the impulses of one pair, and after how many each contact is solved surely."""
 
-CLOSING = 1e-9
+CLOSING = 1e-7
 """Velocity beyond that wanted from which on a contact closes [m/s]."""
 
-SETTLED = 1e-12
+SETTLED = 1e-9
 """Change of a velocity in a sweep at which the impulses of one pair are accepted [m/s]."""
 
 
@@ -96,12 +96,15 @@ def _meet(contacts, count, pair, bodies, poses, restitution):
             if c.bounce > 0.0:
                 c.target = -restitution * c.bounce * closing if closing < -IMPACT else 0.0
             c.pn = c.ps = c.pt = 0.0
-    for _ in range(SWEEPS_OF_PAIR):
+    for number in range(SWEEPS_OF_PAIR):
         change = 0.0
         for k in range(count):
             c = contacts[k]
             if c.a == pair.a and c.b == pair.b and c.plane == pair.plane:
-                change = max(change, update(c, bodies, poses))
+                if number < SURE_AFTER:
+                    change = max(change, update(c, bodies, poses))
+                else:
+                    change = max(change, update_surely(c, bodies, poses))
         if change <= SETTLED:
             break
     for k in range(count):
@@ -137,17 +140,19 @@ def _one_after_the_other(contacts, count, bodies, poses, restitution):
 
 @inner
 def mend(contacts, count, bodies, poses, system, h, converged):
-    """Replace the impulses of a step if they make energy, or have not converged where bodies bounce.
+    """Replace impulses that make energy, or have not converged where bodies bounce or enter each other.
 
     Returns
     -------
     bool
         Whether those that there are now hold at all contacts.
     """
-    after = _energy(bodies, poses)
+    after, enters = _energy(bodies, poses), False
+    for k in range(count):
+        enters = enters or _beyond(contacts[k], poses) < -IMPACT
     apply(contacts, count, bodies, poses, -1.0)
     most = _energy(bodies, poses) * (1.0 + MADE)
-    if after <= most and (converged or not bounces(contacts, count)):
+    if after <= most and (converged or not (bounces(contacts, count) or enters)):
         apply(contacts, count, bodies, poses, 1.0)
         return converged
     if converged:

@@ -63,6 +63,12 @@ CLOSES = 1e-3
 TINY = 1e-12
 """What a contact without an impulse counts among others, as a velocity [m/s]."""
 
+BISECTIONS = 60
+"""Halvings of the range of a normal impulse."""
+
+RUBS = 12
+"""Steps in which the friction at a normal impulse is found."""
+
 MOST_SWEEPS = 500
 """Sweeps after which a step is taken as it is, and counted as not converged."""
 
@@ -162,6 +168,48 @@ def update(c, bodies, poses):
     n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
     p = added(added((dn * n[0], dn * n[1], dn * n[2]), ds, s), dt, t)
     push(c, bodies, poses, p)
+    return max(abs(dn) * c.wnn, max(abs(ds), abs(dt)) * c.stiff)
+
+
+@inline
+def _rub(c, us, ut, pn):
+    """Return the friction at a normal impulse; us and ut are the slip that there is without friction."""
+    ps = pt = 0.0
+    for _ in range(RUBS):
+        gs, gt = us + c.wss * ps + c.wst * pt, ut + c.wst * ps + c.wtt * pt
+        ps, pt = ps - gs / c.stiff, pt - gt / c.stiff
+        size = math.sqrt(ps * ps + pt * pt)
+        if size > c.mu * pn:
+            ps, pt = ps * c.mu * pn / size, pt * c.mu * pn / size
+    return ps, pt
+
+
+@inner
+def update_surely(c, bodies, poses):
+    """Find a contact's impulse as `update` does, by bisection of the normal one.
+
+    Sweeps go astray where friction presses a contact together more than its normal impulse parts it
+    (Painlevé); the normal velocity is a continuous function of the normal impulse, and so has a root.
+    """
+    un, us, ut = beyond_target(c, poses)
+    un -= c.wnn * c.pn + c.wns * c.ps + c.wnt * c.pt
+    us -= c.wns * c.pn + c.wss * c.ps + c.wst * c.pt
+    ut -= c.wnt * c.pn + c.wst * c.ps + c.wtt * c.pt
+    pn = ps = pt = low = 0.0
+    if un < 0.0:
+        high = math.inf
+        pn = -un / c.wnn
+        for _ in range(BISECTIONS):
+            ps, pt = _rub(c, us + c.wns * pn, ut + c.wnt * pn, pn)
+            if un + c.wnn * pn + c.wns * ps + c.wnt * pt < 0.0:
+                low = pn
+            else:
+                high = pn
+            pn = 2.0 * low if high == math.inf else 0.5 * (low + high)
+    dn, ds, dt = pn - c.pn, ps - c.ps, pt - c.pt
+    c.pn, c.ps, c.pt = pn, ps, pt
+    n, s, t = normal_of(c), first_tangent(c), second_tangent(c)
+    push(c, bodies, poses, added(added(scaled(dn, n), ds, s), dt, t))
     return max(abs(dn) * c.wnn, max(abs(ds), abs(dt)) * c.stiff)
 
 
