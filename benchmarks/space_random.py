@@ -131,9 +131,8 @@ def run_one(case: Thrown, step: float = STEP) -> Found:
     return Found(finite, seconds, run.steps, run.unconverged, made, depth)
 
 
-def work(seed: int, pipe: Connection) -> None:
+def work(pool: list[sp.Solid], seed: int, pipe: Connection) -> None:
     """Run cases by their numbers as they are asked for; send what was found, or None for a refused start."""
-    pool = shapes(np.random.default_rng(seed), 300)
     while True:
         number, step = pipe.recv()
         try:
@@ -161,7 +160,7 @@ def main() -> None:
     while number < chosen.cases and time.monotonic() < end:
         if worker is None:
             here, there = context.Pipe()
-            worker = context.Process(target=work, args=(chosen.seed, there), daemon=True)
+            worker = context.Process(target=work, args=(pool, chosen.seed, there), daemon=True)
             worker.start()
         here.send((number, chosen.step))
         if here.poll(SLOW):

@@ -69,7 +69,7 @@ BISECTIONS = 60
 RUBS = 12
 """Steps in which the friction at a normal impulse is found."""
 
-MOST_SWEEPS = 500
+MOST_SWEEPS = 150
 """Sweeps after which a step is taken as it is, and counted as not converged."""
 
 
