@@ -59,6 +59,9 @@ SHORTEST = 1e-6
 SHORT_STEPS = 8
 """Shortest steps in a row after which they are twice as long: bodies meet that do not come apart."""
 
+DEEP = 1e-5
+"""Depth from which on they are made shorter again [m]."""
+
 MOST_ROUNDS = 8
 """Rounds of devices and contacts in a step: their dampers feel what the contacts do."""
 
@@ -331,6 +334,8 @@ def run_in_space(
                 short = short + 1 if h <= shortest else 0
                 if short == 0:
                     shortest = SHORTEST
+                elif least < -DEEP:
+                    shortest = max(SHORTEST, 0.5 * shortest)
                 elif short % SHORT_STEPS == 0:
                     shortest *= 2.0
                 if least < -IGNORED - bent:

@@ -24,9 +24,6 @@ PREFER_FACES = 1e-6
 SHALLOW = 1e-5
 """Depth up to which no other axis is tried where bodies touch [m]."""
 
-OUTERMOST = 1e-9
-"""By how much an edge may lie inside its body along an axis to count as outermost [m]."""
-
 NEAR = 0.01
 """Share of both radii up to which edges are near the other body: others are tried where these do not tell."""
 
