@@ -75,7 +75,7 @@ def free_top() -> Iterator[Row]:
         start = sp.Standing(
             box, (0.0, 0.0, 90.0), velocity=(0.0, 0.0, 30.0), rotation_rate=(side, spin, nudge)
         )
-        run = sp.simulate(start, sp.Room(), still(2.2 * known))
+        run = sp.simulate(start, sp.Room(), still(2.2 * known), step=5e-4)
         own = np.einsum("si,si->s", run.turn[0, :, :, 1], run.rotation_rate[0])
         k = np.flatnonzero(np.diff(np.sign(own)))[:2]
         flips = run.time[k] + 1e-3 * own[k] / (own[k] - own[k + 1])
