@@ -74,7 +74,8 @@ def simulate_assembly(
         checked_step(step),
         GRAVITY.check(gravity),
     )
-    return _run(standing, room, motion, planes, trace, joint_results(assembly.joints, springs, trace))
+    joints = joint_results(assembly.joints, springs, trace.devices, trace.forces)
+    return _run(standing, room, motion, planes, trace, joints)
 
 
 def simulate_piece(

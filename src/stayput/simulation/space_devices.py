@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.simulation.space_engine import SpaceTrace
     from stayput.simulation.standing import Joint, Standing
 
 JOINT = "joint"
@@ -98,10 +97,13 @@ def joint_springs(standing: Sequence[Standing], joints: Sequence[Joint]) -> NDAr
 
 
 def joint_results(
-    joints: Sequence[Joint], springs: NDArray[np.void], trace: SpaceTrace
+    joints: Sequence[Joint],
+    springs: NDArray[np.void],
+    devices: NDArray[np.void],
+    forces: NDArray[np.float64],
 ) -> tuple[DeviceResult, ...]:
-    """Return what became of the joints of an assembly."""
-    used = utilisation(springs, trace.devices)
+    """Return what became of the joints of an assembly, by the devices and forces of its run."""
+    used = utilisation(springs, devices)
     return tuple(
         DeviceResult(
             JOINT,
@@ -114,10 +116,10 @@ def joint_results(
             int(device["failure"]) != HOLDS,
             float(device["failure_time"]),
             CAUSES[int(device["failure"])],
-            trace.forces[:, n, F_NORMAL],
-            trace.forces[:, n, F_TANGENT],
+            forces[:, n, F_NORMAL],
+            forces[:, n, F_TANGENT],
         )
-        for n, (joint, device) in enumerate(zip(joints, trace.devices, strict=True))
+        for n, (joint, device) in enumerate(zip(joints, devices, strict=True))
     )
 
 
