@@ -5,9 +5,6 @@ The cases are those of `benchmarks/space_random.py`, which runs many more.
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,20 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import stayput as sp
+from benchmark_modules import benchmark
 
-
-def _load() -> Any:
-    path = Path(__file__).parents[2] / "benchmarks" / "space_random.py"
-    spec = importlib.util.spec_from_file_location("space_random", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-cases = _load()
+cases = benchmark("space_random")
 
 
 def thrown(seed: int, **kind: Any) -> Any:

@@ -6,16 +6,14 @@ friction, and its steps are 1 ms or less, so the tolerances are MuJoCo's: a few 
 
 from __future__ import annotations
 
-import importlib.util
 import math
-import sys
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import stayput as sp
+from benchmark_modules import benchmark
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
@@ -23,18 +21,7 @@ G = 9.81
 STEP = 5e-4  # s, of MuJoCo
 
 
-def _load() -> Any:
-    path = Path(__file__).parents[2] / "benchmarks" / "mujoco_block.py"
-    spec = importlib.util.spec_from_file_location("mujoco_block", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-mb = _load()
+mb = benchmark("mujoco_block")
 
 
 def in_mujoco(block: Any, motion: sp.Motion, **state: float) -> Any:

@@ -6,29 +6,15 @@ and one coefficient of friction holds there.
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
-from typing import Any
-
 import numpy as np
 import pytest
+
+from benchmark_modules import benchmark
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 
-def _load() -> Any:
-    path = Path(__file__).parents[2] / "benchmarks" / "space_mujoco.py"
-    spec = importlib.util.spec_from_file_location("space_mujoco", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-mj = _load()
+mj = benchmark("space_mujoco")
 
 
 def test_a_box_that_rocks_on_edges_and_corners() -> None:

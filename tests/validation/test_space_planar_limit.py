@@ -2,32 +2,18 @@
 
 from __future__ import annotations
 
-import importlib.util
 import math
-import sys
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 import stayput as sp
+from benchmark_modules import benchmark
 
 NEAR_FAULT = sp.near_fault()
 
 
-def _load() -> Any:
-    path = Path(__file__).parents[2] / "benchmarks" / "space_planar.py"
-    spec = importlib.util.spec_from_file_location("space_planar", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-beside = _load()
+beside = benchmark("space_planar")
 
 
 def planar(motion: sp.Motion, scale: float, duration: float = 14.0) -> sp.Motion:
