@@ -1,8 +1,9 @@
 // Plays one run in space: its scene, its histories below it, and the time that they share.
 
 import { VIEWS, lead, orbit } from "./canvas/camera.js";
-import { beforeNextFrame, player, prefersReducedMotion } from "./canvas/clock.js";
-import { ink, readInks } from "./canvas/pen.js";
+import { beforeNextFrame, prefersReducedMotion } from "./canvas/clock.js";
+import { ink } from "./canvas/pen.js";
+import { playBar } from "./canvas/play_bar.js";
 import { spacePainter } from "./canvas/space.js";
 import { flatPainter } from "./canvas/space_flat.js";
 import { spaceScene } from "./canvas/space_scene.js";
@@ -11,7 +12,7 @@ import { drawRows, most, picked } from "./canvas/strip.js";
 const film = JSON.parse(document.getElementById("run").textContent);
 const scene = spaceScene(film),
   { texts } = film,
-  { start, end, bodies } = scene;
+  { bodies } = scene;
 const part = (id) => document.getElementById(id);
 const degrees = (angle) => (angle * 180) / Math.PI;
 const several = bodies.length > 1;
@@ -48,7 +49,7 @@ function drawStrip(now) {
       series: [{ times: scene.times, values: tilts, colour: ink.ink, width: 1.5 }],
     },
   ];
-  drawRows(part("strip"), rows, { start, end, now });
+  drawRows(part("strip"), rows, { start: scene.start, end: scene.end, now });
 }
 
 function drawPicture(now) {
@@ -62,15 +63,10 @@ function draw(now) {
   part("tilt").textContent = `${degrees(tilt).toFixed(1)}°`;
   part("slide").textContent = `${(100 * slide).toFixed(1)} cm`;
   part("yaw").textContent = `${degrees(yaw).toFixed(1)}°`;
-  part("clock").textContent = `${now.toFixed(2)} s`;
-  part("time").value = (1000 * (now - start)) / (end - start);
 }
 
-const clock = player(
-  draw,
-  (playing) => (part("play").textContent = playing ? texts.pause : texts.play),
-  film.hold_s,
-);
+const bar = playBar(film, scene, draw),
+  { clock } = bar;
 const turned = beforeNextFrame(() => drawPicture(clock.now));
 
 bodies.forEach(({ name, colour }, b) => {
@@ -113,42 +109,13 @@ lead(part("scene"), camera, () => {
 part("shaken").checked = !prefersReducedMotion();
 part("shaken").onchange = turned;
 
-for (const value of [...new Set([0.1, 0.25, 0.5, 1, 2, 4, film.speed])].sort((p, q) => p - q))
-  part("speed").add(new Option(`${value} ×`, value, false, value === film.speed));
-clock.faster(film.speed);
-part("speed").onchange = (event) => clock.faster(Number(event.target.value));
-part("play").onclick = () => clock.toggle();
-part("time").oninput = (event) => clock.seek(start + (event.target.value / 1000) * (end - start));
-const again = () => {
-  readInks();
-  draw(clock.now);
-};
-part("theme").onclick = () => {
-  const dark = getComputedStyle(document.documentElement).getPropertyValue("--paper").trim() === "#14181d";
-  document.documentElement.dataset.theme = dark ? "light" : "dark";
-  again();
-};
 picked(part("strip"), scene, (time) => clock.seek(time));
 addEventListener("keydown", (event) => {
-  if (event.ctrlKey || event.altKey || event.metaKey) return;
   const place = Number(event.key) - 1;
-  if (views[place] && !event.target.closest("select")) {
-    views[place].checked = true;
-    go(views[place].value);
-  }
-  if (event.target.closest("button, select, input")) return;
-  if (event.key === " ") {
-    clock.toggle();
-    event.preventDefault();
-  }
-  if (event.key === "ArrowRight") clock.step(0.02);
-  if (event.key === "ArrowLeft") clock.step(-0.02);
+  if (event.ctrlKey || event.altKey || event.metaKey || !views[place]) return;
+  if (event.target.closest("select")) return;
+  views[place].checked = true;
+  go(views[place].value);
 });
-addEventListener("resize", again);
-part("scene").addEventListener("webglcontextrestored", again);
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", again);
-const wanted = Number(location.hash.slice(1)); // "#6.3" opens the page at 6.3 s, paused
-const shown = location.hash && Number.isFinite(wanted);
-readInks();
-clock.span(start, end, shown ? wanted : start, shown || !film.plays || prefersReducedMotion());
-again();
+part("scene").addEventListener("webglcontextrestored", bar.again);
+bar.begin(film.plays);
