@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from stayput import Solid
 from stayput.errors import InputError
 from stayput.model.inertia import inertia_of, principal_axes
-from stayput.model.polyhedron import TOLERANCE, convex_hull, planes, size_of, triangulated, uniform_solid
+from stayput.model.polyhedron import TOLERANCE, convex_hull, size_of, triangulated, uniform_solid
 
 trimesh = pytest.importorskip("trimesh", reason="trimesh is not installed")
 
@@ -59,7 +59,7 @@ def test_a_hull_is_closed_convex_and_holds_the_points(cloud):
     assert all((b, a) in edges for a, b in edges)
     assert len(hull.vertices) - len(edges) // 2 + len(hull.faces) == 2
     assert min(Counter(int(corner) for face in hull.faces for corner in face).values()) > 2
-    faces = planes(hull)
+    faces = hull.planes
     assert (cloud @ faces[:, :3].T - faces[:, 3]).max() < 10 * TOLERANCE * size_of(cloud)
     again = convex_hull(hull.vertices)
     assert np.array_equal(again.vertices, hull.vertices)
@@ -183,3 +183,18 @@ def test_a_damaged_binary_mesh_is_refused_or_makes_a_body(data):
         file = Path(folder) / "damaged.stl"
         file.write_bytes(content)
         assert_refused_or_a_body(file, density=600.0)
+
+
+@given(st.permutations(range(8)), SEEDS, st.sampled_from([0.0, 0.05, 0.3]))
+def test_eight_corners_are_what_qhull_finds_of_them_and_a_point_inside(order, seed, bent):
+    """A box needs no Qhull; with a ninth point, or where it is bent, it goes the general way."""
+    rng = np.random.default_rng(seed)
+    box = np.array([(x, y, z) for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
+    box[:, 2] += np.where(box[:, 2] > 0.5, 0.0, bent * box[:, 0])  # a slanted base
+    corners = (box * rng.uniform(0.3, 2.0, 3))[list(order)]
+    found = convex_hull(corners)
+    general = convex_hull(np.concatenate([corners, corners.mean(axis=0)[np.newaxis]]))
+    assert np.array_equal(found.vertices, general.vertices)
+    assert [face.tolist() for face in found.faces] == [face.tolist() for face in general.faces]
+    np.testing.assert_allclose(found.planes, general.planes, atol=1e-12)
+    assert len(convex_hull(corners + rng.uniform(-0.1, 0.1, corners.shape)).faces) > 6

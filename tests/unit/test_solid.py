@@ -13,7 +13,7 @@ import pytest
 from stayput import Body, Solid
 from stayput.errors import InputError
 from stayput.model.inertia import inertia_of, principal_axes
-from stayput.model.polyhedron import convex_hull, planes, size_of, triangulated, uniform_solid
+from stayput.model.polyhedron import convex_hull, size_of, triangulated, uniform_solid
 from stayput.model.solid import MOST_VERTICES, SIDES
 
 HEXAGON = [(math.cos(a), math.sin(a)) for a in np.arange(6) * math.pi / 3]
@@ -31,7 +31,7 @@ def samples_inside(solid: Solid, count: int) -> np.ndarray:
     """Points spread evenly over a solid's hull, from the box around it."""
     low, high = solid.vertices.min(axis=0), solid.vertices.max(axis=0)
     points = RNG.uniform(low, high, (count, 3))
-    faces = planes(convex_hull(solid.vertices))
+    faces = convex_hull(solid.vertices).planes
     return points[(points @ faces[:, :3].T <= faces[:, 3]).all(axis=1)]
 
 
@@ -40,7 +40,7 @@ def assert_closed(vertices: np.ndarray, faces: tuple[np.ndarray, ...]) -> None:
     assert set(edges.values()) == {1}
     assert all((b, a) in edges for a, b in edges)
     assert len(vertices) - len(edges) // 2 + len(faces) == 2  # Euler
-    outside = planes(convex_hull(vertices))
+    outside = convex_hull(vertices).planes
     assert (vertices @ outside[:, :3].T - outside[:, 3]).max() <= 2e-6 * size_of(vertices)
 
 

@@ -36,10 +36,13 @@ class Hull(NamedTuple):
         Its corners [m], in the order in which they were given.
     faces : tuple of ndarray
         The corners of each face, counter-clockwise as seen from outside, each from its smallest index on.
+    planes : ndarray, shape (f, 4)
+        Those of the faces: outward unit normal n and d, n·x ≤ d inside [m].
     """
 
     vertices: NDArray[np.float64]
     faces: tuple[NDArray[np.int64], ...]
+    planes: NDArray[np.float64]
 
 
 class UniformSolid(NamedTuple):
@@ -105,6 +108,8 @@ def convex_hull(points: NDArray[np.float64]) -> Hull:
         The points lie in a plane, or nearly so.
     """
     size = size_of(points)
+    if len(points) == 8 and (box := _box_like(points, size)) is not None:
+        return box
     try:
         hull = ConvexHull(points)
     except (QhullError, ValueError):
@@ -124,7 +129,32 @@ def convex_hull(points: NDArray[np.float64]) -> Hull:
     renumbered = np.full(len(points), -1)
     renumbered[kept] = np.arange(len(kept))
     faces = sorted(_from_smallest(renumbered[loop].tolist()) for loop in loops)
-    return Hull(points[kept], tuple(np.array(face, np.int64) for face in faces))
+    corners, numbered = points[kept], tuple(np.array(face, np.int64) for face in faces)
+    return Hull(corners, numbered, planes_of_faces(corners, numbered))
+
+
+_BOX_FACES = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
+"""Faces of a box by the halves in which its corners lie: 1 for the upper half of x, 2 of y, 4 of z."""
+
+
+def _box_like(points: NDArray[np.float64], size: float) -> Hull | None:
+    """Return the hull of eight points that are the corners of a box or nearly so; None for all others.
+
+    It is what Qhull would find, in a fraction of the time: most furniture is a box.
+    """
+    halves = (points > (points.min(axis=0) + points.max(axis=0)) / 2.0) @ [1, 2, 4]
+    order = np.argsort(halves, kind="stable")
+    if not np.array_equal(halves[order], np.arange(8)):
+        return None
+    faces = sorted(_from_smallest(face) for face in order[_BOX_FACES].tolist())
+    loops = np.array(faces, np.int64)
+    found = planes_of_faces(points, tuple(loops))
+    beyond = points @ found[:, :3].T - found[:, 3]
+    on_face = np.zeros((8, 6), np.bool_)
+    on_face[loops, np.arange(6)[:, np.newaxis]] = True
+    if np.all(np.where(on_face, np.abs(beyond) <= TOLERANCE * size, beyond < -10.0 * TOLERANCE * size)):
+        return Hull(points, tuple(loops), found)
+    return None
 
 
 def check_filled(volume: float, hull_volume: float, field: str) -> None:
@@ -154,17 +184,35 @@ def triangulated(faces: tuple[NDArray[np.int64], ...]) -> NDArray[np.int64]:
     )
 
 
-def planes(hull: Hull) -> NDArray[np.float64]:
-    """Return the planes of the faces, shape (f, 4): outward unit normal n and d, n·x ≤ d inside [m]."""
-    rows: list[list[float]] = []
-    for face in hull.faces:
-        around = hull.vertices[face]
-        middle = around.mean(axis=0)
-        # Newell's normal: of all corners alike
-        normal = np.cross(around - middle, np.roll(around, -1, axis=0) - middle).sum(axis=0)
-        normal /= np.linalg.norm(normal)
-        rows.append([*normal, (around @ normal).max()])
-    return np.array(rows)
+def planes_of_faces(
+    vertices: NDArray[np.float64], faces: tuple[NDArray[np.int64], ...]
+) -> NDArray[np.float64]:
+    """Return the planes of faces, shape (f, 4): outward unit normal n and d, n·x ≤ d inside [m].
+
+    Parameters
+    ----------
+    vertices : ndarray, shape (n, 3)
+        Corners [m].
+    faces : tuple of ndarray
+        Those of each face, counter-clockwise as seen from outside.
+    """
+    counts = np.array([len(face) for face in faces])
+    starts = np.cumsum(counts) - counts
+    around = vertices[np.concatenate(faces)]
+    arms = around - np.repeat(np.add.reduceat(around, starts) / counts[:, np.newaxis], counts, axis=0)
+    after = np.arange(1, len(around) + 1)
+    after[starts + counts - 1] = starts
+    # Newell's normals: of all corners alike
+    normals = np.add.reduceat(_cross(arms, arms[after]), starts)
+    normals /= np.linalg.norm(normals, axis=1)[:, np.newaxis]
+    heights = (around * np.repeat(normals, counts, axis=0)).sum(axis=1)
+    return np.column_stack((normals, np.maximum.reduceat(heights, starts)))
+
+
+def _cross(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return cross products of rows, shape (n, 3): of a few rows NumPy's takes several times as long."""
+    (x, y, z), (u, v, w) = a.T, b.T
+    return np.column_stack((y * w - z * v, z * u - x * w, x * v - y * u))
 
 
 def enclosed_volume(vertices: NDArray[np.float64], triangles: NDArray[np.int64]) -> float:
@@ -208,13 +256,13 @@ def _tetrahedra(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return triangles' corners from the vertices' mean, shape (t, 3, 3), and volumes between it and them."""
     corners = (vertices - vertices.mean(axis=0))[triangles]
-    return corners, np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6.0
+    return corners, np.einsum("ij,ij->i", corners[:, 0], _cross(corners[:, 1], corners[:, 2])) / 6.0
 
 
 def _normals(points: NDArray[np.float64], triangles: NDArray[np.int64]) -> NDArray[np.float64]:
     """Return normals of triangles, twice as long as their area."""
     a, b, c = (points[triangles[:, i]] for i in range(3))
-    return np.cross(b - a, c - a)
+    return _cross(b - a, c - a)
 
 
 def _grouped(

@@ -100,6 +100,14 @@ class Solid:
         Feet [m].
     rims : ndarray, shape (r, 7)
         Circular edges.
+    normals : ndarray, shape (n, 3)
+        Outward unit normals of the faces.
+    principal : tuple of ndarray
+        Principal moments [kg m²], shape (3,), and the rotation R, shape (3, 3), of the axes: its columns. The
+        inertia is R diag(moments) Rᵀ; see `principal_axes`, which brings R near to the identity.
+    up_at_rest : ndarray, shape (3,), or None
+        What points up, in the frame of the body, while it rests on its base; None where it does not stand.
+        It is (0, 0, 1) but for feet of unequal heights.
 
     Raises
     ------
@@ -115,6 +123,9 @@ class Solid:
     inertia: NDArray[np.float64]
     feet: NDArray[np.float64] | None
     rims: NDArray[np.float64]
+    normals: NDArray[np.float64] = field(init=False)
+    principal: tuple[NDArray[np.float64], NDArray[np.float64]] = field(init=False)
+    up_at_rest: NDArray[np.float64] | None = field(init=False)
 
     def __init__(
         self,
@@ -145,8 +156,12 @@ class Solid:
             "feet": None if feet is None else checked_feet(feet),
             "rims": checked_rims(rims),
         }
+        fields["normals"] = read_only(hull.planes[:, :3])
+        moments, axes = principal_axes(fields["inertia"])
+        fields["principal"] = read_only(moments), read_only(axes)
         for name, value in fields.items():
             object.__setattr__(self, name, value)
+        object.__setattr__(self, "up_at_rest", self._up_at_rest())
 
     def __repr__(self) -> str:
         sides = " × ".join(f"{side:.4g}" for side in np.ptp(self.vertices, axis=0))
@@ -169,14 +184,6 @@ class Solid:
         return self.vertices, self.mass, self.centre_of_gravity, self.inertia, self.feet, self.rims
 
     @property
-    def principal(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Principal moments [kg m²], shape (3,), and the rotation R, shape (3, 3), of the axes: its columns.
-
-        The inertia is R diag(moments) Rᵀ; see `principal_axes`, which brings R near to the identity.
-        """
-        return principal_axes(self.inertia)
-
-    @property
     def base(self) -> NDArray[np.float64]:
         """The points that touch a level floor: the feet, or the lowest corners [m], shape (k, 3)."""
         if self.feet is not None:
@@ -184,20 +191,17 @@ class Solid:
         heights = self.vertices[:, 2]
         return self.vertices[heights <= heights.min() + TOLERANCE * size_of(self.vertices)]
 
-    @property
-    def up_at_rest(self) -> NDArray[np.float64] | None:
-        """What points up, in the frame of the body, while it rests on its base; None where it does not stand.
-
-        It is (0, 0, 1) but for feet of unequal heights.
-        """
+    def _up_at_rest(self) -> NDArray[np.float64] | None:
         tolerance = TOLERANCE * size_of(self.vertices)
         if self.feet is None:
             lowest = float(self.vertices[:, 2].min())
             for x, y, z, _, _, axis, radius in self.rims:
                 if z <= lowest + tolerance and abs(axis) > 1.0 - 1e-9:
                     g_x, g_y, _ = self.centre_of_gravity
-                    return np.array([0.0, 0.0, 1.0]) if math.hypot(g_x - x, g_y - y) < radius else None
-        return up_at_rest(self.base, self.centre_of_gravity, tolerance)
+                    stands = math.hypot(g_x - x, g_y - y) < radius
+                    return read_only(np.array([0.0, 0.0, 1.0])) if stands else None
+        up = up_at_rest(self.base, self.centre_of_gravity, tolerance)
+        return None if up is None else read_only(up)
 
     @property
     def stands(self) -> bool:
@@ -369,7 +373,7 @@ class Solid:
         """
         if (mass is None) == (density is None):
             raise InputError("solids.mass_or_density", "mass")
-        vertices, faces = read_convex_mesh(file, unit, up)
+        vertices, faces, _ = read_convex_mesh(file, unit, up)
         if density is not None:
             density = within("solids.density", density, *DENSITY_RANGE, "kg/m³", "density")
             mass = density * enclosed_volume(vertices, triangulated(faces))

@@ -9,7 +9,7 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError, within
 from stayput.model.body import MASS_RANGE, SIZE_RANGE
-from stayput.model.polyhedron import TOLERANCE, planes, size_of
+from stayput.model.polyhedron import TOLERANCE, size_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -68,8 +68,7 @@ def checked_mass(value: float) -> float:
 def checked_centre(hull: Hull, value: ArrayLike) -> NDArray[np.float64]:
     """Return the centre of gravity, or refuse one outside the hull."""
     point = numbers("centre_of_gravity", value, (3,))
-    faces = planes(hull)
-    depth = float((faces[:, :3] @ point - faces[:, 3]).max())
+    depth = float((hull.planes[:, :3] @ point - hull.planes[:, 3]).max())
     if depth > TOLERANCE * size_of(hull.vertices):
         told = f"({', '.join(f'{x:.4g}' for x in point)})"
         raise InputError("solids.cg_outside", "centre_of_gravity", point=told, depth=depth)

@@ -210,18 +210,12 @@ def _add(
     rims += [(*own(rim[:3]), *(rim[3:6] @ axes), rim[6], int(rim[2] > feet_reach), 1) for rim in solid.rims]
     body["first_face"], body["faces"] = len(faces), len(solid.faces)
     body["first_edge"] = len(edges)
-    for face in solid.faces:
-        faces.append((*face_normal(vertices[face]), len(loops), len(face)))
-        loops += [first + int(i) for i in face]
-        around = zip(face, np.roll(face, -1), strict=True)
-        edges += [(first + int(i), first + int(j)) for i, j in around if i < j]
+    for face, normal in zip(solid.faces, solid.normals @ axes, strict=True):
+        corners = (first + face).tolist()
+        faces.append((*normal, len(loops), len(corners)))
+        loops += corners
+        edges += [(i, j) for i, j in zip(corners, [*corners[1:], corners[0]], strict=True) if i < j]
     body["edges"] = len(edges) - body["first_edge"]
-
-
-def face_normal(corners: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the outward normal of a face (Newell's method, which bears corners nearly on a line)."""
-    n = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
-    return n / np.linalg.norm(n)
 
 
 def on_rims(solid: Solid) -> NDArray[np.bool_]:

@@ -177,7 +177,8 @@ def _draw_body(
     turn: NDArray[np.float64],
     colour: str,
 ) -> None:
-    solid, normals = shape.solid, shape.normals @ turn.T
+    solid = shape.solid
+    normals = solid.normals @ turn.T
     firsts = corners[[face[0] for face in solid.faces]]
     facing = np.einsum("fi,fi->f", normals, camera.place - firsts) > 0.0
     sides: dict[tuple[int, int], int] = {}
@@ -214,7 +215,7 @@ def _apart(
     eye: NDArray[np.float64],
 ) -> tuple[float, bool]:
     """Return how far others lie beyond the plane of the face that parts them best, and if the eye does."""
-    normals = shape.normals @ turn.T
+    normals = shape.solid.normals @ turn.T
     firsts = corners[[face[0] for face in shape.solid.faces]]
     offsets = np.einsum("fi,fi->f", normals, firsts)
     gaps = (others @ normals.T).min(axis=0) - offsets

@@ -182,7 +182,7 @@ class SpaceScene:
     def footprint(self, body: int) -> NDArray[np.float64]:
         """Return the outline of a body's base as it first stands on the floor, shape (k, 3) [m]; or none."""
         shape, corners = self.shapes[body], self.at_start(body)
-        lowest = int(np.argmin(shape.normals @ matrices(self.attitude[body, 0])[2]))
+        lowest = int(np.argmin(shape.solid.normals @ matrices(self.attitude[body, 0])[2]))
         base = corners[shape.solid.faces[lowest]]
         on_floor = base[:, 2].max() < 0.02 * float(np.ptp(corners, axis=0).max())
         return base * [1.0, 1.0, 0.0] if on_floor else np.empty((0, 3))

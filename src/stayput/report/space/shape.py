@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.report.scene import rounded
-from stayput.simulation.space_records import face_normal, on_rims
+from stayput.simulation.space_records import on_rims
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -57,8 +57,6 @@ class SolidShape:
     ----------
     solid : Solid
         The body.
-    normals : ndarray, shape (faces, 3)
-        Unit normals of its faces, outwards.
     curved : ndarray, shape (faces,)
         Whether a face is part of a round side, which is shaded smoothly.
     edges : ndarray, shape (k, 2)
@@ -68,7 +66,6 @@ class SolidShape:
     """
 
     solid: Solid
-    normals: NDArray[np.float64]
     curved: NDArray[np.bool_]
     edges: NDArray[np.int64]
     marks: tuple[Mark, ...]
@@ -78,13 +75,13 @@ class SolidShape:
         return {
             "vertices_m": [rounded(vertex) for vertex in self.solid.vertices],
             "faces": [face.tolist() for face in self.solid.faces],
-            "normals": [rounded(normal) for normal in self.normals],
+            "normals": [rounded(normal) for normal in self.solid.normals],
             "curved": self.curved.tolist(),
             "edges": self.edges.tolist(),
             "marks": [
                 {
                     "corners_m": [rounded(corner) for corner in mark.corners],
-                    "normal": rounded(self.normals[mark.face]),
+                    "normal": rounded(self.solid.normals[mark.face]),
                     "light": mark.light,
                 }
                 for mark in self.marks
@@ -94,11 +91,8 @@ class SolidShape:
 
 def shape_of(solid: Solid) -> SolidShape:
     """Make a solid ready for drawing."""
-    normals = np.array([face_normal(solid.vertices[face]) for face in solid.faces])
     curved = _curved(solid)
-    return SolidShape(
-        solid, normals, curved, _edges(solid.faces, curved), tuple(_marks(solid, normals, curved))
-    )
+    return SolidShape(solid, curved, _edges(solid.faces, curved), tuple(_marks(solid, curved)))
 
 
 def _curved(solid: Solid) -> NDArray[np.bool_]:
@@ -118,8 +112,8 @@ def _edges(faces: Sequence[NDArray[np.int64]], curved: NDArray[np.bool_]) -> NDA
     return np.array([edge for edge, sides in beside.items() if not all(sides)], np.int64)
 
 
-def _marks(solid: Solid, normals: NDArray[np.float64], curved: NDArray[np.bool_]) -> list[Mark]:
-    vertices, found = solid.vertices, list[Mark]()
+def _marks(solid: Solid, curved: NDArray[np.bool_]) -> list[Mark]:
+    vertices, normals, found = solid.vertices, solid.normals, list[Mark]()
     if curved.any():
         front = vertices[solid.faces[int(np.argmax(normals[:, 0]))], 0].mean()
         for face in np.flatnonzero(curved & (normals[:, 0] > _FACING)):
