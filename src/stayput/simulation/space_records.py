@@ -190,6 +190,8 @@ def _add(
     on_floor = ~on_rim & (solid.vertices[:, 2] > feet_reach)
     body["mass"] = solid.mass
     body["i1"], body["i2"], body["i3"] = moments
+    body["rm"] = 1.0 / math.sqrt(solid.mass)
+    body["r1"], body["r2"], body["r3"] = 1.0 / np.sqrt(moments)
     body["first_point"], body["hull"] = first, len(vertices)
     points += [
         (*v, *floor.own_friction(x), int(f), int(not r))

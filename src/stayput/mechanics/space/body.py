@@ -13,7 +13,6 @@ from stayput.mechanics.space.vectors import (
     cross,
     dot,
     quaternion_rate,
-    turned,
     turned_back,
     unit_quaternion,
 )
@@ -44,6 +43,26 @@ def rotation(s):
 
 
 @inline
+def in_room(s, a):
+    """Return a vector of the body's axes in the room's."""
+    return (
+        s.rxx * a[0] + s.rxy * a[1] + s.rxz * a[2],
+        s.ryx * a[0] + s.ryy * a[1] + s.ryz * a[2],
+        s.rzx * a[0] + s.rzy * a[1] + s.rzz * a[2],
+    )
+
+
+@inline
+def in_body(s, a):
+    """Return a vector of the room's axes in the body's."""
+    return (
+        s.rxx * a[0] + s.ryx * a[1] + s.rzx * a[2],
+        s.rxy * a[0] + s.ryy * a[1] + s.rzy * a[2],
+        s.rxz * a[0] + s.ryz * a[1] + s.rzz * a[2],
+    )
+
+
+@inline
 def kinetic_energy(body, s):
     """Return the kinetic energy."""
     v, w = velocity(s), rotation(s)
@@ -61,17 +80,26 @@ def angular_response(s, moment):
 
 
 @inline
-def update_inertia(body, s):
-    """Set the inverse inertia in the room's axes, R J⁻¹ Rᵀ, and the rotation rate."""
-    q = attitude(s)
-    e1, e2, e3 = turned(q, (1.0, 0.0, 0.0)), turned(q, (0.0, 1.0, 0.0)), turned(q, (0.0, 0.0, 1.0))
-    k1, k2, k3 = 1.0 / body.i1, 1.0 / body.i2, 1.0 / body.i3
-    s.jxx = k1 * e1[0] * e1[0] + k2 * e2[0] * e2[0] + k3 * e3[0] * e3[0]
-    s.jxy = k1 * e1[0] * e1[1] + k2 * e2[0] * e2[1] + k3 * e3[0] * e3[1]
-    s.jxz = k1 * e1[0] * e1[2] + k2 * e2[0] * e2[2] + k3 * e3[0] * e3[2]
-    s.jyy = k1 * e1[1] * e1[1] + k2 * e2[1] * e2[1] + k3 * e3[1] * e3[1]
-    s.jyz = k1 * e1[1] * e1[2] + k2 * e2[1] * e2[2] + k3 * e3[1] * e3[2]
-    s.jzz = k1 * e1[2] * e1[2] + k2 * e2[2] * e2[2] + k3 * e3[2] * e3[2]
+def set_attitude(body, s, q):
+    """Set the quaternion, and what goes with it: the rotation R, R J⁻¹ Rᵀ, and the rotation rate."""
+    w, x, y, z = unit_quaternion(q)
+    s.qw, s.qx, s.qy, s.qz = w, x, y, z
+    a, b, c = 2.0 * x, 2.0 * y, 2.0 * z
+    s.rxx, s.rxy, s.rxz = 1.0 - (b * y + c * z), a * y - c * w, a * z + b * w
+    s.ryx, s.ryy, s.ryz = a * y + c * w, 1.0 - (a * x + c * z), b * z - a * w
+    s.rzx, s.rzy, s.rzz = a * z - b * w, b * z + a * w, 1.0 - (a * x + b * y)
+    # J⁻¹ᐟ²Rᵀ, whose square is R J⁻¹ Rᵀ
+    k1, k2, k3 = body.r1, body.r2, body.r3
+    x1, x2, x3 = k1 * s.rxx, k2 * s.rxy, k3 * s.rxz
+    y1, y2, y3 = k1 * s.ryx, k2 * s.ryy, k3 * s.ryz
+    z1, z2, z3 = k1 * s.rzx, k2 * s.rzy, k3 * s.rzz
+    s.jxx, s.jxy, s.jxz = (
+        x1 * x1 + x2 * x2 + x3 * x3,
+        x1 * y1 + x2 * y2 + x3 * y3,
+        x1 * z1 + x2 * z2 + x3 * z3,
+    )
+    s.jyy, s.jyz = y1 * y1 + y2 * y2 + y3 * y3, y1 * z1 + y2 * z2 + y3 * z3
+    s.jzz = z1 * z1 + z2 * z2 + z3 * z3
     s.wx, s.wy, s.wz = angular_response(s, (s.lx, s.ly, s.lz))
 
 
@@ -87,7 +115,8 @@ def bend(body, s, lever):
 @inline
 def _free_rate(body, q, momentum):
     spin = turned_back(q, momentum)
-    return quaternion_rate(q, (spin[0] / body.i1, spin[1] / body.i2, spin[2] / body.i3))
+    k1, k2, k3 = body.r1, body.r2, body.r3
+    return quaternion_rate(q, (k1 * k1 * spin[0], k2 * k2 * spin[1], k3 * k3 * spin[2]))
 
 
 @inline
@@ -116,8 +145,7 @@ def drift(body, s, h):
         q[2] + sixth * (k1[2] + 2.0 * k2[2] + 2.0 * k3[2] + k4[2]),
         q[3] + sixth * (k1[3] + 2.0 * k2[3] + 2.0 * k3[3] + k4[3]),
     )
-    s.qw, s.qx, s.qy, s.qz = unit_quaternion(q)
-    update_inertia(body, s)
+    set_attitude(body, s, q)
 
 
 @inline
@@ -127,8 +155,8 @@ def sag(body, s, h):
 
 
 @inline
-def nudge(s, move, turn):
-    """Move a body by a small way and turn it by a small vector; its velocities stay."""
+def nudge(body, s, move, turn):
+    """Move a body by a small way and turn it by a small vector; its momenta stay."""
     s.x += move[0]
     s.y += move[1]
     s.z += move[2]
@@ -140,7 +168,7 @@ def nudge(s, move, turn):
         q[2] + half[1] * q[0] + half[2] * q[1] - half[0] * q[3],
         q[3] + half[2] * q[0] + half[0] * q[2] - half[1] * q[1],
     )
-    s.qw, s.qx, s.qy, s.qz = unit_quaternion(q)
+    set_attitude(body, s, q)
 
 
 @inline
@@ -151,5 +179,8 @@ def copy_pose(source, target):
     target.vx, target.vy, target.vz = source.vx, source.vy, source.vz
     target.lx, target.ly, target.lz = source.lx, source.ly, source.lz
     target.wx, target.wy, target.wz = source.wx, source.wy, source.wz
+    target.rxx, target.rxy, target.rxz = source.rxx, source.rxy, source.rxz
+    target.ryx, target.ryy, target.ryz = source.ryx, source.ryy, source.ryz
+    target.rzx, target.rzy, target.rzz = source.rzx, source.rzy, source.rzz
     target.jxx, target.jxy, target.jxz = source.jxx, source.jxy, source.jxz
     target.jyy, target.jyz, target.jzz = source.jyy, source.jyz, source.jzz

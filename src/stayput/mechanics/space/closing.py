@@ -15,10 +15,12 @@ from stayput.mechanics.space.touching import (
     ROOM,
     bend_of_rim,
     gap_of,
+    gap_of_point,
     lever_of_point,
     lever_on_rim,
     may_touch,
     note_gaps,
+    plane_from,
     plane_normal,
 )
 from stayput.mechanics.space.vectors import added, dot
@@ -96,11 +98,12 @@ def find_contacts(world, poses, push, scratch, ratio, h):
         first_key = planes.shape[0] * points.shape[0] + j * rims.shape[0] * RIM_POINTS
         for b in range(bodies.shape[0]):
             body, s, first = bodies[b], poses[b], count
+            height, n = plane_from(s, plane)
             for i in range(body.first_point, body.first_point + body.points):
                 if may_touch(points[i], plane):
-                    lever = lever_of_point(s, points[i])
-                    gap = gap_of(s, lever, plane)
+                    gap = gap_of_point(points[i], height, n)
                     if gap <= closed:
+                        lever = lever_of_point(s, points[i])
                         _on_plane(contacts[count], b, lever, gap, j, plane)
                         contacts[count].bent = dot(plane_normal(plane), bend(body, s, lever))
                         key = j * points.shape[0] + i

@@ -30,6 +30,10 @@ SOLID = np.dtype(
         ("i1", "f8"),
         ("i2", "f8"),
         ("i3", "f8"),
+        ("rm", "f8"),
+        ("r1", "f8"),
+        ("r2", "f8"),
+        ("r3", "f8"),
         ("first_point", "i8"),
         ("points", "i8"),
         ("hull", "i8"),
@@ -50,9 +54,10 @@ SOLID = np.dtype(
     ],
     align=True,
 )
-"""A body: mass, principal moments of inertia; its points, of which the first are the corners of its convex
-hull, rims, faces and edges; the radius about G of a ball around it; and of the floor under it restitution and
-place of a landing, and friction while it stands on one corner or edge; and what points up at rest.
+"""A body: mass, principal moments of inertia, and the roots of one over each; its points, of which the first
+are the corners of its convex hull, rims, faces and edges; the radius about G of a ball around it; of the
+floor under it restitution and place of a landing, and friction on one corner or edge; and what points
+up at rest.
 """
 
 POINT = np.dtype(
@@ -95,11 +100,13 @@ PAIR = np.dtype(
 POSE = np.dtype(
     [(name, "f8") for name in ("x", "y", "z", "qw", "qx", "qy", "qz")]
     + [(name, "f8") for name in ("vx", "vy", "vz", "lx", "ly", "lz", "wx", "wy", "wz")]
+    + [(f"r{i}{j}", "f8") for i in "xyz" for j in "xyz"]
     + [(name, "f8") for name in ("jxx", "jxy", "jxz", "jyy", "jyz", "jzz")],
     align=True,
 )
 """Where a body is and how it moves: G, the quaternion that turns its axes into the room's, velocity of G,
-angular momentum, rotation rate, and the inverse of the inertia in the room's axes.
+angular momentum, rotation rate, and of that quaternion the rotation matrix and the inverse of the inertia in
+the room's axes.
 """
 
 CONTACT = np.dtype(

@@ -74,9 +74,10 @@ def beyond_target(c, poses):
 @inline
 def give_impulse(body, s, lever, factor, p):
     """Apply an impulse times a factor at a body's point, given from G."""
-    s.vx += factor * p[0] / body.mass
-    s.vy += factor * p[1] / body.mass
-    s.vz += factor * p[2] / body.mass
+    share = factor * body.rm * body.rm
+    s.vx += share * p[0]
+    s.vy += share * p[1]
+    s.vz += share * p[2]
     moment = cross(lever, p)
     moment = factor * moment[0], factor * moment[1], factor * moment[2]
     s.lx += moment[0]

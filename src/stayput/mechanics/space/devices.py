@@ -29,10 +29,10 @@ from stayput.mechanics.devices.columns import (
     SHEARED,
     TANGENT,
 )
-from stayput.mechanics.space.body import attitude, place_of
+from stayput.mechanics.space.body import in_body, in_room, place_of
 from stayput.mechanics.space.contact import give_impulse, velocity_at
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled, turned, turned_back
+from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled
 
 SAME = 1e-8
 """Change of a force up to which it is the same [N/kg]."""
@@ -74,14 +74,14 @@ def stretch(springs, pulls, poses):
         if pull.lost:
             continue
         s = poses[spring.body]
-        pull.lx, pull.ly, pull.lz = turned(attitude(s), (spring.px, spring.py, spring.pz))
+        pull.lx, pull.ly, pull.lz = in_room(s, (spring.px, spring.py, spring.pz))
         anchor, n = (spring.ax, spring.ay, spring.az), (spring.nx, spring.ny, spring.nz)
         t = pull.tx, pull.ty, pull.tz
         if spring.other != ROOM:
             r = poses[spring.other]
-            arm = turned(attitude(r), anchor)
+            arm = in_room(r, anchor)
             pull.ox, pull.oy, pull.oz = arm
-            anchor, n, t = added(place_of(r), 1.0, arm), turned(attitude(r), n), turned(attitude(r), t)
+            anchor, n, t = added(place_of(r), 1.0, arm), in_room(r, n), in_room(r, t)
         way = added(added(place_of(s), 1.0, _lever(pull)), -1.0, anchor)
         if spring.kind == AXIAL:
             far = norm(way)
@@ -215,7 +215,7 @@ def _yield_along_plane(spring, pull, device, time, poses):
     grown = max(far - spring.slack_plus[TANGENT] - most / spring.stiffness[TANGENT], 0.0)
     step = scaled(grown / max(far, 1e-12), x)
     if spring.other != ROOM:
-        step = turned_back(attitude(poses[spring.other]), step)
+        step = in_body(poses[spring.other], step)
     pull.tx, pull.ty, pull.tz = added((pull.tx, pull.ty, pull.tz), 1.0, step)
     pull.slip_sum += grown
     slipped = norm((pull.tx, pull.ty, pull.tz))

@@ -19,10 +19,11 @@ from stayput.mechanics.space.body import (
     attitude,
     copy_pose,
     drift,
+    in_room,
     nudge,
     place_of,
     sag,
-    update_inertia,
+    set_attitude,
 )
 from stayput.mechanics.space.closing import (
     CLOSED,
@@ -48,7 +49,7 @@ from stayput.mechanics.space.touching import (
     may_touch,
     plane_normal,
 )
-from stayput.mechanics.space.vectors import added, cross, dot, turned
+from stayput.mechanics.space.vectors import added, cross, dot
 
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
@@ -80,7 +81,7 @@ def _mobility(body, s, lever, n):
 def _nudge_along(body, s, lever, n, size):
     turn = angular_response(s, cross(lever, n))
     by = size / body.mass
-    nudge(s, (by * n[0], by * n[1], by * n[2]), (size * turn[0], size * turn[1], size * turn[2]))
+    nudge(body, s, (by * n[0], by * n[1], by * n[2]), (size * turn[0], size * turn[1], size * turn[2]))
 
 
 @inner
@@ -120,7 +121,6 @@ def _move_all_out(world, poses, scratch):
             for i in range(body.first_rim, body.first_rim + body.rims):
                 if may_touch(rims[i], plane):
                     _move_out(body, s, lowest_lever(s, rims[i], plane), plane)
-        update_inertia(body, s)
 
 
 @inline
@@ -271,7 +271,7 @@ def run_in_space(
     histories, forces, hits, hit_numbers, peaks, work = output
     now, trial = poses[0], poses[1]
     for b in range(bodies.shape[0]):
-        update_inertia(bodies[b], now[b])
+        set_attitude(bodies[b], now[b], attitude(now[b]))
     note_pose(histories, 0, now)
     note_all_gaps(world, now, scratch, gaps[0])
     parts = math.ceil(dt / longest * (1.0 - 1e-12))
@@ -346,7 +346,7 @@ def run_in_space(
                 give(held[0], held[1], held[2], trial, dt * k + t + h)
                 for b in range(bodies.shape[0]):
                     copy_pose(trial[b], now[b])
-                    up = turned(attitude(now[b]), (bodies[b].ux, bodies[b].uy, bodies[b].uz))
+                    up = in_room(now[b], (bodies[b].ux, bodies[b].uy, bodies[b].uz))
                     peaks[b] = max(peaks[b], min(1.0 - up[2], 2.0))
                 for place in range(gaps.shape[1]):
                     gaps[0, place] = gaps[1, place]

@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.space.body import attitude
+from stayput.mechanics.space.body import in_body
 from stayput.mechanics.space.contact import (
     beyond_target,
     first_tangent,
@@ -27,7 +27,7 @@ from stayput.mechanics.space.contact import (
     second_tangent,
 )
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import added, cross, dot, turned_back
+from stayput.mechanics.space.vectors import added, cross, dot
 
 FIRM = 1e6
 """Penalty of a velocity that a contact forbids, times the inverse mass that it sees."""
@@ -36,12 +36,12 @@ FIRM = 1e6
 @inner
 def _set_row(body, s, lever, along, sign, row):
     """Set the velocity at a lever along a direction as a function of a body's scaled velocities."""
-    arm = turned_back(attitude(s), cross(lever, along))
-    factor = sign / math.sqrt(body.mass)
+    arm = in_body(s, cross(lever, along))
+    factor = sign * body.rm
     row[0], row[1], row[2] = factor * along[0], factor * along[1], factor * along[2]
-    row[3] = sign * arm[0] / math.sqrt(body.i1)
-    row[4] = sign * arm[1] / math.sqrt(body.i2)
-    row[5] = sign * arm[2] / math.sqrt(body.i3)
+    row[3] = sign * arm[0] * body.r1
+    row[4] = sign * arm[1] * body.r2
+    row[5] = sign * arm[2] * body.r3
 
 
 @inner

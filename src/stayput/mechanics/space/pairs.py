@@ -11,9 +11,9 @@ import math
 
 from stayput.compiled import inline, inner
 from stayput.mechanics.elementary import sine_and_cosine
-from stayput.mechanics.space.body import attitude, place_of
+from stayput.mechanics.space.body import in_room, place_of
 from stayput.mechanics.space.touching import lever_of_point
-from stayput.mechanics.space.vectors import added, cross, dot, norm, tangents, turned
+from stayput.mechanics.space.vectors import added, cross, dot, norm, tangents
 
 MOST_TOUCHING = 8
 """Most points in which two bodies touch."""
@@ -52,7 +52,7 @@ def _corner(corners, i):
 @inline
 def _normal(s, face):
     """Return a face's outward normal in the room's axes."""
-    return turned(attitude(s), (face.nx, face.ny, face.nz))
+    return in_room(s, (face.nx, face.ny, face.nz))
 
 
 @inner

@@ -74,18 +74,12 @@ MOST_SWEEPS = 150
 
 
 @inline
-def _seen(body, s, lever, along, by):
-    """Return the velocity in one direction that a unit impulse in another gives a body's point."""
-    turned = angular_response(s, cross(lever, by))
-    return dot(along, by) / body.mass + dot(along, cross(turned, lever))
-
-
-@inline
-def _inverse_mass(c, bodies, poses, along, by):
-    found = _seen(bodies[c.a], poses[c.a], lever_a(c), along, by)
-    if c.b != ROOM:
-        found += _seen(bodies[c.b], poses[c.b], lever_b(c), along, by)
-    return found
+def _inverse_masses(body, s, lever, n, u, v):
+    """Return the velocities of a body's point by unit impulses: nn, nu, nv, uu, uv, vv."""
+    a, b, c = cross(lever, n), cross(lever, u), cross(lever, v)
+    ra, rb, rc = angular_response(s, a), angular_response(s, b), angular_response(s, c)
+    k = body.rm * body.rm
+    return k + dot(a, ra), dot(a, rb), dot(a, rc), k + dot(b, rb), dot(b, rc), k + dot(c, rc)
 
 
 @inner
@@ -95,12 +89,12 @@ def prepare(c, bodies, poses, restitution):
     s, t = tangents(n)
     c.sx, c.sy, c.sz = s
     c.tx, c.ty, c.tz = t
-    c.wnn = _inverse_mass(c, bodies, poses, n, n)
-    c.wns = _inverse_mass(c, bodies, poses, n, s)
-    c.wnt = _inverse_mass(c, bodies, poses, n, t)
-    c.wss = _inverse_mass(c, bodies, poses, s, s)
-    c.wst = _inverse_mass(c, bodies, poses, s, t)
-    c.wtt = _inverse_mass(c, bodies, poses, t, t)
+    w = _inverse_masses(bodies[c.a], poses[c.a], lever_a(c), n, s, t)
+    c.wnn, c.wns, c.wnt, c.wss, c.wst, c.wtt = w
+    if c.b != ROOM:
+        w = _inverse_masses(bodies[c.b], poses[c.b], lever_b(c), n, s, t)
+        c.wnn, c.wns, c.wnt = c.wnn + w[0], c.wns + w[1], c.wnt + w[2]
+        c.wss, c.wst, c.wtt = c.wss + w[3], c.wst + w[4], c.wtt + w[5]
     half, off = 0.5 * (c.wss - c.wtt), c.wst
     c.stiff = 0.5 * (c.wss + c.wtt) + math.sqrt(half * half + off * off)
     c.closing = dot(n, slip(c, poses))

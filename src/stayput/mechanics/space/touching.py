@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.space.body import attitude, bend, place_of, rotation
-from stayput.mechanics.space.vectors import added, cross, dot, norm, turned
+from stayput.mechanics.space.body import bend, in_body, in_room, place_of, rotation
+from stayput.mechanics.space.vectors import added, cross, dot, norm
 
 ROOM = -1
 """The other body of a contact with a plane of the room."""
@@ -27,7 +27,7 @@ def plane_normal(plane):
 @inline
 def lever_of_point(s, point):
     """Return a body's point from G, in the room's axes."""
-    return turned(attitude(s), (point.x, point.y, point.z))
+    return in_room(s, (point.x, point.y, point.z))
 
 
 @inline
@@ -37,9 +37,8 @@ def lever_on_rim(s, rim, plane, number, towards):
     Number 0 is the lowest point of a rim that is tilted; 1 to 4 stand around a rim that lies flat, the first
     in the direction ``towards``, along which the body is pushed: there the edge is that of the circle.
     """
-    q, n = attitude(s), plane_normal(plane)
-    axis = turned(q, (rim.ax, rim.ay, rim.az))
-    centre = turned(q, (rim.x, rim.y, rim.z))
+    n = plane_normal(plane)
+    axis, centre = in_room(s, (rim.ax, rim.ay, rim.az)), in_room(s, (rim.x, rim.y, rim.z))
     slope = dot(n, axis)
     down = slope * axis[0] - n[0], slope * axis[1] - n[1], slope * axis[2] - n[2]
     size = norm(down)
@@ -52,7 +51,7 @@ def lever_on_rim(s, rim, plane, number, towards):
     along = added(towards, -dot(towards, axis), axis)
     size = norm(along)
     if size <= 1e-12:
-        along = turned(q, (rim.ay, rim.az, rim.ax))
+        along = in_room(s, (rim.ay, rim.az, rim.ax))
         along = added(along, -dot(along, axis), axis)
         size = norm(along)
     along = along[0] / size, along[1] / size, along[2] / size
@@ -73,10 +72,10 @@ def bend_of_rim(body, s, rim, plane, number):
     The gap of a tilted rim is that of its centre less R √(1 − c²) with c = n·a, the axis a; it does not
     change as the rim rolls.
     """
-    q, n = attitude(s), plane_normal(plane)
-    bent = dot(n, bend(body, s, turned(q, (rim.x, rim.y, rim.z))))
+    n = plane_normal(plane)
+    bent = dot(n, bend(body, s, in_room(s, (rim.x, rim.y, rim.z))))
     if number == 0:
-        axis, spin = turned(q, (rim.ax, rim.ay, rim.az)), rotation(s)
+        axis, spin = in_room(s, (rim.ax, rim.ay, rim.az)), rotation(s)
         c = dot(n, axis)
         rate, change = dot(n, cross(spin, axis)), dot(n, bend(body, s, axis))
         sine = math.sqrt(max(0.0, 1.0 - c * c))
@@ -89,6 +88,18 @@ def bend_of_rim(body, s, rim, plane, number):
 def may_touch(feature, plane):
     """Return whether a point or a rim may touch a plane."""
     return feature.floor if plane.floor else feature.walls
+
+
+@inline
+def plane_from(s, plane):
+    """Return the distance of G from a plane, and the plane's normal in the body's axes."""
+    return dot(plane_normal(plane), place_of(s)) - plane.offset, in_body(s, plane_normal(plane))
+
+
+@inline
+def gap_of_point(point, height, n):
+    """Return the distance of a body's point from a plane, by `plane_from`: below 0 inside it."""
+    return height + point.x * n[0] + point.y * n[1] + point.z * n[2]
 
 
 @inline
@@ -109,10 +120,11 @@ def note_gaps(bodies, poses, points, rims, planes, gaps):
         body, s = bodies[b], poses[b]
         for j in range(planes.shape[0]):
             plane = planes[j]
+            height, n = plane_from(s, plane)
             for i in range(body.first_point, body.first_point + body.points):
                 gap = math.inf
                 if may_touch(points[i], plane):
-                    gap = gap_of(s, lever_of_point(s, points[i]), plane)
+                    gap = gap_of_point(points[i], height, n)
                 gaps[j * features + i] = gap
                 least = min(least, gap)
             for i in range(body.first_rim, body.first_rim + body.rims):
