@@ -29,7 +29,7 @@ from stayput.mechanics.space.contact import (
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot
 
-FIRM = 1e6
+FIRM = 1e7
 """Penalty of a velocity that a contact forbids, times the inverse mass that it sees."""
 
 

@@ -253,6 +253,8 @@ def solve(contacts, count, bodies, poses, system, h):
     accuracy = ACCURACY * h
     for k in range(count):
         accuracy = max(accuracy, ROUNDING * abs(contacts[k].closing))
+    set_rows(contacts, count, bodies, poses, system)
+    improve(contacts, count, bodies, poses, system)
     for sweep in range(MOST_SWEEPS):
         change = 0.0
         for k in range(count):
@@ -267,8 +269,6 @@ def solve(contacts, count, bodies, poses, system, h):
             take_back(contacts, count, bodies, poses)
             due, pause, tries = sweep + pause, min(2 * pause, LONGEST_PAUSE), 0
         if sweep >= due:
-            if sweep == 0:
-                set_rows(contacts, count, bodies, poses, system)
             if tries == 0:
                 note_impulses(contacts, count)
                 last = change
