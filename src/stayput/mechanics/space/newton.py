@@ -33,15 +33,23 @@ FIRM = 1e7
 """Penalty of a velocity that a contact forbids, times the inverse mass that it sees."""
 
 
-@inner
-def _set_row(body, s, lever, along, sign, row):
-    """Set the velocity at a lever along a direction as a function of a body's scaled velocities."""
+@inline
+def _set_row(rows, k, side, axis, body, s, lever, along, sign):
     arm = in_body(s, cross(lever, along))
     factor = sign * body.rm
-    row[0], row[1], row[2] = factor * along[0], factor * along[1], factor * along[2]
-    row[3] = sign * arm[0] * body.r1
-    row[4] = sign * arm[1] * body.r2
-    row[5] = sign * arm[2] * body.r3
+    for i in range(3):
+        rows[k, side, axis, i] = factor * along[i]
+    rows[k, side, axis, 3] = sign * arm[0] * body.r1
+    rows[k, side, axis, 4] = sign * arm[1] * body.r2
+    rows[k, side, axis, 5] = sign * arm[2] * body.r3
+
+
+@inner
+def _set_rows_of(rows, k, side, c, body, s, lever, sign):
+    """Set the velocity at a contact along its three axes as a function of a body's scaled velocities."""
+    _set_row(rows, k, side, 0, body, s, lever, normal_of(c), sign)
+    _set_row(rows, k, side, 1, body, s, lever, first_tangent(c), sign)
+    _set_row(rows, k, side, 2, body, s, lever, second_tangent(c), sign)
 
 
 @inner
@@ -52,11 +60,9 @@ def set_rows(contacts, count, bodies, poses, system):
         starts[b] = b
     for k in range(count):
         c = contacts[k]
-        for axis, along in enumerate((normal_of(c), first_tangent(c), second_tangent(c))):
-            _set_row(bodies[c.a], poses[c.a], lever_a(c), along, 1.0, rows[k, 0, axis])
-            if c.b != ROOM:
-                _set_row(bodies[c.b], poses[c.b], lever_b(c), along, -1.0, rows[k, 1, axis])
+        _set_rows_of(rows, k, 0, c, bodies[c.a], poses[c.a], lever_a(c), 1.0)
         if c.b != ROOM:
+            _set_rows_of(rows, k, 1, c, bodies[c.b], poses[c.b], lever_b(c), -1.0)
             low, high = min(c.a, c.b), max(c.a, c.b)
             starts[high] = min(starts[high], low)
 
@@ -90,20 +96,23 @@ def _law(c, u):
 
 
 @inner
-def _add_block(matrix, first, second, left, right, d):
-    """Add leftᵀ D right to the block of two bodies."""
+def _add_block(matrix, first, second, rows, k, left, right, d):
+    """Add leftᵀ D right, of the sides of a contact, to the block of two bodies."""
     for j in range(6):
-        e0 = d[0][0] * right[0, j] + d[0][1] * right[1, j] + d[0][2] * right[2, j]
-        e1 = d[1][0] * right[0, j] + d[1][1] * right[1, j] + d[1][2] * right[2, j]
-        e2 = d[2][0] * right[0, j] + d[2][1] * right[1, j] + d[2][2] * right[2, j]
+        x, y, z = rows[k, right, 0, j], rows[k, right, 1, j], rows[k, right, 2, j]
+        e0, e1, e2 = dot(d[0], (x, y, z)), dot(d[1], (x, y, z)), dot(d[2], (x, y, z))
         for i in range(6):
-            matrix[6 * first + i, 6 * second + j] += left[0, i] * e0 + left[1, i] * e1 + left[2, i] * e2
+            matrix[6 * first + i, 6 * second + j] += (
+                rows[k, left, 0, i] * e0 + rows[k, left, 1, i] * e1 + rows[k, left, 2, i] * e2
+            )
 
 
 @inner
-def _add_moment(vector, place, rows, p):
+def _add_moment(vector, body, rows, k, side, p):
     for i in range(6):
-        vector[6 * place + i] += rows[0, i] * p[0] + rows[1, i] * p[1] + rows[2, i] * p[2]
+        vector[6 * body + i] += (
+            rows[k, side, 0, i] * p[0] + rows[k, side, 1, i] * p[1] + rows[k, side, 2, i] * p[2]
+        )
 
 
 @inner
@@ -149,19 +158,19 @@ def improve(contacts, count, bodies, poses, system):
         if c.pn > 0.0:
             p, d1, d2, d3 = _law(c, beyond_target(c, poses))
             d = d1, d2, d3
-            _add_moment(vector, c.a, rows[k, 0], p)
-            _add_block(matrix, c.a, c.a, rows[k, 0], rows[k, 0], d)
+            _add_moment(vector, c.a, rows, k, 0, p)
+            _add_block(matrix, c.a, c.a, rows, k, 0, 0, d)
             if c.b != ROOM:
-                _add_moment(vector, c.b, rows[k, 1], p)
-                _add_block(matrix, c.b, c.b, rows[k, 1], rows[k, 1], d)
-                _add_block(matrix, c.a, c.b, rows[k, 0], rows[k, 1], d)
-                _add_block(matrix, c.b, c.a, rows[k, 1], rows[k, 0], d)
+                _add_moment(vector, c.b, rows, k, 1, p)
+                _add_block(matrix, c.b, c.b, rows, k, 1, 1, d)
+                _add_block(matrix, c.a, c.b, rows, k, 0, 1, d)
+                _add_block(matrix, c.b, c.a, rows, k, 1, 0, d)
     _solve_in_place(matrix, vector, starts, size)
     for k in range(count):
         c = contacts[k]
         if c.pn > 0.0:
             p, d1, d2, d3 = _law(c, beyond_target(c, poses))
-            u = _change(vector, c, rows[k])
+            u = _change(vector, c, rows, k)
             c.dn = p[0] - dot(d1, u)
             c.ds = p[1] - dot(d2, u)
             c.dt = p[2] - dot(d3, u)
@@ -172,16 +181,16 @@ def improve(contacts, count, bodies, poses, system):
 
 
 @inline
-def _change(vector, c, rows):
+def _change(vector, c, rows, k):
     """Return the change of the relative velocity in a contact's frame by that of the scaled velocities."""
     u0 = u1 = u2 = 0.0
     for i in range(6):
         x = vector[6 * c.a + i]
-        u0, u1, u2 = u0 + rows[0, 0, i] * x, u1 + rows[0, 1, i] * x, u2 + rows[0, 2, i] * x
+        u0, u1, u2 = u0 + rows[k, 0, 0, i] * x, u1 + rows[k, 0, 1, i] * x, u2 + rows[k, 0, 2, i] * x
     if c.b != ROOM:
         for i in range(6):
             x = vector[6 * c.b + i]
-            u0, u1, u2 = u0 + rows[1, 0, i] * x, u1 + rows[1, 1, i] * x, u2 + rows[1, 2, i] * x
+            u0, u1, u2 = u0 + rows[k, 1, 0, i] * x, u1 + rows[k, 1, 1, i] * x, u2 + rows[k, 1, 2, i] * x
     return u0, u1, u2
 
 
