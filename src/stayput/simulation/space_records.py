@@ -318,7 +318,7 @@ def scratch_of(world: tuple[Any, ...]) -> tuple[Any, ...]:
             np.zeros((len(bodies), 6)),
         ),
         (
-            np.zeros((keys, 2, 3, 6)),
+            np.zeros((keys, 2, 6, 6)),
             np.zeros((unknowns, unknowns)),
             np.zeros(unknowns),
             np.zeros(len(bodies), np.int64),

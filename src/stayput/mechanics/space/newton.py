@@ -96,14 +96,22 @@ def _law(c, u):
 
 
 @inner
-def _add_block(matrix, first, second, rows, k, left, right, d):
-    """Add leftᵀ D right, of the sides of a contact, to the block of two bodies."""
+def _weigh(rows, k, side, d):
+    """Set D times the Jacobian of a side of a contact."""
     for j in range(6):
-        x, y, z = rows[k, right, 0, j], rows[k, right, 1, j], rows[k, right, 2, j]
-        e0, e1, e2 = dot(d[0], (x, y, z)), dot(d[1], (x, y, z)), dot(d[2], (x, y, z))
-        for i in range(6):
+        along = rows[k, side, 0, j], rows[k, side, 1, j], rows[k, side, 2, j]
+        for axis in range(3):
+            rows[k, side, 3 + axis, j] = dot(d[axis], along)
+
+
+@inner
+def _add_block(matrix, first, second, rows, k, left, right):
+    """Add leftᵀ D right, of the sides of a contact, to the block of two bodies."""
+    for i in range(6):
+        a, b, c = rows[k, left, 0, i], rows[k, left, 1, i], rows[k, left, 2, i]
+        for j in range(6):
             matrix[6 * first + i, 6 * second + j] += (
-                rows[k, left, 0, i] * e0 + rows[k, left, 1, i] * e1 + rows[k, left, 2, i] * e2
+                a * rows[k, right, 3, j] + b * rows[k, right, 4, j] + c * rows[k, right, 5, j]
             )
 
 
@@ -116,31 +124,40 @@ def _add_moment(vector, body, rows, k, side, p):
 
 
 @inner
-def _solve_in_place(matrix, vector, starts, size):
+def _eliminate(matrix, vector, starts, k, body):
+    """Take a row times a factor from those below it that have its body, columns of other bodies left out."""
+    inverse = 1.0 / matrix[k, k]
+    matrix[k, k] = inverse
+    for below in range(body, starts.shape[0]):
+        if starts[below] > body:
+            continue
+        for i in range(max(6 * below, k + 1), 6 * below + 6):
+            factor = matrix[i, k] * inverse
+            if factor == 0.0:
+                continue
+            vector[i] -= factor * vector[k]
+            for beside in range(body, starts.shape[0]):
+                if starts[beside] <= body:
+                    for j in range(max(6 * beside, k + 1), 6 * beside + 6):
+                        matrix[i, j] -= factor * matrix[k, j]
+
+
+@inner
+def _solve_in_place(matrix, vector, starts):
     """Solve matrix · x = vector, whose rows and columns begin with those of the bodies in ``starts``.
 
     Elimination without exchange of rows: where contacts slip the matrix is not symmetric, but what is added
     to 1 is nearly positive.
     """
-    for i in range(size):
-        begin = 6 * starts[i // 6]
-        for j in range(begin, i):
-            start = max(begin, 6 * starts[j // 6])
-            below, above = matrix[i, j], matrix[j, i]
-            for k in range(start, j):
-                below -= matrix[i, k] * matrix[k, j]
-                above -= matrix[j, k] * matrix[k, i]
-            matrix[i, j] = below / matrix[j, j]
-            matrix[j, i] = above
-        pivot, found = matrix[i, i], vector[i]
-        for k in range(begin, i):
-            pivot -= matrix[i, k] * matrix[k, i]
-            found -= matrix[i, k] * vector[k]
-        matrix[i, i], vector[i] = pivot, found
-    for i in range(size - 1, -1, -1):
-        vector[i] /= matrix[i, i]
-        for k in range(6 * starts[i // 6], i):
-            vector[k] -= matrix[k, i] * vector[i]
+    for body in range(starts.shape[0]):
+        for k in range(6 * body, 6 * body + 6):
+            _eliminate(matrix, vector, starts, k, body)
+    for body in range(starts.shape[0] - 1, -1, -1):
+        for k in range(6 * body + 5, 6 * body - 1, -1):
+            x = vector[k] * matrix[k, k]
+            vector[k] = x
+            for i in range(6 * starts[body], k):
+                vector[i] -= matrix[i, k] * x
 
 
 @inner
@@ -158,14 +175,16 @@ def improve(contacts, count, bodies, poses, system):
         if c.pn > 0.0:
             p, d1, d2, d3 = _law(c, beyond_target(c, poses))
             d = d1, d2, d3
+            _weigh(rows, k, 0, d)
             _add_moment(vector, c.a, rows, k, 0, p)
-            _add_block(matrix, c.a, c.a, rows, k, 0, 0, d)
+            _add_block(matrix, c.a, c.a, rows, k, 0, 0)
             if c.b != ROOM:
+                _weigh(rows, k, 1, d)
                 _add_moment(vector, c.b, rows, k, 1, p)
-                _add_block(matrix, c.b, c.b, rows, k, 1, 1, d)
-                _add_block(matrix, c.a, c.b, rows, k, 0, 1, d)
-                _add_block(matrix, c.b, c.a, rows, k, 1, 0, d)
-    _solve_in_place(matrix, vector, starts, size)
+                _add_block(matrix, c.b, c.b, rows, k, 1, 1)
+                _add_block(matrix, c.a, c.b, rows, k, 0, 1)
+                _add_block(matrix, c.b, c.a, rows, k, 1, 0)
+    _solve_in_place(matrix, vector, starts)
     for k in range(count):
         c = contacts[k]
         if c.pn > 0.0:
