@@ -296,7 +296,6 @@ def refuse_overlaps(world: tuple[Any, ...], gaps: NDArray[np.float64]) -> None:
 def scratch_of(world: tuple[Any, ...]) -> tuple[Any, ...]:
     """Return the working memory of `run_in_space`; all contacts stick at first."""
     bodies, points, rims, planes, pairs, faces = world[:6]
-    unknowns = 6 * len(bodies)
     keys = len(planes) * (len(points) + RIM_POINTS * len(rims)) + MOST_TOUCHING * len(pairs)
     features = len(planes) * (len(points) + len(rims)) + len(pairs)
     kept = np.zeros((keys, 4))
@@ -319,8 +318,8 @@ def scratch_of(world: tuple[Any, ...]) -> tuple[Any, ...]:
         ),
         (
             np.zeros((keys, 2, 6, 6)),
-            np.zeros((unknowns, unknowns)),
-            np.zeros(unknowns),
+            np.zeros((len(bodies), len(bodies), 6, 6)),
+            np.zeros((len(bodies), 6)),
             np.zeros(len(bodies), np.int64),
         ),
         np.full((len(pairs), 2), -1),

@@ -110,7 +110,7 @@ def _add_block(matrix, first, second, rows, k, left, right):
     for i in range(6):
         a, b, c = rows[k, left, 0, i], rows[k, left, 1, i], rows[k, left, 2, i]
         for j in range(6):
-            matrix[6 * first + i, 6 * second + j] += (
+            matrix[first, second, i, j] += (
                 a * rows[k, right, 3, j] + b * rows[k, right, 4, j] + c * rows[k, right, 5, j]
             )
 
@@ -118,58 +118,87 @@ def _add_block(matrix, first, second, rows, k, left, right):
 @inner
 def _add_moment(vector, body, rows, k, side, p):
     for i in range(6):
-        vector[6 * body + i] += (
+        vector[body, i] += (
             rows[k, side, 0, i] * p[0] + rows[k, side, 1, i] * p[1] + rows[k, side, 2, i] * p[2]
         )
 
 
 @inner
-def _eliminate(matrix, vector, starts, k, body):
-    """Take a row times a factor from those below it that have its body, columns of other bodies left out."""
-    inverse = 1.0 / matrix[k, k]
-    matrix[k, k] = inverse
-    for below in range(body, starts.shape[0]):
-        if starts[below] > body:
-            continue
-        for i in range(max(6 * below, k + 1), 6 * below + 6):
-            factor = matrix[i, k] * inverse
-            if factor == 0.0:
-                continue
-            vector[i] -= factor * vector[k]
-            for beside in range(body, starts.shape[0]):
-                if starts[beside] <= body:
-                    for j in range(max(6 * beside, k + 1), 6 * beside + 6):
-                        matrix[i, j] -= factor * matrix[k, j]
+def _factorize(matrix, b):
+    """Factorize the block of a body into L, whose diagonal is 1, and R, with one over its diagonal."""
+    for k in range(6):
+        inverse = 1.0 / matrix[b, b, k, k]
+        matrix[b, b, k, k] = inverse
+        for i in range(k + 1, 6):
+            factor = matrix[b, b, i, k] * inverse
+            matrix[b, b, i, k] = factor
+            for j in range(k + 1, 6):
+                matrix[b, b, i, j] -= factor * matrix[b, b, k, j]
+
+
+@inner
+def _eliminate(matrix, vector, starts, b):
+    """Take a body's rows from those of the bodies after it whose rows begin with it or before."""
+    for o in range(b + 1, starts.shape[0]):
+        if starts[o] <= b:
+            for k in range(6):
+                for i in range(k + 1, 6):
+                    for j in range(6):
+                        matrix[b, o, i, j] -= matrix[b, b, i, k] * matrix[b, o, k, j]
+            for k in range(6):
+                for i in range(6):
+                    factor = matrix[o, b, i, k] * matrix[b, b, k, k]
+                    matrix[o, b, i, k] = factor
+                    vector[o, i] -= factor * vector[b, k]
+                    for j in range(k + 1, 6):
+                        matrix[o, b, i, j] -= factor * matrix[b, b, k, j]
+    for o in range(b + 1, starts.shape[0]):
+        if starts[o] <= b:
+            for p in range(b + 1, starts.shape[0]):
+                if starts[p] <= b:
+                    for i in range(6):
+                        for k in range(6):
+                            for j in range(6):
+                                matrix[o, p, i, j] -= matrix[o, b, i, k] * matrix[b, p, k, j]
 
 
 @inner
 def _solve_in_place(matrix, vector, starts):
     """Solve matrix · x = vector, whose rows and columns begin with those of the bodies in ``starts``.
 
-    Elimination without exchange of rows: where contacts slip the matrix is not symmetric, but what is added
-    to 1 is nearly positive.
+    Elimination of a body after the other without exchange of rows: where contacts slip the matrix is not
+    symmetric, but what is added to 1 is nearly positive.
     """
-    for body in range(starts.shape[0]):
-        for k in range(6 * body, 6 * body + 6):
-            _eliminate(matrix, vector, starts, k, body)
-    for body in range(starts.shape[0] - 1, -1, -1):
-        for k in range(6 * body + 5, 6 * body - 1, -1):
-            x = vector[k] * matrix[k, k]
-            vector[k] = x
-            for i in range(6 * starts[body], k):
-                vector[i] -= matrix[i, k] * x
+    for b in range(starts.shape[0]):
+        _factorize(matrix, b)
+        for k in range(6):
+            for i in range(k + 1, 6):
+                vector[b, i] -= matrix[b, b, i, k] * vector[b, k]
+        _eliminate(matrix, vector, starts, b)
+    for b in range(starts.shape[0] - 1, -1, -1):
+        for back in range(6):
+            k = 5 - back
+            vector[b, k] *= matrix[b, b, k, k]
+            for i in range(k):
+                vector[b, i] -= matrix[b, b, i, k] * vector[b, k]
+        for o in range(starts[b], b):
+            for i in range(6):
+                for k in range(6):
+                    vector[o, i] -= matrix[o, b, i, k] * vector[b, k]
 
 
 @inner
 def improve(contacts, count, bodies, poses, system):
     """Take one step of Newton's method; velocities go with the impulses. `set_rows` has been called."""
     rows, matrix, vector, starts = system
-    size = 6 * bodies.shape[0]
-    for i in range(size):
-        for j in range(6 * starts[i // 6], i):
-            matrix[i, j] = matrix[j, i] = 0.0
-        matrix[i, i] = 1.0
-        vector[i] = 0.0
+    for b in range(bodies.shape[0]):
+        for o in range(starts[b], b + 1):
+            for i in range(6):
+                for j in range(6):
+                    matrix[b, o, i, j] = matrix[o, b, i, j] = 0.0
+        for i in range(6):
+            matrix[b, b, i, i] = 1.0
+            vector[b, i] = 0.0
     for k in range(count):
         c = contacts[k]
         if c.pn > 0.0:
@@ -204,11 +233,11 @@ def _change(vector, c, rows, k):
     """Return the change of the relative velocity in a contact's frame by that of the scaled velocities."""
     u0 = u1 = u2 = 0.0
     for i in range(6):
-        x = vector[6 * c.a + i]
+        x = vector[c.a, i]
         u0, u1, u2 = u0 + rows[k, 0, 0, i] * x, u1 + rows[k, 0, 1, i] * x, u2 + rows[k, 0, 2, i] * x
     if c.b != ROOM:
         for i in range(6):
-            x = vector[6 * c.b + i]
+            x = vector[c.b, i]
             u0, u1, u2 = u0 + rows[k, 1, 0, i] * x, u1 + rows[k, 1, 1, i] * x, u2 + rows[k, 1, 2, i] * x
     return u0, u1, u2
 
