@@ -250,11 +250,13 @@ def solve(contacts, count, bodies, poses, system, h):
         Whether they converged.
     """
     last, due, pause, tries = math.inf, 0, 1, 0
-    accuracy = ACCURACY * h
+    accuracy, hits = ACCURACY * h, False
     for k in range(count):
         accuracy = max(accuracy, ROUNDING * abs(contacts[k].closing))
+        hits = hits or contacts[k].closing < -IMPACT
     set_rows(contacts, count, bodies, poses, system)
-    improve(contacts, count, bodies, poses, system)
+    if not hits:
+        improve(contacts, count, bodies, poses, system)
     for sweep in range(MOST_SWEEPS):
         change = 0.0
         for k in range(count):
