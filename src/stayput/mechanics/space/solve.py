@@ -54,6 +54,12 @@ ASTRAY = 3.0
 MOST_TRIES = 4
 """Steps of Newton's method in a row that may change more: contacts may have to stick or slip anew."""
 
+MOST_STALLS = 3
+"""Steps of Newton's method in a row that are kept and bring nothing: it and sweeps lead in a circle."""
+
+GAINS = 0.9
+"""Share of the change before a sweep from which on a step of Newton's method brings nothing."""
+
 LONGEST_PAUSE = 8
 """Most sweeps before the next step of Newton's method, after steps that had to be taken back."""
 
@@ -249,7 +255,7 @@ def solve(contacts, count, bodies, poses, system, h):
     bool
         Whether they converged.
     """
-    last, due, pause, tries = math.inf, 0, 1, 0
+    last, due, pause, tries, stalls = math.inf, 0, 1, 0, 0
     accuracy, hits = ACCURACY * h, False
     for k in range(count):
         accuracy = max(accuracy, ROUNDING * abs(contacts[k].closing))
@@ -267,9 +273,12 @@ def solve(contacts, count, bodies, poses, system, h):
             change, tries = math.inf, 0  # what comes is new
         elif tries > 0 and change <= ASTRAY * last:
             tries = 0
+            stalls = stalls + 1 if change > GAINS * last else 0
         elif tries == MOST_TRIES:
             take_back(contacts, count, bodies, poses)
-            due, pause, tries = sweep + pause, min(2 * pause, LONGEST_PAUSE), 0
+            tries, stalls = 0, MOST_STALLS
+        if stalls == MOST_STALLS:
+            due, pause, stalls = sweep + pause, min(2 * pause, LONGEST_PAUSE), 0
         if sweep >= due:
             if tries == 0:
                 note_impulses(contacts, count)
