@@ -14,6 +14,7 @@ from stayput.mechanics.space.touching import (
     RIM_POINTS,
     ROOM,
     bend_of_rim,
+    flat_within,
     gap_of,
     gap_of_point,
     lever_of_point,
@@ -116,8 +117,9 @@ def find_contacts(world, poses, push, scratch, ratio, h):
                         _rub(contacts[k], body.edge_static, body.edge_kinetic)
             for i in range(body.first_rim, body.first_rim + body.rims):
                 if may_touch(rims[i], plane):
+                    flat = flat_within(rims[i], closed)
                     for number in range(RIM_POINTS):
-                        lever, there = lever_on_rim(s, rims[i], plane, number, push)
+                        lever, there = lever_on_rim(s, rims[i], plane, number, push, flat)
                         gap = gap_of(s, lever, plane)
                         if there and gap <= closed:
                             _on_plane(contacts[count], b, lever, gap, j, plane)

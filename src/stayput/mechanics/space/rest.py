@@ -13,7 +13,7 @@ import math
 
 from stayput.compiled import inline, inner
 from stayput.mechanics.space.body import place_of
-from stayput.mechanics.space.touching import gap_of, lever_of_point, lever_on_rim
+from stayput.mechanics.space.touching import flat_within, gap_of, lever_of_point, lever_on_rim
 from stayput.mechanics.space.vectors import added
 
 
@@ -78,9 +78,10 @@ def note_stances(world, poses, closed, stances):
         discs[b, 2] = 0.0
         for i in range(body.first_rim, body.first_rim + body.rims):
             if rims[i].floor:
-                lever, flat = lever_on_rim(s, rims[i], planes[0], 1, (1.0, 0.0, 0.0))
-                if flat and gap_of(s, lever, planes[0]) <= closed:
-                    other, _ = lever_on_rim(s, rims[i], planes[0], 2, (1.0, 0.0, 0.0))
+                flat = flat_within(rims[i], closed)
+                lever, lies = lever_on_rim(s, rims[i], planes[0], 1, (1.0, 0.0, 0.0), flat)
+                if lies and gap_of(s, lever, planes[0]) <= closed:
+                    other, _ = lever_on_rim(s, rims[i], planes[0], 2, (1.0, 0.0, 0.0), flat)
                     discs[b, 0], discs[b, 1] = 0.5 * (lever[0] + other[0]), 0.5 * (lever[1] + other[1])
                     discs[b, 2] = rims[i].radius
 

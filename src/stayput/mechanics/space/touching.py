@@ -12,7 +12,7 @@ ROOM = -1
 """The other body of a contact with a plane of the room."""
 
 FLAT = 1e-9
-"""Sine of the angle up to which a rim lies flat on a plane."""
+"""Sine of the angle up to which no point of a rim is the lowest: rounding."""
 
 RIM_POINTS = 5
 """Points of a rim that may touch a plane: where it is lowest, and four around where it lies flat."""
@@ -31,11 +31,18 @@ def lever_of_point(s, point):
 
 
 @inline
-def lever_on_rim(s, rim, plane, number, towards):
+def flat_within(rim, closed):
+    """Return the sine of the angle up to which all of a rim is within a distance from a plane."""
+    return max(FLAT, 0.5 * closed / rim.radius)
+
+
+@inline
+def lever_on_rim(s, rim, plane, number, towards, flat):
     """Return a point of a rim from G, and whether it may touch the plane.
 
-    Number 0 is the lowest point of a rim that is tilted; 1 to 4 stand around a rim that lies flat, the first
-    in the direction ``towards``, along which the body is pushed: there the edge is that of the circle.
+    Number 0 is the lowest point of a rim that is tilted; 1 to 4 stand around a rim that lies flat, to an
+    angle whose sine is ``flat``, the first in the direction ``towards`` along which the body is pushed, where
+    the edge is that of the circle.
     """
     n = plane_normal(plane)
     axis, centre = in_room(s, (rim.ax, rim.ay, rim.az)), in_room(s, (rim.x, rim.y, rim.z))
@@ -43,10 +50,10 @@ def lever_on_rim(s, rim, plane, number, towards):
     down = slope * axis[0] - n[0], slope * axis[1] - n[1], slope * axis[2] - n[2]
     size = norm(down)
     if number == 0:
-        if size <= FLAT:
+        if size <= flat:
             return centre, False
         return added(centre, rim.radius / size, down), True
-    if size > FLAT:
+    if size > flat:
         return centre, False
     along = added(towards, -dot(towards, axis), axis)
     size = norm(along)
@@ -139,7 +146,7 @@ def note_gaps(bodies, poses, points, rims, planes, gaps):
 @inline
 def lowest_lever(s, rim, plane):
     """Return a lowest point of a rim from G: any where it lies flat."""
-    lever, tilted = lever_on_rim(s, rim, plane, 0, (1.0, 0.0, 0.0))
+    lever, tilted = lever_on_rim(s, rim, plane, 0, (1.0, 0.0, 0.0), FLAT)
     if not tilted:
-        lever, _ = lever_on_rim(s, rim, plane, 1, (1.0, 0.0, 0.0))
+        lever, _ = lever_on_rim(s, rim, plane, 1, (1.0, 0.0, 0.0), FLAT)
     return lever
