@@ -84,15 +84,16 @@ def test_a_landing_keeps_the_rate_that_the_floor_lets_it(
 def test_the_friction_of_an_edge_alone() -> None:
     """A box that is tipped slides by the edge's coefficients, one that stands flat by the base's.
 
-    Which of them hold in a landing differs: the slides are 6 % apart, at any step.
+    Between the two it chatters: flat it would tip, tipped it falls back. Which of them hold in a landing
+    differs, so that the slides are up to 6 % apart, and long steps do not follow it.
     """
     floor = sp.Floor(0.5, 0.45, edge_static_friction=0.25, edge_kinetic_friction=0.2)
     motion = shaken(0.6)
     flat = sp.simulate(BODY, sp.Room(floor), motion, dimensions=2)
-    run = sp.simulate(BODY, sp.Room(floor), motion, dimensions=3, step=2e-4)
+    run = sp.simulate(BODY, sp.Room(floor), motion, dimensions=3, step=5e-5)
     assert flat.peak_slide > 0.01
     assert run.peak_slide[0] == pytest.approx(flat.peak_slide, rel=0.08)
-    assert run.peak_tilt[0] == pytest.approx(flat.peak_tilt, rel=0.01)
+    assert run.peak_tilt[0] == pytest.approx(flat.peak_tilt, rel=0.02)
 
 
 def test_a_box_turns_on_two_springs() -> None:
