@@ -153,14 +153,31 @@ def _crossing(edges, corners, i, j):
     return middle, 0.0 <= f <= 1.0 and 0.0 <= g <= 1.0
 
 
+@inline
+def _has_corner(face, loops, i):
+    for k in range(face.first, face.first + face.count):
+        if loops[k] == i:
+            return True
+    return False
+
+
 @inner
-def _facing(body, s, faces, n):
-    """Return the face of a body that looks most against a direction."""
+def _facing(body, s, faces, loops, corners, n):
+    """Return the face of a body that looks most against a direction, of those at its corner farthest back.
+
+    Of a body with slanted faces another one may look more that way and lie farther back.
+    """
+    nearest, outermost = math.inf, -1
+    for i in range(body.first_point, body.first_point + body.hull):
+        reach = dot(n, _corner(corners, i))
+        if reach < nearest:
+            nearest, outermost = reach, i
     least, found = math.inf, -1
     for f in range(body.first_face, body.first_face + body.faces):
-        looks = dot(n, _normal(s, faces[f]))
-        if looks < least:
-            least, found = looks, f
+        if _has_corner(faces[f], loops, outermost):
+            looks = dot(n, _normal(s, faces[f]))
+            if looks < least:
+                least, found = looks, f
     return found
 
 
@@ -231,10 +248,10 @@ def _meet_on_face(a, s, b, r, face, closed, faces, loops, corners, polygons, tou
     """
     if a.first_face <= face < a.first_face + a.faces:
         n = _normal(s, faces[face])
-        incident, towards = _facing(b, r, faces, n), (-n[0], -n[1], -n[2])
+        incident, towards = _facing(b, r, faces, loops, corners, n), (-n[0], -n[1], -n[2])
     else:
         n = _normal(r, faces[face])
-        incident, towards = _facing(a, s, faces, n), n
+        incident, towards = _facing(a, s, faces, loops, corners, n), n
     now, count = _cut(face, incident, n, faces, loops, corners, polygons)
     level = dot(n, _corner(corners, loops[faces[face].first]))
     left = 0
