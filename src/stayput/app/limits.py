@@ -57,8 +57,10 @@ class Limits:
         Most samples of a verification.
     options : int
         Most options of a verification.
-    runs : int
-        Most simulations of a verification.
+    runs, runs_in_space : int
+        Most simulations of a verification, in the plane and in space.
+    pieces : int
+        Most pieces of a scene of several; they share `duration` and `samples_of_motion` evenly.
     jobs_running, jobs_waiting, jobs_kept : int
         Most jobs at work, waiting for it, and known at all.
     workers : int
@@ -96,6 +98,8 @@ class Limits:
     samples: int = 2000
     options: int = 20
     runs: int = 2_000_000
+    runs_in_space: int = 50_000
+    pieces: int = 20
     jobs_running: int = 1
     jobs_waiting: int = 4
     jobs_kept: int = 12
