@@ -34,6 +34,13 @@ const known = (key) => key in TABLES[language];
 /** The words for one of the choices that a field has. */
 export const choiceLabel = (id) => (known(`choice_${id}`) ? t(`choice_${id}`) : id);
 
+/** The words for where a device is, of those that the server's name of the place has: "front left". */
+export const placeLabel = (place) =>
+  place
+    .split(" ")
+    .map((word) => (known(`place_${word}`) ? t(`place_${word}`) : word))
+    .join(t("space"));
+
 /** Of a text in both languages, as the server sends them, the one that is spoken. */
 export const both = (pair) => tight(typeof pair === "string" ? pair : (pair?.[language] ?? pair?.en ?? ""));
 
