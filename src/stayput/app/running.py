@@ -25,6 +25,8 @@ from stayput.simulation.run import simulate
 from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from stayput.measures import Measure
     from stayput.motion import Motion
     from stayput.scenario import AssemblyScenario, Scenario
@@ -84,7 +86,9 @@ def simulated(scenario: Scenario) -> SimulateReply:
         motion=motion_of_run(ground, motion),
         floor=FloorReply(**data["floor"]),
         view=ViewReply(**data["view"]),
-        building=building_reply(scenario.shaking, ground, scene.shift_scale),
+        building=building_reply(
+            scenario.shaking, ground, frames(0.0, motion.duration, RATE), scene.shift_scale
+        ),
         without=replies[0],
         with_=replies[1] if measures else None,
     )
@@ -131,7 +135,9 @@ def motion_of_run(ground: Motion, motion: Motion) -> MotionOfRun:
     )
 
 
-def building_reply(shaking: ShakingTable, ground: Motion, scale: float) -> BuildingReply | None:
+def building_reply(
+    shaking: ShakingTable, ground: Motion, times: NDArray[np.float64], scale: float
+) -> BuildingReply | None:
     """Return how the building of a scene moves in a picture, if there is one.
 
     Parameters
@@ -140,6 +146,8 @@ def building_reply(shaking: ShakingTable, ground: Motion, scale: float) -> Build
         The scene's shaking.
     ground : Motion
         The motion of the ground.
+    times : ndarray
+        When the picture shows it [s].
     scale : float
         What part of the displacements the picture shows.
     """
@@ -152,12 +160,11 @@ def building_reply(shaking: ShakingTable, ground: Motion, scale: float) -> Build
         storeys=table.highest() - 1,
         storey=storey,
         structure=structure,
-        ground_x_m=_shift(ground, scale),
-        roof_x_m=_shift(roof, scale),
+        ground_x_m=_shift(ground, times, scale),
+        roof_x_m=_shift(roof, times, scale),
     )
 
 
-def _shift(motion: Motion, scale: float) -> list[float]:
-    """Return a displacement for a picture at the frames [m]."""
-    times = frames(0.0, motion.duration, RATE)
+def _shift(motion: Motion, times: NDArray[np.float64], scale: float) -> list[float]:
+    """Return a displacement for a picture at some times [m]."""
     return rounded(scale * np.interp(times, motion.time, ground_displacement(motion)))

@@ -128,7 +128,7 @@ def _reply(
     return SpaceSimulateReply(
         motion=motion_of_run(ground, scenes[0].run.motion),
         floor=floor,
-        building=building_reply(scenario.shaking, ground, scenes[0].shift_scale),
+        building=building_reply(scenario.shaking, ground, scenes[0].time, scenes[0].shift_scale),
         without=replies[0],
         with_=replies[1] if len(replies) > 1 else None,
     )

@@ -52,10 +52,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "length": ("Length, from side to side", "幅（左右の長さ）"),
     "engine": ("How is it shaken?", "揺れの計算のしかた"),
     "engine_plane": ("In the plane (one direction)", "平面（1方向）"),
-    "engine_space": ("In space (three directions)", "立体（3方向）"),
+    "engine_space": ("In space (three directions)", "三次元（3方向）"),
     "engineHint": (
         "In the plane, only to the front and the back: quick, and right for a long piece along a wall. In space it matters for pieces about as long as deep, which may also fall over a corner or sideways, and turn; working out the chances then takes minutes.",
-        "平面では前後の揺れだけを考えます。速く、壁沿いの幅の広い家具に向いています。幅と奥行きが同じくらいの家具は、角や横の方向に倒れたり向きが変わったりするので、立体で計算すると違いが出ます。確率の計算には数分かかります。",
+        "平面では前後の揺れだけを考えます。速く、壁沿いの幅の広い家具に向いています。幅と奥行きが同じくらいの家具は、角や横の方向に倒れたり向きが変わったりするので、三次元で計算すると違いが出ます。確率の計算には数分かかります。",
     ),
     "heading": ("Direction in which it faces", "家具の向き"),
     "headingHint": (
@@ -139,7 +139,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "piecesTitle": ("The pieces in “{name}”", "「{name}」の家具"),
     "piecesNote": (
         "They are shown as the file says, in space. What is set under “Set the scene” is for a piece of your own.",
-        "ファイルの内容のとおりに、立体で計算しています。「条件を決める」の設定は、自分の家具のものです。",
+        "ファイルの内容のとおりに、三次元で計算しています。「条件を決める」の設定は、自分の家具のものです。",
     ),
     "piecesShaken": ("The pieces", "家具"),
     "ownPiece": ("Back to my own piece", "自分の家具に戻る"),
@@ -360,7 +360,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "curvesInSpace": (
         "In space the curves take some minutes, so they are worked out only when you ask for them.",
-        "立体の計算では曲線を求めるのに数分かかるため、必要なときだけ計算します。",
+        "三次元の計算では曲線を求めるのに数分かかるため、必要なときだけ計算します。",
     ),
     "askCurves": ("Work out the curves", "曲線を計算する"),
     "fragilityNote": (

@@ -3,7 +3,7 @@
 
 import { label, ticks } from "./axes.js";
 import { ink, line, prepared } from "./canvas/pen.js";
-import { both, number, placeLabel, t as say } from "./words.js";
+import { deviceName, number, t as say } from "./words.js";
 
 const LEFT = 58,
   RIGHT = 12,
@@ -25,9 +25,8 @@ function drawn(run) {
 export function deviceKey({ runs }) {
   const run = runs.at(-1),
     lines = drawn(run);
-  const name = (one) => [both(one.label), placeLabel(one.place)].filter(Boolean).join(", ");
   return {
-    lines: lines.map((one, i) => ({ name: name(one), dash: DASHES[i].join(" ") })),
+    lines: lines.map((one, i) => ({ name: deviceName(one), dash: DASHES[i].join(" ") })),
     more: run.devices.length - lines.length,
   };
 }

@@ -1,7 +1,7 @@
 // What happens first, in words: the first event of each kind, which the animation jumps to.
 
 import { el, fill, part } from "./dom.js";
-import { both, length, number, t } from "./words.js";
+import { both, deviceName, length, number, t } from "./words.js";
 
 const TOLD = ["slip", "uplift", "wall impact", "ceiling impact", "overturned", "failed"];
 
@@ -18,7 +18,7 @@ function story(run, labels) {
   }
   for (const device of run.devices)
     if (device.failed && device.failure_time_s !== null)
-      events.push({ time: device.failure_time_s, text: t("deviceFails", { device: both(device.label) }) });
+      events.push({ time: device.failure_time_s, text: t("deviceFails", { device: deviceName(device) }) });
   return events.sort((a, b) => a.time - b.time);
 }
 
@@ -71,7 +71,7 @@ function peaks(run) {
   for (const one of run.devices)
     parts.push(
       t("deviceLoad", {
-        device: both(one.label),
+        device: deviceName(one),
         force: number(Math.max(one.peak_pull_n, one.peak_push_n, one.peak_shear_n)),
         share: one.utilisation === null ? t("notKnown") : number(100 * one.utilisation),
       }),

@@ -2,7 +2,7 @@
 
 import { el, fill, part, svg } from "./dom.js";
 import { grade } from "./ranking.js";
-import { both, length, number, percent, t, within } from "./words.js";
+import { both, length, number, percent, placeLabel, t, within } from "./words.js";
 
 const LIKELY = 0.02;
 
@@ -50,10 +50,13 @@ function also(one, title, verdict) {
     );
   for (const device of one.devices)
     if (device.failed.estimate >= LIKELY)
-      sentences.push(t("alsoFails", { device: within(device.label), share: percent(device.failed.estimate) }));
+      sentences.push(t("alsoFails", { device: named(device), share: percent(device.failed.estimate) }));
   sentences.push(...one.asides.map(both));
   return sentences.length ? el("li", { text: `${title}${t("colon")}${sentences.join(t("space"))}` }) : null;
 }
+
+/** A device with its place, as it stands within a sentence. */
+const named = ({ label, name }) => [within(label), placeLabel(name)].filter(Boolean).join(", ");
 
 function tens(share, title) {
   if (share === null) return null;

@@ -41,6 +41,9 @@ export const placeLabel = (place) =>
     .map((word) => (known(`place_${word}`) ? t(`place_${word}`) : word))
     .join(t("space"));
 
+/** A device and where it is. */
+export const deviceName = ({ label, place }) => [both(label), placeLabel(place)].filter(Boolean).join(", ");
+
 /** Of a text in both languages, as the server sends them, the one that is spoken. */
 export const both = (pair) => tight(typeof pair === "string" ? pair : (pair?.[language] ?? pair?.en ?? ""));
 
