@@ -188,6 +188,11 @@ def test_a_run_as_a_gif(client: httpx.Client) -> None:
     assert answer.content.startswith(b"GIF89a")
 
 
+def test_a_gif_that_would_take_too_long(client: httpx.Client) -> None:
+    long = {**SPACE, "shaking": {"sine": {"amplitude": 1.0, "frequency": 1.0, "duration": 200.0}}}
+    refused(client, "simulate/film?kind=gif", {"scene": long}, "scene.shaking")
+
+
 def test_several_pieces(client: httpx.Client) -> None:
     answer = simulated(client, PIECES)
     run = AssemblyScenario.parse(PIECES).run()

@@ -193,7 +193,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
 
         def work() -> Response:
             scenario = service.shaken(body.scene, body.measures)
-            content = film(scenario, kind, lang, held=which == "with")
+            content = film(scenario, kind, lang, service.limits, held=which == "with")
             answer = attachment(content, f"run_{which}.{kind}", FILMS[kind])
             answer.headers["Content-Security-Policy"] = REPORT_POLICY
             return answer

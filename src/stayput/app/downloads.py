@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from starlette.responses import Response
 
+from stayput.app.refusals import refused
 from stayput.app.running import own_measures, run_of
 from stayput.app.space_running import name_in, pieces_run, space_run_of
 from stayput.report.animation import animate_run
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.app.limits import Limits
     from stayput.app.motions import Motions
     from stayput.catalogue import Language
     from stayput.motion import Motion
@@ -124,7 +126,9 @@ def _space_csv(scenario: Scenario | AssemblyScenario, *, held: bool) -> str:
     return text.getvalue()
 
 
-def film(scenario: Scenario | AssemblyScenario, kind: str, language: Language, *, held: bool) -> bytes:
+def film(
+    scenario: Scenario | AssemblyScenario, kind: str, language: Language, limits: Limits, *, held: bool
+) -> bytes:
     """Return a run as a film: a page that plays it, or a GIF.
 
     Parameters
@@ -135,15 +139,25 @@ def film(scenario: Scenario | AssemblyScenario, kind: str, language: Language, *
         "html" or "gif".
     language : str
         "en" or "ja".
+    limits : Limits
+        How long a GIF may be.
     held : bool
         Whether the user's measures are in place.
+
+    Raises
+    ------
+    RefusedError
+        The motion is too long for a GIF.
     """
+    motion = scenario.motion()
+    if kind == "gif" and motion.duration > limits.film:
+        raise refused(422, "app.long_film", "scene.shaking", value=motion.duration, most=limits.film)
     with tempfile.TemporaryDirectory(prefix="stayput-film-") as folder:
         path = Path(folder, f"run.{kind}")
         if isinstance(scenario, Scenario) and scenario.dimensions == 2:
             measures = own_measures(scenario) if held else ()
             name = name_in(scenario, language)
-            animate_run(run_of(scenario, scenario.motion(), measures), path, name=name, language=language)
+            animate_run(run_of(scenario, motion, measures), path, name=name, language=language)
         else:
             run, names = _shown_in_space(scenario, held=held)
             animate_space_run(run, path, names=names(language), language=language)

@@ -35,6 +35,8 @@ class Limits:
         Longest motion [s].
     samples_of_motion : int
         Most samples of a motion.
+    film : float
+        Longest motion of which a GIF is drawn [s].
     numbers : int
         Most numbers in an uploaded file.
     motions : int
@@ -85,6 +87,7 @@ class Limits:
     uploads_per_client: int = 4
     duration: float = 600.0
     samples_of_motion: int = 200_000
+    film: float = 120.0
     numbers: int = 1_000_000
     motions: int = 8
     motion_bytes: int = 64 * MEBIBYTE

@@ -3,7 +3,7 @@
 
 import { label, ticks } from "./axes.js";
 import { ink, line, prepared } from "./canvas/pen.js";
-import { deviceName, number, t as say } from "./words.js";
+import { both, deviceName, number, t as say } from "./words.js";
 
 const LEFT = 58,
   RIGHT = 12,
@@ -26,7 +26,10 @@ export function deviceKey({ runs }) {
   const run = runs.at(-1),
     lines = drawn(run);
   return {
-    lines: lines.map((one, i) => ({ name: deviceName(one), dash: DASHES[i].join(" ") })),
+    lines: lines.map(({ label, place }, i) => ({
+      name: deviceName(both(label), place),
+      dash: DASHES[i].join(" "),
+    })),
     more: run.devices.length - lines.length,
   };
 }

@@ -41,8 +41,11 @@ function drawInSpace(now) {
     stages.draw(i, now);
     const states = run.scene.bodies.map((body) => body.state(now)),
       most = states.reduce((one, other) => (other.tilt > one.tilt ? other : one));
-    const words = { tilt: number(degrees(most.tilt), 1), slide: length(most.slide), yaw: number(Math.abs(degrees(most.yaw))) };
-    part(i ? "now-with" : "now-without").textContent = t(states.length > 1 ? "nowMost" : "nowInSpace", words);
+    part(i ? "now-with" : "now-without").textContent = t(states.length > 1 ? "nowMost" : "nowInSpace", {
+      tilt: number(degrees(most.tilt), 1),
+      slide: length(most.slide),
+      yaw: number(Math.abs(degrees(most.yaw))),
+    });
   });
 }
 

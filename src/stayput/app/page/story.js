@@ -16,9 +16,9 @@ function story(run, labels) {
     seen.add(what);
     events.push({ time, text: `${names[piece] ?? ""}${both(labels[kind])}` });
   }
-  for (const device of run.devices)
-    if (device.failed && device.failure_time_s !== null)
-      events.push({ time: device.failure_time_s, text: t("deviceFails", { device: deviceName(device) }) });
+  for (const { label, place, failed, failure_time_s: time } of run.devices)
+    if (failed && time !== null)
+      events.push({ time, text: t("deviceFails", { device: deviceName(both(label), place) }) });
   return events.sort((a, b) => a.time - b.time);
 }
 
@@ -71,7 +71,7 @@ function peaks(run) {
   for (const one of run.devices)
     parts.push(
       t("deviceLoad", {
-        device: deviceName(one),
+        device: deviceName(both(one.label), one.place),
         force: number(Math.max(one.peak_pull_n, one.peak_push_n, one.peak_shear_n)),
         share: one.utilisation === null ? t("notKnown") : number(100 * one.utilisation),
       }),

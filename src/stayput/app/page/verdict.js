@@ -2,7 +2,7 @@
 
 import { el, fill, part, svg } from "./dom.js";
 import { grade } from "./ranking.js";
-import { both, length, number, percent, placeLabel, t, within } from "./words.js";
+import { both, deviceName, length, number, percent, t, within } from "./words.js";
 
 const LIKELY = 0.02;
 
@@ -48,15 +48,14 @@ function also(one, title, verdict) {
     sentences.push(
       t("alsoSlides", { limit: length(verdict.slide_limit_m), share: percent(one.slid.estimate) }),
     );
-  for (const device of one.devices)
-    if (device.failed.estimate >= LIKELY)
-      sentences.push(t("alsoFails", { device: named(device), share: percent(device.failed.estimate) }));
+  for (const { label, name, failed } of one.devices)
+    if (failed.estimate >= LIKELY)
+      sentences.push(
+        t("alsoFails", { device: deviceName(within(label), name), share: percent(failed.estimate) }),
+      );
   sentences.push(...one.asides.map(both));
   return sentences.length ? el("li", { text: `${title}${t("colon")}${sentences.join(t("space"))}` }) : null;
 }
-
-/** A device with its place, as it stands within a sentence. */
-const named = ({ label, name }) => [within(label), placeLabel(name)].filter(Boolean).join(", ");
 
 function tens(share, title) {
   if (share === null) return null;
