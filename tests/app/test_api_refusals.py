@@ -99,14 +99,6 @@ def test_a_verification_that_is_too_much(strict: httpx.Client) -> None:
     in_japanese(strict.post("/api/v1/verify", json={"scene": SCENE}))
 
 
-def test_what_is_not_simulated_in_space(client: httpx.Client) -> None:
-    scene = {**SCENE, "furniture": {"preset": "bookcase"}, "dimensions": 3}
-    for place in ("simulate", "verify"):
-        answer = client.post(f"/api/v1/{place}", json={"scene": scene})
-        in_japanese(answer)
-        assert answer.json()["field"] == "scene.dimensions"
-
-
 def test_values_and_names_are_in_the_sentence(client: httpx.Client) -> None:
     changed, measures = MEASURES["gap"]
     asked = {"scene": {**SCENE, **changed}, "measures": measures}

@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import asyncio
 import threading
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from fastapi import APIRouter, Path, Query, Request
+from fastapi import APIRouter, Query, Request
+from fastapi import Path as InPath
 from starlette.responses import Response
 
 import stayput
-from stayput.app.downloads import attachment, report_page, run_csv, scene_toml
+from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
 from stayput.app.jobs import StoppedError
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.presets import presets
 from stayput.app.refusals import refused
-from stayput.app.replies import MotionReply, PingReply, PresetsReply, PreviewReply
+from stayput.app.replies import MotionReply, PingReply, PresetsReply, PreviewReply, SceneReply
 from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotations
     EverydayRequest,
+    ReadRequest,
     SimulateRequest,
     SizeMapRequest,
     TomlRequest,
@@ -25,16 +28,20 @@ from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotation
 )
 from stayput.app.run_replies import SimulateReply, SizeMapReply
 from stayput.app.running import simulated
-from stayput.app.scenes import uploaded_motions
+from stayput.app.scenes import several_pieces, uploaded_motions
 from stayput.app.service import Service, json_response, problems
 from stayput.app.size_map import size_map
+from stayput.app.space_replies import SpaceSimulateReply
+from stayput.app.space_running import simulated_in_space, simulated_pieces
 from stayput.app.uploads import read_upload
 from stayput.app.verdict_replies import EverydayReply, JobReply
 from stayput.app.verification import everyday_reply, job_reply, runs_of, with_everyday, with_options
 from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annotations
 from stayput.report.verdict.tables import verdict_csv
+from stayput.scenario import AssemblyScenario
+from stayput.scenario.toml import table_of_toml
 from stayput.verification import verify
-from stayput.verification.compare import LEVELS
+from stayput.verification.compare import curve_levels
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -43,7 +50,7 @@ if TYPE_CHECKING:
     from stayput.scenario import Scenario
     from stayput.verification import Verdict
 
-Name = Annotated[str, Path(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")]
+Name = Annotated[str, InPath(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")]
 
 ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
 
@@ -71,6 +78,10 @@ UPLOAD_FORM: dict[str, Any] = {
     }
 }
 """What the description of the API says of an upload, which is read here, not by FastAPI."""
+
+
+FILMS = {"html": "text/html; charset=utf-8", "gif": "image/gif"}
+"""Media types of films."""
 
 
 def api(service: Service) -> APIRouter:
@@ -111,20 +122,42 @@ def _add_general(router: APIRouter, service: Service) -> None:
 
         return await service.workers.run(work)
 
+    @router.post(
+        "/scenario/read", response_model=SceneReply, tags=["general"], responses=problems(400, 413, 422, 503)
+    )
+    async def read(body: ReadRequest) -> Response:
+        """Return a scenario file as a scene."""
+
+        def work() -> Response:
+            scene = table_of_toml(body.toml, Path("scenario.toml"))
+            checked = service.shaken(scene, [])
+            pieces = checked.names if isinstance(checked, AssemblyScenario) else ()
+            return json_response(SceneReply(scene=scene, pieces=list(pieces)))
+
+        return await service.workers.run(work)
+
 
 def _add_runs(router: APIRouter, service: Service) -> None:
     refusals = problems(400, 413, 422, 503)
 
-    @router.post("/simulate", response_model=SimulateReply, tags=["runs"], responses=refusals)
+    @router.post(
+        "/simulate", response_model=SimulateReply | SpaceSimulateReply, tags=["runs"], responses=refusals
+    )
     async def simulate(body: SimulateRequest) -> Response:
-        """Run a scene without and with measures."""
+        """Run a scene without and with measures, in the plane or in space; several pieces in space."""
 
         def work() -> Response:
-            reply = simulated(service.scene(body.scene, body.measures))
+            scenario = service.shaken(body.scene, body.measures)
+            if isinstance(scenario, AssemblyScenario):
+                reply = simulated_pieces(scenario)
+            else:
+                run = simulated if scenario.dimensions == 2 else simulated_in_space
+                reply = run(scenario)
             reply.motion.name = service.motions.named(reply.motion.name)
             return json_response(reply)
 
-        return await service.workers.run(work)
+        workers = service.slow if several_pieces(body.scene) else service.workers
+        return await workers.run(work)
 
     @router.post(
         "/simulate/csv",
@@ -138,9 +171,32 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         """Run a scene without or with measures; return its histories at the record's samples."""
 
         def work() -> Response:
-            scenario = service.scene(body.scene, body.measures)
+            scenario = service.shaken(body.scene, body.measures)
             text = run_csv(scenario, held=which == "with")
             return attachment(text, f"run_{which}.csv", "text/csv; charset=utf-8")
+
+        return await service.slow.run(work)
+
+    @router.post(
+        "/simulate/film",
+        response_class=Response,
+        tags=["runs"],
+        responses={200: {"content": {"text/html": {}, "image/gif": {}}}, **refusals},
+    )
+    async def simulate_film(
+        body: SimulateRequest,
+        which: Annotated[Literal["without", "with"], Query()] = "without",
+        kind: Annotated[Literal["html", "gif"], Query()] = "html",
+        lang: Annotated[Language, Query()] = "en",
+    ) -> Response:
+        """Run a scene without or with measures; return a page that plays it, or a GIF."""
+
+        def work() -> Response:
+            scenario = service.shaken(body.scene, body.measures)
+            content = film(scenario, kind, lang, service.limits, held=which == "with")
+            answer = attachment(content, f"run_{which}.{kind}", FILMS[kind])
+            answer.headers["Content-Security-Policy"] = REPORT_POLICY
+            return answer
 
         return await service.slow.run(work)
 
@@ -183,14 +239,14 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     )
     async def start(body: VerifyRequest) -> Response:
         """Begin a verification: it goes on as a job."""
-        levels = LEVELS if body.curves else LEVELS[:0]
 
-        def prepare() -> tuple[Scenario, int]:
+        def prepare() -> tuple[Scenario, list[float], int]:
             scenario = service.scene(body.scene, body.measures)
             extended = with_options(scenario, body.scene, body.compare_usual)
-            return extended, runs_of(extended, service.limits, len(levels))
+            levels = [float(level) for level in curve_levels(extended.dimensions) if body.curves]
+            return extended, levels, runs_of(extended, service.limits, len(levels))
 
-        scenario, runs = await service.workers.run(prepare)
+        scenario, levels, runs = await service.workers.run(prepare)
 
         def work(on_progress: Callable[[int, int], None]) -> Verdict:
             return verify(

@@ -11,7 +11,7 @@ from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
 from stayput.app.requests import STANDS_FOR
-from stayput.scenario import Scenario
+from stayput.scenario import AssemblyScenario, Scenario
 from stayput.scenario.measures import MeasureTable, SingleChoice
 
 if TYPE_CHECKING:
@@ -37,7 +37,11 @@ def described(app: FastAPI) -> Callable[[], dict[str, Any]]:
         schemas = document["components"]["schemas"]
         scene = Scenario.schema(ref_template=REFERENCE)
         measure = TypeAdapter[MeasureTable](SingleChoice).json_schema(ref_template=REFERENCE)
+        pieces = AssemblyScenario.model_json_schema(ref_template=REFERENCE)
+        schemas |= {**pieces.pop("$defs"), "AssemblyScenario": pieces}
         schemas |= {**scene.pop("$defs"), "Scenario": scene}
+        either = [{"$ref": REFERENCE.format(model=model)} for model in ("Scenario", "AssemblyScenario")]
+        schemas["AnyScene"] = {"anyOf": either}
         measure.pop("$defs", None)
         schemas["Measure"] = measure
         for name in UNUSED:

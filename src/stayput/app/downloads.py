@@ -1,25 +1,36 @@
-"""Files that a user saves: the scenario, histories as a table, the report."""
+"""Files that a user saves: the scenario, histories as a table, films, the report."""
 
 from __future__ import annotations
 
 import csv
 import io
+import tempfile
 import threading
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from starlette.responses import Response
 
+from stayput.app.refusals import refused
 from stayput.app.running import own_measures, run_of
+from stayput.app.space_running import name_in, pieces_run, space_run_of
+from stayput.report.animation import animate_run
 from stayput.report.history import history
+from stayput.report.space.animation import animate_space_run
+from stayput.scenario import AssemblyScenario, Scenario
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from numpy.typing import NDArray
 
+    from stayput.app.limits import Limits
     from stayput.app.motions import Motions
+    from stayput.catalogue import Language
     from stayput.motion import Motion
-    from stayput.scenario import Scenario
     from stayput.simulation.run import Run
+    from stayput.simulation.space_run import SpaceRun
     from stayput.verification import Verdict
 
 _drawing = threading.Lock()  # Matplotlib draws on one thread at a time
@@ -50,20 +61,24 @@ def scene_toml(scenario: Scenario, motions: Motions) -> str:
     return note + scenario.model_copy(update={"shaking": changed}).to_toml()
 
 
-def run_csv(scenario: Scenario, *, held: bool) -> str:
+def run_csv(scenario: Scenario | AssemblyScenario, *, held: bool) -> str:
     """Return the histories of a run as a table, one line for each sample of the record.
+
+    In space there is one line for each body and sample, with the floor's acceleration.
 
     The floor's motion stands beside them, and the forces of each device: pull along its normal, negative
     where it pushes, and shear along its tangent.
 
     Parameters
     ----------
-    scenario : Scenario
+    scenario : Scenario or AssemblyScenario
         The scene.
     held : bool
         Whether the user's measures are in place.
     """
-    motion = scenario.case().motion
+    if not isinstance(scenario, Scenario) or scenario.dimensions == 3:
+        return _space_csv(scenario, held=held)
+    motion = scenario.motion()
     run = run_of(scenario, motion, own_measures(scenario) if held else ())
     histories = history(run)
     columns = {
@@ -83,6 +98,83 @@ def run_csv(scenario: Scenario, *, held: bool) -> str:
     return text.getvalue()
 
 
+def _space_csv(scenario: Scenario | AssemblyScenario, *, held: bool) -> str:
+    run, names = _shown_in_space(scenario, held=held)
+    motion, slides = run.motion, run.slide
+    floor = {
+        f"floor_{axis}_acceleration_m_s2": np.interp(run.time, motion.time, values)
+        for axis, values in motion.components.items()
+    }
+    devices, text = _forces(run, run.time), io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    for number, name in enumerate(names("en")):
+        columns = {
+            "time_s": run.time,
+            **dict(zip(("x_m", "y_m", "z_m"), run.place[number].T, strict=True)),
+            **{f"q{part}": values for part, values in zip("wxyz", run.attitude[number].T, strict=True)},
+            "tilt_rad": run.tilt[number],
+            "yaw_rad": run.yaw[number],
+            "slide_x_m": slides[number, :, 0],
+            "slide_y_m": slides[number, :, 1],
+            **floor,
+            **devices,
+        }
+        if number == 0:
+            writer.writerow(["body", *columns])
+        for values in zip(*(column.tolist() for column in columns.values()), strict=True):
+            writer.writerow([name, *(f"{value:.9g}" for value in values)])
+    return text.getvalue()
+
+
+def film(
+    scenario: Scenario | AssemblyScenario, kind: str, language: Language, limits: Limits, *, held: bool
+) -> bytes:
+    """Return a run as a film: a page that plays it, or a GIF.
+
+    Parameters
+    ----------
+    scenario : Scenario or AssemblyScenario
+        The scene.
+    kind : str
+        "html" or "gif".
+    language : str
+        "en" or "ja".
+    limits : Limits
+        How long a GIF may be.
+    held : bool
+        Whether the user's measures are in place.
+
+    Raises
+    ------
+    RefusedError
+        The motion is too long for a GIF.
+    """
+    motion = scenario.motion()
+    if kind == "gif" and motion.duration > limits.film:
+        raise refused(422, "app.long_film", "scene.shaking", value=motion.duration, most=limits.film)
+    with tempfile.TemporaryDirectory(prefix="stayput-film-") as folder:
+        path = Path(folder, f"run.{kind}")
+        if isinstance(scenario, Scenario) and scenario.dimensions == 2:
+            measures = own_measures(scenario) if held else ()
+            name = name_in(scenario, language)
+            animate_run(run_of(scenario, motion, measures), path, name=name, language=language)
+        else:
+            run, names = _shown_in_space(scenario, held=held)
+            animate_space_run(run, path, names=names(language), language=language)
+        return path.read_bytes()
+
+
+def _shown_in_space(
+    scenario: Scenario | AssemblyScenario, *, held: bool
+) -> tuple[SpaceRun, Callable[[Language], tuple[str, ...]]]:
+    """Return the run of a scene in space, and what its bodies are called in a language."""
+    if isinstance(scenario, AssemblyScenario):
+        return pieces_run(scenario), lambda _: scenario.names
+    measures = own_measures(scenario) if held else ()
+    run = space_run_of(scenario, scenario.motion(), measures)
+    return run, lambda language: (name_in(scenario, language),)
+
+
 def _floor(motion: Motion, time: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
     """Return the floor's motion at some times, by the names of its columns."""
     columns = {
@@ -95,7 +187,7 @@ def _floor(motion: Motion, time: NDArray[np.float64]) -> dict[str, NDArray[np.fl
     return {name: np.interp(time, motion.time, values) for name, values in columns.items()}
 
 
-def _forces(run: Run, time: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+def _forces(run: Run | SpaceRun, time: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
     """Return the forces of a run's devices at some times, by the names of their columns."""
     columns: dict[str, NDArray[np.float64]] = {}
     for number, device in enumerate(run.devices, 1):

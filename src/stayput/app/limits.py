@@ -35,6 +35,8 @@ class Limits:
         Longest motion [s].
     samples_of_motion : int
         Most samples of a motion.
+    film : float
+        Longest motion of which a GIF is drawn [s].
     numbers : int
         Most numbers in an uploaded file.
     motions : int
@@ -57,8 +59,10 @@ class Limits:
         Most samples of a verification.
     options : int
         Most options of a verification.
-    runs : int
-        Most simulations of a verification.
+    runs, runs_in_space : int
+        Most simulations of a verification, in the plane and in space.
+    pieces : int
+        Most pieces of a scene of several; they share `duration` and `samples_of_motion` evenly.
     jobs_running, jobs_waiting, jobs_kept : int
         Most jobs at work, waiting for it, and known at all.
     workers : int
@@ -83,6 +87,7 @@ class Limits:
     uploads_per_client: int = 4
     duration: float = 600.0
     samples_of_motion: int = 200_000
+    film: float = 120.0
     numbers: int = 1_000_000
     motions: int = 8
     motion_bytes: int = 64 * MEBIBYTE
@@ -96,6 +101,8 @@ class Limits:
     samples: int = 2000
     options: int = 20
     runs: int = 2_000_000
+    runs_in_space: int = 50_000
+    pieces: int = 20
     jobs_running: int = 1
     jobs_waiting: int = 4
     jobs_kept: int = 12

@@ -71,6 +71,7 @@ SCENE_MEASURES: list[dict[str, Any]] = [{"type": "l_bracket"}]
 NUMBERS = {
     "furniture.width": parameter_of(Body, "width"),
     "furniture.height": parameter_of(Body, "height"),
+    "furniture.length": parameter_of(Body, "length"),
     "furniture.mass": parameter_of(Body, "mass"),
     "furniture.shelves": parameter_of(Part, "mass"),
     "room.left_wall.gap": parameter_of(Wall, "gap"),
@@ -137,6 +138,7 @@ def _furniture(name: str, preset: Preset) -> FurnitureReply:
         label=Words.of(FURNITURE[name]),
         width_m=preset.width,
         height_m=preset.height,
+        length_m=preset.length,
         mass_kg=preset.mass,
         carcass_mass_kg=preset.carcass_mass,
         shelves=None if preset.carcass_mass is None else SHELVES,

@@ -43,6 +43,13 @@ class PingReply(Reply):
     version: str
 
 
+class SceneReply(Reply):
+    """A scenario file as a scene."""
+
+    scene: dict[str, Any]
+    pieces: list[str] = Field(description="What its pieces are called, where it is of several; else none.")
+
+
 class FurnitureReply(Reply):
     """A preset of furniture."""
 
@@ -50,6 +57,7 @@ class FurnitureReply(Reply):
     label: Words
     width_m: float
     height_m: float
+    length_m: float = Field(description="Across its depth.")
     mass_kg: float
     carcass_mass_kg: float | None
     shelves: int | None

@@ -14,6 +14,9 @@ STANDS_FOR = "x-stands-for"
 SceneData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "Scenario"})]
 """A scene as it came: it is checked by `stayput.app.scenes`, off the event loop."""
 
+AnySceneData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "AnyScene"})]
+"""A scene of one piece or of several, as it came."""
+
 MeasureData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "Measure"})]
 """A measure as it came."""
 
@@ -29,9 +32,9 @@ class Request(BaseModel):
 
 
 class SimulateRequest(Request):
-    """One scene, run without and with measures."""
+    """One scene, run without and with measures; of several pieces without."""
 
-    scene: SceneData
+    scene: AnySceneData
     measures: Measures
 
 
@@ -67,6 +70,12 @@ class EverydayRequest(Request):
     """A scene of which only what people do to the piece has changed since it was verified."""
 
     scene: SceneData
+
+
+class ReadRequest(Request):
+    """A scenario file to be read as a scene."""
+
+    toml: str = Field(description="The file's text.")
 
 
 class TomlRequest(Request):

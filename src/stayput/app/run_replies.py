@@ -140,8 +140,9 @@ class BuildingReply(Reply):
 
 
 class SimulateReply(Reply):
-    """A scene run without and with measures."""
+    """A scene run in the plane without and with measures."""
 
+    dimensions: Literal[2] = 2
     motion: MotionOfRun
     floor: FloorReply
     view: ViewReply

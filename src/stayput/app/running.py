@@ -1,4 +1,4 @@
-"""Runs of a scene without and with measures, and their histories at the frame rate of a screen."""
+"""Runs of a scene in the plane without and with measures, their histories at the frame rate of a screen."""
 
 from __future__ import annotations
 
@@ -25,9 +25,12 @@ from stayput.simulation.run import simulate
 from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from stayput.measures import Measure
     from stayput.motion import Motion
-    from stayput.scenario import Scenario
+    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario.shaking import ShakingTable
     from stayput.simulation.run import Run
 
 RATE = 60.0
@@ -74,18 +77,18 @@ def simulated(scenario: Scenario) -> SimulateReply:
     RefusedError
         As `run_of`.
     """
-    measures, shaking = own_measures(scenario), scenario.shaking
-    ground = shaking.model_copy(update={"building": None, "storey": None}).motion(scenario.folder)
-    motion = ground if shaking.building is None else shaking.motion(scenario.folder)
+    measures, (ground, motion) = own_measures(scenario), ground_and_floor(scenario)
     runs = [run_of(scenario, motion, measures) for measures in ([(), measures] if measures else [()])]
     scene = scene_of(runs, end=motion.duration)
     data = scene.data(RATE)
     replies = [run_reply(run, run_data, scenario) for run, run_data in zip(runs, data["runs"], strict=True)]
     return SimulateReply(
-        motion=_motion_of(ground, motion),
+        motion=motion_of_run(ground, motion),
         floor=FloorReply(**data["floor"]),
         view=ViewReply(**data["view"]),
-        building=_building(scenario, ground, scene.shift_scale),
+        building=building_reply(
+            scenario.shaking, ground, frames(0.0, motion.duration, RATE), scene.shift_scale
+        ),
         without=replies[0],
         with_=replies[1] if measures else None,
     )
@@ -105,7 +108,18 @@ def run_reply(run: Run, data: dict[str, Any], scenario: Scenario) -> RunReply:
     )
 
 
-def _motion_of(ground: Motion, motion: Motion) -> MotionOfRun:
+def ground_and_floor(scenario: Scenario | AssemblyScenario) -> tuple[Motion, Motion]:
+    """Return the motions of the ground and under the piece, along the axes of the piece."""
+    shaking = scenario.shaking
+    if shaking.building is None:
+        ground = scenario.motion()
+        return ground, ground
+    bare = shaking.model_copy(update={"building": None, "storey": None})
+    return scenario.model_copy(update={"shaking": bare}).motion(), scenario.motion()
+
+
+def motion_of_run(ground: Motion, motion: Motion) -> MotionOfRun:
+    """Return the motion under the furniture, beside that of the ground."""
     ground_intensity, floor_intensity = intensity_of(ground), intensity_of(motion)
     return MotionOfRun(
         name=motion.name,
@@ -121,8 +135,23 @@ def _motion_of(ground: Motion, motion: Motion) -> MotionOfRun:
     )
 
 
-def _building(scenario: Scenario, ground: Motion, scale: float) -> BuildingReply | None:
-    table, storey = scenario.shaking.building, scenario.shaking.storey
+def building_reply(
+    shaking: ShakingTable, ground: Motion, times: NDArray[np.float64], scale: float
+) -> BuildingReply | None:
+    """Return how the building of a scene moves in a picture, if there is one.
+
+    Parameters
+    ----------
+    shaking : ShakingTable
+        The scene's shaking.
+    ground : Motion
+        The motion of the ground.
+    times : ndarray
+        When the picture shows it [s].
+    scale : float
+        What part of the displacements the picture shows.
+    """
+    table, storey = shaking.building, shaking.storey
     if table is None or storey is None:
         return None
     structure = None if table.masses is not None else table.structure or "RC"
@@ -131,12 +160,11 @@ def _building(scenario: Scenario, ground: Motion, scale: float) -> BuildingReply
         storeys=table.highest() - 1,
         storey=storey,
         structure=structure,
-        ground_x_m=_shift(ground, scale),
-        roof_x_m=_shift(roof, scale),
+        ground_x_m=_shift(ground, times, scale),
+        roof_x_m=_shift(roof, times, scale),
     )
 
 
-def _shift(motion: Motion, scale: float) -> list[float]:
-    """Return a displacement for a picture at the frames [m]."""
-    times = frames(0.0, motion.duration, RATE)
+def _shift(motion: Motion, times: NDArray[np.float64], scale: float) -> list[float]:
+    """Return a displacement for a picture at some times [m]."""
     return rounded(scale * np.interp(times, motion.time, ground_displacement(motion)))

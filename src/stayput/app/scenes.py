@@ -11,7 +11,7 @@ from stayput.app.refusals import RefusedError, refused
 from stayput.errors import InputError
 from stayput.model.parameters import parameter_of
 from stayput.motion import sine
-from stayput.scenario import Scenario
+from stayput.scenario import AssemblyScenario, Scenario
 from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:
@@ -20,7 +20,9 @@ if TYPE_CHECKING:
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
 
-TABLES = tuple(field.alias or name for name, field in Scenario.model_fields.items())
+TABLES = frozenset(
+    field.alias or name for kind in (Scenario, AssemblyScenario) for name, field in kind.model_fields.items()
+)
 """Keys of a scene."""
 
 ID = re.compile(r"[0-9a-f]{32}")
@@ -51,10 +53,7 @@ def read_scene(
     scene = dict(data)
     if measures:
         scene["measures"] = [{"name": YOURS, "combine": [dict(measure) for measure in measures]}]
-    _refuse_half_characters(scene)
-    shaking = scene.get("shaking")
-    if isinstance(shaking, dict):
-        _check_shaking(cast("dict[str, Any]", shaking), limits, motions)
+    _check_texts_and_shaking(scene, limits, motions)
     listed = scene.get("measures")
     if isinstance(listed, list) and len(cast("list[Any]", listed)) > limits.options:
         raise refused(422, "app.many_options", "scene.measures", most=limits.options)
@@ -62,10 +61,49 @@ def read_scene(
         scenario = Scenario.parse(scene, motions.folder)
     except InputError as error:
         raise refusal(error, bool(measures)) from None
-    if scenario.dimensions == 3:
-        raise refused(422, "app.in_space", "scene.dimensions")
     if scenario.uncertainty.samples > limits.samples:
         raise _too_many("uncertainty.samples", scenario.uncertainty.samples, limits.samples)
+    return scenario
+
+
+def several_pieces(data: Mapping[str, Any]) -> bool:
+    """Return whether a scene is one of several pieces."""
+    return isinstance(data.get("furniture"), list)
+
+
+def read_pieces(
+    data: Mapping[str, Any], measures: Sequence[Mapping[str, Any]], limits: Limits, motions: Motions
+) -> AssemblyScenario:
+    """Make a scenario of a scene of several pieces; see `read_scene`.
+
+    Raises
+    ------
+    RefusedError
+        What is wrong with it.
+    """
+    if measures:
+        raise refused(422, "app.pieces_and_measures", "measures")
+    scene = dict(data)
+    _check_texts_and_shaking(scene, limits, motions)
+    try:
+        scenario = AssemblyScenario.parse(scene, motions.folder)
+    except InputError as error:
+        raise refusal(error) from None
+    for number, piece in enumerate(scenario.furniture):
+        if piece.mesh is not None:
+            raise refused(422, "app.no_mesh", f"scene.furniture[{number}].mesh", name=piece.name)
+    count = len(scenario.furniture)
+    if count > limits.pieces:
+        raise refused(422, "app.many_pieces", "scene.furniture", count=count, most=limits.pieces)
+    try:
+        motion = scenario.motion()
+    except InputError as error:
+        raise refusal(error) from None
+    most = min(limits.duration, limits.samples_of_motion * motion.dt) / count
+    if motion.duration > most:
+        raise refused(
+            422, "app.long_for_pieces", "scene.shaking", value=motion.duration, count=count, most=most
+        )
     return scenario
 
 
@@ -84,6 +122,13 @@ def refusal(error: InputError, own: bool = False) -> RefusedError:
         known = error.renamed("measures[0].combine", "measures").anywhere()
         return RefusedError(422, known)
     return RefusedError(422, error.about(f"scene.{field}"))
+
+
+def _check_texts_and_shaking(scene: dict[str, Any], limits: Limits, motions: Motions) -> None:
+    _refuse_half_characters(scene)
+    shaking = scene.get("shaking")
+    if isinstance(shaking, dict):
+        _check_shaking(cast("dict[str, Any]", shaking), limits, motions)
 
 
 def _refuse_half_characters(scene: dict[str, Any]) -> None:

@@ -11,7 +11,7 @@ from starlette.responses import Response
 
 from stayput.app.refusals import RefusedError, refused
 from stayput.app.replies import Problem, Reply
-from stayput.app.scenes import read_scene
+from stayput.app.scenes import read_pieces, read_scene, several_pieces
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
     from stayput.app.readers import ReaderPool
-    from stayput.scenario import Scenario
+    from stayput.scenario import AssemblyScenario, Scenario
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -125,6 +125,11 @@ class Service:
     def scene(self, data: dict[str, Any], measures: list[dict[str, Any]]) -> Scenario:
         """Make a scenario of a scene."""
         return read_scene(data, measures, self.limits, self.motions)
+
+    def shaken(self, data: dict[str, Any], measures: list[dict[str, Any]]) -> Scenario | AssemblyScenario:
+        """Make a scenario of a scene of one piece or several."""
+        read = read_pieces if several_pieces(data) else read_scene
+        return read(data, measures, self.limits, self.motions)
 
 
 def json_response(reply: Reply, status: int = 200, headers: dict[str, str] | None = None) -> Response:

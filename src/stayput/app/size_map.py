@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.app.jobs import StoppedError
-from stayput.app.refusals import problem
+from stayput.app.refusals import problem, refused
 from stayput.app.run_replies import OwnPieceReply, SizeMapReply
 from stayput.app.running import own_measures
 from stayput.errors import InputError
@@ -95,10 +95,14 @@ def size_map(
     ------
     StoppedError
         Nobody waits for it.
+    RefusedError
+        A scene in space.
     InputError
         The paper's contact law, or measures that cannot be applied to the piece as it stands.
     """
     require_coulomb(scenario, "verification.the_map")
+    if scenario.dimensions == 3:
+        raise refused(422, "app.map_in_space", "scene.dimensions")
     shaking = scenario.shaking
     body, measures = scenario.furniture.body(), own_measures(scenario)
     runs = RUNS if shaking.building is None or not shaking.building.yields else RUNS_YIELDING

@@ -117,8 +117,9 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
     runs = options * motions * most * (1 + badly + levels)
     if scenario.contents is not None:
         runs += options * runs_of_contents(scenario.contents, motions)
-    if runs > limits.runs:
-        raise refused(422, "app.many_runs", "scene.uncertainty.samples", runs=runs, most=limits.runs)
+    allowed = limits.runs if scenario.dimensions == 2 else limits.runs_in_space
+    if runs > allowed:
+        raise refused(422, "app.many_runs", "scene.uncertainty.samples", runs=runs, most=allowed)
     return runs
 
 

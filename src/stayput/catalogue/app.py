@@ -2,9 +2,25 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # Requests
-    "in_space": (
-        "dimensions is 3; the app simulates in the plane, with 2.",
-        "三次元の解析が指定されています。アプリは平面（2次元）の解析だけに対応しています。",
+    "map_in_space": (
+        "The map of sizes is of simulations in the plane; dimensions must be 2 for it.",
+        "大きさごとの図は平面の計算によるもので、三次元の計算では作れません。",
+    ),
+    "no_mesh": (
+        "The piece “{name}” is of a mesh's file; here every piece must be a preset, a box, a cylinder or a cone.",
+        "家具「{name}」の形がメッシュのファイルで指定されています。ここではプリセット、箱、円柱、円すい台のどれかにしてください。",
+    ),
+    "pieces_and_measures": (
+        "Measures are for one piece; a scene of several must have none.",
+        "対策は1つの家具だけの条件で使えます。複数の家具の条件では指定できません。",
+    ),
+    "many_pieces": (
+        "There are {count} pieces; this server allows {most}.",
+        "家具が{count}個あります。このサーバーでは{most}個までです。",
+    ),
+    "long_for_pieces": (
+        "The motion lasts {value:.0f} s; with {count} pieces this server allows {most:.0f} s.",
+        "揺れの長さは{value:.0f}秒です。家具が{count}個のときは{most:.0f}秒まで計算できます。",
     ),
     "other_host": (
         "The Host header names another server; open the address that stayput printed.",
@@ -105,6 +121,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "suite_folder": (
         "shaking.suite is a folder; this server takes suites by family and count only.",
         "shaking.suiteにフォルダーは指定できません。familyとcountで指定してください。",
+    ),
+    "long_film": (
+        "The motion lasts {value:.0f} s; this server draws a GIF of at most {most:g} s, and a page of any.",
+        "揺れの長さは{value:.0f}秒です。GIFは{most:g}秒まで作れます。HTMLには制限がありません。",
     ),
     "long_sine": (
         "shaking.sine lasts {value:g} s; this server allows {most:g} s.",

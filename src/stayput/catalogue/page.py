@@ -12,6 +12,13 @@ SHARED = (
     "common.time",
     "common.under",
     "common.without",
+    "space.no_webgl",
+    "space.shaken",
+    "space.view",
+    "space.view_free",
+    "space.view_front",
+    "space.view_side",
+    "space.view_top",
 )
 """Texts of other modules that the page says too; their keys there are their keys on the page."""
 
@@ -42,6 +49,23 @@ TEXTS: dict[str, tuple[str, str]] = {
     "whichPiece": ("Which piece?", "どの家具ですか"),
     "height": ("Height", "高さ"),
     "width": ("Depth, from the wall to the front", "奥行き（壁から前面まで）"),
+    "length": ("Length, from side to side", "幅（左右の長さ）"),
+    "engine": ("How is it shaken?", "揺れの計算のしかた"),
+    "engine_plane": ("In the plane (one direction)", "平面（1方向）"),
+    "engine_space": ("In space (three directions)", "三次元（3方向）"),
+    "engineHint": (
+        "In the plane, only to the front and the back: quick, and right for a long piece along a wall. In space it matters for pieces about as long as deep, which may also fall over a corner or sideways, and turn; working out the chances then takes minutes.",
+        "平面では前後の揺れだけを考えます。速く、壁沿いの幅の広い家具に向いています。幅と奥行きが同じくらいの家具は、角や横の方向に倒れたり向きが変わったりするので、三次元で計算すると違いが出ます。確率の計算には数分かかります。",
+    ),
+    "heading": ("Direction in which it faces", "家具の向き"),
+    "headingHint": (
+        "Angle in plan from the earthquake's first horizontal component to its second, counterclockwise.",
+        "上から見て、地震動の第1水平成分から第2水平成分へ向かう（反時計回りの）角度です。",
+    ),
+    "contentsInSpace": (
+        "What comes out is computed in the plane alone; it is left out for now.",
+        "飛び出しは平面でだけ計算できます。今は計算に含めていません。",
+    ),
     "mass": ("Mass with its content", "中身を含む重さ"),
     "carcass": ("Mass when empty", "空のときの重さ"),
     "widthHint": (
@@ -104,6 +128,25 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "chooseFile": ("choose one", "ファイルを選ぶ"),
     "sending": ("Sending and reading the record …", "記録を送って読み込んでいます…"),
+    "dropPieces": (
+        "A scenario file of several pieces is shown as it is.",
+        "複数の家具の条件ファイルも、そのまま表示できます。",
+    ),
+    "onePieceFile": (
+        "This scenario has one piece; set it with the fields here. Files of several pieces are shown as they are.",
+        "この条件ファイルの家具は1つです。ここの欄で設定してください。そのまま表示できるのは、複数の家具の条件ファイルです。",
+    ),
+    "piecesTitle": ("The pieces in “{name}”", "「{name}」の家具"),
+    "piecesNote": (
+        "They are shown as the file says, in space. What is set under “Set the scene” is for a piece of your own.",
+        "ファイルの内容のとおりに、三次元で計算しています。「条件を決める」の設定は、自分の家具のものです。",
+    ),
+    "piecesShaken": ("The pieces", "家具"),
+    "ownPiece": ("Back to my own piece", "自分の家具に戻る"),
+    "state_pieces": (
+        "Chances and rankings are for one piece; this file has several.",
+        "確率と対策の比較は、家具が1つのときにだけ計算します。",
+    ),
     "file_unit": ("Unit", "単位"),
     "file_dt": ("Time step [s]", "時間刻み [s]"),
     "file_component": ("Channel", "チャンネル"),
@@ -157,6 +200,15 @@ TEXTS: dict[str, tuple[str, str]] = {
         "A rough default; change it if you know better.",
         "おおよその初期値です。正確な値が分かれば変えてください。",
     ),
+    "place_left": ("left", "左"),
+    "place_right": ("right", "右"),
+    "place_front": ("front", "前"),
+    "place_back": ("back", "後ろ"),
+    "place_front left": ("front left", "左前"),
+    "place_front right": ("front right", "右前"),
+    "place_back left": ("back left", "左後ろ"),
+    "place_back right": ("back right", "右後ろ"),
+    "comma": (", ", "、"),
     "choice_down": ("down", "下向き"),
     "choice_up": ("up", "上向き"),
     "choice_room": ("what the room's is", "部屋の壁のとおり"),
@@ -179,6 +231,15 @@ TEXTS: dict[str, tuple[str, str]] = {
         "To scale. The room moves with the shaking; the dotted lines stand still, as far apart as the scale is long. The round mark is the centre of gravity. Space plays and pauses, the arrow keys step.",
         "実際の縮尺です。部屋は地震とともに動き、点線は動かない基準線で、間隔は右上の目盛りの長さです。丸い印は重心です。スペースキーで再生・停止、矢印キーでコマ送りできます。",
     ),
+    "turnNote": (
+        "The room moves with the shaking unless that is switched off. Drag sideways to turn the picture, pinch or Ctrl and the wheel to come nearer; with the picture in focus, the arrow keys turn it. The lighter or striped side is the front. Devices are not drawn.",
+        "設定を外さない限り、部屋は地震とともに動きます。横にドラッグすると回転し、つまむ操作やコントロールキーとホイールで拡大・縮小できます。図を選ぶと矢印キーでも回転します。明るい面または縞のある側が正面です。器具は描いていません。",
+    ),
+    "nowInSpace": (
+        "tilt {tilt}° · moved {slide} · turned {yaw}°",
+        "傾き{tilt}°・移動{slide}・回転{yaw}°",
+    ),
+    "nowMost": ("largest tilt {tilt}°", "最大の傾き{tilt}°"),
     "placeGround": ("On the ground,", "地面の上、"),
     "placeStorey": ("On storey {storey} of {storeys},", "{storeys}階建ての{storey}階、"),
     "strength": ("JMA intensity {class} ({at}).", "{class}（計測震度{at}）。"),
@@ -196,6 +257,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "nothing": ("Nothing: it stands still.", "何も起こりません。動かずに立っています。"),
     "peakTilt": ("Tilts by up to {tilt}°.", "最大の傾きは{tilt}°。"),
     "peakSlide": ("Slides by up to {slide}.", "最大の移動は{slide}。"),
+    "turnedAtEnd": ("Turned by {yaw}° at the end.", "最後の向きのずれは{yaw}°。"),
     "deviceLoad": (
         "{device}: up to {force} N, {share} % of its strength.",
         "{device}：最大{force} N（強さの{share}%）。",
@@ -204,6 +266,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     "acceleration": ("Acceleration of the floor", "床の加速度"),
     "tilt": ("Tilt (+ to the front)", "傾き（＋は手前）"),
     "slide": ("Slide (+ to the front)", "移動（＋は手前）"),
+    "tiltInSpace": ("Tilt, in any direction", "傾き（向きによらず）"),
+    "slideInSpace": ("Way from where it stood", "元の位置からの移動"),
+    "yawTitle": ("Turn in plan", "水平面内の回転"),
+    "axis_x": ("front–back", "前後"),
+    "axis_y": ("sideways", "左右"),
+    "axis_z": ("up–down", "上下"),
     "force": ("Force in the devices", "器具にかかる力"),
     "seconds": ("time [s]", "時刻 [s]"),
     "historiesAlt": (
@@ -295,6 +363,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Chance of falling over against JMA intensity; your scene is at {here}",
         "計測震度と倒れる確率の関係。現在の条件は震度{here}",
     ),
+    "curvesInSpace": (
+        "In space the curves take some minutes, so they are worked out only when you ask for them.",
+        "三次元の計算では曲線を求めるのに数分かかるため、必要なときだけ計算します。",
+    ),
+    "askCurves": ("Work out the curves", "曲線を計算する"),
     "fragilityNote": (
         "Marks: what the simulations gave; lines: the nearest rising shares; shaded: where they may lie (95 %).",
         "印は計算で得られた割合、線は増加のみを仮定した当てはめ、塗った部分は95%の範囲です。",
@@ -343,6 +416,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "家具の高さと震度ごとの、倒れる割合。この家具は{size}、震度{at}で{share}。",
     ),
     "doesNotFit": ("the piece or a measure does not fit there", "家具または対策がその寸法では収まりません"),
+    "mapInSpace": (
+        "This map is of simulations in the plane; choose the plane under “Which piece?” to see it.",
+        "この図は平面の計算によるものです。「どの家具ですか」で平面を選ぶと表示されます。",
+    ),
     "mapWhich": ("The map is for the piece", "図の条件"),
     "mapNote": (
         "How often such a piece falls over, by its height and the strength of the shaking (earthquakes tried: {motions}; simulations of each size at each strength: {runs}). What is not known was varied as for the chances above. The mark is your piece.",
@@ -356,6 +433,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "table": ("Verdict as a table (CSV)", "判定の表（CSV）"),
     "csvWithout": ("Run without measures (CSV)", "対策なしの計算結果（CSV）"),
     "csvWith": ("Run with the measures (CSV)", "対策ありの計算結果（CSV）"),
+    "htmlWithout": ("Animation without measures (HTML)", "対策なしの動画（HTML）"),
+    "htmlWith": ("Animation with the measures (HTML)", "対策ありの動画（HTML）"),
+    "gifWithout": ("Animation without measures (GIF)", "対策なしの動画（GIF）"),
+    "gifWith": ("Animation with the measures (GIF)", "対策ありの動画（GIF）"),
+    "drawing": (
+        "Drawing the animation, which may take half a minute …",
+        "動画を作っています。30秒ほどかかることがあります…",
+    ),
     "reportWait": (
         "Report and table are there once the chances have been worked out.",
         "報告書と表は、確率の計算が終わると保存できます。",

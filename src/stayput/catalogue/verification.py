@@ -8,12 +8,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     "not_long": (
         (
             "The piece is {ratio:.2g} times as long as deep and was simulated across its depth alone: below "
-            "{long:g} times it may also fall over a corner or its length, which dimensions = 3 in the scenario "
-            "takes into account (study three-dimensions)."
+            "{long:g} times it may also fall over a corner or its length, which a simulation in space takes into "
+            "account (dimensions = 3; study three-dimensions)."
         ),
         (
             "幅が奥行きの{ratio:.2g}倍の家具を、奥行き方向だけで計算しました。{long:g}倍未満では角や幅の方向にも"
-            "倒れることがあり、シナリオのdimensions = 3で考慮できます（three-dimensionsの検討）。"
+            "倒れることがあり、三次元の計算で考慮できます。"
         ),
     ),
     # verification

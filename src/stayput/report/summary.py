@@ -13,7 +13,7 @@ from stayput.simulation.outcome import Event, EventKind, Outcome
 from stayput.wording import FAR, inside
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from stayput.catalogue import Phrase
     from stayput.measures import DeviceResult
@@ -82,9 +82,18 @@ def piece_sentences(run: Run, preset: str | None, own_name: str | None = None) -
     own_name : str, optional
         What the user calls it.
     """
-    name = (own_name, own_name) if own_name else PIECES.get(preset or "", ANY_PIECE)
-    outcome = sentences(run, name, BACK_AND_FRONT)
-    failed = min((d for d in run.devices if d.failed), key=lambda d: d.failure_time, default=None)
+    outcome = sentences(run, piece_name(preset, own_name), BACK_AND_FRONT)
+    return with_first_failure(outcome, run.devices)
+
+
+def piece_name(preset: str | None, own_name: str | None = None) -> Phrase:
+    """Return what a piece of furniture is called: by its user, else by its preset."""
+    return (own_name, own_name) if own_name else PIECES.get(preset or "", ANY_PIECE)
+
+
+def with_first_failure(outcome: Phrase, devices: Iterable[DeviceResult]) -> Phrase:
+    """Return the sentence of an outcome, with the first device that failed where one did."""
+    failed = min((d for d in devices if d.failed), key=lambda d: d.failure_time, default=None)
     if failed is None:
         return outcome
     device = (inside(failed.label[0]), failed.label[1])

@@ -63,6 +63,24 @@ def read_toml(file: Path) -> dict[str, object]:
         raise _refused(file, "not_read", reason=(error.strerror or str(error)).lower()) from None
     except UnicodeDecodeError:
         raise _refused(file, "not_utf8") from None
+    return table_of_toml(text, file)
+
+
+def table_of_toml(text: str, file: Path) -> dict[str, Any]:
+    """Return the keys and values of a TOML file's text.
+
+    Parameters
+    ----------
+    text : str
+        The text.
+    file : Path
+        What a refusal calls the file.
+
+    Raises
+    ------
+    InputError
+        It is not TOML, or has keys, brackets or numbers beyond the bounds.
+    """
     _refuse_excess(file, text)
     try:
         table = tomllib.loads(text)

@@ -64,6 +64,11 @@ RANKING_RESOLUTION = 0.005
 """Probabilities that differ by no more than this are equal in the ranking: half a per cent."""
 
 
+def curve_levels(dimensions: int) -> NDArray[np.float64]:
+    """Return the levels of the curves by default, in the plane or in space."""
+    return LEVELS if dimensions == 2 else LEVELS_IN_SPACE
+
+
 def verify(
     scenario: Scenario,
     *,
@@ -114,7 +119,7 @@ def verify(
     began = time.perf_counter()
     require_coulomb(instance_of("scenario", scenario, Scenario), "verification.a_verification")
     if levels is None:
-        levels = LEVELS if scenario.dimensions == 2 else LEVELS_IN_SPACE
+        levels = curve_levels(scenario.dimensions)
     rows = numbers("fragility.level", levels, "levels")
     if rows.ndim != 1:
         raise InputError("common.not_a_list", "levels", name=phrase("fragility.level"), value=repr(levels))

@@ -42,6 +42,9 @@ export const cancel = (id) => ask(`jobs/${id}`, { method: "DELETE", keepalive: t
 export const toml = async (content) => (await ask("scenario/toml", sent(content))).text();
 export const runAsCsv = async (content, which) =>
   (await ask(`simulate/csv?which=${which}`, sent(content))).text();
+export const film = async (content, query) =>
+  (await ask(`simulate/film?${new URLSearchParams(query)}`, sent(content))).blob();
+export const readScenario = (toml) => json("scenario/read", sent({ toml }));
 const chosen = (component) => (component ? `?component=${encodeURIComponent(component)}` : "");
 export const motion = (id, component) => json(`motions/${id}${chosen(component)}`);
 export const motionPreview = (id, component) => json(`motions/${id}/preview${chosen(component)}`);

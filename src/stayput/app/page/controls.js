@@ -105,7 +105,7 @@ export function slider({ label, unit = "", range: reach, limits = reach, step, f
 
 const tidy = (value, digits = 12) => String(Number(value.toPrecision(digits)));
 
-/** A choice of one of several: options are {id, label}. */
+/** A choice of one of several: options are {id, label}; close(reason) closes it, close(null) opens it. */
 export function choice({ label, options, changed }) {
   const id = freshId();
   const select = el(
@@ -113,10 +113,15 @@ export function choice({ label, options, changed }) {
     { id, onchange: () => changed(select.value) },
     ...options.map((one) => el("option", { value: one.id, text: one.label })),
   );
+  const { element: why, note } = remark();
   return {
-    element: el("div", { class: "field" }, el("label", { for: id, text: label }), select),
+    element: el("div", { class: "field" }, el("label", { for: id, text: label }), select, why),
     set: (value) => {
       select.value = value;
+    },
+    close: (reason) => {
+      select.disabled = reason !== null;
+      note(reason);
     },
   };
 }
@@ -150,7 +155,7 @@ export function toggle({ label, hint = null, changed }) {
 }
 
 /** One of a few, side by side: radio buttons that look like a switch; set(null): none of them. */
-export function oneOf({ label, options, changed }) {
+export function oneOf({ label, options, hint = null, changed }) {
   const name = freshId(),
     inputs = {};
   const element = el(
@@ -167,6 +172,7 @@ export function oneOf({ label, options, changed }) {
       });
       return el("span", {}, inputs[one.id], el("label", { for: `${name}-${one.id}`, text: one.label }));
     }),
+    hint ? el("p", { class: "hint", text: hint }) : null,
   );
   return {
     element,

@@ -24,12 +24,15 @@ const MARKS = [
   (a, b) => `M${a} ${b - 5}l5 9h-10z`,
 ];
 
-/** Draws the curves of no measure, of those in place, and of the best. */
-export function show(verdict) {
+/** Draws the curves of no measure, of those in place, and of the best; offers "ask" where there are none. */
+export function show(verdict, ask) {
   const chosen = [...new Set([without(verdict), yours(verdict), verdict.options[0]])].filter(
     (one) => one?.curve,
   );
-  if (!chosen.length) return fill(part("fragility"));
+  if (!chosen.length) {
+    const button = el("button", { type: "button", id: "ask-curves", text: t("askCurves"), onclick: ask });
+    return fill(part("fragility"), el("p", { class: "hint", text: t("curvesInSpace") }), button);
+  }
   W = widthFor(part("fragility"));
   const known = verdict.intensity !== null,
     here = Math.min(HIGH, Math.max(LOW, verdict.intensity ?? LOW));

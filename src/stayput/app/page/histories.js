@@ -3,13 +3,14 @@
 
 import { label, ticks } from "./axes.js";
 import { ink, line, prepared } from "./canvas/pen.js";
-import { both, number, t as say } from "./words.js";
+import { both, deviceName, number, t as say } from "./words.js";
 
 const LEFT = 58,
   RIGHT = 12,
   BAND = 92,
   GAP = 26,
-  FOOT = 34;
+  FOOT = 34,
+  TITLE = 150; // left free for a panel's title
 const DEGREES = 180 / Math.PI;
 const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
 
@@ -24,40 +25,80 @@ function drawn(run) {
 export function deviceKey({ runs }) {
   const run = runs.at(-1),
     lines = drawn(run);
-  const name = (one) => [both(one.label), one.place].filter(Boolean).join(", ");
   return {
-    lines: lines.map((one, i) => ({ name: name(one), dash: DASHES[i].join(" ") })),
+    lines: lines.map(({ label, place }, i) => ({
+      name: deviceName(both(label), place),
+      dash: DASHES[i].join(" "),
+    })),
     more: run.devices.length - lines.length,
   };
 }
 
-/** The panels of a result: titles, units and series; the second run's lines are dashed. */
-function panels({ floor, runs }, end) {
-  const series = (values, factor) =>
-    runs.map((run, i) => ({
-      times: run.time_s,
-      values: values(run),
-      factor,
-      dash: i === 0 ? [] : [7, 4],
-      colour: i === 0 ? ink.alarm : ink.record,
-    }));
-  const made = [
-    {
-      title: say("acceleration"),
-      unit: "m/s²",
-      lines: [
-        { times: floor.time_s, values: floor.acceleration_m_s2, factor: 1, dash: [], colour: ink.muted },
-      ],
-    },
-    {
-      title: say("tilt"),
-      unit: "°",
-      lines: series((run) => run.tilt_rad, DEGREES),
-      floor: 0.5,
-      most: 3 * runs[0].body.slenderness_rad * DEGREES,
-    },
-    { title: say("slide"), unit: "cm", lines: series((run) => run.slide_m, 100), floor: 0.5 },
-  ];
+const AXES = {
+  "": { dash: [], colour: "muted" },
+  x: { dash: [], colour: "record" },
+  y: { dash: [7, 4], colour: "calm" },
+  z: { dash: [2, 3], colour: "pad" },
+};
+
+/** What a run's lines look like: the second run's are dashed. */
+const lookOf = (i) => ({ dash: i === 0 ? [] : [7, 4], colour: i === 0 ? ink.alarm : ink.record });
+
+/** The lines of a history: of each run, or of each piece where there are several, with its name. */
+function series({ runs, inSpace }, key, factor) {
+  if (!inSpace) return runs.map((run, i) => ({ times: run.time_s, values: run[key], factor, ...lookOf(i) }));
+  const several = runs[0].scene.bodies.length > 1;
+  return runs.flatMap(({ time_s: times, scene }, i) =>
+    scene.bodies.map(({ name, colour, ...body }, k) => {
+      const look = several ? { dash: DASHES[k % DASHES.length], colour, name } : lookOf(i);
+      return { times, values: body[key], factor, ...look };
+    }),
+  );
+}
+
+/** The slenderness of a piece, by the smaller side of its base [rad]; there is none of several. */
+function slenderness(bodies) {
+  if (bodies.length > 1) return Infinity;
+  const [wide, long, high] = [0, 1, 2].map((axis) => {
+    const places = bodies[0].shape.vertices_m.map((corner) => corner[axis]);
+    return Math.max(...places) - Math.min(...places);
+  });
+  return Math.atan2(Math.min(wide, long), high);
+}
+
+/** The histories of a piece: in the plane along its depth, in space in any direction. */
+const moved = (result) =>
+  result.inSpace
+    ? [
+        {
+          title: say("tiltInSpace"),
+          unit: "°",
+          lines: series(result, "tilts", DEGREES),
+          floor: 0.5,
+          most: 3 * slenderness(result.runs[0].scene.bodies) * DEGREES,
+        },
+        { title: say("slideInSpace"), unit: "cm", lines: series(result, "slides", 100), floor: 0.5 },
+        { title: say("yawTitle"), unit: "°", lines: series(result, "yaws", DEGREES), floor: 0.5 },
+      ]
+    : [
+        {
+          title: say("tilt"),
+          unit: "°",
+          lines: series(result, "tilt_rad", DEGREES),
+          floor: 0.5,
+          most: 3 * result.runs[0].body.slenderness_rad * DEGREES,
+        },
+        { title: say("slide"), unit: "cm", lines: series(result, "slide_m", 100), floor: 0.5 },
+      ];
+
+/** The panels of a result: titles, units and lines. */
+function panels(result, end) {
+  const { floor, runs } = result;
+  const acceleration = floor.accelerations.map(({ axis, times, values }) => {
+    const { dash, colour } = AXES[axis];
+    return { times, values, factor: 1, dash, colour: ink[colour], name: axis && say(`axis_${axis}`) };
+  });
+  const made = [{ title: say("acceleration"), unit: "m/s²", lines: acceleration }, ...moved(result)];
   const devices = drawn(runs.at(-1));
   if (devices.length)
     made.push({
@@ -180,7 +221,21 @@ function drawPanel(pen, { title, unit, lines, span: [low, high], beyond }, top, 
     line(pen, colour, 1.6, points);
   }
   pen.restore();
+  drawNames(pen, lines, top, width);
   drawBeyond(pen, beyond, unit, top, width);
+}
+
+/** Writes the names of the lines that have one above the panel, from its right end on, while there is room. */
+function drawNames(pen, lines, top, width) {
+  let right = width - RIGHT;
+  pen.textAlign = "right";
+  for (const { name, colour } of lines.filter((one) => one.name).reverse()) {
+    const wide = pen.measureText(name).width;
+    if (right - wide < LEFT + TITLE) break;
+    pen.fillStyle = colour;
+    pen.fillText(name, right, top - 8);
+    right -= wide + 10;
+  }
 }
 
 /** Says at the edge of a panel that a line goes on beyond it, and how far. */

@@ -34,11 +34,22 @@ export function wire(request) {
     "click",
     attempt(async () => offer(await api.toml(request()), "scenario.toml", "application/toml")),
   );
-  for (const which of ["without", "with"])
+  for (const which of ["without", "with"]) {
     part(`csv-${which}`).addEventListener(
       "click",
       attempt(async () => offer(await api.runAsCsv(request(), which), `run_${which}.csv`, "text/csv")),
     );
+    for (const kind of ["html", "gif"])
+      part(`${kind}-${which}`).addEventListener(
+        "click",
+        attempt(async () => {
+          say(t("drawing"));
+          const made = await api.film(request(), { which, kind, lang: spoken() });
+          offer(made, `run_${which}.${kind}`, made.type);
+          say();
+        }),
+      );
+  }
 }
 
 /** Points the links of the verdict at a finished job, or at nothing. */
@@ -55,8 +66,9 @@ export function point(job) {
   part("report-wait").hidden = Boolean(job);
 }
 
-/** Shows the address of the scene, and whether there is a run with measures. */
-export function update(measured) {
+/** Shows the address of the scene, whether there is a run with measures, and whether it is one of several pieces. */
+export function update(measured, several) {
+  part("toml").disabled = several;
   part("address").value = location.href;
-  part("csv-with").disabled = !measured;
+  for (const kind of ["csv", "html", "gif"]) part(`${kind}-with`).disabled = !measured;
 }

@@ -6,6 +6,8 @@ const round = (value) => String(Number(value.toPrecision(6)));
 const NUMBERS = [
   "width",
   "height",
+  "length",
+  "heading",
   "mass",
   "centre",
   "gap",
@@ -21,7 +23,7 @@ const NUMBERS = [
 const WHOLE = ["storeys", "storey", "member", "drawers"];
 const WORDS = ["wallConstruction", "ceilingConstruction"];
 const NAMES = ["piece", "floor", "structure", "family", "contents", "doors", ...WORDS];
-const FLAGS = ["wall", "scaled", "installed"];
+const FLAGS = ["inSpace", "wall", "scaled", "installed"];
 
 /** The scene as the part of an address after "#". */
 export function toHash(scene) {
@@ -85,6 +87,7 @@ export function fromHash(hash, presets, start) {
   if (!pairs.has("piece")) return { scene, record: null };
   for (const name of NAMES)
     if (lists[name].some((one) => one.id === pairs.get(name))) scene[name] = pairs.get(name);
+  if (!pairs.has("length")) scene.length = presets.furniture.find((one) => one.id === scene.piece).length_m;
   for (const name of NUMBERS) {
     const value = Number(pairs.get(name) ?? NaN);
     if (Number.isFinite(value)) scene[name] = WHOLE.includes(name) ? Math.round(within(value, name)) : within(value, name);

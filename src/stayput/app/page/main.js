@@ -11,6 +11,7 @@ import { fromHash, toHash } from "./link.js";
 import * as measures from "./panel_measures.js";
 import * as notices from "./notices.js";
 import * as piece from "./panel_piece.js";
+import * as pieces from "./pieces.js";
 import * as room from "./panel_room.js";
 import * as shaking from "./panel_shaking.js";
 import { lacksRecord, worded } from "./refusals.js";
@@ -38,7 +39,8 @@ let presets = null,
   edited = { keys: "", at: -Infinity };
 
 /** What the server is asked: the scene, and the measures that can be put there. */
-const request = () => ({ scene: forServer(current()), measures: measures.inPlace(current()) });
+const request = () =>
+  pieces.asked() ?? { scene: forServer(current()), measures: measures.inPlace(current()) };
 
 /** Simulates the scene now; while one answer is awaited only the newest scene waits for the next. */
 async function simulate() {
@@ -50,9 +52,10 @@ async function simulate() {
   stale = false;
   part("see").setAttribute("aria-busy", "true");
   const slow = setTimeout(() => tellWait(shown ? "outdated" : "warming"), SLOW);
-  const scene = current();
+  const scene = current(),
+    file = pieces.shownName();
   try {
-    shown = { result: shake(await api.simulate(request())), scene };
+    shown = { result: shake(await api.simulate(request())), scene, file };
     tellProblem(null);
     display();
   } catch (error) {
@@ -105,28 +108,47 @@ function tellOld() {
 }
 
 function display() {
-  const { result, scene } = shown;
+  const { result, scene, file } = shown;
   see.show(result, scene);
-  tell(result, [t("without"), t("with")], presets.events, (time) => {
+  pieces.list(result.runs[0], presets.outcomes, ownPiece);
+  const first = t(file ? "piecesShaken" : "without");
+  part("title-without").textContent = first;
+  tell(result, [first, t("with")], presets.events, (time) => {
     see.clock.seek(time);
     if (part("see").clientWidth === 0) screens.goTo("see");
     see.lookAt();
   });
-  part("summary").textContent = summary(scene, result.motion);
+  part("summary").textContent = file ? strengthOf(result.motion) : summary(scene, result.motion);
 }
+
+/** Shows the pieces of a file that was read, in the place of the page's own scene. */
+function shakePieces() {
+  understand.outdated();
+  keep.update(false, true);
+  simulate();
+}
+
+/** Goes back to the page's own scene. */
+function ownPiece() {
+  pieces.leave();
+  understand.outdated();
+  address();
+  simulate();
+}
+
+const strengthOf = (motion) =>
+  motion.ground_intensity === null
+    ? ""
+    : t("strength", {
+        class: both(shaking.classOf(motion.ground_intensity).label),
+        at: number(motion.ground_intensity, 2),
+      });
 
 function summary(scene, motion) {
   const place =
     scene.storeys > 0
       ? t("placeStorey", { storey: number(scene.storey), storeys: number(scene.storeys) })
       : t("placeGround");
-  const strength =
-    motion.ground_intensity === null
-      ? ""
-      : t("strength", {
-          class: both(shaking.classOf(motion.ground_intensity).label),
-          at: number(motion.ground_intensity, 2),
-        });
   const felt =
     scene.storeys > 0 && motion.floor_intensity !== null
       ? t("felt", { at: number(motion.floor_intensity, 2) })
@@ -135,7 +157,7 @@ function summary(scene, motion) {
     scene.record ? t("recorded", { name: scene.record.name }) : "",
     motion.synthetic ? t("synthetic") : "",
   ];
-  return [place, strength, felt, ...source].filter(Boolean).join(t("space"));
+  return [place, strengthOf(motion), felt, ...source].filter(Boolean).join(t("space"));
 }
 
 /** Builds the panels, whose fields depend on the piece; what one of them says may depend on what another knows. */
@@ -182,7 +204,7 @@ const address = settled(250, () => {
     else history.replaceState(history.state ?? state, "", hash);
     edited.place = false;
   }
-  keep.update(measures.inPlace(current()).length > 0);
+  keep.update(measures.inPlace(current()).length > 0, pieces.asked() !== null);
 });
 
 /** Notes which fields change, and whether that begins another place in the browser's history. */
@@ -199,7 +221,7 @@ async function begin() {
     if (presets) again();
   });
   see.wire();
-  upload.wire();
+  upload.wire(shakePieces);
   keep.wire(request);
   part("sizes").addEventListener("rebuild", () => piece.build(presets));
   try {
@@ -216,6 +238,7 @@ async function begin() {
   see.name(presets);
   understand.build(presets, request);
   watch((keys) => {
+    pieces.leave(); // what is set is set for the page's own piece
     edit(keys);
     for (const key of keys) touched.add(key);
     changed();

@@ -1,6 +1,6 @@
 // "Set the scene": the piece of furniture, its size, and how it is loaded.
 
-import { choice, slider } from "./controls.js";
+import { choice, oneOf, slider } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { details, pathOf } from "./canvas/furniture.js";
 import { balance, change, current, fromPreset, numberOf } from "./scene.js";
@@ -33,6 +33,7 @@ export function build(presets) {
   fields = {
     height: size(presets, "height"),
     width: size(presets, "width"),
+    length: size(presets, "length"),
     mass: slider({
       label: t(scene.shelves ? "carcass" : "mass"),
       ...numberOf(presets, "mass"),
@@ -41,8 +42,9 @@ export function build(presets) {
     }),
   };
   const loads = scene.shelves ? shelves(presets, scene) : [centre(presets)];
-  const sizes = [fields.height.element, fields.width.element, fields.mass.element];
+  const sizes = ["height", "width", "length", "mass"].map((name) => fields[name].element);
   fill(part("sizes"), ...sizes, ...loads, ...inside(presets));
+  fill(part("engine"), ...engine(presets));
   update();
 }
 
@@ -54,6 +56,25 @@ const size = (presets, key) =>
     hint: key === "width" ? t("widthHint") : null,
     changed: (value) => change({ [key]: value }),
   });
+
+/** Whether the piece is shaken in the plane of its depth or in space, and where it faces then. */
+function engine(presets) {
+  fields.engine = oneOf({
+    label: t("engine"),
+    hint: t("engineHint"),
+    options: ["plane", "space"].map((id) => ({ id, label: t(`engine_${id}`) })),
+    changed: (id) => change({ inSpace: id === "space" }),
+  });
+  fields.heading = slider({
+    label: t("heading"),
+    ...numberOf(presets, "heading"),
+    unit: "°",
+    step: 1,
+    hint: t("headingHint"),
+    changed: (heading) => change({ heading }),
+  });
+  return [fields.engine.element, fields.heading.element];
+}
 
 function centre(presets) {
   fields.centre = slider({
@@ -171,10 +192,13 @@ export function update() {
   const scene = current();
   for (const [id, button] of Object.entries(cards))
     button.setAttribute("aria-pressed", String(id === scene.piece));
-  for (const key of ["width", "height", "mass", "centre"]) fields[key]?.set(scene[key]);
+  for (const key of ["width", "height", "length", "mass", "centre", "heading"]) fields[key]?.set(scene[key]);
+  fields.engine.set(scene.inSpace ? "space" : "plane");
+  fields.heading.element.hidden = !scene.inSpace;
   fields.contents.set(scene.contents);
+  fields.contents.close(scene.inSpace ? t("contentsInSpace") : null);
   fields.doors.set(scene.doors);
-  fields.doors.element.hidden = scene.contents === "nothing";
+  fields.doors.element.hidden = scene.contents === "nothing" || scene.inSpace;
   fields.shelves?.forEach((field, i) => field.set(scene.shelves?.[i] ?? 0));
   drawSketch(scene);
 }

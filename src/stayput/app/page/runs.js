@@ -1,41 +1,86 @@
 // The server's runs as the pictures read them: typed arrays, and what of their time is shown.
 
+import { spaceScene } from "./canvas/space_scene.js";
+
 const ARRAYS = ["time_s", "x_m", "z_m", "tilt_rad", "slide_m"];
+const LYING = 1; // what has overturned in space is shown so long as it comes to lie [s]
 const floats = (values) => Float64Array.from(values);
 
 function prepared(run) {
   if (!run) return null;
-  const made = { ...run };
+  const made = { ...run, devices: devices(run) };
   for (const name of ARRAYS) made[name] = floats(run[name]);
-  made.devices = run.devices.map((one) => ({
+  made.done_s = run.overturned ? run.time_s.at(-1) : 0;
+  return made;
+}
+
+const devices = (run) =>
+  run.devices.map((one) => ({
     ...one,
     place: one.name,
     pull_n: floats(one.pull_n),
     shear_n: floats(one.shear_n),
   }));
-  return made;
+
+/** A run in space: what happens to a piece after it overturned is no longer told. */
+function preparedInSpace(run, floor) {
+  if (!run) return null;
+  const scene = spaceScene({ ...run.scene, floor });
+  const { bodies, times } = scene,
+    ends = run.pieces.map((one) => one.overturn_time_s ?? Infinity);
+  return {
+    ...run,
+    scene,
+    devices: devices(run),
+    events: run.events.filter(({ time_s, piece }) => time_s <= ends[piece]),
+    time_s: times,
+    tilt_rad: times.map((_, k) => Math.max(...bodies.map(({ tilts }) => tilts[k]))),
+    done_s: run.overturned ? Math.max(...ends.filter(Number.isFinite)) + LYING : 0,
+  };
 }
+
+const building = (told) =>
+  told && {
+    ...told,
+    ground_x_m: told.ground_x_m && floats(told.ground_x_m),
+    roof_x_m: told.roof_x_m && floats(told.roof_x_m),
+  };
 
 /** An answer of "simulate", ready to be drawn. */
 export function shake(answer) {
+  if (answer.dimensions === 3) return shakeInSpace(answer);
   const floor = answer.floor,
-    building = answer.building;
+    values = floats(floor.acceleration_m_s2);
   return {
+    inSpace: false,
     motion: answer.motion,
     view: answer.view,
     floor: {
       time_s: floats(floor.time_s),
       x_m: floats(floor.x_m),
-      acceleration_m_s2: floats(floor.acceleration_m_s2),
+      accelerations: [{ axis: "", times: floats(floor.time_s), values }],
       scale: floor.scale_shown,
     },
-    building: building && {
-      ...building,
-      ground_x_m: building.ground_x_m && floats(building.ground_x_m),
-      roof_x_m: building.roof_x_m && floats(building.roof_x_m),
-    },
+    building: building(answer.building),
     runs: [prepared(answer.without), prepared(answer.with)].filter(Boolean),
     end: floor.time_s.at(-1),
+  };
+}
+
+function shakeInSpace(answer) {
+  const runs = [answer.without, answer.with].map((run) => preparedInSpace(run, answer.floor)).filter(Boolean);
+  const { scene } = runs[0];
+  return {
+    inSpace: true,
+    motion: answer.motion,
+    floor: {
+      time_s: scene.times,
+      x_m: scene.times.map((time) => scene.shift(time)[0]),
+      accelerations: scene.accelerations,
+    },
+    building: building(answer.building),
+    runs,
+    end: scene.end,
   };
 }
 
@@ -48,19 +93,22 @@ export function shownSpan({ runs, floor, end }) {
   const strong = strongest(floor);
   const first = times.length ? Math.min(...times) : strong - 2,
     last = times.length ? Math.max(...times) : strong + 5;
-  const done = Math.max(last, ...runs.map((run) => (run.overturned ? run.time_s.at(-1) : 0)));
+  const done = Math.max(last, ...runs.map((run) => run.done_s));
   return {
     start: Math.max(0, Math.min(first, strong) - 1.5),
     end: Math.min(end, Math.max(done, strong) + 3),
   };
 }
 
-function strongest({ time_s: times, acceleration_m_s2: values }) {
-  let most = 0;
-  values.forEach((value, i) => {
-    if (Math.abs(value) > Math.abs(values[most])) most = i;
-  });
-  return times[most];
+/** When a component of the floor's acceleration has its peak. */
+function strongest({ accelerations }) {
+  let most = 0,
+    when = 0;
+  for (const { times, values } of accelerations)
+    values.forEach((value, i) => {
+      if (Math.abs(value) > most) [most, when] = [Math.abs(value), times[i]];
+    });
+  return when;
 }
 
 /** The instant that says most about a run: just before the body lies, or where it leans most. */

@@ -4,7 +4,10 @@
 export const plain = {
   piece: "bookcase",
   width: 0.3,
+  length: 0.9,
   height: 1.8,
+  inSpace: false,
+  heading: 0,
   mass: 35,
   shelves: [33, 33, 33, 33, 33],
   centre: 0.5,
@@ -32,9 +35,11 @@ export const plain = {
   pull: 45,
 };
 
-/** How far the sliders reach: lengths in m, masses in kg, forces in N. */
+/** How far the sliders reach: lengths in m, masses in kg, forces in N, angles in degrees. */
 const REACH = {
   width: [0.15, 1.2],
+  length: [0.15, 2.4],
+  heading: [-180, 180],
   height: [0.3, 2.6],
   mass: [1, 800],
   load: [0, 80],
@@ -51,6 +56,7 @@ const REACH = {
 const NAMES = {
   width: "furniture.width",
   height: "furniture.height",
+  length: "furniture.length",
   mass: "furniture.mass",
   load: "furniture.shelves",
   gap: "room.left_wall.gap",
@@ -102,8 +108,8 @@ export const watch = (listener) => listeners.add(listener);
 
 /** What a preset stands with: its size and drawers, and shelves loaded evenly where it has any. */
 export function fromPreset(preset) {
-  const { id: piece, width_m: width, height_m: height, drawers } = preset;
-  const size = { piece, width, height, centre: 0.5, drawers };
+  const { id: piece, width_m: width, height_m: height, length_m: length, drawers } = preset;
+  const size = { piece, width, height, length, centre: 0.5, drawers };
   if (!preset.shelves || !preset.carcass_mass_kg) return { ...size, mass: preset.mass_kg, shelves: null };
   const each = Math.round((preset.mass_kg - preset.carcass_mass_kg) / preset.shelves);
   return { ...size, mass: preset.carcass_mass_kg, shelves: Array(preset.shelves).fill(each) };
@@ -145,7 +151,8 @@ export function balance({ mass, height, shelves, centre }) {
 
 /** The scene as the server's simulations read it. */
 export function forServer(s) {
-  const furniture = { preset: s.piece, width: s.width, height: s.height, mass: s.mass };
+  const furniture = { preset: s.piece, width: s.width, height: s.height, length: s.length, mass: s.mass };
+  if (s.inSpace) furniture.heading = (s.heading * Math.PI) / 180;
   if (s.shelves) furniture.shelves = s.shelves;
   else if (s.centre !== 0.5) furniture.cg_offset = [0, (s.centre - 0.5) * s.height];
   const room = { floor: s.floor };
@@ -157,7 +164,8 @@ export function forServer(s) {
     Object.assign(shaking, { building: { storeys: s.storeys, structure: s.structure }, storey: s.storey });
   const everyday = { drawers: s.drawers, load: s.drawerLoad, pull: s.pull };
   const read = { furniture, room, shaking, everyday };
-  if (s.contents !== "nothing") read.contents = { kind: s.contents, doors: s.doors };
+  if (s.inSpace) read.dimensions = 3;
+  else if (s.contents !== "nothing") read.contents = { kind: s.contents, doors: s.doors };
   if (s.installed) read.uncertainty = { installation: "as people install it" };
   return read;
 }

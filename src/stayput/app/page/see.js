@@ -8,7 +8,8 @@ import { recalled, remember } from "./memory.js";
 import { player } from "./canvas/clock.js";
 import { shownSpan, telling } from "./runs.js";
 import { drawScene } from "./canvas/painter.js";
-import { both, number, t } from "./words.js";
+import * as stages from "./stages.js";
+import { both, length, number, t } from "./words.js";
 
 let result = null,
   look = null,
@@ -22,18 +23,8 @@ export const clock = player(draw, mark);
 
 function draw(now) {
   if (!result) return;
-  result.runs.forEach((run, i) => {
-    const canvas = part(i ? "stage-with" : "stage-without");
-    if (!canvas.clientWidth) return;
-    const pose = drawScene(canvas, result, run, now, {
-      kind: look.piece,
-      loads: look.shelves,
-      colours: modes.colours,
-    });
-    part(i ? "now-with" : "now-without").textContent =
-      `${modes.labels[pose.mode] ?? pose.mode} · ${number((Math.abs(pose.tilt) * 180) / Math.PI, 1)}°`;
-    part(i ? "chip-with" : "chip-without").style.background = modes.colours[pose.mode];
-  });
+  if (result.inSpace) drawInSpace(now);
+  else drawInPlane(now);
   if (result.building && part("tower").clientWidth)
     drawBuilding(part("tower"), result.building, result.floor, now);
   drawHistories(part("histories"), now);
@@ -44,6 +35,36 @@ function draw(now) {
   );
   part("clock").textContent = `${number(now, 1)} / ${number(clock.end, 0)}\u00a0s`;
 }
+
+function drawInSpace(now) {
+  result.runs.forEach((run, i) => {
+    stages.draw(i, now);
+    const states = run.scene.bodies.map((body) => body.state(now)),
+      most = states.reduce((one, other) => (other.tilt > one.tilt ? other : one));
+    part(i ? "now-with" : "now-without").textContent = t(states.length > 1 ? "nowMost" : "nowInSpace", {
+      tilt: number(degrees(most.tilt), 1),
+      slide: length(most.slide),
+      yaw: number(Math.abs(degrees(most.yaw))),
+    });
+  });
+}
+
+function drawInPlane(now) {
+  result.runs.forEach((run, i) => {
+    const canvas = part(i ? "stage-with" : "stage-without");
+    if (!canvas.clientWidth) return;
+    const pose = drawScene(canvas, result, run, now, {
+      kind: look.piece,
+      loads: look.shelves,
+      colours: modes.colours,
+    });
+    part(i ? "now-with" : "now-without").textContent =
+      `${modes.labels[pose.mode] ?? pose.mode} · ${number(degrees(Math.abs(pose.tilt)), 1)}°`;
+    part(i ? "chip-with" : "chip-without").style.background = modes.colours[pose.mode];
+  });
+}
+
+const degrees = (angle) => (angle * 180) / Math.PI;
 
 /** Reads what the server calls the modes, and their colours. */
 export function name(presets) {
@@ -59,28 +80,42 @@ export function show(shaken, scene) {
   result = shaken;
   look = scene;
   const { start, end } = shownSpan(shaken);
+  chooseStages(shaken);
   part("figure-with").hidden = part("key-with").hidden = shaken.runs.length < 2;
   part("stages").dataset.count = String(shaken.runs.length);
   part("tower-box").hidden = !shaken.building;
   part("says-without").textContent = both(shaken.runs[0].sentence);
   part("says-with").textContent = shaken.runs[1] ? both(shaken.runs[1].sentence) : "";
-  shaken.runs.forEach((run, i) =>
-    part(i ? "stage-with" : "stage-without").setAttribute(
-      "aria-label",
-      `${t(i ? "with" : "without")}${t("colon")}${both(run.sentence)}`,
-    ),
-  );
+  shaken.runs.forEach((run, i) => {
+    const which = i ? "with" : "without";
+    for (const kind of ["stage", "space"])
+      part(`${kind}-${which}`).setAttribute("aria-label", `${t(which)}${t("colon")}${both(run.sentence)}`);
+  });
   setHistories(part("histories"), shaken, end);
   showKey(deviceKey(shaken));
   part("histories").setAttribute(
     "aria-label",
     t("historiesAlt", {
       pga: number(shaken.motion.pga_m_s2, 1),
-      tilt: number((shaken.runs[0].peak_tilt_rad * 180) / Math.PI, 1),
+      tilt: number(degrees(Math.max(...peaks(shaken.runs[0]))), 1),
     }),
   );
   clock.span(start, end, telling(shaken.runs[0]));
   clock.redraw();
+}
+
+const peaks = (run) => (run.pieces ?? [run]).map((one) => one.peak_tilt_rad);
+
+/** Shows the pictures of the plane or of space, and what belongs to them. */
+function chooseStages({ inSpace, runs }) {
+  for (const which of ["without", "with"]) {
+    part(`stage-${which}`).hidden = part(`chip-${which}`).hidden = inSpace;
+    part(`space-${which}`).hidden = !inSpace;
+  }
+  part("views").hidden = part("turning").hidden = !inSpace;
+  part("in-plane-note").hidden = inSpace;
+  if (inSpace) stages.show(runs.map((run) => run.scene));
+  else part("flat").hidden = true;
 }
 
 /** Says which line of the forces is of which device. */
@@ -106,12 +141,15 @@ export const lookAt = () => part("stages").scrollIntoView({ block: "nearest" });
 export function again(presets) {
   name(presets);
   mark(clock.playing);
+  stages.build();
   if (result) show(result, look);
 }
 
 /** Wires the buttons, the keys and the pictures that the time is chosen on. */
 export function wire() {
   mark(false);
+  stages.wire(() => clock.redraw());
+  stages.build();
   fill(part("again"), icon("again"));
   part("play").addEventListener("click", () => clock.toggle());
   part("again").addEventListener("click", () => {

@@ -1,22 +1,24 @@
 // What happens first, in words: the first event of each kind, which the animation jumps to.
 
 import { el, fill, part } from "./dom.js";
-import { both, length, number, t } from "./words.js";
+import { both, deviceName, length, number, t } from "./words.js";
 
 const TOLD = ["slip", "uplift", "wall impact", "ceiling impact", "overturned", "failed"];
 
 /** The first event of each kind, in their order: {time, text}; "labels" are the server's names of the kinds. */
 function story(run, labels) {
   const events = [];
-  const seen = new Set();
-  for (const { time_s: time, kind } of run.events) {
-    if (!TOLD.includes(kind) || seen.has(kind)) continue;
-    seen.add(kind);
-    events.push({ time, text: both(labels[kind]) });
+  const seen = new Set(),
+    names = run.pieces?.length > 1 ? run.pieces.map((one) => `${one.name}${t("colon")}`) : [];
+  for (const { time_s: time, kind, piece } of run.events) {
+    const what = `${kind} ${piece}`;
+    if (!TOLD.includes(kind) || seen.has(what)) continue;
+    seen.add(what);
+    events.push({ time, text: `${names[piece] ?? ""}${both(labels[kind])}` });
   }
-  for (const device of run.devices)
-    if (device.failed && device.failure_time_s !== null)
-      events.push({ time: device.failure_time_s, text: t("deviceFails", { device: both(device.label) }) });
+  for (const { label, place, failed, failure_time_s: time } of run.devices)
+    if (failed && time !== null)
+      events.push({ time, text: t("deviceFails", { device: deviceName(both(label), place) }) });
   return events.sort((a, b) => a.time - b.time);
 }
 
@@ -56,16 +58,20 @@ export function tell(result, titles, events, seek) {
 }
 
 function peaks(run) {
-  const parts = run.overturned
-    ? []
-    : [
-        t("peakTilt", { tilt: number((run.peak_tilt_rad * 180) / Math.PI, 1) }),
-        t("peakSlide", { slide: length(run.peak_slide_m) }),
-      ];
+  const whose = run.pieces?.length > 1 ? [] : [run.pieces?.[0] ?? run];
+  const parts = whose
+    .filter((one) => !one.overturned)
+    .flatMap((one) => [
+      t("peakTilt", { tilt: number((one.peak_tilt_rad * 180) / Math.PI, 1) }),
+      t("peakSlide", { slide: length(one.peak_slide_m) }),
+      ...(one.residual_yaw_rad === undefined
+        ? []
+        : [t("turnedAtEnd", { yaw: number((Math.abs(one.residual_yaw_rad) * 180) / Math.PI, 1) })]),
+    ]);
   for (const one of run.devices)
     parts.push(
       t("deviceLoad", {
-        device: both(one.label),
+        device: deviceName(both(one.label), one.place),
         force: number(Math.max(one.peak_pull_n, one.peak_push_n, one.peak_shear_n)),
         share: one.utilisation === null ? t("notKnown") : number(100 * one.utilisation),
       }),

@@ -4,7 +4,7 @@
 import * as api from "./api.js";
 import { patiently } from "./connection.js";
 import { oneOf } from "./controls.js";
-import { fill, part, settled } from "./dom.js";
+import { el, fill, part, settled } from "./dom.js";
 import * as estimates from "./estimates.js";
 import * as everyday from "./everyday.js";
 import * as fragility from "./fragility.js";
@@ -24,8 +24,10 @@ const SETTLED = 900,
   MARGINS = ["everyday", "everyday-cases"],
   FIRST = [...MARGINS, "estimates"],
   REST = ["ranking", "fragility", "map"];
-const jobs = line();
+const jobs = line(),
+  curving = line();
 let question = null,
+  curved = null, // a verdict with curves, where they were asked for by themselves
   problem = null,
   result = null,
   base = null,
@@ -55,7 +57,7 @@ export function build(presets, request) {
     if (event.persisted) soon(); // its jobs ended when it was left
   });
   const charts = settled(120, () => {
-    if (result) fragility.show(result);
+    if (result) showCurves();
     if (map) showMap();
   });
   for (const name of ["resize", "shown"]) addEventListener(name, charts);
@@ -98,6 +100,8 @@ const margins = settled(SOON, async () => {
   }
 });
 
+const inSpace = (scene) => scene.dimensions === 3;
+
 /** Marks what is shown as of the scene before, or as of this one. */
 const date = (ids, old) => ids.forEach((id) => (part(id).dataset.old = String(old)));
 const soon = settled(SETTLED, () => work());
@@ -106,6 +110,7 @@ function stop() {
   round += 1;
   flight?.abort();
   jobs.stop();
+  curving.stop();
   whatif.stop();
 }
 
@@ -116,6 +121,10 @@ async function work() {
   stop();
   const mine = round,
     { scene, measures } = question();
+  if (Array.isArray(scene.furniture)) {
+    state("pieces");
+    return;
+  }
   const content = { scene: sampled(scene, samples()), measures };
   state("running");
   progress(0);
@@ -128,9 +137,11 @@ async function work() {
     everyday.show(first.result);
     estimates.show(first.result);
     base = first.result;
-    const job = await jobs.run({ ...content, compare_usual: true }, (running) => progress(running.progress));
+    const all = { ...content, compare_usual: true, curves: !inSpace(scene) };
+    const job = await jobs.run(all, (running) => progress(running.progress));
     if (!job || mine !== round) return;
     result = job.result;
+    curved = null;
     part("understand").dataset.job = job.id;
     state("done");
     keep.point(job.id);
@@ -163,6 +174,13 @@ async function drawMap() {
   const mine = round,
     { scene, measures } = question();
   flight?.abort();
+  part("map-which").hidden = inSpace(scene);
+  if (inSpace(scene)) {
+    map = null;
+    date(["map"], false);
+    fill(part("map"), el("p", { class: "hint", text: t("mapInSpace") }));
+    return;
+  }
   date(["map"], true);
   const own = (flight = new AbortController());
   try {
@@ -180,6 +198,25 @@ async function drawMap() {
   }
 }
 
+const showCurves = () => fragility.show(curved ?? result, askCurves);
+
+/** Works out the curves of what is looked at, which a verification in space leaves out. */
+async function askCurves() {
+  const mine = round,
+    { scene, measures } = question(),
+    content = { scene: sampled(scene, samples()), measures, compare_usual: false };
+  const bar = el("progress", { max: 1, value: 0, "aria-label": t("progress") });
+  fill(part("fragility"), el("p", { class: "hint", role: "status", text: t("thinking") }), bar);
+  try {
+    const job = await curving.run(content, (running) => (bar.value = running.progress));
+    if (!job || mine !== round) return;
+    curved = job.result;
+    showCurves();
+  } catch (error) {
+    if (mine === round) fill(part("fragility"), worded(error));
+  }
+}
+
 const showMap = () => sizemap.show(map);
 
 function elsewhere() {
@@ -188,7 +225,7 @@ function elsewhere() {
 
 function display() {
   verdict.show(result);
-  fragility.show(result);
+  showCurves();
   ranking.show(result, (chosen) =>
     change({ measures: Object.fromEntries(chosen.map(({ type, ...values }) => [type, values])) }),
   );
@@ -212,7 +249,7 @@ export function again(presets) {
 function state(name) {
   part("understand").dataset.state = name;
   part("progress").hidden = part("cancel").hidden = name !== "running";
-  part("verify").hidden = name === "running";
+  part("verify").hidden = name === "running" || name === "pieces";
   part("state").textContent = name === "done" ? "" : t(`state_${name}`);
   if (name === "refused") fill(part("verdict"), worded(problem));
 }

@@ -4,6 +4,7 @@ import * as api from "./api.js";
 import { choice } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { classOf } from "./panel_shaking.js";
+import * as pieces from "./pieces.js";
 import { worded } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { both, number, spoken, t } from "./words.js";
@@ -14,12 +15,14 @@ let waiting = null,
   trouble = null,
   shown = null; // the record that stands there
 
-/** Wires the file field and the place to drop a file on. */
-export function wire() {
+/** Wires the file field and the place to drop a file on; "shake" is called with a file of several pieces read. */
+export function wire(shake) {
   const drop = part("drop"),
     field = part("file");
   const take = (file) => {
-    if (file) send(file, {});
+    if (!file) return;
+    if (pieces.isScenario(file)) sendPieces(file, shake);
+    else send(file, {});
   };
   field.addEventListener("change", () => {
     take(field.files[0]);
@@ -36,6 +39,16 @@ export function wire() {
     take(event.dataTransfer.files[0]);
   });
   for (const name of ["dragover", "drop"]) addEventListener(name, (event) => event.preventDefault());
+}
+
+async function sendPieces(file, shake) {
+  try {
+    const several = await pieces.take(file);
+    tell(several ? null : () => [refusal([t("onePieceFile")])]);
+    if (several) shake();
+  } catch (error) {
+    tell(() => [refusal(worded(error, "unreadable"))]);
+  }
 }
 
 async function send(file, said) {

@@ -2,7 +2,7 @@
 
 import { el, fill, part, svg } from "./dom.js";
 import { grade } from "./ranking.js";
-import { both, length, number, percent, t, within } from "./words.js";
+import { both, deviceName, length, number, percent, t, within } from "./words.js";
 
 const LIKELY = 0.02;
 
@@ -48,9 +48,11 @@ function also(one, title, verdict) {
     sentences.push(
       t("alsoSlides", { limit: length(verdict.slide_limit_m), share: percent(one.slid.estimate) }),
     );
-  for (const device of one.devices)
-    if (device.failed.estimate >= LIKELY)
-      sentences.push(t("alsoFails", { device: within(device.label), share: percent(device.failed.estimate) }));
+  for (const { label, name, failed } of one.devices)
+    if (failed.estimate >= LIKELY)
+      sentences.push(
+        t("alsoFails", { device: deviceName(within(label), name), share: percent(failed.estimate) }),
+      );
   sentences.push(...one.asides.map(both));
   return sentences.length ? el("li", { text: `${title}${t("colon")}${sentences.join(t("space"))}` }) : null;
 }

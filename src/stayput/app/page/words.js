@@ -34,6 +34,15 @@ const known = (key) => key in TABLES[language];
 /** The words for one of the choices that a field has. */
 export const choiceLabel = (id) => (known(`choice_${id}`) ? t(`choice_${id}`) : id);
 
+const placed = (word) => (known(`place_${word}`) ? t(`place_${word}`) : word);
+
+/** The words for where a device is: "front left"; of many of a kind each has a number, "front 3". */
+const placeLabel = (place) =>
+  known(`place_${place}`) ? placed(place) : place.split(" ").map(placed).join(t("space"));
+
+/** What a device is called, and where it is. */
+export const deviceName = (label, place) => [label, placeLabel(place)].filter(Boolean).join(t("comma"));
+
 /** Of a text in both languages, as the server sends them, the one that is spoken. */
 export const both = (pair) => tight(typeof pair === "string" ? pair : (pair?.[language] ?? pair?.en ?? ""));
 

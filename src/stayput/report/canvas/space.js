@@ -37,10 +37,11 @@ function program(gl, [vertex, fragment]) {
 
 /** Numbers on the graphics processor: attributes are [place, how many numbers each, once an instance]. */
 function array(gl, buffers) {
-  const made = gl.createVertexArray();
+  const made = gl.createVertexArray(),
+    held = buffers.map(() => gl.createBuffer());
   gl.bindVertexArray(made);
-  for (const { values, stride, attributes, instanced = false } of buffers) {
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  buffers.forEach(({ values, stride, attributes, instanced = false }, k) => {
+    gl.bindBuffer(gl.ARRAY_BUFFER, held[k]);
     gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
     let offset = 0;
     for (const [place, size] of attributes) {
@@ -49,8 +50,14 @@ function array(gl, buffers) {
       if (instanced) gl.vertexAttribDivisor(place, 1);
       offset += size;
     }
-  }
-  return made;
+  });
+  return { made, held };
+}
+
+/** Frees the numbers of `array`. */
+function free(gl, { made, held }) {
+  gl.deleteVertexArray(made);
+  for (const buffer of held) gl.deleteBuffer(buffer);
 }
 
 const CORNERS = new Float32Array([0, -1, 1, -1, 0, 1, 1, 1]);
@@ -110,14 +117,27 @@ function lightMatrix({ low, high, size }) {
 
 /**
  * What draws a scene of `spaceScene` on a canvas; null where the browser has no WebGL 2. `draw` takes the
- * time, a camera of `orbit`, the body that is chosen, and whether the room moves with the ground.
+ * time, a camera of `orbit`, the body that is chosen, and whether the room moves with the ground; `take` puts
+ * another scene in the place of the first.
  */
-export function spacePainter(canvas, scene) {
+export function spacePainter(canvas, first) {
+  let scene = first;
   const gl = canvas.getContext("webgl2", { antialias: true, alpha: false });
   if (!gl) return null;
-  let made = prepare();
+  let tools = prepareTools(),
+    made = prepare();
   canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-  canvas.addEventListener("webglcontextrestored", () => (made = prepare()));
+  canvas.addEventListener("webglcontextrestored", () => {
+    tools = prepareTools();
+    made = prepare();
+  });
+
+  function prepareTools() {
+    const programs = Object.fromEntries(
+      Object.entries({ DEPTHS, BODIES, SURFACES, LINES }).map(([name, texts]) => [name, program(gl, texts)]),
+    );
+    return { programs, frame: shadowMap(gl) };
+  }
 
   function prepare() {
     const meshes = scene.bodies.map(({ shape, footprint_m: footprint, colour }) => {
@@ -134,10 +154,15 @@ export function spacePainter(canvas, scene) {
       const values = new Float32Array([0, 1, 3, 2].flatMap((i) => corners[i]));
       return { array: array(gl, [{ values, stride: 3, attributes: [[0, 3]] }]), normal, offset };
     });
-    const programs = Object.fromEntries(
-      Object.entries({ DEPTHS, BODIES, SURFACES, LINES }).map(([name, texts]) => [name, program(gl, texts)]),
-    );
-    return { meshes, faces, programs, frame: shadowMap(gl), light: lightMatrix(scene) };
+    return { meshes, faces, light: lightMatrix(scene) };
+  }
+
+  function take(next) {
+    for (const { body, marks, edges, footprint } of made.meshes)
+      for (const { array: which } of [body, marks, edges, footprint]) free(gl, which);
+    for (const { array: which } of made.faces) free(gl, which);
+    scene = next;
+    made = prepare();
   }
 
   /** Uses a program with values for its uniforms; those that it lacks are left out. */
@@ -153,22 +178,22 @@ export function spacePainter(canvas, scene) {
   }
 
   function strip({ array: which, count }) {
-    gl.bindVertexArray(which);
+    gl.bindVertexArray(which.made);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
   }
   function fill({ array: which, count }) {
-    gl.bindVertexArray(which);
+    gl.bindVertexArray(which.made);
     gl.drawArrays(gl.TRIANGLES, 0, count);
   }
 
   function castShadows(models) {
-    gl.bindFramebuffer(gl.FRAMEBUFFER, made.frame);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, tools.frame);
     gl.viewport(0, 0, MAP, MAP);
     gl.clear(gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(2, 4);
     made.meshes.forEach(({ body }, b) => {
-      use(made.programs.DEPTHS, { model: models[b], light: made.light });
+      use(tools.programs.DEPTHS, { model: models[b], light: made.light });
       fill(body);
     });
     gl.disable(gl.POLYGON_OFFSET_FILL);
@@ -177,11 +202,11 @@ export function spacePainter(canvas, scene) {
 
   function drawSurface({ array: which, normal }, look, eye) {
     const middle = [0, 1, 2].map((i) => (scene.low[i] + scene.high[i]) / 2);
-    use(made.programs.SURFACES, {
+    use(tools.programs.SURFACES, {
       ...{ eye, light: made.light, normal, middle, grid: scene.grid, reach: 1.9 * scene.size },
       ...look,
     });
-    gl.bindVertexArray(which);
+    gl.bindVertexArray(which.made);
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
   }
 
@@ -218,12 +243,12 @@ export function spacePainter(canvas, scene) {
     const lines = { view, projection, canvas: [width, height] };
     made.meshes.forEach(({ footprint, colour }) => {
       const outline = [...mixed(colour, EDGE, 0.25), 0.9];
-      use(made.programs.LINES, { ...lines, model: STILL, width: 2.2 * sharp, colour: outline });
+      use(tools.programs.LINES, { ...lines, model: STILL, width: 2.2 * sharp, colour: outline });
       strip(footprint);
     });
     made.meshes.forEach(({ body, marks, edges, colour }, b) => {
       const look = { model: models[b], eye, light: made.light, colour, towardsLight: LIGHT };
-      use(made.programs.BODIES, look);
+      use(tools.programs.BODIES, look);
       gl.enable(gl.POLYGON_OFFSET_FILL);
       gl.polygonOffset(1, 2);
       fill(body);
@@ -232,7 +257,7 @@ export function spacePainter(canvas, scene) {
       gl.disable(gl.POLYGON_OFFSET_FILL);
       const outline = b === chosen ? [...parts(ink.ink), 1] : [...EDGE, 0.85];
       const thick = (b === chosen ? 3.4 : 1.7) * sharp;
-      use(made.programs.LINES, { ...lines, model: models[b], width: thick, colour: outline });
+      use(tools.programs.LINES, { ...lines, model: models[b], width: thick, colour: outline });
       strip(edges);
     });
     gl.depthMask(false);
@@ -243,5 +268,5 @@ export function spacePainter(canvas, scene) {
     }
     gl.depthMask(true);
   }
-  return { draw };
+  return { draw, take };
 }

@@ -5,8 +5,10 @@ import { mat, vec } from "./vectors.js";
 
 const STROKE = 1.5; // width of the lines [pixels]
 
-/** What draws a scene on a canvas, with the same `draw` as `spacePainter`. */
-export function flatPainter(canvas, scene) {
+/** What draws a scene on a canvas, with the same `draw` and `take` as `spacePainter`. */
+export function flatPainter(canvas, first) {
+  let scene = first;
+
   function draw(t, camera, { chosen = null, shaken = false } = {}) {
     const [pen, width, height] = prepared(canvas);
     const { view: still, projection, place: eye } = camera.look(width / height),
@@ -46,5 +48,6 @@ export function flatPainter(canvas, scene) {
         pen.stroke();
       }
   }
-  return { draw };
+  const take = (next) => (scene = next);
+  return { draw, take };
 }

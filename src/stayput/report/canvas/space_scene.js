@@ -36,6 +36,8 @@ export function spaceScene(data) {
     return {
       ...body,
       tilts: tilt,
+      slides: slide,
+      yaws: yaw,
       /** From the body's frame into the room. */
       matrix(t) {
         const [i, share] = sample(t),

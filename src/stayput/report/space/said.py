@@ -10,7 +10,7 @@ import numpy as np
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError, list_of
 from stayput.report.space.histories import slid
-from stayput.report.summary import length
+from stayput.report.summary import length, piece_name, with_first_failure
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -52,6 +52,21 @@ def became(run: SpaceRun, names: Sequence[str]) -> Phrase:
     commas = phrase("common.listed")
     which = tuple(comma.join(texts) for comma, texts in zip(commas, zip(*each, strict=True), strict=True))
     return phrase("space.some_fell", fallen=len(fallen), count=len(names), which=which)
+
+
+def piece_became(run: SpaceRun, preset: str | None, own_name: str | None = None) -> Phrase:
+    """Return what became of a piece of furniture, and the first device that failed.
+
+    Parameters
+    ----------
+    run : SpaceRun
+        The run of the piece alone.
+    preset, own_name : str, optional
+        Its preset, and what the user calls it.
+    """
+    english, japanese = piece_name(preset, own_name)
+    outcome = _of_one(run, english)[0], _of_one(run, japanese)[1]
+    return with_first_failure(outcome, run.devices)
 
 
 def _of_one(run: SpaceRun, name: str) -> Phrase:

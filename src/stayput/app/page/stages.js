@@ -1,0 +1,84 @@
+// The stages of runs in space: their pictures, and the camera that is led round all of them at once.
+
+import { VIEWS, lead, orbit } from "./canvas/camera.js";
+import { prefersReducedMotion } from "./canvas/clock.js";
+import { spacePainter } from "./canvas/space.js";
+import { flatPainter } from "./canvas/space_flat.js";
+import { oneOf, toggle } from "./controls.js";
+import { fill, part } from "./dom.js";
+import { t } from "./words.js";
+
+const IDS = ["space-without", "space-with"];
+const stages = IDS.map(() => ({ painter: null, camera: null, solid: true }));
+let again = () => {},
+  views = null,
+  view = "free",
+  shaken = null; // whether the room moves with the ground
+
+/** Lets the cameras be led over the pictures; "changed" is called after each change. */
+export function wire(changed) {
+  again = changed;
+  IDS.forEach((id, i) => {
+    const led = {};
+    for (const name of ["turn", "nearer", "move"])
+      led[name] = (...by) => stages.forEach(({ camera }) => camera?.[name](...by));
+    // the wheel scrolls the page; with Ctrl, as a pinch of two fingers says it, the picture comes nearer
+    part(id).parentElement.addEventListener("wheel", (event) => event.ctrlKey || event.stopPropagation(), {
+      capture: true,
+    });
+    lead(part(id), led, () => {
+      view = null;
+      views?.set(null);
+      again();
+    });
+    part(id).addEventListener("webglcontextrestored", () => again());
+    stages[i].canvas = part(id);
+  });
+}
+
+/** Builds the choice of a view; called again for another language. */
+export function build() {
+  shaken ??= !prefersReducedMotion();
+  views = oneOf({
+    label: t("view"),
+    options: Object.keys(VIEWS).map((id) => ({ id, label: t(`view_${id}`) })),
+    changed: (id) => {
+      view = id;
+      for (const { camera } of stages) camera?.view(id);
+      again();
+    },
+  });
+  views.set(view);
+  const moving = toggle({
+    label: t("shaken"),
+    changed: (on) => {
+      shaken = on;
+      again();
+    },
+  });
+  moving.set(shaken);
+  fill(part("views"), views.element, moving.element);
+}
+
+/** Takes the scenes of runs in space; the pictures are seen from where those before them were. */
+export function show(scenes) {
+  scenes.forEach((scene, i) => {
+    const stage = stages[i],
+      camera = orbit(scene.points, scene.size);
+    if (stage.camera) camera.direction = stage.camera.direction;
+    stage.camera = camera;
+    if (stage.painter) stage.painter.take(scene);
+    else {
+      const painter = spacePainter(stage.canvas, scene);
+      stage.solid = painter !== null;
+      stage.painter = painter ?? flatPainter(stage.canvas, scene);
+    }
+  });
+  part("flat").hidden = stages[0].solid;
+}
+
+/** Draws one of the runs at a time, where its picture is in sight. */
+export function draw(i, now) {
+  const { canvas, painter, camera } = stages[i];
+  if (canvas.clientWidth) painter.draw(now, camera, { shaken });
+}

@@ -1,0 +1,259 @@
+"""The API in space: one piece, several pieces, what is downloaded, and what is not offered."""
+
+from __future__ import annotations
+
+import base64
+import csv
+import gzip
+import io
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+from serving import SCENE, client_of, running
+from test_api import finished, simulated
+
+import stayput as sp
+from stayput.app.limits import Limits
+from stayput.scenario import AssemblyScenario, Scenario
+from stayput.simulation.space_run import SpaceRun
+
+if TYPE_CHECKING:
+    import httpx
+    from numpy.typing import NDArray
+
+BELT = [{"type": "belt"}]
+LASTING = 5.0
+SPACE: dict[str, Any] = {
+    **SCENE,
+    "dimensions": 3,
+    "furniture": {"preset": "refrigerator", "length": 0.6, "heading": 0.5},
+    "shaking": {"intensity": "6-upper", "member": 3},
+}
+PIECES: dict[str, Any] = {
+    "furniture": [
+        {"name": "lower", "width": 0.45, "length": 0.9, "height": 0.9, "mass": 60.0},
+        {"name": "upper", "width": 0.35, "length": 0.9, "height": 0.9, "mass": 40.0, "on": "lower"},
+    ],
+    "shaking": {"sine": {"amplitude": 6.0, "frequency": 1.0, "duration": LASTING}},
+}
+TEXT = """
+[[furniture]]
+name = "vase"
+bottom = 0.1
+top = 0.2
+height = 0.4
+mass = 2.0
+[[furniture]]
+name = "chest"
+preset = "chest"
+at = [0.0, 1.5]
+[shaking]
+sine = { amplitude = 4.0, frequency = 2.0, duration = 4.0 }
+"""
+
+
+def numbers(text: str) -> NDArray[np.float64]:
+    return np.frombuffer(base64.b64decode(text), "<f4").astype(np.float64)
+
+
+def refused(client: httpx.Client, path: str, asked: dict[str, Any], field: str | None) -> str:
+    answer = client.post(f"/api/v1/{path}", json=asked)
+    assert answer.status_code == 422, answer.text
+    problem = answer.json()
+    assert problem["field"] == field
+    assert problem["message_ja"] != problem["message"]
+    return str(problem["message"])
+
+
+def test_a_run_in_space_is_that_of_the_scenario(client: httpx.Client) -> None:
+    answer = simulated(client, SPACE, BELT)
+    assert answer["dimensions"] == 3
+    for key, measures in (("without", ()), ("with", (sp.MEASURES["belt"](),))):
+        run, told = Scenario.parse(SPACE).case(measures).run(), answer[key]
+        assert isinstance(run, SpaceRun)
+        (piece,), (body,) = told["pieces"], told["scene"]["bodies"]
+        assert piece["peak_tilt_rad"] == run.peak_tilt[0]
+        assert piece["peak_slide_m"] == run.peak_slide[0]
+        assert piece["outcome"] == told["outcome"] == run.outcome.value
+        assert body["shape"]["vertices_m"]
+        tilts = numbers(body["tilt_rad"])
+        assert len(tilts) == told["scene"]["poses"]["count"]
+        assert tilts.max() == pytest.approx(run.tilt.max(), rel=0.05)
+        assert len(told["devices"]) == len(run.devices)
+        assert all(len(one["pull_n"]) == len(tilts) for one in told["devices"])
+    assert {"x", "y", "z"} == set(answer["floor"]["acceleration_m_s2"])
+    assert "refrigerator" in answer["without"]["sentence"]["en"]
+    assert "冷蔵庫" in answer["without"]["sentence"]["ja"]
+
+
+def test_what_happens_first_is_told_in_order(client: httpx.Client) -> None:
+    scene = {**SPACE, "shaking": {**SPACE["shaking"], "intensity": 6.9}}
+    told = simulated(client, scene)["without"]
+    times = [event["time_s"] for event in told["events"]]
+    assert times == sorted(times)
+    kinds = [event["kind"] for event in told["events"]]
+    assert {"slip", "uplift", "floor impact"} <= set(kinds)
+    assert ("overturned" in kinds) == told["overturned"]
+    known = {one["id"] for one in client.get("/api/v1/presets").json()["events"]}
+    assert set(kinds) <= known
+
+
+def test_the_plane_follows_the_heading_too(client: httpx.Client) -> None:
+    flat = {**SPACE, "dimensions": 2}
+    run = Scenario.parse(flat).case().run()
+    assert isinstance(run, sp.Run)
+    answer = simulated(client, flat)
+    assert answer["dimensions"] == 2
+    assert answer["without"]["peak_slide_m"] == run.peak_slide
+    ahead = simulated(client, {**flat, "furniture": {"preset": "refrigerator"}})
+    assert ahead["motion"]["pga_m_s2"] != answer["motion"]["pga_m_s2"]
+
+
+def test_a_building_sways_at_the_times_of_the_poses(client: httpx.Client) -> None:
+    shaking = {**SPACE["shaking"], "building": {"storeys": 6}, "storey": 4}
+    answer = simulated(client, {**SPACE, "shaking": shaking})
+    count = answer["without"]["scene"]["poses"]["count"]
+    assert len(answer["building"]["roof_x_m"]) == len(answer["building"]["ground_x_m"]) == count
+    assert answer["motion"]["floor_intensity"] > answer["motion"]["ground_intensity"]
+
+
+def test_the_reply_is_small(client: httpx.Client) -> None:
+    answer = client.post("/api/v1/simulate", json={"scene": SPACE, "measures": BELT})
+    assert answer.headers["content-encoding"] == "gzip"
+    assert len(gzip.compress(answer.content)) < 250_000  # 30 s, twice
+
+
+def test_a_verification_in_space(client: httpx.Client) -> None:
+    suite = {"suite": {"count": 4}, "intensity": 6.5}
+    scene = {**SPACE, "shaking": suite, "uncertainty": {"samples": 4}}
+    job = finished(client, {"scene": scene, "measures": BELT, "compare_usual": False, "curves": False})
+    assert job["state"] == "done", job["error"]
+    result = job["result"]
+    assert result["runs"] == 8
+    assert [one["curve"] for one in result["options"]] == [None, None]
+    assert any("in space" in note["en"] and "29°" in note["en"] for note in result["notes"])
+    report = client.get(f"/api/v1/jobs/{job['id']}/report").text
+    assert report.count("<iframe") >= 2  # the typical and the worst case are played
+
+
+def test_curves_in_space_have_the_levels_of_verify(client: httpx.Client) -> None:
+    scene = {**SPACE, "shaking": {"suite": {"count": 2}, "intensity": 6.5}, "uncertainty": {"samples": 2}}
+    job = finished(client, {"scene": scene, "measures": [], "compare_usual": False})
+    curve = next(one["curve"] for one in job["result"]["options"] if one["curve"])
+    assert len(curve["observed"]) == 7
+
+
+def test_a_verification_in_space_is_allowed_fewer_runs() -> None:
+    with running(replace(Limits(), runs_in_space=30)) as few, client_of(few) as client:
+        message = refused(client, "verify", {"scene": SPACE}, "scene.uncertainty.samples")
+        assert "this server allows 30" in message
+
+
+@pytest.mark.parametrize("which", ["without", "with"])
+def test_a_run_in_space_as_a_table(client: httpx.Client, which: str) -> None:
+    asked = {"scene": SPACE, "measures": BELT}
+    answer = client.post("/api/v1/simulate/csv", params={"which": which}, json=asked)
+    rows = list(csv.DictReader(io.StringIO(answer.text)))
+    run = Scenario.parse(SPACE).case([sp.MEASURES["belt"]()] if which == "with" else []).run()
+    assert isinstance(run, SpaceRun)
+    assert [float(row["tilt_rad"]) for row in rows] == pytest.approx(run.tilt[0], rel=1e-8, abs=1e-12)
+    assert [float(row["slide_y_m"]) for row in rows] == pytest.approx(run.slide[0, :, 1], rel=1e-8, abs=1e-12)
+    assert {row["body"] for row in rows} == {"refrigerator"}
+    pulls = [name for name in rows[0] if name.endswith("_pull_n")]
+    assert len(pulls) == (2 if which == "with" else 0)
+
+
+@pytest.mark.parametrize(
+    "scene", [SPACE, {**SPACE, "dimensions": 2}, PIECES], ids=["space", "plane", "pieces"]
+)
+def test_a_run_as_a_page_that_plays_it(client: httpx.Client, scene: dict[str, Any]) -> None:
+    answer = client.post(
+        "/api/v1/simulate/film", params={"lang": "ja"}, json={"scene": scene, "measures": []}
+    )
+    assert answer.headers["content-type"] == "text/html; charset=utf-8"
+    assert 'filename="run_without.html"' in answer.headers["content-disposition"]
+    assert '<html lang="ja">' in answer.text
+    assert ("webgl2" in answer.text) == (scene.get("dimensions") != 2)
+
+
+def test_a_run_as_a_gif(client: httpx.Client) -> None:
+    short = {**PIECES, "shaking": {"sine": {"amplitude": 6.0, "frequency": 1.0, "duration": 1.0}}}
+    answer = client.post(
+        "/api/v1/simulate/film", params={"kind": "gif"}, json={"scene": short, "measures": []}
+    )
+    assert answer.headers["content-type"] == "image/gif"
+    assert answer.content.startswith(b"GIF89a")
+
+
+def test_a_gif_that_would_take_too_long(client: httpx.Client) -> None:
+    long = {**SPACE, "shaking": {"sine": {"amplitude": 1.0, "frequency": 1.0, "duration": 200.0}}}
+    refused(client, "simulate/film?kind=gif", {"scene": long}, "scene.shaking")
+
+
+def test_several_pieces(client: httpx.Client) -> None:
+    answer = simulated(client, PIECES)
+    run = AssemblyScenario.parse(PIECES).run()
+    told = answer["without"]
+    assert [one["name"] for one in told["pieces"]] == ["lower", "upper"]
+    assert [one["peak_tilt_rad"] for one in told["pieces"]] == run.peak_tilt.tolist()
+    assert {event["piece"] for event in told["events"]} <= {0, 1}
+    assert answer["with"] is None
+    assert answer["motion"]["duration_s"] == pytest.approx(LASTING, abs=0.01)
+
+
+def test_a_scenario_file_of_several_pieces_is_read(client: httpx.Client) -> None:
+    answer = client.post("/api/v1/scenario/read", json={"toml": TEXT}).json()
+    assert answer["pieces"] == ["vase", "chest"]
+    names = [one["name"] for one in simulated(client, answer["scene"])["without"]["pieces"]]
+    assert names == answer["pieces"]
+    one = client.post("/api/v1/scenario/read", json={"toml": '[furniture]\npreset = "chest"'}).json()
+    assert one == {"scene": {"furniture": {"preset": "chest"}}, "pieces": []}
+
+
+@pytest.mark.parametrize(
+    ("text", "field"),
+    [
+        ("[[furniture]", None),
+        (
+            '[[furniture]]\nname = "stone"\nmesh = "/etc/passwd"\nunit = "m"\nmass = 3.0',
+            "scene.furniture[0].mesh",
+        ),
+        ('[[furniture]]\nname = "box"\nwidth = 0.4\nmass = 3.0', "scene.furniture"),
+        ('[furniture]\npreset = "chest"\n[shaking]\nrecord = "kobe.csv"', "scene.shaking.record"),
+    ],
+    ids=["no TOML", "a mesh", "half a box", "a record's file"],
+)
+def test_scenario_files_that_are_refused(client: httpx.Client, text: str, field: str | None) -> None:
+    message = refused(client, "scenario/read", {"toml": text}, field)
+    assert "passwd" not in message
+
+
+def test_pieces_that_are_refused(client: httpx.Client) -> None:
+    refused(client, "simulate", {"scene": PIECES, "measures": BELT}, "measures")
+    refused(client, "verify", {"scene": PIECES}, "scene.furniture")
+    many = [{"name": f"{i}", "preset": "chest", "at": [0.0, 2.0 * i]} for i in range(21)]
+    refused(client, "simulate", {"scene": {**PIECES, "furniture": many}}, "scene.furniture")
+    endless = {"sine": {"amplitude": 1.0, "frequency": 1.0, "duration": 500.0}}
+    message = refused(client, "simulate", {"scene": {**PIECES, "shaking": endless}}, "scene.shaking")
+    assert "with 2 pieces this server allows 300 s" in message
+    into = [{**PIECES["furniture"][0], "name": name} for name in ("one", "other")]
+    refused(client, "simulate", {"scene": {**PIECES, "furniture": into}}, "scene")
+
+
+def test_what_is_not_offered_in_space(client: httpx.Client) -> None:
+    refused(client, "size-map", {"scene": SPACE}, "scene.dimensions")
+    inside = {**SPACE, "contents": {"kind": "books"}}
+    for path in ("simulate", "verify"):
+        refused(client, path, {"scene": inside}, "scene.contents")
+    paper = {**SPACE, "contact": "paper"}
+    refused(client, "simulate", {"scene": paper}, "scene.contact")
+
+
+def test_presets_have_their_lengths(client: httpx.Client) -> None:
+    found = client.get("/api/v1/presets").json()
+    assert all(one["length_m"] > 0.0 for one in found["furniture"])
+    assert found["numbers"]["furniture.length"]["unit"] == "m"
+    assert math.isfinite(found["numbers"]["furniture.length"]["high"])

@@ -1,0 +1,281 @@
+"""The page in Chromium: a piece in space, and files of several pieces."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+import io
+import tomllib
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from browsing import COMPILING, DESK, PHONE, browser, opened  # noqa: F401
+from PIL import Image
+from test_space_in_browser import NO_WEBGL, coloured, differ
+
+from stayput.scenario import Scenario
+
+if TYPE_CHECKING:
+    from browsing import Opened
+    from playwright.sync_api import Browser, FilePayload
+    from serving import Running
+
+LINK = (
+    "#piece=refrigerator&width=0.6&length=0.7&height=1.8&mass=100&inSpace=1&heading=30"
+    "&wall=1&gap=0.05&member=3"
+)
+BELTED = LINK + "&measures=belt"
+PIECES = """
+[[furniture]]
+name = "lower part"
+width = 0.45
+length = 0.9
+height = 0.9
+mass = 60.0
+[[furniture]]
+name = "upper part"
+width = 0.35
+length = 0.9
+height = 1.0
+mass = 40.0
+on = "lower part"
+[shaking]
+sine = { amplitude = 6.0, frequency = 1.0, duration = 4.0 }
+"""
+
+
+def scenario_file(text: str, name: str = "dresser.toml") -> FilePayload:
+    return {"name": name, "mimeType": "application/toml", "buffer": text.encode()}
+
+
+def drop(it: Opened, text: str) -> None:
+    """Give the page a scenario file of several pieces and wait until they are drawn."""
+    it.page.set_input_files("#file", scenario_file(text))
+    it.page.wait_for_selector("#pieces:not([hidden])", state="attached")
+    it.settle()
+
+
+def picture(it: Opened, which: str = "without") -> np.ndarray[Any, Any]:
+    it.draw()
+    it.draw()
+    taken = it.page.locator(f"#space-{which}").screenshot()
+    return np.asarray(Image.open(io.BytesIO(taken)).convert("RGB")).astype(int)
+
+
+def test_the_plane_is_the_default_and_space_is_chosen_kept_and_taken_back(
+    browser: Browser, server: Running
+) -> None:
+    with opened(browser, server) as it:
+        assert it.page.locator("#engine input[value=plane]").is_checked()
+        assert it.page.locator("#space-without").is_hidden()
+        assert it.page.get_by_label("Direction in which it faces", exact=True).is_hidden()
+        asked, answer = it.simulated(lambda: it.page.check("#engine input[value=space]"))
+        assert asked["scene"]["dimensions"] == answer["dimensions"] == 3
+        assert it.page.locator("#space-without").is_visible()
+        assert it.page.locator("#stage-without").is_hidden()
+        it.kept("inSpace=1", "heading=0")
+        turn = it.page.get_by_label("Direction in which it faces (°)")
+        asked, _ = it.simulated(lambda: turn.fill("90"))
+        assert asked["scene"]["furniture"]["heading"] == pytest.approx(np.pi / 2)
+        it.kept("heading=90")
+        asked, _ = it.simulated(lambda: it.page.go_back())
+        assert asked["scene"]["furniture"]["heading"] == 0.0
+        it.page.reload()
+        it.settle()
+        assert it.page.locator("#engine input[value=space]").is_checked()
+        asked, answer = it.simulated(lambda: it.page.check("#engine input[value=plane]"))
+        assert "dimensions" not in asked["scene"]
+        assert answer["dimensions"] == 2
+        assert it.page.locator("#stage-without").is_visible()
+        assert not any(url.endswith(".wasm") for url in it.asked)
+
+
+def test_the_length_of_a_piece_is_its_presets_until_it_is_set(browser: Browser, server: Running) -> None:
+    with opened(browser, server) as it:
+        presets = it.page.evaluate("fetch('api/v1/presets').then(answer => answer.json())")
+        lengths = {one["id"]: one["length_m"] for one in presets["furniture"]}
+        asked, _ = it.simulated(lambda: it.page.click("#presets button:has-text('Refrigerator')"))
+        assert asked["scene"]["furniture"]["length"] == lengths["refrigerator"]
+        field = it.page.get_by_label("Length, from side to side (cm)")
+        asked, _ = it.simulated(lambda: field.fill("95"))
+        assert asked["scene"]["furniture"]["length"] == 0.95
+        it.kept("length=0.95")
+    with opened(browser, server, "#piece=refrigerator&width=0.6&height=1.7&mass=90") as it:
+        asked, _ = it.simulated(lambda: it.page.get_by_label("Mass with its content (kg)").fill("95"))
+        assert asked["scene"]["furniture"]["length"] == lengths["refrigerator"]  # of a link that names none
+
+
+def test_the_pictures_follow_the_slider_the_views_and_the_keys(browser: Browser, server: Running) -> None:
+    with opened(browser, server, BELTED) as it:
+        assert it.page.locator("#flat").is_hidden()
+        it.page.locator("#time").fill("0")
+        first = picture(it)
+        assert coloured(first)[0] > 0.02
+        it.page.locator("#time").fill("900")
+        later = picture(it)
+        assert differ(first, later) > 0.005
+        beside = picture(it, "with")
+        it.page.get_by_label("Top", exact=True).check()
+        assert differ(picture(it), later) > 0.02
+        assert differ(picture(it, "with"), beside) > 0.02  # both are seen from one side
+        it.page.locator("#space-without").focus()
+        above = picture(it)
+        it.page.keyboard.press("ArrowDown")
+        assert differ(picture(it), above) > 0.01
+        assert not it.page.get_by_label("Top", exact=True).is_checked()
+
+
+def test_the_wheel_scrolls_the_page_and_with_control_comes_nearer(browser: Browser, server: Running) -> None:
+    with opened(browser, server, LINK) as it:
+        it.page.locator("#space-without").scroll_into_view_if_needed()
+        box = it.page.locator("#space-without").bounding_box()
+        assert box
+        it.page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        seen, before = picture(it), it.page.evaluate("() => scrollY")
+        it.page.mouse.wheel(0, 60)
+        it.wait("before => scrollY > before", before)
+        it.page.mouse.wheel(0, -60)
+        it.wait("before => scrollY === before", before)
+        assert differ(picture(it), seen) < 0.01
+        it.page.keyboard.down("Control")
+        it.page.mouse.wheel(0, -300)
+        it.page.keyboard.up("Control")
+        assert coloured(picture(it))[0] > 1.1 * coloured(seen)[0]
+
+
+def test_a_new_scene_is_seen_from_where_the_one_before_was(browser: Browser, server: Running) -> None:
+    with opened(browser, server, LINK) as it:
+        it.page.get_by_label("Top", exact=True).check()
+        seen = picture(it)
+        it.simulated(lambda: it.page.get_by_label("Mass with its content (kg)").fill("120"))
+        assert differ(picture(it), seen) < 0.05
+        it.page.get_by_label("Front", exact=True).check()
+        assert differ(picture(it), seen) > 0.1
+
+
+def test_histories_and_sentences_are_those_of_space(browser: Browser, server: Running) -> None:
+    with opened(browser, server, BELTED) as it:
+        it.page.locator("#time").fill("1000")
+        it.draw()
+        assert "turned" in it.text("#now-without")
+        assert "The refrigerator" in it.text("#says-without")
+        assert "Turned by" in it.text("#story")
+        assert "Belts, left" in it.text("#device-key")
+        height = it.page.locator("#histories").evaluate("one => one.clientHeight")
+        it.simulated(lambda: it.page.check("#engine input[value=plane]"))
+        assert height > it.page.locator("#histories").evaluate("one => one.clientHeight")
+
+
+def test_what_comes_out_is_closed_in_space(browser: Browser, server: Running) -> None:
+    with opened(browser, server, LINK + "&contents=books&doors=none", language="ja") as it:
+        chosen = it.page.get_by_label("飛び出しを調べる収納物")
+        assert chosen.is_disabled()
+        assert "飛び出しは平面でだけ計算できます" in it.text("#sizes")
+        asked, _ = it.simulated(lambda: it.page.check("#engine input[value=plane]"))
+        assert asked["scene"]["contents"] == {"kind": "books", "doors": "none"}
+        assert chosen.is_enabled()
+
+
+def test_without_webgl_it_says_so_and_draws_flat(browser: Browser, server: Running) -> None:
+    with opened(browser, server) as it:
+        it.page.add_init_script(NO_WEBGL)
+        it.page.goto(f"{it.home}/{LINK}")
+        it.page.reload()
+        it.settle()
+        assert "has no WebGL 2" in it.text("#flat")
+        assert coloured(picture(it))[0] > 0.02
+        it.simulated(lambda: it.page.check("#engine input[value=plane]"))
+        assert it.page.locator("#flat").is_hidden()
+
+
+def test_chances_in_space_come_without_curves_until_they_are_asked_for(
+    browser: Browser, server: Running
+) -> None:
+    with opened(browser, server, BELTED, verify=True) as it:
+        it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
+        assert "Simulated in space" in it.text("#also")
+        assert it.page.locator("#ranking li").count() > 4
+        assert "choose the plane" in it.text("#map")
+        assert it.page.locator("#map-which").is_hidden()
+        assert not any(url.endswith("/size-map") for url in it.asked)
+        it.page.wait_for_selector("#whatif[data-state=done]", timeout=COMPILING)
+        it.page.click("#ask-curves")
+        it.page.wait_for_selector("#fragility svg.chart", timeout=COMPILING)
+        it.page.click("#languages button[lang=ja]")
+        it.page.wait_for_selector("#fragility svg.chart")
+        assert "三次元で" in it.text("#also")
+
+
+def test_the_scene_and_its_films_can_be_kept(browser: Browser, server: Running) -> None:
+    with opened(browser, server, LINK) as it:
+        with it.page.expect_download() as found:
+            it.page.click("#toml")
+        scenario = Scenario.parse(tomllib.loads(Path(found.value.path()).read_text(encoding="utf-8")))
+        assert scenario.dimensions == 3
+        assert scenario.furniture.length == 0.7
+        assert scenario.furniture.heading == pytest.approx(np.pi / 6)
+        assert it.page.locator("#html-with").is_disabled()
+        with it.page.expect_download() as found:
+            it.page.click("#html-without")
+        assert found.value.suggested_filename == "run_without.html"
+        assert "webgl2" in Path(found.value.path()).read_text(encoding="utf-8")
+
+
+def test_a_file_of_several_pieces_is_shown_until_the_scene_changes(browser: Browser, server: Running) -> None:
+    with opened(browser, server) as it:
+        drop(it, PIECES)
+        assert "lower part" in it.text("#pieces")
+        assert "The pieces in “dresser.toml”" in it.text("#pieces")
+        assert it.page.locator("#figure-with").is_hidden()
+        it.page.locator("#time").fill("500")
+        assert min(coloured(picture(it))) > 0.01  # blue below, orange above
+        assert "upper part: " in it.text("#story")
+        assert it.page.locator("#toml").is_disabled()
+        it.page.wait_for_selector("#understand[data-state=pieces]")
+        assert "for one piece" in it.text("#state")
+        it.page.click("#languages button[lang=ja]")
+        assert "「dresser.toml」の家具" in it.text("#pieces")
+        with it.page.expect_download() as found:
+            it.page.click("#csv-without")
+        assert "upper part" in Path(found.value.path()).read_text(encoding="utf-8")
+        asked, _ = it.simulated(lambda: it.page.click("#pieces button"))
+        assert asked["scene"]["furniture"]["preset"] == "bookcase"
+        assert it.page.locator("#pieces").is_hidden()
+        drop(it, PIECES)
+        asked, _ = it.simulated(lambda: it.page.click("#presets button >> nth=2"))
+        assert asked["scene"]["furniture"]["preset"] == "wardrobe"
+        assert it.page.locator("#pieces").is_hidden()
+
+
+def test_scenario_files_that_are_not_shown_say_why(browser: Browser, server: Running) -> None:
+    with opened(browser, server, allowed=("status of 422",)) as it:
+        it.page.set_input_files("#file", scenario_file('[furniture]\npreset = "chest"'))
+        it.page.wait_for_selector("#uploaded :text('This scenario has one piece')")
+        stone = '[[furniture]]\nname = "stone"\nmesh = "stone.stl"\nunit = "m"\nmass = 3.0'
+        it.page.set_input_files("#file", scenario_file(stone))
+        it.page.wait_for_selector("#uploaded :text('stone')")
+        assert it.page.locator("#pieces").is_hidden()
+
+
+@pytest.mark.parametrize(
+    ("theme", "language", "size"),
+    [("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE), ("dark", "en", PHONE)],
+)
+@pytest.mark.parametrize("several", [False, True])
+def test_axe_finds_nothing_serious_and_nothing_is_cut(
+    browser: Browser, server: Running, theme: str, language: str, size: dict[str, int], several: bool
+) -> None:
+    with opened(browser, server, BELTED, theme=theme, language=language, size=size) as it:
+        if several:
+            drop(it, PIECES)
+        for screen in ("scene", "see"):
+            it.go(screen)
+            grave = [
+                (one["id"], one["nodes"][0]["html"][:120])
+                for one in Axe().run(it.page).response["violations"]
+                if one["impact"] in ("serious", "critical")
+            ]
+            assert grave == []
+            assert it.page.evaluate("document.documentElement.scrollWidth") <= size["width"]
