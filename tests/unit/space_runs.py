@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 import stayput as sp
-from stayput.simulation.space import planes_in
-from stayput.simulation.space_records import matrices, product
+from stayput.simulation.flat_fields import room_row
+from stayput.simulation.space_records import matrices, planes_of, product
 from stayput.simulation.space_run import SpaceRun
 
 DT = 0.01
@@ -34,7 +34,7 @@ def _made(standing: list[sp.Standing], places: list[np.ndarray], attitudes: list
         standing=tuple(standing),
         room=ROOM,
         motion=SHAKE,
-        planes=planes_in(standing, ROOM),
+        planes=planes_of(standing, room_row(ROOM)),
         time=TIME,
         place=place,
         attitude=attitude,

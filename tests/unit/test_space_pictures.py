@@ -92,7 +92,7 @@ def test_the_data_hold_all_that_is_drawn_in_si_units() -> None:
     assert {name: len(unpacked(text)) for name, text in accelerations.items()} == dict.fromkeys("xyz", 201)
     assert data["floor"]["dt_s"] == DT
     assert [plane[:3] for plane in data["planes"]] == [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0]]
-    assert data["planes"][0][3] == pytest.approx(run.standing[0].depth[0] - 0.1)
+    assert data["planes"][0][3] == pytest.approx(run.standing[0].along((1.0, 0.0, 0.0))[0] - 0.1)
     foot = np.array(body["footprint_m"])
     assert np.ptp(foot @ run.standing[0].turn, axis=0) == pytest.approx([0.4, 0.6, 0.0], abs=1e-4)
     vertices = np.array(body["shape"]["vertices_m"])

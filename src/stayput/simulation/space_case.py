@@ -31,7 +31,6 @@ from stayput.simulation.space_engine import STEP, SpaceTrace, run_world
 from stayput.simulation.space_kinematics import slides, tilts
 from stayput.simulation.space_records import (
     FloorLaws,
-    RoomSurface,
     frames_of,
     matrices,
     planes_of,
@@ -127,23 +126,10 @@ def piece_of(case: np.void, mass: float = 1.0) -> Piece:
     turn, place, _, _ = _pose(resting)
     solid = solid_of(case, mass)
     origin = place - turn @ solid.centre_of_gravity
-    across = origin[0] + solid.vertices @ turn[0]
-    back, front, above = (
-        RoomSurface(
-            reach + float(case[f"{name}_distance"]),
-            float(case[f"{name}_friction"]),
-            float(case[f"{name}_restitution"]),
-        )
-        if math.isfinite(case[f"{name}_distance"])
-        else None
-        for name, reach in (("left", -across.min()), ("right", across.max()), ("ceiling", 0.0))
-    )
-    floor = [float(case[name]) for name in ("static_friction", "kinetic_friction", "normal_restitution")]
-    planes = planes_of((floor[0], floor[1], floor[2]), back, front, above)
     u, v = case["u"], case["v"]
     lean = math.atan2(v[1] - v[0], u[1] - u[0])
     standing = Standing(solid, (float(origin[0]), 0.0, float(origin[2])), tilt=(0.0, lean, 0.0))
-    return Piece(standing, planes)
+    return Piece(standing, planes_of([standing], case))
 
 
 def trace_case(
@@ -171,7 +157,7 @@ def trace_case(
     """
     piece = piece_of(case)
     solid = piece.standing.solid
-    world = world_of([solid], [_floor_laws(case)], piece.planes, (0.0, 0.0))
+    world = world_of([solid], [_laws_of_piece(case)], piece.planes, (0.0, 0.0))
     springs = springs_of(elements, piece.standing.turn, piece.standing.place, solid.principal[1])
     pose = pose_of(solid, *_pose(case))
     shaken = float(case["scale"]) * motion.acceleration
@@ -179,15 +165,12 @@ def trace_case(
     return piece if mass == 1.0 else piece_of(case, mass), trace
 
 
-def _floor_laws(case: np.void) -> FloorLaws:
+def _laws_of_piece(case: np.void) -> FloorLaws:
     """Return the laws of a case's floor; the restitution without the landing place, which has a direction."""
     u, v = case["u"], case["v"]
     landing = landing_factor(case["landing_place"], -u[0] * u[1], -min(v[0], v[1]), case["inertia"])
-    back, front, edge = (
-        (float(case[f"{part}edge_static_friction"]), float(case[f"{part}edge_kinetic_friction"]))
-        for part in ("left_", "right_", "")
-    )
-    return FloorLaws(float(case["restitution"] / landing), float(case["landing_place"]), edge, back, front)
+    laws = FloorLaws.of(case)
+    return laws._replace(restitution=float(laws.restitution / landing))
 
 
 def result_of(piece: Piece, trace: SpaceTrace, time: NDArray[np.float64]) -> NDArray[np.void]:

@@ -56,7 +56,7 @@ class Hit:
     other : int or None
         Which other body; None for the room.
     surface : str
-        What of the room: "floor", "left_wall", "right_wall" or "ceiling"; empty for another body.
+        What of the room: "floor", or as a field of `Room`, such as "left_wall"; empty for another body.
     speed : float
         How fast they closed at the point that closed first in the list of contacts [m/s].
     impulse : float
