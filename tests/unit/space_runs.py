@@ -6,6 +6,7 @@ import numpy as np
 
 import stayput as sp
 from stayput.simulation.flat_fields import room_row
+from stayput.simulation.space_gaps import Gaps
 from stayput.simulation.space_records import matrices, planes_of, product
 from stayput.simulation.space_run import SpaceRun
 
@@ -22,6 +23,11 @@ ROOM = sp.Room(left_wall=sp.Wall(0.1), ceiling=sp.Ceiling(2.4))
 def _about(axis: tuple[float, float, float], angle: np.ndarray) -> np.ndarray:
     sine = np.sin(angle / 2)[:, np.newaxis] * np.array(axis)
     return np.column_stack((np.cos(angle / 2), sine))
+
+
+def apart(count: int) -> Gaps:
+    """Return gaps of bodies that touch nothing."""
+    return Gaps(np.ones((count, 3)), np.ones((count, count)))
 
 
 def _made(standing: list[sp.Standing], places: list[np.ndarray], attitudes: list[np.ndarray]) -> SpaceRun:
@@ -44,6 +50,7 @@ def _made(standing: list[sp.Standing], places: list[np.ndarray], attitudes: list
         hits=(),
         hit_numbers=np.zeros((count, 3), np.int64),
         peak_tilt=np.zeros(count),
+        gaps=(apart(count), apart(count)),
         devices=(),
         steps=200,
         unconverged=0,

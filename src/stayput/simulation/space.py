@@ -159,6 +159,7 @@ def _run(
         hits,
         trace.hit_numbers[:-1],
         trace.peak_tilt,
+        trace.gaps,
         devices,
         trace.steps,
         trace.unconverged,

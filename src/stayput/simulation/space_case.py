@@ -28,6 +28,7 @@ from stayput.model.solid import Solid
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.space_devices import springs_of
 from stayput.simulation.space_engine import STEP, SpaceTrace, run_world
+from stayput.simulation.space_fate import fates_of
 from stayput.simulation.space_kinematics import slides, tilts
 from stayput.simulation.space_records import (
     FloorLaws,
@@ -37,7 +38,6 @@ from stayput.simulation.space_records import (
     pose_of,
     world_of,
 )
-from stayput.simulation.space_run import fallen, outcome_of
 from stayput.simulation.standing import Standing
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ NUMBERS = {
     Outcome.OVERTURNED: OVERTURNED_OUTCOME,
     Outcome.FAILED: FAILED_OUTCOME,
 }
-"""Numbers of the outcomes in the mechanics."""
+"""Numbers in the mechanics of what becomes of one body, which can fall off nothing."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -177,14 +177,15 @@ def result_of(piece: Piece, trace: SpaceTrace, time: NDArray[np.float64]) -> NDA
     """Return what became of a piece: a RESULT. Its slide is a distance in plan, whatever the direction."""
     result = np.zeros((), RESULT)
     one = piece.standing
-    turn, place = matrices(frames_of([one], trace.attitude)[0]), trace.place[0]
+    turns = matrices(frames_of([one], trace.attitude))
+    turn, place = turns[0], trace.place[0]
     tilt = tilts(one.rest, turn)
     slide = np.linalg.norm(slides(one, place, turn), axis=1)
-    fell = np.flatnonzero(fallen(one, place, turn))
-    end = int(fell[0]) if len(fell) else len(time) - 1
-    result["outcome"] = NUMBERS[outcome_of(one, piece.planes, place, turn)]
+    (fate,) = fates_of([one], trace.place, turns, trace.gaps)
+    end = len(time) - 1 if fate.overturned is None else fate.overturned
+    result["outcome"] = NUMBERS[fate.outcome]
     result["end"] = time[end]
-    result["peak_tilt"] = tilt[: end + 1].max() if len(fell) else trace.peak_tilt[0]
+    result["peak_tilt"] = trace.peak_tilt[0] if fate.overturned is None else tilt[: end + 1].max()
     result["peak_slide"] = slide[: end + 1].max()
     result["residual_tilt"], result["residual_slide"] = tilt[end], slide[end]
     result["floor_impacts"], result["wall_impacts"] = trace.hit_numbers[0, [ON_FLOOR, ON_ROOM]]

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from stayput.catalogue import phrase
-from stayput.errors import InputError
 from stayput.mechanics.space.columns import CONTACT, FACE, PAIR, PLANE, POINT, POSE, RIM, SOLID
 from stayput.mechanics.space.pairs import MOST_TOUCHING
 from stayput.mechanics.space.touching import RIM_POINTS
@@ -54,10 +52,6 @@ class FloorLaws(NamedTuple):
     def own_friction(self, x: float) -> tuple[float, float]:
         """Return static and kinetic friction of a foot at x from the centre of gravity."""
         return self.back_friction if x < 0.0 else self.front_friction
-
-
-DEEPEST = 1e-6
-"""How deep a body may begin inside another or a plane, by rounding [m]."""
 
 
 def quaternion_of(turn: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -284,37 +278,6 @@ def planes_of(standing: Sequence[Standing], room: np.void) -> NDArray[np.void]:
             begins = 0.0 if name == "ceiling" else min(one.along(normal)[0] for one in standing)
             planes.append((*normal, begins - gap, friction, friction, restitution, 0))
     return np.array(planes, PLANE)
-
-
-def refuse_overlaps(world: tuple[Any, ...], gaps: NDArray[np.float64]) -> None:
-    """Raise `InputError` where a body begins inside the floor, the ceiling or another.
-
-    Parameters
-    ----------
-    world : tuple
-        Bodies and room, from `world_of`.
-    gaps : ndarray, shape (features,)
-        Gaps as the engine notes them: of points and rims from each plane, then of pairs of bodies.
-    """
-    bodies, points, rims, planes, pairs = world[:5]
-    alone = len(planes) * (len(points) + len(rims))
-    for plane, apart in zip(planes, gaps[:alone].reshape(len(planes), -1), strict=True):
-        for number, body in enumerate(bodies):
-            own = slice(body["first_point"], body["first_point"] + body["points"])
-            first_rim = len(points) + body["first_rim"]
-            round_edges = slice(first_rim, first_rim + body["rims"])
-            least = min(apart[own].min(), apart[round_edges].min(initial=np.inf))
-            if least < -DEEPEST:
-                surface = phrase(f"simulation.{surface_of(plane)}")
-                raise InputError(
-                    "simulation.begins_inside", "members", number=number, surface=surface, depth=-least
-                )
-    for pair, apart in zip(pairs, gaps[alone:], strict=True):
-        if apart < -DEEPEST:
-            first, second = sorted((int(pair["a"]), int(pair["b"])))
-            raise InputError(
-                "simulation.begin_in_each_other", "members", first=first, second=second, depth=-apart
-            )
 
 
 def scratch_of(world: tuple[Any, ...]) -> tuple[Any, ...]:
