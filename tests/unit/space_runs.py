@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 import stayput as sp
-from stayput.simulation.space import planes_in
-from stayput.simulation.space_records import matrices, product
+from stayput.simulation.flat_fields import room_row
+from stayput.simulation.space_gaps import Gaps
+from stayput.simulation.space_records import matrices, planes_of, product
 from stayput.simulation.space_run import SpaceRun
 
 DT = 0.01
@@ -24,6 +25,11 @@ def _about(axis: tuple[float, float, float], angle: np.ndarray) -> np.ndarray:
     return np.column_stack((np.cos(angle / 2), sine))
 
 
+def apart(count: int) -> Gaps:
+    """Return gaps of bodies that touch nothing."""
+    return Gaps(np.ones((count, 3)), np.ones((count, count)))
+
+
 def _made(standing: list[sp.Standing], places: list[np.ndarray], attitudes: list[np.ndarray]) -> SpaceRun:
     """Return a run from the ways of the origins of the bodies' frames and their attitudes."""
     attitude = np.stack(attitudes)
@@ -34,7 +40,7 @@ def _made(standing: list[sp.Standing], places: list[np.ndarray], attitudes: list
         standing=tuple(standing),
         room=ROOM,
         motion=SHAKE,
-        planes=planes_in(standing, ROOM),
+        planes=planes_of(standing, room_row(ROOM)),
         time=TIME,
         place=place,
         attitude=attitude,
@@ -44,6 +50,7 @@ def _made(standing: list[sp.Standing], places: list[np.ndarray], attitudes: list
         hits=(),
         hit_numbers=np.zeros((count, 3), np.int64),
         peak_tilt=np.zeros(count),
+        gaps=(apart(count), apart(count)),
         devices=(),
         steps=200,
         unconverged=0,

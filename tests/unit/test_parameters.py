@@ -63,6 +63,8 @@ TABLES: dict[str, tuple[Any, dict[str, Any]]] = {
     "room.left_wall": (sp.Wall, {"gap": 0.1}),
     "room.back_wall": (sp.Wall, {"gap": 0.1}),
     "room.right_wall": (sp.Wall, {"gap": 0.1}),
+    "room.near_side_wall": (sp.Wall, {"gap": 0.1}),
+    "room.far_side_wall": (sp.Wall, {"gap": 0.1}),
     "room.ceiling": (sp.Ceiling, {"height": 2.4}),
     "initial": (sp.State, {}),
     "everyday": (sp.Everyday, {}),

@@ -84,6 +84,62 @@ def test_sweeps_in_space_have_the_bits_of_single_runs() -> None:
             assert float(data.peak_tilt[place]) == pytest.approx(float(one.peak_tilt[0]), rel=1e-12)
 
 
+SIDES = {"near_side_wall": {"gap": 0.01, "restitution": 0.1}, "far_side_wall": {"gap": 0.02}}
+
+
+def test_side_walls_of_scenarios_and_of_the_command_line() -> None:
+    box = {"name": "box", "width": 0.4, "length": 0.4, "height": 0.4, "mass": 5.0}
+    several = AssemblyScenario.parse({"furniture": [box], "room": SIDES})
+    alone = Scenario.parse({**BOOKCASE, "room": SIDES})
+    for scenario in (several, alone):
+        room = scenario.room.room()
+        assert (room.near_side_wall, room.far_side_wall) == (sp.Wall(0.01, 0.1), sp.Wall(0.02))
+    flags = ("--near-side-wall", "0.001", "--far-side-wall", "0.002", "--dimensions", "3")
+    printed = json.loads(run("simulate", "--body", "0.2x1.2x40", "--length", "0.3", *flags, "--json"))
+    # the built-in motion has a component across, and the walls stop it
+    assert {"near_side_wall", "far_side_wall"} <= {hit["on"] for hit in printed["hits"]}
+    found = CliRunner().invoke(app, ["simulate", "--near-side-wall", "0.1"])
+    assert found.exit_code == 2
+    assert "room.near_side_wall" in found.output
+
+
+def test_side_walls_are_refused_in_the_plane() -> None:
+    body, motion = sp.Body(0.4, 1.8, 100.0, length=0.9), sp.sine(2.0, 1.0, 2.0)
+    case = Case(body, sp.Room(), motion)
+    walled = sp.Room(far_side_wall=sp.Wall(0.1))
+    attempts = (
+        lambda: sp.simulate(body, walled, motion),
+        lambda: sp.sweep(case, {"room.near_side_wall.gap": [0.1, 0.2]}),
+        lambda: sp.sweep(case, {"room": [sp.Room(), walled]}),
+        lambda: sp.sweep(case, {"room.far_side_wall": [None, sp.Wall(0.1)]}),
+    )
+    for attempt in attempts:
+        with pytest.raises(sp.InputError, match=r"side_wall is a wall at the side .* must be 3"):
+            attempt()
+
+
+def test_sweeps_over_side_walls() -> None:
+    body, motion = sp.Body(0.4, 1.2, 100.0, length=0.3), sp.near_fault()
+    case = Case(body, sp.Room(far_side_wall=sp.Wall(0.5)), motion, dimensions=3)
+    walls = [sp.Wall(0.0, 0.0, 0.1), sp.Wall(0.02, 0.5, 0.6), None]
+    data = sp.sweep(case, {"room.near_side_wall": walls, "room.far_side_wall.gap": [0.01, 0.3]}, threads=2)
+    assert len(np.unique(data.peak_tilt.values)) == 6
+    for place, wall in enumerate(walls):
+        room = sp.Room(near_side_wall=wall, far_side_wall=sp.Wall(0.3))
+        one = sp.simulate(body, room, motion, dimensions=3)
+        assert int(data.wall_impacts[place, 1]) == int(one.hit_numbers[0, 1])
+        if not one.overturned[0]:
+            assert float(data.peak_tilt[place, 1]) == float(one.peak_tilt[0])
+    with pytest.raises(sp.InputError, match="near side wall that is not there"):
+        sp.sweep(case, {"room.near_side_wall.friction": [0.1]})
+
+
+def test_side_walls_of_a_verdict() -> None:
+    scenario = Scenario.parse({**BOOKCASE, "room": {**SIDES, "back_wall": {"gap": 0.02}}})
+    verdict = sp.verify(scenario, levels=[], threads=2)
+    assert verdict.without.probabilities["hit_wall"].estimate == 1.0
+
+
 def test_what_is_refused() -> None:
     own = {"width": 0.4, "height": 1.8, "mass": 100.0}
     assert "needs its length" in refused({"furniture": own, "dimensions": 3})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -58,9 +59,11 @@ def test_bodies_above_beside_and_on_each_other_begin() -> None:
 
 @pytest.mark.parametrize("heading", [0.0, 0.05, 1.0])
 def test_a_cylinder_at_a_wall_touches_it_with_its_circle(heading: float) -> None:
-    room = sp.Room(left_wall=sp.Wall(0.0), right_wall=sp.Wall(0.0))
+    flush = sp.Wall(0.0)
+    room = sp.Room(left_wall=flush, right_wall=flush, near_side_wall=flush, far_side_wall=flush)
     standing = sp.Standing(DRUM, heading=heading)
-    np.testing.assert_allclose(standing.depth, (-0.2, 0.2), atol=1e-12)
+    for direction in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (math.sqrt(0.5), math.sqrt(0.5), 0.0)):
+        np.testing.assert_allclose(standing.along(direction), (-0.2, 0.2), atol=1e-12)
     run = sp.simulate(standing, room, STILL)
     assert np.abs(run.slide).max() < 1e-12
 

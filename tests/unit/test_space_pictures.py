@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 from PIL import Image
-from space_runs import BOX, DRUM, DT, SHAKE, TIME, falling, spinning
+from space_runs import BOX, DRUM, DT, SHAKE, TIME, apart, falling, spinning
 
 import stayput as sp
 from stayput.report.embedding import script_module
@@ -39,9 +39,11 @@ def unpacked(text: str) -> Any:
 
 
 def part(run: SpaceRun, *, bodies: slice = slice(None), samples: slice = slice(None)) -> SpaceRun:
+    standing = run.standing[bodies]
     return dataclasses.replace(
         run,
-        standing=run.standing[bodies],
+        standing=standing,
+        gaps=(apart(len(standing)), apart(len(standing))),
         time=run.time[samples],
         place=run.place[bodies, samples],
         attitude=run.attitude[bodies, samples],
@@ -92,7 +94,7 @@ def test_the_data_hold_all_that_is_drawn_in_si_units() -> None:
     assert {name: len(unpacked(text)) for name, text in accelerations.items()} == dict.fromkeys("xyz", 201)
     assert data["floor"]["dt_s"] == DT
     assert [plane[:3] for plane in data["planes"]] == [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0]]
-    assert data["planes"][0][3] == pytest.approx(run.standing[0].depth[0] - 0.1)
+    assert data["planes"][0][3] == pytest.approx(run.standing[0].along((1.0, 0.0, 0.0))[0] - 0.1)
     foot = np.array(body["footprint_m"])
     assert np.ptp(foot @ run.standing[0].turn, axis=0) == pytest.approx([0.4, 0.6, 0.0], abs=1e-4)
     vertices = np.array(body["shape"]["vertices_m"])
@@ -214,15 +216,16 @@ def test_the_html_page_is_in_the_language_that_is_wanted() -> None:
 
 def test_what_became_of_the_bodies() -> None:
     assert became(falling(), ["box"])[0] == "The box overturned 1.5 s into the motion."
-    assert became(spinning(), NAMES)[0] == "None of the 3 bodies overturned."
+    assert became(spinning(), NAMES)[0] == "None of the 3 bodies overturned or fell off."
     run, other = falling(), spinning()
     both = dataclasses.replace(
         run,
         standing=(*run.standing, *other.standing),
         place=np.concatenate([run.place, other.place]),
         attitude=np.concatenate([run.attitude, other.attitude]),
+        gaps=(apart(4), apart(4)),
     )
-    assert became(both, ["box", *NAMES])[0] == "1 of 4 bodies overturned: box at 1.5 s."
+    assert became(both, ["box", *NAMES])[0] == "1 of 4 bodies overturned or fell off: box at 1.5 s."
     upright = part(run, samples=slice(101))
     assert became(upright, ["box"])[0] == (
         "The box did not overturn; it tilted by less than 0.1° and slid by up to 10.0 cm."

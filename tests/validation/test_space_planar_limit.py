@@ -35,6 +35,31 @@ def cases(count: int, seed: int):
         )
 
 
+@pytest.mark.parametrize(
+    ("width", "height", "tilt", "rate", "wall"),
+    [
+        (0.8, 1.2, -0.15, 0.0, None),
+        (0.6, 0.6, -0.15, 0.0, None),
+        (0.5, 1.0, 0.01, 1.2, sp.Wall(0.05, 0.4, 0.3)),
+        (0.5, 1.0, 0.01, 1.2, sp.Wall(0.1, 0.4, 0.3)),
+        (0.5, 1.0, 0.01, 1.2, sp.Wall(0.15, 0.4, 0.3)),
+    ],
+)
+def test_an_edge_that_does_not_slip_meets_an_impact_with_its_static_friction(
+    width: float, height: float, tilt: float, rate: float, wall: sp.Wall | None
+) -> None:
+    """Landings and a wall that need more friction than the kinetic 0.2, and less than the static 0.7."""
+    body = sp.Body(width, height, 100.0, length=1.0)
+    room, start = sp.Room(sp.Floor(0.7, 0.2), right_wall=wall), sp.State(tilt=tilt, tilt_rate=rate)
+    still = sp.Motion(dt=0.01, x=np.zeros(81), name="still")
+    flat = sp.simulate(body, room, still, dimensions=2, initial=start)
+    run = sp.simulate(body, room, still, dimensions=3, initial=start, step=1e-4)
+    assert flat.floor_impacts >= 3
+    assert flat.wall_impacts == (0 if wall is None else 1)
+    np.testing.assert_allclose(run.tilt[0], np.abs(flat.tilt), atol=2e-4)
+    np.testing.assert_allclose(run.slide[0, :, 0], flat.slide, atol=5e-5)
+
+
 def test_boxes_in_the_plane() -> None:
     """Free boxes: as many fall, and of those that stand nine in ten agree within 1 %."""
     errors = []

@@ -26,7 +26,7 @@ from stayput.report.space.summary import space_summary
 from stayput.report.summary import device_results, number, piece_name
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.run import simulate
-from stayput.simulation.space_run import ROCKED, SLID
+from stayput.simulation.space_fate import ROCKED, SLID
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

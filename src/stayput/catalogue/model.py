@@ -70,6 +70,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "right_wall": ("the wall in front", "前方の壁"),
     "left_wall": ("the wall behind", "背後の壁"),
     "ceiling": ("the ceiling", "天井"),
+    "side_wall_in_the_plane": (
+        "{name} is a wall at the side of the piece, which the plane does not have; dimensions must be 3.",
+        "{name}は家具の側面の壁で、平面の計算にはありません。dimensionsを3にしてください。",
+    ),
     "most_events": (
         "most_events is {value}; it must be a whole number of at least 2, for the first and the last.",
         "most_eventsが{value}になっています。最初と最後を含めるため2以上の整数にしてください。",

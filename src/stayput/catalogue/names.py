@@ -152,6 +152,7 @@ OUTCOMES: dict[str, tuple[str, str]] = {
     "leaning": ("left leaning", "寄りかかったまま"),
     "overturned": ("overturned", "転倒"),
     "failed": ("could not be followed", "計算できず"),
+    "fell off": ("fell off", "落下"),
 }
 """What became of a body."""
 

@@ -80,6 +80,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "critical": ("critical angle {angle:.1f}°", "限界角 {angle:.1f}°"),
     "wall_reached": ("wall reached at {angle:.1f}°, no slide", "壁に達する角 {angle:.1f}°（移動なし）"),
     "overturned": ("overturned at {time:.2f} s", "{time:.2f} sに転倒"),
+    "fell_off": ("fell off at {time:.2f} s", "{time:.2f} sに落下"),
     # A suite.
     "suite": ("{name} ({count}{kind})", "{name}（{count}{kind}）"),
     "suite_unnamed": ("suite", "地震動群"),

@@ -353,6 +353,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "wall_fixing": ("What devices are fixed to in the wall behind", "背後の壁で器具を留める相手"),
     "ceiling_fixing": ("What poles push against in the ceiling", "天井でポールが押す相手"),
     "front_wall": ("Wall in front", "前方の壁"),
+    "near_side_wall": ("Wall at the near side", "手前側の側壁"),
+    "far_side_wall": ("Wall at the far side", "奥側の側壁"),
     "ceiling": ("Ceiling", "天井"),
     "building": ("Building", "建物"),
     # What a verdict rests on.

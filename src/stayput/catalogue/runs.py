@@ -60,6 +60,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "row_outcome": ("Outcome", "結果"),
     "row_overturned": ("Overturned at", "転倒した時刻"),
+    "row_fell_off": ("Fell off at", "落下した時刻"),
     "row_tilt": ("Peak tilt", "最大傾き"),
     "row_slide": ("Peak slide", "最大移動量"),
     "row_residual": ("Residual slide", "残留移動量"),

@@ -66,6 +66,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "tolerance": ("Tolerance", "許容誤差"),
     "left_wall": ("left wall", "左の壁"),
     "right_wall": ("right wall", "右の壁"),
+    "near_side_wall": ("near side wall", "手前側の側壁"),
+    "far_side_wall": ("far side wall", "奥側の側壁"),
     "ceiling": ("ceiling", "天井"),
     "case_number": ("Case {number} of {count}", "{count}件中のケース{number}"),
     # Axes

@@ -11,10 +11,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The {name} overturned {time:.1f} s into the motion.",
         "{name}は揺れ始めから{time:.1f}秒後に転倒しました。",
     ),
-    "none_fell": ("None of the {count} bodies overturned.", "{count}個の物体はいずれも転倒しませんでした。"),
+    "none_fell": (
+        "None of the {count} bodies overturned or fell off.",
+        "{count}個の物体はいずれも転倒・落下しませんでした。",
+    ),
     "some_fell": (
-        "{fallen} of {count} bodies overturned: {which}.",
-        "{count}個の物体のうち{fallen}個が転倒しました：{which}。",
+        "{fallen} of {count} bodies overturned or fell off: {which}.",
+        "{count}個の物体のうち{fallen}個が転倒または落下しました：{which}。",
     ),
     "fell_at": ("{name} at {time:.1f} s", "{name}（{time:.1f}秒）"),
     "up_to_angle": ("up to {angle:.1f}°", "最大{angle:.1f}°"),

@@ -170,6 +170,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "wall_behind": ("the wall behind ({gap} away)", "背後の壁（すき間{gap}）"),
     "wall_in_front": ("the wall in front ({gap} away)", "前方の壁（すき間{gap}）"),
+    "wall_at_near_side": ("the wall at the near side ({gap} away)", "手前側の側壁（すき間{gap}）"),
+    "wall_at_far_side": ("the wall at the far side ({gap} away)", "奥側の側壁（すき間{gap}）"),
     "ceiling": ("the ceiling, which the piece meets as it tips", "傾くと当たる天井"),
     "may_slide": (
         "a floor on which it may slide (friction {friction:.2g}, depth over height {slender:.2g})",

@@ -102,7 +102,7 @@ def overlaid(
     shaking : dict
         Single keys of the shaking table; None where the flag is not given.
     walls : dict
-        Gap of ``left_wall`` and ``right_wall`` [m]; None where the flag is not given.
+        Gaps of the walls by their names [m]; None where the flag is not given.
     contact : str, optional
         The contact law.
     dimensions : int, optional

@@ -74,6 +74,12 @@ def simulate(
         float | None, typer.Option("--wall", "--left-wall", help="Gap to the wall behind (left) [m].")
     ] = None,
     right_wall: Annotated[float | None, typer.Option(help="Gap to a wall in front (right) [m].")] = None,
+    near_side_wall: Annotated[
+        float | None, typer.Option(help="Gap to a wall at the near side (-y) [m]; for --dimensions 3.")
+    ] = None,
+    far_side_wall: Annotated[
+        float | None, typer.Option(help="Gap to a wall at the far side (+y) [m]; for --dimensions 3.")
+    ] = None,
     contact: Annotated[str | None, typer.Option(metavar="coulomb|paper", help="The contact law.")] = None,
     length: Annotated[
         float | None, typer.Option(help="Length of the piece across the shaking [m]; for --dimensions 3.")
@@ -134,7 +140,12 @@ def simulate(
         },
         floor=floor,
         friction=friction,
-        walls={"left_wall": wall, "right_wall": right_wall},
+        walls={
+            "left_wall": wall,
+            "right_wall": right_wall,
+            "near_side_wall": near_side_wall,
+            "far_side_wall": far_side_wall,
+        },
         contact=contact,
         dimensions=dimensions,
         piece={"length": length, "heading": heading},

@@ -40,6 +40,12 @@ CASE = np.dtype(
         ("roll_inertia", "f8"),  # about the horizontal in the section and the vertical, over m [m²]
         ("yaw_inertia", "f8"),
         ("landing_place", "f8"),
+        ("near_side_distance", "f8"),  # across the section, to −y [m]
+        ("near_side_restitution", "f8"),
+        ("near_side_friction", "f8"),
+        ("far_side_distance", "f8"),  # to +y
+        ("far_side_restitution", "f8"),
+        ("far_side_friction", "f8"),
     ],
     align=True,
 )

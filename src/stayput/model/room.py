@@ -187,6 +187,12 @@ A carpet on which a file cabinet is 40 % easier to tip (Barnett 2020) sinks in b
 """
 
 
+SIDE_WALLS = ("near_side_wall", "far_side_wall")
+"""Walls at either end of the length of a piece, which only space has."""
+
+WALLS_AROUND = ("left_wall", "right_wall", *SIDE_WALLS)
+"""All walls that a room may have."""
+
 WALLS = ("stud", "plasterboard", "concrete", "hanging strip")
 """What a device on a wall may be fixed to: a hanging strip is nailed across the posts."""
 
@@ -269,17 +275,29 @@ class Ceiling:
 class Room:
     """Floor, walls and ceiling around the body.
 
-    A body hits ``right_wall`` when it tilts or slides to +x; its back faces ``left_wall``.
+    A body hits ``right_wall`` when it tilts or slides to +x; its back faces ``left_wall``. Beside it, at
+    either end of its length, are ``near_side_wall`` at −y and ``far_side_wall`` at +y: with x to the right
+    and z up, one looks at it from the near side. Only in space can a room have side walls.
     """
 
     floor: Floor = Floor()
     left_wall: Wall | None = None
     right_wall: Wall | None = None
     ceiling: Ceiling | None = None
+    near_side_wall: Wall | None = None
+    far_side_wall: Wall | None = None
 
     def __post_init__(self) -> None:
         instance_of("floor", self.floor, Floor)
-        for name, kind in (("left_wall", Wall), ("right_wall", Wall), ("ceiling", Ceiling)):
-            surface = getattr(self, name)
-            if surface is not None:
-                instance_of(name, surface, kind)
+        for name in WALLS_AROUND:
+            wall = getattr(self, name)
+            if wall is not None:
+                instance_of(name, wall, Wall)
+        if self.ceiling is not None:
+            instance_of("ceiling", self.ceiling, Ceiling)
+
+    def refuse_side_walls(self) -> None:
+        """Raise `InputError` where it has a side wall, which the plane has not."""
+        for name in SIDE_WALLS:
+            if getattr(self, name) is not None:
+                raise InputError("model.side_wall_in_the_plane", f"room.{name}", name=f"room.{name}")

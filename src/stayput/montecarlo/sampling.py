@@ -17,7 +17,7 @@ from stayput.measures import element_rows, hold
 from stayput.measures.bracket import REACH
 from stayput.mechanics.devices.runner import no_elements
 from stayput.model.body import MOST_INSET
-from stayput.model.room import MOST_SETTLEMENT
+from stayput.model.room import MOST_SETTLEMENT, WALLS_AROUND
 from stayput.model.state import State
 from stayput.simulation.flat_fields import body_fields, case_rows, flat_fields, room_fields
 from stayput.uncertainty import USUAL, Uncertainty
@@ -36,7 +36,6 @@ if TYPE_CHECKING:
     from stayput.scenario import Scenario
     from stayput.simulation.flat_fields import NumberOrColumn
 
-WALL_NAMES = ("left_wall", "right_wall")
 INSETS = ("back_inset", "front_inset")
 
 QUANTITIES = Uncertainty(USUAL)
@@ -193,7 +192,7 @@ def _drawn_inset(body: Body, side: int, share: NumberOrColumn) -> NumberOrColumn
 
 def drawn_place(room: Room, draw: Draw) -> Room:
     """Return the room with the walls at the distances drawn, before measures are put in place."""
-    walls = {name: getattr(room, name) for name in WALL_NAMES}
+    walls = {name: getattr(room, name) for name in WALLS_AROUND}
     return replace(
         room,
         **{
@@ -223,7 +222,7 @@ def _drawn_floor(floor: Floor, draw: Draw) -> Floor:
 
 def drawn_surfaces(room: Room, draw: Draw) -> Room:
     """Return the room with friction, restitution and softness as drawn, after measures were put in place."""
-    walls = {name: getattr(room, name) for name in WALL_NAMES}
+    walls = {name: getattr(room, name) for name in WALLS_AROUND}
     drawn = {
         name: replace(wall, restitution=float(_drawn_rebound(wall.restitution, draw.wall_restitution)))
         for name, wall in walls.items()
@@ -307,7 +306,7 @@ def rows_of(
         numbers["body.base_heights.right"] = body.base_heights[1] - columns["lean"] * (
             body.width - left - right
         )
-        for name in WALL_NAMES:
+        for name in WALLS_AROUND:
             wall = getattr(room, name)
             if wall is not None and wall == getattr(held.room, name):  # a measure's own gap is as it says
                 numbers[f"room.{name}.gap"] = _drawn_gap(wall.gap, columns["wall_gap"])
@@ -331,7 +330,7 @@ def rows_of(
     for name in ("restitution", "landing_place", "settlement"):
         numbers[f"room.floor.{name}"] = columns[name] * numbers[f"room.floor.{name}"]
     numbers["room.floor.settlement"] = np.minimum(numbers["room.floor.settlement"], MOST_SETTLEMENT)
-    for name in WALL_NAMES:
+    for name in WALLS_AROUND:
         if getattr(held.room, name) is not None:
             path = f"room.{name}.restitution"
             numbers[path] = _drawn_rebound(numbers[path], columns["wall_restitution"])

@@ -86,7 +86,9 @@ class Scenario(Table):
 
     @model_validator(mode="after")
     def _possible_in_space(self) -> Self:
-        if self.dimensions == 3:
+        if self.dimensions == 2:
+            self.room.room().refuse_side_walls()
+        else:
             if self.contact != "coulomb":
                 raise InputError("model.paper_in_space", "contact")
             if self.contents_table is not None:

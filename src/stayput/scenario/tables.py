@@ -12,7 +12,7 @@ from stayput.errors import InputError
 from stayput.everyday import CARPET, PRESET_DRAWERS, Everyday
 from stayput.model.body import Body, Part
 from stayput.model.furniture import FURNITURE
-from stayput.model.room import CEILINGS, SURFACES, WALLS, Ceiling, Floor, Room, Wall
+from stayput.model.room import CEILINGS, SURFACES, WALLS, WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.state import State
 from stayput.scenario.fields import (
     NAME,
@@ -166,6 +166,12 @@ class RoomTable(Table):
     left_wall: WallTable | None = Field(default=None, description="The wall at the back.")
     back_wall: WallTable | None = Field(default=None, description="Another name for left_wall.")
     right_wall: WallTable | None = Field(default=None, description="The wall at the front.")
+    near_side_wall: WallTable | None = Field(
+        default=None, description="The wall at the near side, at −y; in space alone."
+    )
+    far_side_wall: WallTable | None = Field(
+        default=None, description="The wall at the far side, at +y; in space alone."
+    )
     ceiling: CeilingTable | None = Field(default=None, description="The ceiling.")
 
     @model_validator(mode="after")
@@ -177,12 +183,11 @@ class RoomTable(Table):
     def room(self) -> Room:
         """Make the room."""
         floor = Floor.of(self.floor) if isinstance(self.floor, str) else self.floor.floor()
-        left = self.left_wall or self.back_wall
+        walls = {name: getattr(self, name) for name in WALLS_AROUND}
+        walls["left_wall"] = self.left_wall or self.back_wall
+        made = {name: Wall(**wall.model_dump()) for name, wall in walls.items() if wall is not None}
         return Room(
-            floor,
-            None if left is None else Wall(**left.model_dump()),
-            None if self.right_wall is None else Wall(**self.right_wall.model_dump()),
-            None if self.ceiling is None else Ceiling(**self.ceiling.model_dump()),
+            floor, ceiling=None if self.ceiling is None else Ceiling(**self.ceiling.model_dump()), **made
         )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -10,7 +11,7 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of, near_miss
 from stayput.model.body import Body
-from stayput.model.room import Ceiling, Floor, Room, Wall
+from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.motion import Motion
 from stayput.simulation.flat_fields import (
     WALLS_AND_CEILING,
@@ -36,9 +37,8 @@ OBJECT_PATHS: dict[str, tuple[type | tuple[type, ...], Callable[[Any], dict[str,
     "body": (Body, body_fields),
     "room": (Room, room_fields),
     "room.floor": (Floor, floor_fields),
-    "room.left_wall": ((Wall, type(None)), lambda wall: surface_fields("left_wall", wall)),
-    "room.right_wall": ((Wall, type(None)), lambda wall: surface_fields("right_wall", wall)),
-    "room.ceiling": ((Ceiling, type(None)), lambda ceiling: surface_fields("ceiling", ceiling)),
+    **{f"room.{name}": ((Wall, type(None)), partial(surface_fields, name)) for name in WALLS_AROUND},
+    "room.ceiling": ((Ceiling, type(None)), partial(surface_fields, "ceiling")),
 }
 """Paths whose values are objects: the types of these, and the function that returns an object's numbers."""
 

@@ -12,7 +12,7 @@ from stayput.mechanics.columns import CASE
 from stayput.model.body import Body
 from stayput.model.inertia import moments_of_furniture
 from stayput.model.parameters import Parameter, parameters
-from stayput.model.room import Ceiling, Floor, Room, Wall
+from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.model.soft_base import landing_factor, rigid_half_base
 from stayput.model.state import State, refuse_bad_start
 from stayput.motion.units import GRAVITY
@@ -31,8 +31,7 @@ PAIRS = {"cg_offset": ("x", "z"), "base_heights": ("left", "right"), "base_inset
 KINDS: dict[str, type] = {
     "body": Body,
     "room.floor": Floor,
-    "room.left_wall": Wall,
-    "room.right_wall": Wall,
+    **{f"room.{wall}": Wall for wall in WALLS_AROUND},
     "room.ceiling": Ceiling,
     "initial": State,
 }
@@ -88,7 +87,7 @@ def floor_fields(floor: Floor) -> dict[str, float]:
 
 
 def surface_fields(name: str, surface: Wall | Ceiling | None) -> dict[str, float]:
-    """Return the numbers of ``left_wall``, ``right_wall`` or ``ceiling``; far away where there is none."""
+    """Return the numbers of a wall or the ceiling by its name in `Room`; far away where there is none."""
     path = f"room.{name}"
     if surface is not None:
         return _numbers(path, surface)
@@ -97,11 +96,12 @@ def surface_fields(name: str, surface: Wall | Ceiling | None) -> dict[str, float
 
 
 def distance_to(name: str) -> str:
-    """Return the path of how far ``left_wall``, ``right_wall`` or ``ceiling`` is, infinite for none."""
+    """Return the path of how far a wall or the ceiling is, infinite for none."""
     return f"room.{name}.{'height' if name == 'ceiling' else 'gap'}"
 
 
-WALLS_AND_CEILING = ("left_wall", "right_wall", "ceiling")
+WALLS_AND_CEILING = (*WALLS_AROUND, "ceiling")
+"""What a room may have beside its floor, by the names in `Room`."""
 
 
 def room_fields(room: Room) -> dict[str, float]:
@@ -120,12 +120,12 @@ def from_flat_fields(numbers: Mapping[str, float]) -> tuple[Body, Room, State]:
     InputError
         Numbers that make no body, room or state, or a body that stands inside a wall or the ceiling.
     """
-    left, right, ceiling = (
-        None if numbers[distance_to(name)] == math.inf else _made(f"room.{name}", numbers)
+    surfaces = {
+        name: None if numbers[distance_to(name)] == math.inf else _made(f"room.{name}", numbers)
         for name in WALLS_AND_CEILING
-    )
+    }
     body, start = _made("body", numbers), _made("initial", numbers)
-    room = Room(_made("room.floor", numbers), left, right, ceiling)
+    room = Room(_made("room.floor", numbers), **surfaces)
     for about in (GRAVITY, SCALE):
         about.check(numbers[about.name])
     refuse_bad_start(body, room, start)
@@ -166,6 +166,7 @@ def flat_fields(body: Body, room: Room, start: State, gravity: float) -> dict[st
 def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.void]:
     """Return ``count`` rows of `CASE` from numbers by path, each one value or ``count`` of them."""
     rows = np.zeros(count, CASE)
+    _fill_in_room(rows, numbers)
     b, h, m = numbers["body.width"], numbers["body.height"], numbers["body.mass"]
     inertia = numbers["body.inertia"]
     rows["inertia"] = np.where(np.isnan(inertia), m * (b**2 + h**2) / 12.0, inertia) / m
@@ -183,25 +184,38 @@ def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.v
         )
     ):
         rows["u"][:, corner], rows["v"][:, corner] = u, v
-    for kind, path in ((Floor, "room.floor"), (State, "initial")):
-        for about in parameters(kind):
-            if about.name in (CASE.names or ()):
-                rows[about.name] = numbers[f"{path}.{about.name}"]
+    for about in parameters(State):
+        rows[about.name] = numbers[f"initial.{about.name}"]
     rows["restitution"] *= landing_factor(
         numbers["room.floor.landing_place"], -foot_left * foot_right, z_g, rows["inertia"]
     )
-    for name in ("static_friction", "kinetic_friction"):
-        edge = numbers[f"room.floor.edge_{name}"]
-        rows[f"edge_{name}"] = np.where(np.isnan(edge), numbers[f"room.floor.{name}"], edge)
-    for name, column in zip(WALLS_AND_CEILING, ("left", "right", "ceiling"), strict=True):
-        rows[f"{column}_distance"] = numbers[distance_to(name)]
-        rows[f"{column}_restitution"] = numbers[f"room.{name}.restitution"]
-        rows[f"{column}_friction"] = numbers[f"room.{name}.friction"]
     length = numbers["body.length"]
     rows["length"], rows["half_base"] = length, rigid_half_base(length / 2, z_g, settlement)
     rows["roll_inertia"], _, rows["yaw_inertia"] = moments_of_furniture(b, length, h, rows["inertia"])
     rows["gravity"], rows["scale"] = numbers["gravity"], numbers["motion.scale"]
     return rows
+
+
+def _fill_in_room(rows: NDArray[np.void], numbers: Mapping[str, NumberOrColumn]) -> None:
+    """Write the columns of rows of `CASE` that a room gives by itself."""
+    for about in parameters(Floor):
+        if about.name in (CASE.names or ()):
+            rows[about.name] = numbers[f"room.floor.{about.name}"]
+    for name in ("static_friction", "kinetic_friction"):
+        edge = numbers[f"room.floor.edge_{name}"]
+        rows[f"edge_{name}"] = np.where(np.isnan(edge), numbers[f"room.floor.{name}"], edge)
+    for name in WALLS_AND_CEILING:
+        column = name.removesuffix("_wall")
+        rows[f"{column}_distance"] = numbers[distance_to(name)]
+        rows[f"{column}_restitution"] = numbers[f"room.{name}.restitution"]
+        rows[f"{column}_friction"] = numbers[f"room.{name}.friction"]
+
+
+def room_row(room: Room) -> np.void:
+    """Return a row of `CASE` of a room without a body."""
+    row = np.zeros(1, CASE)
+    _fill_in_room(row, room_fields(room))
+    return row[0]
 
 
 def case_columns(body: Body, room: Room, start: State, gravity: float) -> NDArray[np.void]:

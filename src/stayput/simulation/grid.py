@@ -131,7 +131,9 @@ class Grid:
                     raise error.at(where) from None
 
     def _refuse_bad_case(self, numbers: dict[str, float]) -> None:
-        from_flat_fields(numbers)
+        _, room, _ = from_flat_fields(numbers)
+        if self.dimensions == 2:
+            room.refuse_side_walls()
         _, elements = held_rows(numbers, 1, self.measures, self.dimensions)
         if self.dimensions == 3:
             if math.isnan(numbers["body.length"]):

@@ -7,7 +7,21 @@ from enum import StrEnum
 
 
 class Outcome(StrEnum):
-    """Outcome of a run."""
+    """Outcome of a run.
+
+    Attributes
+    ----------
+    RESTED, SLID, ROCKED
+        It stands: it did not move, slid at most, or tilted for a while.
+    LEANING
+        It is left tilted against a wall, the ceiling or a body beside it.
+    OVERTURNED
+        It turned over and cannot come back.
+    FAILED
+        The run was given up, which never counts as standing.
+    FELL_OFF
+        It came off the body that it stood on, for the floor or something lower; of several bodies alone.
+    """
 
     RESTED = "rested"
     SLID = "slid"
@@ -15,6 +29,7 @@ class Outcome(StrEnum):
     LEANING = "leaning"
     OVERTURNED = "overturned"
     FAILED = "failed"
+    FELL_OFF = "fell off"
 
 
 class Mode(StrEnum):

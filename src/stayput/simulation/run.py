@@ -196,6 +196,8 @@ class Case:
         GRAVITY.check(self.gravity)
         if self.dimensions is not None:
             whole_within("model.dimensions", self.dimensions, 2, 3, "", "dimensions")
+        if not self.in_space:
+            self.room.refuse_side_walls()
 
     @property
     def in_space(self) -> bool:
@@ -297,7 +299,7 @@ def simulate(
     body : Body, Solid, Standing or Assembly
         What stands.
     room : Room
-        Where it stands. The walls are at either end of x.
+        Where it stands. The walls are at either end of x; in space there may be side walls at the ends of y.
     motion : Motion
         Acceleration of the floor: ``x`` along the shaking, ``z`` up, and in space ``y`` across.
     measures : sequence of Measure

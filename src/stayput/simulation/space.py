@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,16 +10,16 @@ from stayput.errors import InputError, within
 from stayput.measures.measure import element_rows, hold
 from stayput.measures.results import device_results
 from stayput.motion.units import GRAVITY
-from stayput.simulation.flat_fields import case_columns
+from stayput.simulation.flat_fields import case_columns, room_row
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, trace_case
 from stayput.simulation.space_devices import joint_results, joint_springs
 from stayput.simulation.space_engine import STEP, run_world
 from stayput.simulation.space_records import (
     FloorLaws,
-    RoomSurface,
     frames_of,
     planes_of,
     pose_of,
+    surface_of,
     world_of,
 )
 from stayput.simulation.space_run import Hit, SpaceRun
@@ -33,13 +32,11 @@ if TYPE_CHECKING:
     from stayput.measures.measure import Held, Measure
     from stayput.measures.results import DeviceResult
     from stayput.model.body import Body
-    from stayput.model.room import Floor, Room
+    from stayput.model.room import Room
     from stayput.model.state import State
     from stayput.motion import Motion
     from stayput.simulation.space_engine import SpaceTrace
     from stayput.simulation.standing import Assembly, Standing
-
-SURFACES = ("floor", "left_wall", "right_wall", "ceiling")
 
 
 def checked_step(step: float | None) -> float:
@@ -58,8 +55,9 @@ def simulate_assembly(
     if room.floor.settlement:
         raise InputError("simulation.settles", "room.floor.settlement", value=room.floor.settlement)
     standing = assembly.members
-    planes = planes_in(standing, room)
-    laws = [_floor_laws(room.floor)] * len(standing)
+    numbers = room_row(room)
+    planes = planes_of(standing, numbers)
+    laws = [FloorLaws.of(numbers)] * len(standing)
     world = world_of([one.solid for one in standing], laws, planes, assembly.friction)
     poses = np.stack(
         [pose_of(one.solid, one.turn, one.place, one.velocity, one.rotation_rate) for one in standing]
@@ -135,13 +133,13 @@ def _run(
     devices: tuple[DeviceResult, ...],
     held: Held | None = None,
 ) -> SpaceRun:
-    present = [name for name in SURFACES if name == "floor" or getattr(room, name) is not None]
+    surfaces = [surface_of(plane) for plane in planes]
     hits = tuple(
         Hit(
             float(hit["time"]),
             int(hit["a"]),
             None if hit["b"] < 0 else int(hit["b"]),
-            "" if hit["plane"] < 0 else present[int(hit["plane"])],
+            "" if hit["plane"] < 0 else surfaces[int(hit["plane"])],
             float(hit["speed"]),
             float(hit["impulse"]),
         )
@@ -161,30 +159,9 @@ def _run(
         hits,
         trace.hit_numbers[:-1],
         trace.peak_tilt,
+        trace.gaps,
         devices,
         trace.steps,
         trace.unconverged,
         held,
-    )
-
-
-def _floor_laws(floor: Floor) -> FloorLaws:
-    def own(side: str) -> tuple[float, float]:
-        static, kinetic = (getattr(floor, f"{side}_edge_{kind}_friction") for kind in ("static", "kinetic"))
-        return math.nan if static is None else static, math.nan if kinetic is None else kinetic
-
-    return FloorLaws(floor.restitution, floor.landing_place, floor.edge_friction, own("left"), own("right"))
-
-
-def planes_in(standing: Sequence[Standing], room: Room) -> NDArray[np.void]:
-    """Return the room; the gaps of its walls are from what is outermost of all bodies."""
-    back, front = zip(*(one.depth for one in standing), strict=True)
-    floor, above = room.floor, room.ceiling
-    behind, before = (
-        None if wall is None else RoomSurface(reach + wall.gap, wall.friction, wall.restitution)
-        for wall, reach in ((room.left_wall, -min(back)), (room.right_wall, max(front)))
-    )
-    ceiling = None if above is None else RoomSurface(above.height, above.friction, above.restitution)
-    return planes_of(
-        (floor.static_friction, floor.kinetic_friction, floor.normal_restitution), behind, before, ceiling
     )

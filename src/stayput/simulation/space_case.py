@@ -28,17 +28,16 @@ from stayput.model.solid import Solid
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.space_devices import springs_of
 from stayput.simulation.space_engine import STEP, SpaceTrace, run_world
+from stayput.simulation.space_fate import fates_of
 from stayput.simulation.space_kinematics import slides, tilts
 from stayput.simulation.space_records import (
     FloorLaws,
-    RoomSurface,
     frames_of,
     matrices,
     planes_of,
     pose_of,
     world_of,
 )
-from stayput.simulation.space_run import fallen, outcome_of
 from stayput.simulation.standing import Standing
 
 if TYPE_CHECKING:
@@ -54,7 +53,7 @@ NUMBERS = {
     Outcome.OVERTURNED: OVERTURNED_OUTCOME,
     Outcome.FAILED: FAILED_OUTCOME,
 }
-"""Numbers of the outcomes in the mechanics."""
+"""Numbers in the mechanics of what becomes of one body, which can fall off nothing."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -127,23 +126,10 @@ def piece_of(case: np.void, mass: float = 1.0) -> Piece:
     turn, place, _, _ = _pose(resting)
     solid = solid_of(case, mass)
     origin = place - turn @ solid.centre_of_gravity
-    across = origin[0] + solid.vertices @ turn[0]
-    back, front, above = (
-        RoomSurface(
-            reach + float(case[f"{name}_distance"]),
-            float(case[f"{name}_friction"]),
-            float(case[f"{name}_restitution"]),
-        )
-        if math.isfinite(case[f"{name}_distance"])
-        else None
-        for name, reach in (("left", -across.min()), ("right", across.max()), ("ceiling", 0.0))
-    )
-    floor = [float(case[name]) for name in ("static_friction", "kinetic_friction", "normal_restitution")]
-    planes = planes_of((floor[0], floor[1], floor[2]), back, front, above)
     u, v = case["u"], case["v"]
     lean = math.atan2(v[1] - v[0], u[1] - u[0])
     standing = Standing(solid, (float(origin[0]), 0.0, float(origin[2])), tilt=(0.0, lean, 0.0))
-    return Piece(standing, planes)
+    return Piece(standing, planes_of([standing], case))
 
 
 def trace_case(
@@ -171,7 +157,7 @@ def trace_case(
     """
     piece = piece_of(case)
     solid = piece.standing.solid
-    world = world_of([solid], [_floor_laws(case)], piece.planes, (0.0, 0.0))
+    world = world_of([solid], [_laws_of_piece(case)], piece.planes, (0.0, 0.0))
     springs = springs_of(elements, piece.standing.turn, piece.standing.place, solid.principal[1])
     pose = pose_of(solid, *_pose(case))
     shaken = float(case["scale"]) * motion.acceleration
@@ -179,29 +165,27 @@ def trace_case(
     return piece if mass == 1.0 else piece_of(case, mass), trace
 
 
-def _floor_laws(case: np.void) -> FloorLaws:
+def _laws_of_piece(case: np.void) -> FloorLaws:
     """Return the laws of a case's floor; the restitution without the landing place, which has a direction."""
     u, v = case["u"], case["v"]
     landing = landing_factor(case["landing_place"], -u[0] * u[1], -min(v[0], v[1]), case["inertia"])
-    back, front, edge = (
-        (float(case[f"{part}edge_static_friction"]), float(case[f"{part}edge_kinetic_friction"]))
-        for part in ("left_", "right_", "")
-    )
-    return FloorLaws(float(case["restitution"] / landing), float(case["landing_place"]), edge, back, front)
+    laws = FloorLaws.of(case)
+    return laws._replace(restitution=float(laws.restitution / landing))
 
 
 def result_of(piece: Piece, trace: SpaceTrace, time: NDArray[np.float64]) -> NDArray[np.void]:
     """Return what became of a piece: a RESULT. Its slide is a distance in plan, whatever the direction."""
     result = np.zeros((), RESULT)
     one = piece.standing
-    turn, place = matrices(frames_of([one], trace.attitude)[0]), trace.place[0]
+    turns = matrices(frames_of([one], trace.attitude))
+    turn, place = turns[0], trace.place[0]
     tilt = tilts(one.rest, turn)
     slide = np.linalg.norm(slides(one, place, turn), axis=1)
-    fell = np.flatnonzero(fallen(one, place, turn))
-    end = int(fell[0]) if len(fell) else len(time) - 1
-    result["outcome"] = NUMBERS[outcome_of(one, piece.planes, place, turn)]
+    (fate,) = fates_of([one], trace.place, turns, trace.gaps)
+    end = len(time) - 1 if fate.overturned is None else fate.overturned
+    result["outcome"] = NUMBERS[fate.outcome]
     result["end"] = time[end]
-    result["peak_tilt"] = tilt[: end + 1].max() if len(fell) else trace.peak_tilt[0]
+    result["peak_tilt"] = trace.peak_tilt[0] if fate.overturned is None else tilt[: end + 1].max()
     result["peak_slide"] = slide[: end + 1].max()
     result["residual_tilt"], result["residual_slide"] = tilt[end], slide[end]
     result["floor_impacts"], result["wall_impacts"] = trace.hit_numbers[0, [ON_FLOOR, ON_ROOM]]

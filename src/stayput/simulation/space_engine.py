@@ -10,7 +10,8 @@ from stayput.mechanics.devices.columns import DEVICE, FORCES
 from stayput.mechanics.space.columns import HISTORY, HIT, POSE, PULL
 from stayput.mechanics.space.engine import run_in_space
 from stayput.simulation.space_devices import longest_step
-from stayput.simulation.space_records import refuse_overlaps, scratch_of
+from stayput.simulation.space_gaps import Gaps, gaps_of, refuse_overlaps
+from stayput.simulation.space_records import scratch_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -45,6 +46,8 @@ class SpaceTrace(NamedTuple):
         Hits of each body on floor, walls and ceiling, and other bodies; in the last row of all.
     peak_tilt : ndarray, shape (bodies,)
         Largest tilt at any step [rad].
+    gaps : tuple of Gaps
+        At first and at the end.
     steps, unconverged : int
         Steps, and those whose contact forces did not converge.
     """
@@ -59,6 +62,7 @@ class SpaceTrace(NamedTuple):
     hits: NDArray[np.void]
     hit_numbers: NDArray[np.int64]
     peak_tilt: NDArray[np.float64]
+    gaps: tuple[Gaps, Gaps]
     steps: int
     unconverged: int
 
@@ -106,7 +110,8 @@ def run_world(
     times = np.array([dt, longest_step(springs, world[0], step), gravity])
     scratch = scratch_of(world)
     run_in_space(world, held, both, acceleration[:1], times, scratch, output)  # notes gaps, takes no step
-    refuse_overlaps(world, scratch[2][0])
+    first = gaps_of(world, scratch[2][0])
+    refuse_overlaps(world[3], first)
     run_in_space(world, held, both, acceleration, times, scratch, output)
     return SpaceTrace(
         histories[..., 0:3],
@@ -119,6 +124,7 @@ def run_world(
         hits[: min(len(hits), numbers[-1, 0])].copy(),
         numbers,
         2.0 * np.arcsin(np.sqrt(0.5 * peaks)),
+        (first, gaps_of(world, scratch[2][0])),
         int(work[0]),
         int(work[1]),
     )

@@ -1,7 +1,8 @@
-"""How a body in space has moved: tilt, yaw and slide from its poses, and whether it lies."""
+"""How a body in space has moved: tilt, yaw and slide from its poses, and how high its lowest point is."""
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,12 +12,6 @@ if TYPE_CHECKING:
 
     from stayput.model.solid import Solid
     from stayput.simulation.standing import Standing
-
-ON_THE_FLOOR = 1e-4
-"""Height up to which a point lies on the floor [m]."""
-
-TOUCHES = 1e-5
-"""Gap up to which a body touches a wall or the ceiling [m]."""
 
 
 def tilts(rest: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -84,10 +79,10 @@ def slides(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64])
     return at - middle - turned
 
 
-def lies(solid: Solid, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Return whether a body touches the floor with more than its base, shape (samples,).
-
-    More than its base is what is above the lowest tenth of its height.
+def heights(
+    solid: Solid, place: NDArray[np.float64], turn: NDArray[np.float64], above: float = -math.inf
+) -> NDArray[np.float64]:
+    """Return how high the lowest point of a body is [m], shape (samples,).
 
     Parameters
     ----------
@@ -95,28 +90,14 @@ def lies(solid: Solid, place: NDArray[np.float64], turn: NDArray[np.float64]) ->
         The body.
     place, turn : ndarray, shape (samples, 3) and (samples, 3, 3)
         As for `slides`.
+    above : float
+        Only what is above this height in the body's frame counts [m].
     """
-    vertices = solid.vertices
-    above = vertices[vertices[:, 2] > vertices[:, 2].min() + 0.1 * np.ptp(vertices[:, 2])]
-    corners = above - solid.centre_of_gravity
-    heights = np.stack([_along(turn, 2, corner) for corner in corners])
-    return place[:, 2] + heights.min(axis=0) <= ON_THE_FLOOR
-
-
-def touches(
-    solid: Solid, planes: NDArray[np.void], place: NDArray[np.float64], turn: NDArray[np.float64]
-) -> bool:
-    """Return whether a body touches a wall or the ceiling.
-
-    Parameters
-    ----------
-    solid : Solid
-        The body.
-    planes : ndarray of PLANE
-        The room, the floor first.
-    place, turn : ndarray, shape (3,) and (3, 3)
-        Its pose.
-    """
-    corners = place + (solid.vertices - solid.centre_of_gravity) @ turn.T
-    normals = np.stack([planes[axis][1:] for axis in ("nx", "ny", "nz")], 1)
-    return bool(((corners @ normals.T - planes["offset"][1:]) <= TOUCHES).any())
+    corners = np.concatenate([solid.vertices, solid.base])
+    corners = corners[corners[:, 2] > above] - solid.centre_of_gravity
+    lows = [_along(turn, 2, corner) for corner in corners]
+    for x, y, z, *axis, radius in solid.rims[solid.rims[:, 2] > above]:
+        centre = np.array([x, y, z]) - solid.centre_of_gravity
+        reach = radius * np.hypot(_along(turn, 0, np.array(axis)), _along(turn, 1, np.array(axis)))
+        lows.append(_along(turn, 2, centre) - reach)
+    return place[:, 2] + np.min(lows, axis=0)

@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from stayput.catalogue import phrase
-from stayput.errors import InputError
 from stayput.mechanics.space.columns import CONTACT, FACE, PAIR, PLANE, POINT, POSE, RIM, SOLID
 from stayput.mechanics.space.pairs import MOST_TOUCHING
 from stayput.mechanics.space.touching import RIM_POINTS
+from stayput.simulation.flat_fields import WALLS_AND_CEILING
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -38,16 +37,21 @@ class FloorLaws(NamedTuple):
     restitution: float
     landing_place: float
     edge_friction: tuple[float, float]
-    back_friction: tuple[float, float] = (math.nan, math.nan)
-    front_friction: tuple[float, float] = (math.nan, math.nan)
+    back_friction: tuple[float, float]
+    front_friction: tuple[float, float]
+
+    @classmethod
+    def of(cls, room: np.void) -> FloorLaws:
+        """Return those of a row of `CASE`."""
+        edge, back, front = (
+            (float(room[f"{part}edge_static_friction"]), float(room[f"{part}edge_kinetic_friction"]))
+            for part in ("", "left_", "right_")
+        )
+        return cls(float(room["restitution"]), float(room["landing_place"]), edge, back, front)
 
     def own_friction(self, x: float) -> tuple[float, float]:
         """Return static and kinetic friction of a foot at x from the centre of gravity."""
         return self.back_friction if x < 0.0 else self.front_friction
-
-
-DEEPEST = 1e-6
-"""How deep a body may begin inside another or a plane, by rounding [m]."""
 
 
 def quaternion_of(turn: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -231,66 +235,45 @@ def on_rims(solid: Solid) -> NDArray[np.bool_]:
     return found
 
 
-class RoomSurface(NamedTuple):
-    """A wall or the ceiling: where it stands, its friction and its restitution."""
+NORMALS = {
+    "floor": (0.0, 0.0, 1.0),
+    "left_wall": (1.0, 0.0, 0.0),
+    "right_wall": (-1.0, 0.0, 0.0),
+    "near_side_wall": (0.0, 1.0, 0.0),
+    "far_side_wall": (0.0, -1.0, 0.0),
+    "ceiling": (0.0, 0.0, -1.0),
+}
+"""Which way into the room each of its surfaces faces, by the names in `Room`."""
 
-    distance: float
-    friction: float
-    restitution: float
+
+def surface_of(plane: np.void) -> str:
+    """Return which surface of the room a PLANE is, by the name in `Room`."""
+    normal = tuple(float(plane[axis]) for axis in ("nx", "ny", "nz"))
+    return next(name for name, own in NORMALS.items() if own == normal)
 
 
-def planes_of(
-    floor: tuple[float, float, float],
-    back: RoomSurface | None = None,
-    front: RoomSurface | None = None,
-    ceiling: RoomSurface | None = None,
-) -> NDArray[np.void]:
-    """Return a room as the engine reads it: floor, walls at either end of x, and ceiling.
+def planes_of(standing: Sequence[Standing], room: np.void) -> NDArray[np.void]:
+    """Return a room as the engine reads it, the floor first: PLANE.
 
     Parameters
     ----------
-    floor : tuple of float
-        Static and kinetic friction, and normal restitution.
-    back, front, ceiling : RoomSurface, optional
-        At x = −distance, x = distance and z = distance.
+    standing : sequence of Standing
+        What stands in it: the gaps of the walls are from what is outermost of all bodies.
+    room : CASE
+        The room's numbers.
     """
-    planes = [(0.0, 0.0, 1.0, 0.0, *floor, 1)]
-    for normal, surface in (((1.0, 0.0, 0.0), back), ((-1.0, 0.0, 0.0), front), ((0.0, 0.0, -1.0), ceiling)):
-        if surface is not None:
-            friction = surface.friction
-            planes.append((*normal, -surface.distance, friction, friction, surface.restitution, 0))
+    floor = [room[name] for name in ("static_friction", "kinetic_friction", "normal_restitution")]
+    planes = [(*NORMALS["floor"], 0.0, *floor, 1)]
+    for name in WALLS_AND_CEILING:
+        gap, friction, restitution = (
+            float(room[f"{name.removesuffix('_wall')}_{what}"])
+            for what in ("distance", "friction", "restitution")
+        )
+        if math.isfinite(gap):
+            normal = NORMALS[name]
+            begins = 0.0 if name == "ceiling" else min(one.along(normal)[0] for one in standing)
+            planes.append((*normal, begins - gap, friction, friction, restitution, 0))
     return np.array(planes, PLANE)
-
-
-def refuse_overlaps(world: tuple[Any, ...], gaps: NDArray[np.float64]) -> None:
-    """Raise `InputError` where a body begins inside the floor, the ceiling or another.
-
-    Parameters
-    ----------
-    world : tuple
-        Bodies and room, from `world_of`.
-    gaps : ndarray, shape (features,)
-        Gaps as the engine notes them: of points and rims from each plane, then of pairs of bodies.
-    """
-    bodies, points, rims, planes, pairs = world[:5]
-    alone = len(planes) * (len(points) + len(rims))
-    for plane, apart in zip(planes, gaps[:alone].reshape(len(planes), -1), strict=True):
-        for number, body in enumerate(bodies):
-            own = slice(body["first_point"], body["first_point"] + body["points"])
-            first_rim = len(points) + body["first_rim"]
-            round_edges = slice(first_rim, first_rim + body["rims"])
-            least = min(apart[own].min(), apart[round_edges].min(initial=np.inf))
-            if least < -DEEPEST:
-                surface = phrase("simulation.floor" if plane["floor"] else "simulation.ceiling")
-                raise InputError(
-                    "simulation.begins_inside", "members", number=number, surface=surface, depth=-least
-                )
-    for pair, apart in zip(pairs, gaps[alone:], strict=True):
-        if apart < -DEEPEST:
-            first, second = sorted((int(pair["a"]), int(pair["b"])))
-            raise InputError(
-                "simulation.begin_in_each_other", "members", first=first, second=second, depth=-apart
-            )
 
 
 def scratch_of(world: tuple[Any, ...]) -> tuple[Any, ...]:

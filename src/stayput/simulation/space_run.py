@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.simulation.outcome import Outcome
-from stayput.simulation.space_kinematics import lies, slides, tilts, touches, yaws
+from stayput.simulation.space_fate import fates_of
+from stayput.simulation.space_kinematics import slides, tilts, yaws
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
@@ -24,13 +25,9 @@ if TYPE_CHECKING:
     from stayput.measures.results import DeviceResult
     from stayput.model.room import Room
     from stayput.motion import Motion
+    from stayput.simulation.space_fate import Fate
+    from stayput.simulation.space_gaps import Gaps
     from stayput.simulation.standing import Standing
-
-SLID = 1e-6
-"""Way from which on a body has slid [m]."""
-
-ROCKED = 1e-4
-"""Tilt from which on a body has rocked [rad]."""
 
 SEVERITY = (
     Outcome.RESTED,
@@ -38,6 +35,7 @@ SEVERITY = (
     Outcome.ROCKED,
     Outcome.LEANING,
     Outcome.OVERTURNED,
+    Outcome.FELL_OFF,
     Outcome.FAILED,
 )
 """Outcomes, the worst last."""
@@ -56,7 +54,7 @@ class Hit:
     other : int or None
         Which other body; None for the room.
     surface : str
-        What of the room: "floor", "left_wall", "right_wall" or "ceiling"; empty for another body.
+        What of the room: "floor", or as a field of `Room`, such as "left_wall"; empty for another body.
     speed : float
         How fast they closed at the point that closed first in the list of contacts [m/s].
     impulse : float
@@ -101,6 +99,8 @@ class SpaceRun:
         How often each body hit the floor, walls and ceiling, and other bodies.
     peak_tilt : ndarray, shape (bodies,)
         Largest tilt of each body at any step [rad].
+    gaps : tuple of Gaps
+        How far the bodies are from the room and from each other, at first and at the end.
     devices : tuple of DeviceResult
         What became of each device and joint.
     steps : int
@@ -124,6 +124,7 @@ class SpaceRun:
     hits: tuple[Hit, ...]
     hit_numbers: NDArray[np.int64]
     peak_tilt: NDArray[np.float64]
+    gaps: tuple[Gaps, Gaps]
     devices: tuple[DeviceResult, ...]
     steps: int
     unconverged: int
@@ -156,13 +157,12 @@ class SpaceRun:
 
     @property
     def overturn_time(self) -> NDArray[np.float64]:
-        """When each body lay at 90° or on more than its base, shape (bodies,) [s]; else nan."""
-        found = np.full(len(self.standing), math.nan)
-        for number, (one, place, turn) in enumerate(zip(self.standing, self.place, self.turn, strict=True)):
-            fell = np.flatnonzero(fallen(one, place, turn))
-            if len(fell):
-                found[number] = self.time[fell[0]]
-        return found
+        """When each body had turned over, shape (bodies,) [s]; nan where it has not.
+
+        It has where it is tilted by 90°, touches the floor with more than its base, or, from when on it stays
+        tilted by more than 45°, ends touching another body.
+        """
+        return self._times([fate.overturned for fate in self._fates])
 
     @property
     def overturned(self) -> NDArray[np.bool_]:
@@ -170,10 +170,30 @@ class SpaceRun:
         return np.isfinite(self.overturn_time)
 
     @property
+    def fall_time(self) -> NDArray[np.float64]:
+        """When each body fell off what it stood on, shape (bodies,) [s]; nan where it has not.
+
+        It has where it left that for the floor, or ends lower than it stood and touches none of it.
+        """
+        return self._times([fate.fell_off for fate in self._fates])
+
+    @property
+    def fell_off(self) -> NDArray[np.bool_]:
+        """Whether each body fell off what it stood on, shape (bodies,); it may have overturned as well."""
+        return np.isfinite(self.fall_time)
+
+    def _times(self, samples: Sequence[int | None]) -> NDArray[np.float64]:
+        """Return the times of samples [s], nan where there is none."""
+        return np.array([math.nan if sample is None else self.time[sample] for sample in samples])
+
+    @property
+    def _fates(self) -> list[Fate]:
+        return fates_of(self.standing, self.place, self.turn, self.gaps)
+
+    @property
     def outcomes(self) -> tuple[Outcome, ...]:
         """What became of each body."""
-        each = zip(self.standing, self.place, self.turn, strict=True)
-        return tuple(outcome_of(one, self.planes, place, turn) for one, place, turn in each)
+        return tuple(fate.outcome for fate in self._fates)
 
     @property
     def outcome(self) -> Outcome:
@@ -182,9 +202,9 @@ class SpaceRun:
 
     @property
     def peak_slide(self) -> NDArray[np.float64]:
-        """Largest slide of each body up to when it overturned, at a sample, shape (bodies,) [m]."""
+        """Largest slide of each body until it overturned or fell off, at a sample, shape (bodies,) [m]."""
         values = np.hypot(self.slide[..., 0], self.slide[..., 1])
-        ends = np.where(self.overturned, self.overturn_time, math.inf)
+        ends = np.nan_to_num(np.fmin(self.overturn_time, self.fall_time), nan=math.inf)
         return np.where(self.time <= ends[:, np.newaxis], values, 0.0).max(axis=1)
 
     @property
@@ -210,6 +230,7 @@ class SpaceRun:
                 "slide": (("body", "time", "level_axis"), self.slide, {"units": "m"}),
                 "outcome": ("body", [outcome.value for outcome in self.outcomes]),
                 "overturn_time": ("body", self.overturn_time, {"units": "s"}),
+                "fall_time": ("body", self.fall_time, {"units": "s"}),
             },
             {
                 "time": ("time", self.time, about),
@@ -233,34 +254,3 @@ class SpaceRun:
         from stayput.report.space.animation import animate_space_run
 
         return animate_space_run(self, path, names=names, language=language)
-
-
-def fallen(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Return whether a body lies at 90° or on more than its base, shape (samples,)."""
-    return (tilts(one.rest, turn) >= math.pi / 2) | lies(one.solid, place, turn)
-
-
-def outcome_of(
-    one: Standing, planes: NDArray[np.void], place: NDArray[np.float64], turn: NDArray[np.float64]
-) -> Outcome:
-    """Return what became of a body.
-
-    Parameters
-    ----------
-    one : Standing
-        The body as it rests.
-    planes : ndarray of PLANE
-        The room.
-    place, turn : ndarray, shape (samples, 3) and (samples, 3, 3)
-        Its poses.
-    """
-    if not np.isfinite(place).all():
-        return Outcome.FAILED
-    if fallen(one, place, turn).any():
-        return Outcome.OVERTURNED
-    tilt = tilts(one.rest, turn)
-    if tilt[-1] > ROCKED and touches(one.solid, planes, place[-1], turn[-1]):
-        return Outcome.LEANING
-    if tilt.max() > ROCKED:
-        return Outcome.ROCKED
-    return Outcome.SLID if np.abs(slides(one, place, turn)).max() > SLID else Outcome.RESTED

@@ -95,15 +95,14 @@ class Standing:
         """Where its centre of gravity is at first [m], shape (3,)."""
         return np.asarray(self.at) + self.turn @ self.solid.centre_of_gravity
 
-    @property
-    def depth(self) -> tuple[float, float]:
-        """The least and the greatest x of its corners and round edges [m]."""
-        turn = self.turn
-        corners = self.at[0] + self.solid.vertices @ turn[0]
-        centres = self.at[0] + self.solid.rims[:, :3] @ turn[0]
-        axes = self.solid.rims[:, 3:6] @ turn.T
-        reach = self.solid.rims[:, 6] * np.hypot(axes[:, 1], axes[:, 2])
-        ends = np.concatenate([corners, centres - reach, centres + reach])
+    def along(self, direction: tuple[float, float, float]) -> tuple[float, float]:
+        """Return how far its corners and round edges reach along a unit vector, least and most [m]."""
+        own = self.turn.T @ direction
+        place = float(np.dot(self.at, direction))
+        rims = self.solid.rims
+        reach = rims[:, 6] * np.linalg.norm(np.cross(rims[:, 3:6], own), axis=1)
+        centres = rims[:, :3] @ own
+        ends = place + np.concatenate([self.solid.vertices @ own, centres - reach, centres + reach])
         return float(ends.min()), float(ends.max())
 
 

@@ -89,7 +89,7 @@ def sweep(
             attributes["units"] = column.unit
         if column.name == "outcome":
             attributes |= {"flag_values": np.arange(len(OUTCOMES), dtype=np.int8)}
-            attributes |= {"flag_meanings": " ".join(OUTCOMES)}
+            attributes |= {"flag_meanings": " ".join(outcome.replace(" ", "_") for outcome in OUTCOMES)}
         data[column.name] = (dims, columns[column.name].reshape(grid.shape), attributes)
     if times is not None:
         data = data.assign_coords(time=("time", times, {"units": "s"}))

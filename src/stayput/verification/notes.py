@@ -127,7 +127,12 @@ def _left_out(verdict: Verdict) -> Iterator[Phrase]:
     """Yield what the formula leaves out of this piece where it stands."""
     scenario = verdict.scenario
     body, room = scenario.furniture.body(), scenario.room.room()
-    walls = ((room.left_wall, "verification.wall_behind"), (room.right_wall, "verification.wall_in_front"))
+    walls = (
+        (room.left_wall, "verification.wall_behind"),
+        (room.right_wall, "verification.wall_in_front"),
+        (room.near_side_wall, "verification.wall_at_near_side"),
+        (room.far_side_wall, "verification.wall_at_far_side"),
+    )
     for wall, key in walls:
         if wall is not None and wall.gap < body.height:
             yield phrase(key, gap=length(wall.gap))

@@ -172,6 +172,12 @@ def nudge(body, s, move, turn):
 
 
 @inline
+def stop(s):
+    """Bring a body to rest."""
+    s.vx = s.vy = s.vz = s.lx = s.ly = s.lz = s.wx = s.wy = s.wz = 0.0
+
+
+@inline
 def copy_pose(source, target):
     """Copy a pose."""
     target.x, target.y, target.z = source.x, source.y, source.z

@@ -7,7 +7,7 @@ from stayput.mechanics.space.body import (
     bend,
     place_of,
 )
-from stayput.mechanics.space.impact import mark_what_hits
+from stayput.mechanics.space.impact import hits_square, mark_what_hits
 from stayput.mechanics.space.pairs import MOST_TOUCHING, place_corners, touch
 from stayput.mechanics.space.solve import IMPACT, ask_for_bend, prepare
 from stayput.mechanics.space.touching import (
@@ -38,6 +38,9 @@ CLOSED_BETWEEN = 1e-6
 REACH = 1.0
 """By how much this gap grows with the square of the step [m/s²]: what a path bends less than foreseen."""
 
+OPEN = 2.0
+"""In place of whether a contact stuck in the step before: it was open."""
+
 ENTERS = 2e-7
 """How far a body may enter a plane in a step [m]."""
 
@@ -53,7 +56,8 @@ def keep(contacts, count, kept, marks):
     """
     mark_what_hits(contacts, count, marks, IMPACT)
     for k in range(kept.shape[0]):
-        kept[k, 0] = kept[k, 1] = kept[k, 2] = kept[k, 3] = 0.0
+        kept[k, 0] = kept[k, 1] = kept[k, 2] = 0.0
+        kept[k, 3] = OPEN
     for k in range(count):
         c = contacts[k]
         part = 0.0 if marks[c.a] else 1.0
@@ -67,8 +71,10 @@ def _close(contacts, count, key, kept, ratio, surface, bodies, poses):
     c = contacts[count]
     c.key = key
     c.mu_static, c.mu_kinetic = surface.mu_static, surface.mu_kinetic
-    c.stuck = 1 if kept[key, 3] != 0.0 else 0
+    c.stuck = 1 if kept[key, 3] == 1.0 else 0
     prepare(c, bodies, poses, surface.restitution)
+    if kept[key, 3] == OPEN and hits_square(c, poses):
+        c.stuck, c.mu = 1, c.mu_static
     c.pn, c.ps, c.pt = ratio * kept[key, 0], ratio * kept[key, 1], ratio * kept[key, 2]
     return count + 1
 

@@ -24,6 +24,7 @@ from stayput.mechanics.space.body import (
     place_of,
     sag,
     set_attitude,
+    stop,
 )
 from stayput.mechanics.space.closing import (
     CLOSED,
@@ -137,11 +138,6 @@ def _speed(body, s):
     )
 
 
-@inline
-def _stop(s):
-    s.vx = s.vy = s.vz = s.lx = s.ly = s.lz = s.wx = s.wy = s.wz = 0.0
-
-
 @inner
 def _step(world, held, before, after, push, h, scratch, ratio, work):
     """Step from ``before`` to ``after``; return the number of contacts.
@@ -184,7 +180,7 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
         if _speed(bodies[b], s) <= RESTS * h:
             if not _moves(before[b]):
                 copy_pose(before[b], s)
-            _stop(s)
+            stop(s)
         else:
             drift(bodies[b], s, 0.5 * h)
     return count

@@ -4,17 +4,17 @@ As in the plane (`stayput.mechanics.impact`): where Newton's restitution with fr
 are those of a plastic impact, times 1 + the least restitution of the contacts that bounce. Where no impulses
 are found for all contacts at once, those of one pair (two bodies, or a body and a plane) follow one another,
 each by itself, the pair first whose contacts close fastest: with restitution, or plastic where that makes
-energy. Each plastic one takes energy.
+energy. Each plastic one takes energy. Where they do not end, a body between planes stops.
 """
 
 from __future__ import annotations
 
 from stayput.compiled import inline, inner
-from stayput.mechanics.space.body import kinetic_energy
+from stayput.mechanics.space.body import kinetic_energy, stop
 from stayput.mechanics.space.contact import normal_of, slip
 from stayput.mechanics.space.solve import IMPACT, apply, apply_one, solve, update, update_surely
 from stayput.mechanics.space.touching import ROOM
-from stayput.mechanics.space.vectors import dot
+from stayput.mechanics.space.vectors import added, dot, norm
 
 MADE = 1e-9
 """Share of the kinetic energy that rounding may make."""
@@ -22,13 +22,16 @@ MADE = 1e-9
 MOST_IN_A_ROW = 200
 """Most impacts of single pairs in a step."""
 
+SQUARE = 1e-3
+"""Slip of a contact that closes, as a share of its closing velocity, up to which it does not slip."""
+
 SWEEPS_OF_PAIR, SURE_AFTER = 50, 40
 """Most sweeps for the impulses of one pair, and after how many each contact is solved surely."""
 
-CLOSING = 1e-7
+CLOSING = 1e-9
 """Velocity beyond that wanted from which on a contact closes [m/s]."""
 
-SETTLED = 1e-9
+SETTLED = 1e-11
 """Change of a velocity in a sweep at which the impulses of one pair are accepted [m/s]."""
 
 
@@ -47,6 +50,14 @@ def bounces(contacts, count):
         if contacts[k].bounce > 0.0:
             return True
     return False
+
+
+@inline
+def hits_square(c, poses):
+    """Return whether a contact closes in an impact and does not slip before it."""
+    u, n = slip(c, poses), normal_of(c)
+    across = added(u, -c.closing, n)
+    return c.closing < -IMPACT and norm(across) <= SQUARE * -c.closing
 
 
 @inner
@@ -89,10 +100,13 @@ def _beyond(c, poses):
 @inner
 def _meet(contacts, count, pair, bodies, poses, restitution):
     """Find the impulses of the contacts of one pair by themselves, and add them to the sums."""
+    still = SQUARE * -_beyond(pair, poses)
     for k in range(count):
         c = contacts[k]
         if c.a == pair.a and c.b == pair.b and c.plane == pair.plane:
-            closing = dot(normal_of(c), slip(c, poses))
+            u, n = slip(c, poses), normal_of(c)
+            closing = dot(n, u)
+            c.mu = c.mu_static if norm(added(u, -closing, n)) <= still else c.mu_kinetic
             if c.bounce > 0.0:
                 c.target = -restitution * c.bounce * closing if closing < -IMPACT else 0.0
             c.pn = c.ps = c.pt = 0.0
@@ -111,6 +125,19 @@ def _meet(contacts, count, pair, bodies, poses, restitution):
         c = contacts[k]
         if c.a == pair.a and c.b == pair.b and c.plane == pair.plane:
             c.dn, c.ds, c.dt = c.dn + c.pn, c.ds + c.ps, c.dt + c.pt
+
+
+@inner
+def _stop_jammed(contacts, count, poses):
+    """Stop bodies that still close on the room, which are jammed; return whether nothing closes then."""
+    for k in range(count):
+        c = contacts[k]
+        if c.b == ROOM and _beyond(c, poses) < -CLOSING:
+            stop(poses[c.a])
+    for k in range(count):
+        if _beyond(contacts[k], poses) < -CLOSING:
+            return False
+    return True
 
 
 @inner
@@ -135,7 +162,7 @@ def _one_after_the_other(contacts, count, bodies, poses, restitution):
     for k in range(count):
         c = contacts[k]
         c.pn, c.ps, c.pt = c.dn, c.ds, c.dt
-    return ended
+    return ended or _stop_jammed(contacts, count, poses)
 
 
 @inner

@@ -13,7 +13,8 @@ back. A body on more than three points has no unique impulses; its motion is uni
 taken as found with it.
 
 A contact sticks by its static coefficient as long as it did before the step; where it slips in the solution
-its kinetic one takes over and all is solved again.
+its kinetic one takes over and all is solved again. In an impact (as in the plane) the coefficient is that of
+before: static where the contact did not slip, also of one that closes then, and kinetic where it did.
 """
 
 from __future__ import annotations
@@ -221,12 +222,28 @@ def slip_rate(c, poses):
 
 
 @inner
+def _in_impact(contacts, count, c):
+    """Return whether a body of a contact is hit in this step."""
+    for k in range(count):
+        other = contacts[k]
+        same = other.a == c.a or other.a == c.b or other.b == c.a or (c.b != ROOM and other.b == c.b)
+        if same and other.closing < -IMPACT:
+            return True
+    return False
+
+
+@inner
 def _let_slip(contacts, count, poses, h):
-    """Give contacts that slip by their static coefficient their kinetic one; return whether any did."""
+    """Give contacts that slip by their static coefficient their kinetic one; return whether any did.
+
+    In an impact a contact that did not slip before keeps its static one.
+    """
     found = False
     for k in range(count):
         c = contacts[k]
         if c.mu > c.mu_kinetic and c.pn > 0.0 and slip_rate(c, poses) > STICKS * h:
+            if _in_impact(contacts, count, c):
+                continue
             c.mu = c.mu_kinetic
             found = True
     return found

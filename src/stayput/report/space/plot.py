@@ -73,7 +73,7 @@ def plot_space_run(
     turn = figure.add_subplot(grid[2, 0], sharex=acceleration)
     _draw_acceleration(acceleration, run, language)
     _draw_of_bodies(tilt, run, np.degrees(run.tilt), say("space.axis_tilt", language), language)
-    if run.overturned.any():
+    if run.overturned.any() or run.fell_off.any():
         tilt.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
     _draw_of_bodies(turn, run, np.degrees(run.yaw), say("space.axis_yaw", language), language)
     turn.set_xlim(float(run.time[0]), float(run.time[-1]))
@@ -99,24 +99,28 @@ def _draw_acceleration(axis: Axes, run: SpaceRun, language: str) -> None:
 def _draw_of_bodies(
     axis: Axes, run: SpaceRun, values: NDArray[np.float64], label: str, language: str
 ) -> None:
-    """Draw one history for each body, shape (bodies, samples), and when it overturned."""
+    """Draw one history for each body, shape (bodies, samples), and when it overturned and fell off."""
     style(axis)
     for b, history in enumerate(values):
         axis.plot(run.time, history, color=body_colour(b), linewidth=1.6)
-    for b, fallen in enumerate(run.overturn_time.tolist()):
-        if math.isnan(fallen):
-            continue
-        axis.plot(
-            fallen,
-            at_time(fallen, run, values[b]),
-            "X",
-            color=body_colour(b),
-            markersize=8.0,
-            markeredgecolor=INK,
-            markeredgewidth=0.8,
-            zorder=5,
-            label=say("plots.overturned", language, time=fallen),
-        )
+    for times, said, marker in (
+        (run.overturn_time, "plots.overturned", "X"),
+        (run.fall_time, "plots.fell_off", "v"),
+    ):
+        for b, time in enumerate(times.tolist()):
+            if math.isnan(time):
+                continue
+            axis.plot(
+                time,
+                at_time(time, run, values[b]),
+                marker,
+                color=body_colour(b),
+                markersize=8.0,
+                markeredgecolor=INK,
+                markeredgewidth=0.8,
+                zorder=5,
+                label=say(said, language, time=time),
+            )
     axis.set_ylabel(label, fontsize=FONT)
     largest = float(np.abs(values).max())
     if largest < _SMALLEST:

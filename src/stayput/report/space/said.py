@@ -42,7 +42,7 @@ def became(run: SpaceRun, names: Sequence[str]) -> Phrase:
     """Return what became of the bodies of a run, in one sentence."""
     if len(names) == 1:
         return _of_one(run, names[0])
-    times = run.overturn_time.tolist()
+    times = np.fmin(run.overturn_time, run.fall_time).tolist()
     fallen = [b for b, time in enumerate(times) if math.isfinite(time)]
     if not fallen:
         return phrase("space.none_fell", count=len(names))

@@ -31,14 +31,16 @@ def space_rows(run: SpaceRun, names: Sequence[str] | None = None) -> list[tuple[
     peak = float(np.linalg.norm(list(motion.components.values()), axis=0).max())
     shaken = say("runs.row_motion_value", name=motion_label(motion), duration=motion.duration, peak=peak)
     rows = [(say("runs.row_motion"), shaken)]
-    times, outcomes, called = run.overturn_time, run.outcomes, names_of(run, names, "en")
+    times, falls, outcomes = run.overturn_time, run.fall_time, run.outcomes
+    called = names_of(run, names, "en")
     tilts, slides, yaws = run.peak_tilt, run.peak_slide, run.yaw
     for b, name in enumerate(called):
         if len(called) > 1:
             rows.append((name, ""))
         values = {
             "outcome": outcomes[b].value,
-            "overturned": "-" if math.isnan(times[b]) else f"{times[b]:.2f} s",
+            "overturned": _seconds(times[b]),
+            "fell_off": _seconds(falls[b]),
             "tilt": f"{math.degrees(tilts[b]):.2f}°",
             "slide": f"{100.0 * slides[b]:.2f} cm",
             "yaw": f"{math.degrees(np.abs(yaws[b]).max()):.1f}°",
@@ -47,6 +49,8 @@ def space_rows(run: SpaceRun, names: Sequence[str] | None = None) -> list[tuple[
         }
         if len(called) > 1:
             values["bodies"] = str(run.hit_numbers[b, 2])
+        else:
+            del values["fell_off"]
         rows += [(say(f"runs.row_{key}"), value) for key, value in values.items()]
     return [*rows, *device_rows(run.devices)]
 
@@ -59,7 +63,8 @@ def space_summary(run: SpaceRun, names: Sequence[str] | None = None) -> dict[str
     run, names
         As for `space_rows`.
     """
-    times, outcomes, called = run.overturn_time, run.outcomes, names_of(run, names, "en")
+    times, falls, outcomes = run.overturn_time, run.fall_time, run.outcomes
+    called = names_of(run, names, "en")
     slides, turns = run.slide, run.yaw
     devices = [device_results(device) for device in run.devices]
     return {
@@ -69,8 +74,10 @@ def space_summary(run: SpaceRun, names: Sequence[str] | None = None) -> dict[str
             {
                 "name": name,
                 "outcome": outcomes[b].value,
-                "overturned": bool(run.overturned[b]),
+                "overturned": math.isfinite(times[b]),
                 "overturn_time_s": number(float(times[b])),
+                "fell_off": math.isfinite(falls[b]),
+                "fall_time_s": number(float(falls[b])),
                 "peak_tilt_rad": number(float(run.peak_tilt[b])),
                 "peak_slide_m": number(float(run.peak_slide[b])),
                 "residual_slide_m": [number(float(way)) for way in slides[b, -1]],
@@ -90,6 +97,10 @@ def space_summary(run: SpaceRun, names: Sequence[str] | None = None) -> dict[str
         "steps": run.steps,
         "unconverged_steps": run.unconverged,
     }
+
+
+def _seconds(time: float) -> str:
+    return "-" if math.isnan(time) else f"{time:.2f} s"
 
 
 def _hit(hit: Hit, names: Sequence[str]) -> dict[str, Any]:

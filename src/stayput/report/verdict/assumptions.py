@@ -96,7 +96,12 @@ def _floor(scenario: Scenario) -> Assumption:
 
 def _walls(scenario: Scenario) -> Iterator[Assumption]:
     room = scenario.room.room()
-    for key, wall in (("wall", room.left_wall), ("front_wall", room.right_wall)):
+    for key, wall in (
+        ("wall", room.left_wall),
+        ("front_wall", room.right_wall),
+        ("near_side_wall", room.near_side_wall),
+        ("far_side_wall", room.far_side_wall),
+    ):
         if wall is not None:
             yield Assumption((_text(key), _text("gap_text", gap=100.0 * wall.gap)), GIVEN)
     if room.left_wall is not None:

@@ -1,0 +1,170 @@
+"""What becomes of bodies in space: which overturn, fall off what they stand on, or are left leaning."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from stayput.simulation.outcome import Outcome
+from stayput.simulation.space_gaps import TOUCHES
+from stayput.simulation.space_kinematics import heights, slides, tilts
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.simulation.space_gaps import Gaps
+    from stayput.simulation.standing import Standing
+
+SLID = 1e-6
+"""Way from which on a body has slid [m]."""
+
+ROCKED = 1e-4
+"""Tilt from which on a body has rocked [rad]."""
+
+LIES = math.pi / 4
+"""Tilt from which on a body lies on what it touches: that pushes it up more than aside [rad]."""
+
+ON_THE_FLOOR = 1e-4
+"""Height up to which a point lies on the floor [m]."""
+
+BASE = 0.1
+"""Share of the height of a body that counts as its base."""
+
+LEFT = 0.01
+"""How far a body has come from where it stood on another when it has left it [m]."""
+
+
+class Fate(NamedTuple):
+    """What became of a body, and the samples at which it overturned and fell off, where it did."""
+
+    outcome: Outcome
+    overturned: int | None
+    fell_off: int | None
+
+
+def fates_of(
+    standing: Sequence[Standing],
+    place: NDArray[np.float64],
+    turn: NDArray[np.float64],
+    gaps: tuple[Gaps, Gaps],
+) -> list[Fate]:
+    """Return what became of bodies.
+
+    Parameters
+    ----------
+    standing : sequence of Standing
+        The bodies as they stood at first.
+    place, turn : ndarray, shape (bodies, samples, 3) and (bodies, samples, 3, 3)
+        Their poses.
+    gaps : tuple of Gaps
+        At first and at the end.
+    """
+    first, last = gaps
+    touching = last.bodies <= TOUCHES
+    bears = _bears(standing, first)
+    found: list[Fate] = []
+    for b, one in enumerate(standing):
+        if not np.isfinite(place[b]).all():
+            found.append(Fate(Outcome.FAILED, None, None))
+            continue
+        tilt = tilts(one.rest, turn[b])
+        overturned = _first(lies_on_floor(one, place[b], turn[b]))
+        if overturned is None and touching[b].any():
+            overturned = _since(tilt > LIES)
+        fell_off = _falls_off(b, standing, place, turn, bears, touching)
+        # what it stands on and what stands on it do not hold it aside
+        beside = touching[b] & ~bears[:, b] & ~bears[b]
+        found.append(
+            Fate(
+                _outcome(
+                    overturned is not None,
+                    fell_off is not None,
+                    tilt,
+                    bool((last.room[b, 1:] <= TOUCHES).any() or beside.any()),
+                    float(np.abs(slides(one, place[b], turn[b])).max()),
+                ),
+                overturned,
+                fell_off,
+            )
+        )
+    return found
+
+
+def _outcome(overturned: bool, fell_off: bool, tilt: NDArray[np.float64], held: bool, way: float) -> Outcome:
+    """Return the worst that became of a body; ``held``: a wall, the ceiling or a body beside touches it."""
+    if fell_off:
+        return Outcome.FELL_OFF
+    if overturned:
+        return Outcome.OVERTURNED
+    if tilt[-1] > ROCKED and held:
+        return Outcome.LEANING
+    if tilt.max() > ROCKED:
+        return Outcome.ROCKED
+    return Outcome.SLID if way > SLID else Outcome.RESTED
+
+
+def lies_on_floor(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return whether a body is tilted by 90°, or touches the floor with more than its base, shape (samples,).
+
+    More than its base is what is above the lowest tenth of its height, and above its feet.
+    """
+    z = one.solid.vertices[:, 2]
+    base = max(z.min() + BASE * np.ptp(z), one.solid.base[:, 2].max())
+    low = heights(one.solid, place, turn, above=float(base))
+    return (tilts(one.rest, turn) >= math.pi / 2) | (low <= ON_THE_FLOOR)
+
+
+def _bears(standing: Sequence[Standing], first: Gaps) -> NDArray[np.bool_]:
+    """Return which body bears which at first, shape (bodies, bodies): those that touch it from below.
+
+    What stands on the floor too is borne by that.
+    """
+    reach = [one.along((0.0, 0.0, 1.0)) for one in standing]
+    low, top = (np.array(ends) for ends in zip(*reach, strict=True))
+    below = top[:, np.newaxis] <= low + ON_THE_FLOOR
+    return (first.bodies <= TOUCHES) & below & (first.room[:, 0] > TOUCHES)
+
+
+def _falls_off(
+    b: int,
+    standing: Sequence[Standing],
+    place: NDArray[np.float64],
+    turn: NDArray[np.float64],
+    bears: NDArray[np.bool_],
+    touching: NDArray[np.bool_],
+) -> int | None:
+    """Return the sample at which a body falls off what bears it, or None.
+
+    It does where it touches the floor, or ends lower than it stood and touches none of what bore it. One that
+    came down together with that, as pieces do that are joined, has not.
+    """
+    under = np.flatnonzero(bears[:, b])
+    if len(under) == 0:
+        return None
+    left = np.ones(place.shape[1], np.bool_)
+    for a in under.tolist():
+        seen = np.einsum("sji,sj->si", turn[a], place[b] - place[a])
+        left &= np.linalg.norm(seen - seen[0], axis=1) > LEFT
+    low = heights(standing[b].solid, place[b], turn[b])
+    down = _first(left & (low <= ON_THE_FLOOR))
+    if down is None and not touching[b, under].any():
+        down = _since(left & (low < low[0] - LEFT))
+    return down
+
+
+def _first(happens: NDArray[np.bool_]) -> int | None:
+    """Return the first sample at which something happens."""
+    found = np.flatnonzero(happens)
+    return int(found[0]) if len(found) else None
+
+
+def _since(happens: NDArray[np.bool_]) -> int | None:
+    """Return the sample from which on something happens until the end."""
+    if not happens[-1]:
+        return None
+    others = np.flatnonzero(~happens)
+    return int(others[-1]) + 1 if len(others) else 0

@@ -1,0 +1,170 @@
+"""What becomes of bodies that stand on, lean on and fall onto others."""
+
+import math
+
+import numpy as np
+import pytest
+
+import stayput as sp
+from stayput.simulation.space_fate import lies_on_floor
+
+BOX = sp.Solid.box
+TALL = BOX(0.3, 0.5, 1.6, 40.0)
+CHEST = BOX(0.5, 0.8, 0.8, 60.0)
+ROUGH = sp.Room(sp.Floor(0.8, 0.7))
+STILL = sp.Motion(dt=0.01, x=np.zeros(301), name="still")
+OVERTURNED, FELL_OFF, LEANING = sp.Outcome.OVERTURNED, sp.Outcome.FELL_OFF, sp.Outcome.LEANING
+STOOD = (sp.Outcome.RESTED, sp.Outcome.SLID, sp.Outcome.ROCKED)
+
+
+def tipped(solid: sp.Solid, at: tuple[float, float, float], rate: float, edge: float) -> sp.Standing:
+    """Return a body that turns about its lower edge at x = edge in its frame [rad/s]."""
+    arm = solid.centre_of_gravity - np.array([edge, 0.0, 0.0])
+    velocity = np.cross([0.0, rate, 0.0], arm)
+    return sp.Standing(solid, at, rotation_rate=(0.0, rate, 0.0), velocity=tuple(velocity.tolist()))
+
+
+def became(
+    *bodies: sp.Standing, room: sp.Room = ROUGH, friction: tuple[float, float] = (0.4, 0.3)
+) -> sp.SpaceRun:
+    run = sp.simulate(sp.Assembly(bodies, friction), room, STILL)
+    assert np.abs(run.velocity[:, -1]).max() < 0.05
+    return run
+
+
+@pytest.mark.parametrize(
+    ("gap", "outcome", "least", "most"),
+    [(0.6, LEANING, 15.0, 30.0), (1.2, OVERTURNED, 45.0, 60.0), (2.0, OVERTURNED, 89.9, 90.1)],
+)
+def test_a_piece_that_falls_against_its_neighbour(
+    gap: float, outcome: sp.Outcome, least: float, most: float
+) -> None:
+    """Up to 45° it leans; beyond it lies on it; farther away it reaches the floor."""
+    neighbour = sp.Standing(BOX(1.0, 1.0, 2.0, 500.0))
+    run = became(tipped(TALL, (-0.65 - gap, 0.0, 0.0), 2.0, 0.15), neighbour)
+    assert run.outcomes[0] is outcome
+    assert run.outcomes[1] in STOOD
+    assert least < math.degrees(run.tilt[0, -1]) < most
+    assert run.overturned.tolist() == [outcome is OVERTURNED, False]
+    if 45.0 < most < 90.0:  # since when it has been tilted by more than 45°
+        after = run.time >= run.overturn_time[0]
+        assert (run.tilt[0, after] > math.pi / 4).all()
+        assert run.tilt[0, ~after][-1] <= math.pi / 4
+
+
+def test_a_box_that_falls_over_on_what_it_stands_on() -> None:
+    vase = sp.Solid.cone(bottom=0.08, top=0.16, height=0.35, mass=1.5)
+    table = sp.Standing(BOX(1.0, 1.0, 0.7, 100.0))
+    run = became(table, tipped(vase, (0.0, 0.0, 0.7), 3.5, 0.04), friction=(0.6, 0.5))
+    assert run.tilt[1, -1] < math.pi / 2  # it lies on its side
+    assert run.outcomes[1] is OVERTURNED
+    assert not run.fell_off.any()
+
+
+def test_an_upper_part_that_falls_behind_the_lower_one() -> None:
+    """It stands upright on the floor again: it did not turn over, and yet it fell off."""
+    upper = sp.Standing(BOX(0.1, 0.3, 0.4, 3.0), (-0.1, 0.0, 0.8), velocity=(-1.2, 0.0, 0.0))
+    run = became(sp.Standing(CHEST), upper, room=sp.Room(left_wall=sp.Wall(0.14)), friction=(0.2, 0.15))
+    assert run.outcomes[1] is FELL_OFF
+    assert run.tilt[1, -1] == pytest.approx(0.0, abs=1e-3)
+    assert run.place[1, -1, 2] == pytest.approx(0.2, abs=1e-4)
+    assert not run.overturned.any()
+    assert 0.3 < run.fall_time[1] < 1.0
+    assert run.outcome is FELL_OFF
+
+
+def test_a_box_that_slides_from_a_table_to_a_stool() -> None:
+    table, stool = BOX(0.6, 0.6, 0.7, 100.0), BOX(0.8, 0.8, 0.4, 100.0)
+    box = sp.Standing(BOX(0.3, 0.3, 0.1, 5.0), (0.1, 0.0, 0.7), velocity=(1.4, 0.0, 0.0))
+    run = became(sp.Standing(table), sp.Standing(stool, (0.71, 0.0, 0.0)), box, friction=(0.2, 0.15))
+    assert run.place[2, -1, 2] == pytest.approx(0.45, abs=1e-3)
+    assert run.outcomes[2] is FELL_OFF
+    assert run.outcomes[0] in STOOD
+    level = became(sp.Standing(table), sp.Standing(table, (0.61, 0.0, 0.0)), box, friction=(0.2, 0.15))
+    assert level.place[2, -1, 0] > 0.35  # it has crossed over, at the same height
+    assert level.outcomes[2] in STOOD
+
+
+@pytest.mark.parametrize("joined", [True, False])
+def test_two_parts_that_come_down_together_or_not(joined: bool) -> None:
+    """A joined upper part overturns with the lower one; a loose one falls off it."""
+    lower = upper = BOX(0.25, 0.9, 0.9, 50.0)
+    rate, ends = 1.6, [(x, y, 0.9) for x in (-0.1, 0.1) for y in (-0.4, 0.4)]
+    lift = np.array([-0.125, 0.0, 1.35])
+    velocity = tuple(np.cross([0.0, rate, 0.0], lift).tolist())
+    bodies = [
+        tipped(lower, (0.0, 0.0, 0.0), rate, 0.125),
+        sp.Standing(upper, (0.0, 0.0, 0.9), velocity=velocity, rotation_rate=(0.0, rate, 0.0)),
+    ]
+    joints = [sp.Joint(1, 0, end) for end in ends] if joined else []
+    run = sp.simulate(sp.Assembly(bodies, joints=joints), ROUGH, STILL)
+    assert run.outcomes == (OVERTURNED, OVERTURNED if joined else FELL_OFF)
+    assert run.overturned.all()
+    assert run.fell_off.tolist() == [False, not joined]
+
+
+def test_books_that_fall_against_each_other() -> None:
+    """A push to all books: the row leans; without books at its end it would lie."""
+    shelf, book, end = BOX(0.3, 1.0, 0.9, 50.0), BOX(0.2, 0.03, 0.25, 0.8), BOX(0.2, 0.2, 0.3, 12.0)
+    rate = 4.0
+    books = [
+        sp.Standing(book, (0.0, 0.05 * n, 0.9), rotation_rate=(-rate, 0.0, 0.0), velocity=(0.0, 0.5, 0.0))
+        for n in range(-6, 0)
+    ]
+    leaning = became(sp.Standing(shelf), *books, sp.Standing(end, (0.0, 0.12, 0.9)), friction=(0.5, 0.4))
+    assert leaning.outcomes[0] in STOOD
+    assert set(leaning.outcomes[1:-1]) == {LEANING}
+    assert leaning.outcomes[-1] in STOOD
+    lying = became(sp.Standing(shelf), *books, friction=(0.5, 0.4))
+    assert OVERTURNED in lying.outcomes
+
+
+def test_pieces_side_by_side_do_not_lean_while_they_stand() -> None:
+    run = became(sp.Standing(TALL), sp.Standing(TALL, (0.0, 0.5, 0.0)), sp.Standing(TALL, (0.3, 0.0, 0.0)))
+    assert run.outcomes == (sp.Outcome.RESTED,) * 3
+
+
+def test_what_flies_has_fallen_off_nothing() -> None:
+    run = became(sp.Standing(TALL), sp.Standing(BOX(0.2, 0.2, 0.2, 5.0), (1.0, 0.0, 0.5)))
+    assert not run.fell_off.any()
+
+
+@pytest.mark.parametrize("turned", [0.0, math.pi / 32])
+def test_a_drum_lies_on_its_circles(turned: float) -> None:
+    """Between the corners of the polygon that stands for its circle, and tilted by a little less than 90°."""
+    drum = sp.Standing(sp.Solid.cylinder(0.4, 0.8, 30.0))
+    tilt = math.pi / 2 - 1e-5
+    c, s = math.cos(turned), math.sin(turned)
+    about_z = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    over = np.array(
+        [[math.cos(tilt), 0.0, math.sin(tilt)], [0.0, 1.0, 0.0], [-math.sin(tilt), 0.0, math.cos(tilt)]]
+    )
+    place = np.array([[0.0, 0.0, 0.2], [0.0, 0.0, 0.21]])
+    assert lies_on_floor(drum, place, np.stack([over @ about_z] * 2)).tolist() == [True, False]
+
+
+def test_a_piece_on_uneven_feet_has_not_overturned() -> None:
+    """One that rests by a tenth of its height and more on the higher foot stands on its base."""
+    low = sp.Body(0.6, 0.6, 40.0, length=0.6, base_heights=(0.0, 0.1))
+    run = sp.simulate(low, sp.Room(), STILL, dimensions=3)
+    assert run.outcome is sp.Outcome.RESTED
+
+
+def test_what_is_told_of_what_fell_off() -> None:
+    from stayput.report.space.said import became as said
+    from stayput.report.space.summary import space_rows, space_summary
+
+    upper = sp.Standing(BOX(0.1, 0.3, 0.4, 3.0), (-0.1, 0.0, 0.8), velocity=(-1.2, 0.0, 0.0))
+    run = became(sp.Standing(CHEST), upper, room=sp.Room(left_wall=sp.Wall(0.14)), friction=(0.2, 0.15))
+    time = float(run.fall_time[1])
+    english, japanese = said(run, ["chest", "upper part"])
+    assert english == f"1 of 2 bodies overturned or fell off: upper part at {time:.1f} s."
+    assert "落下" in japanese
+    assert ("Fell off at", f"{time:.2f} s") in space_rows(run)
+    lower, fallen = space_summary(run)["bodies"]
+    assert (lower["fell_off"], lower["fall_time_s"]) == (False, None)
+    assert (fallen["outcome"], fallen["fell_off"], fallen["overturned"]) == ("fell off", True, False)
+    assert fallen["fall_time_s"] == pytest.approx(time)
+    data = run.to_dataset()
+    assert data.outcome.values.tolist() == [outcome.value for outcome in run.outcomes]
+    assert float(data.fall_time[1]) == time

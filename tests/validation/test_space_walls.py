@@ -1,0 +1,105 @@
+"""Walls on any side: rebounds in closed form, and a room that is turned with the piece and the motion."""
+
+import math
+
+import numpy as np
+import pytest
+
+import stayput as sp
+
+SLIPPERY = sp.Floor(0.0, 0.0)
+SMOOTH = {"restitution": 0.6, "friction": 0.0}
+BOX = sp.Solid.box(0.4, 0.6, 1.2, 80.0)
+STILL = sp.Motion(dt=0.01, x=np.zeros(101), name="still")
+
+
+@pytest.mark.parametrize(("side", "way"), [("near_side_wall", -1.0), ("far_side_wall", 1.0)])
+@pytest.mark.parametrize("restitution", [0.0, 0.3, 1.0])
+def test_a_box_that_slides_into_a_side_wall_returns_with_its_restitution(
+    side: str, way: float, restitution: float
+) -> None:
+    """Newton: at v it meets the wall at gap/v, over all of its face, and leaves with −e v."""
+    speed, gap = 0.5, 0.1
+    room = sp.Room(SLIPPERY, **{side: sp.Wall(gap, restitution, 0.0)})
+    standing = sp.Standing(BOX, at=(0.3, -0.2, 0.0), velocity=(0.0, way * speed, 0.0))
+    run = sp.simulate(standing, room, STILL)
+    apart = np.abs(run.time - gap / speed) > 0.005
+    expected = way * np.where(run.time < gap / speed, speed, -restitution * speed)
+    np.testing.assert_allclose(run.velocity[0, apart, 1], expected[apart], atol=1e-9)
+    assert (way * run.slide[0, :, 1]).max() == pytest.approx(gap, abs=1e-6)
+    assert run.tilt.max() < 1e-7  # the impulses are found to so much
+    first = run.hits[0]
+    assert (first.surface, first.time) == (side, pytest.approx(gap / speed, abs=2e-3))
+    assert first.speed == pytest.approx(speed, abs=1e-9)
+
+
+def test_in_the_corner_of_two_walls_each_returns_its_own_component() -> None:
+    """Both at once, after 0.2 s: the components are independent where nothing rubs."""
+    walls = {"left_wall": sp.Wall(0.1, **SMOOTH), "near_side_wall": sp.Wall(0.06, 0.2, 0.0)}
+    standing = sp.Standing(BOX, velocity=(-0.5, -0.3, 0.0))
+    run = sp.simulate(standing, sp.Room(SLIPPERY, **walls), STILL)
+    np.testing.assert_allclose(run.velocity[0, -1], (0.3, 0.06, 0.0), atol=1e-6)
+    assert {hit.surface for hit in run.hits} == {"left_wall", "near_side_wall"}
+    one_after_the_other = sp.Room(SLIPPERY, **{**walls, "near_side_wall": sp.Wall(0.09, 0.2, 0.0)})
+    run = sp.simulate(standing, one_after_the_other, STILL)
+    np.testing.assert_allclose(run.velocity[0, -1], (0.3, 0.06, 0.0), atol=1e-6)
+
+
+def shaking(dt: float = 0.01) -> tuple[np.ndarray, np.ndarray]:
+    """Two components of a second, of which each makes the boxes below hit a wall."""
+    t = dt * np.arange(101)
+    return 4.0 * np.sin(7.0 * t), 2.5 * np.sin(5.0 * t + 0.4)
+
+
+@pytest.mark.parametrize("both", [False, True])
+def test_a_room_turned_by_a_right_angle_with_the_piece_and_the_motion(both: bool) -> None:
+    """What happens to the back and the front happens to the near and the far side."""
+    along, across = shaking()
+    across = across if both else 0.0 * across
+    back, front = sp.Wall(0.005, 0.4, 0.2), sp.Wall(0.01, 0.2, 0.5)
+    straight = sp.simulate(
+        sp.Standing(BOX), sp.Room(left_wall=back, right_wall=front), sp.Motion(dt=0.01, x=along, y=across)
+    )
+    room = sp.Room(near_side_wall=back, far_side_wall=front)
+    turned = sp.simulate(sp.Standing(BOX, heading=math.pi / 2), room, sp.Motion(dt=0.01, x=-across, y=along))
+    assert straight.hit_numbers[0, 1] > 1
+    assert straight.tilt.max() > 0.01
+    early = straight.time < 0.6
+    np.testing.assert_allclose(turned.tilt[0, early], straight.tilt[0, early], atol=2e-4)
+    back_again = np.stack([turned.place[..., 1], -turned.place[..., 0], turned.place[..., 2]], axis=-1)
+    np.testing.assert_allclose(back_again[0, early], straight.place[0, early], atol=2e-4)
+
+
+def test_a_piece_of_furniture_between_side_walls_is_one_between_the_others_turned() -> None:
+    along, _ = shaking()
+    back, front = sp.Wall(0.005, 0.4, 0.2), sp.Wall(0.01, 0.2, 0.5)
+    deep = sp.Body(0.4, 1.2, 80.0, length=0.6)
+    long = sp.Body(0.6, 1.2, 80.0, length=0.4)
+    ahead = sp.simulate(
+        deep, sp.Room(left_wall=back, right_wall=front), sp.Motion(dt=0.01, x=along), dimensions=3
+    )
+    aside = sp.simulate(
+        long,
+        sp.Room(near_side_wall=back, far_side_wall=front),
+        sp.Motion(dt=0.01, x=0.0 * along, y=along),
+        dimensions=3,
+    )
+    planar = sp.simulate(deep, sp.Room(left_wall=back, right_wall=front), sp.Motion(dt=0.01, x=along))
+    assert isinstance(planar, sp.Run)
+    assert planar.wall_impacts > 1
+    early = ahead.time < 0.6
+    np.testing.assert_allclose(aside.tilt[0, early], ahead.tilt[0, early], atol=2e-4)
+    np.testing.assert_allclose(aside.tilt[0, early], np.abs(planar.tilt[early]), atol=1e-3)
+
+
+def test_side_walls_that_are_not_touched_change_no_bit() -> None:
+    along, _ = shaking()
+    body, motion = sp.Body(0.4, 1.2, 80.0, length=0.6), sp.Motion(dt=0.01, x=along)
+    walls = {"left_wall": sp.Wall(0.005), "ceiling": sp.Ceiling(1.21)}
+    beside = {"near_side_wall": sp.Wall(1e-3), "far_side_wall": sp.Wall(2e-3)}
+    free = sp.simulate(body, sp.Room(**walls), motion, dimensions=3)
+    walled = sp.simulate(body, sp.Room(**walls, **beside), motion, dimensions=3)
+    assert free.tilt.max() > 0.01
+    assert free.hit_numbers[0, 1] > 0
+    for name in ("place", "attitude", "velocity", "rotation_rate", "force"):
+        assert getattr(walled, name).tobytes() == getattr(free, name).tobytes(), name
