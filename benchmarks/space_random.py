@@ -1,10 +1,10 @@
 """Random boxes, hulls, cylinders and stacks in space, thrown and shaken for a moment: what must never happen.
 
 Each case runs for `DURATION`. Counted are numbers that are not finite, cases slower than `SLOW`, steps whose
-impulses did not converge, how deep anything got into the floor, and corners into other bodies, and, on a still
-floor, the energy that was made, relative to the total: kinetic energy and that of G above the floor, at first.
-A case has a seed of its own, and runs in a process that is ended when the case hangs. ``--minutes`` ends the
-run early.
+impulses did not converge, how deep anything got into the floor and corners into other bodies, and, on a
+still floor, the energy that was made, relative to the total: kinetic energy and that of G above the floor,
+at first. A case has a seed of its own, and runs in a process that is ended when the case hangs.
+``--minutes`` ends the run early.
 """
 
 from __future__ import annotations
