@@ -1,9 +1,10 @@
 """Random boxes, hulls, cylinders and stacks in space, thrown and shaken for a moment: what must never happen.
 
 Each case runs for `DURATION`. Counted are numbers that are not finite, cases slower than `SLOW`, steps whose
-impulses did not converge, how deep anything got into the floor, and, on a still floor, the energy that was
-made, relative to the total: kinetic energy and that of G above the floor, at first. A case has a seed of its
-own, and runs in a process that is ended when the case hangs. ``--minutes`` ends the run early.
+impulses did not converge, how deep anything got into the floor and corners into other bodies, and, on a
+still floor, the energy that was made, relative to the total: kinetic energy and that of G above the floor,
+at first. A case has a seed of its own, and runs in a process that is ended when the case hangs.
+``--minutes`` ends the run early.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ class Thrown:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """What a case did: all finite, process time [s], steps, unconverged steps, energy made, depth [m]."""
+    """What a case did: all finite, process time [s], steps, unconverged steps, energy made, depths [m]."""
 
     finite: bool
     seconds: float
@@ -52,6 +53,7 @@ class Found:
     unconverged: int
     made: float
     depth: float
+    between: float
 
 
 def shapes(rng: np.random.Generator, count: int) -> list[sp.Solid]:
@@ -112,6 +114,29 @@ def energies(run: sp.SpaceRun) -> np.ndarray:
     return total
 
 
+def corners_of(run: sp.SpaceRun, body: int) -> np.ndarray:
+    """Return the places of a body's corners, shape (samples, corners, 3)."""
+    solid = run.standing[body].solid
+    return run.place[body, :, np.newaxis] + (solid.vertices - solid.centre_of_gravity) @ run.turn[
+        body
+    ].transpose(0, 2, 1)
+
+
+def depth_between(run: sp.SpaceRun) -> float:
+    """Return how deep any corner of a body was below all faces of another, at samples [m]."""
+    deepest = 0.0
+    for other, one in enumerate(run.standing):
+        middle = one.solid.centre_of_gravity
+        heights = np.array([one.solid.vertices[face].mean(axis=0) - middle for face in one.solid.faces])
+        heights = (heights * one.solid.normals).sum(axis=1)
+        for body in range(len(run.standing)):
+            if body != other:
+                seen = (corners_of(run, body) - run.place[other, :, np.newaxis]) @ run.turn[other]
+                inside = (heights - seen @ one.solid.normals.T).min(axis=2)
+                deepest = max(deepest, float(inside.max()))
+    return deepest
+
+
 def run_one(case: Thrown, step: float = STEP) -> Found:
     """Run a case and look at what came out."""
     began = time.process_time()
@@ -123,12 +148,8 @@ def run_one(case: Thrown, step: float = STEP) -> Found:
     if not case.motion.x.any():
         total = energies(run)
         made = float(np.diff(total).max() / abs(total[0]))
-    depth = 0.0
-    for body, one in enumerate(run.standing):
-        arms = one.solid.vertices - one.solid.centre_of_gravity
-        lowest = run.place[body, :, 2, np.newaxis] + run.turn[body][:, 2] @ arms.T
-        depth = max(depth, -float(lowest.min()))
-    return Found(finite, seconds, run.steps, run.unconverged, made, depth)
+    depth = -min(float(corners_of(run, body)[..., 2].min()) for body in range(len(run.standing)))
+    return Found(finite, seconds, run.steps, run.unconverged, made, depth, depth_between(run))
 
 
 def work(pool: list[sp.Solid], seed: int, pipe: Connection) -> None:
@@ -178,16 +199,19 @@ def main() -> None:
         number += 1
     if worker is not None:
         worker.kill()
-    names = ("seconds", "made", "depth", "unconverged")
-    seconds, made, depth, unconverged = (np.array([getattr(one, name) for one in found]) for name in names)
+    names = ("seconds", "made", "depth", "between", "unconverged")
+    seconds, made, depth, between, unconverged = (
+        np.array([getattr(one, name) for one in found]) for name in names
+    )
     print(f"{len(found)} cases, {refused} more refused as begun, in {seconds.sum():.0f} s of one core")
     print(f"ended after {SLOW:g} s: {len(hung)}, numbers {hung[:20]}")
     print(f"not finite: {sum(not one.finite for one in found)}")
     print(f"slowest: {seconds.max():.2f} s; median {1e3 * np.median(seconds):.2f} ms")
     print(f"cases with unconverged steps: {(unconverged > 0).sum()}, the most {unconverged.max()}")
-    print(
-        f"deepest in the floor: {1e6 * depth.max():.2f} µm; 99.9 %: {1e6 * np.quantile(depth, 0.999):.2f} µm"
-    )
+    for where, deep in (("the floor", depth), ("another body", between)):
+        print(
+            f"deepest in {where}: {1e6 * deep.max():.2f} µm; 99.9 %: {1e6 * np.quantile(deep, 0.999):.2f} µm"
+        )
     print(f"cases on a still floor that made more than {MADE:g} of their energy: {(made > MADE).sum()}")
     print("energy made, quantiles 50, 90, 99, 99.9, 100 %:", np.quantile(made, (0.5, 0.9, 0.99, 0.999, 1.0)))
 

@@ -14,8 +14,13 @@ ROOM = -1
 FLAT = 1e-9
 """Sine of the angle up to which no point of a rim is the lowest: rounding."""
 
-RIM_POINTS = 5
-"""Points of a rim that may touch a plane: where it is lowest, and four around where it lies flat."""
+NEARLY_FLAT = 1e-6
+"""How far one side of a rim that lies flat may be off a plane [m]: a load beside its middle tips it."""
+
+DIAGONAL = math.sqrt(0.5)
+
+RIM_POINTS = 9
+"""Points of a rim that may touch a plane: where it is lowest, and eight around where it lies flat."""
 
 
 @inline
@@ -33,14 +38,14 @@ def lever_of_point(s, point):
 @inline
 def flat_within(rim, closed):
     """Return the sine of the angle up to which all of a rim is within a distance from a plane."""
-    return max(FLAT, 0.5 * closed / rim.radius)
+    return max(FLAT, 0.5 * max(closed, NEARLY_FLAT) / rim.radius)
 
 
 @inline
 def lever_on_rim(s, rim, plane, number, towards, flat):
     """Return a point of a rim from G, and whether it may touch the plane.
 
-    Number 0 is the lowest point of a rim that is tilted; 1 to 4 stand around a rim that lies flat, to an
+    Number 0 is the lowest point of a rim that is tilted; 1 to 8 stand around a rim that lies flat, to an
     angle whose sine is ``flat``, the first in the direction ``towards`` along which the body is pushed, where
     the edge is that of the circle.
     """
@@ -63,13 +68,13 @@ def lever_on_rim(s, rim, plane, number, towards, flat):
         size = norm(along)
     along = along[0] / size, along[1] / size, along[2] / size
     across = cross(axis, along)
-    if number == 1:
-        return added(centre, rim.radius, along), True
-    if number == 2:
-        return added(centre, -rim.radius, along), True
-    if number == 3:
-        return added(centre, rim.radius, across), True
-    return added(centre, -rim.radius, across), True
+    far = rim.radius if number % 2 == 1 else -rim.radius
+    if number <= 2:
+        return added(centre, far, along), True
+    if number <= 4:
+        return added(centre, far, across), True
+    aside = 1.0 if number <= 6 else -1.0
+    return added(added(centre, DIAGONAL * far, along), DIAGONAL * aside * far, across), True
 
 
 @inner
