@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from stayput.measures.measure import element_rows, hold
 from stayput.measures.results import device_results
 from stayput.motion.units import GRAVITY
 from stayput.simulation.flat_fields import case_columns
+from stayput.simulation.placing import bare, placed
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, trace_case
 from stayput.simulation.space_devices import joint_results, joint_springs
 from stayput.simulation.space_engine import STEP, run_world
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
     from stayput.model.room import Floor, Room
     from stayput.model.state import State
     from stayput.motion import Motion
+    from stayput.simulation.placing import Placed
     from stayput.simulation.space_engine import SpaceTrace
     from stayput.simulation.standing import Assembly, Standing
 
@@ -57,25 +59,77 @@ def simulate_assembly(
     """
     if room.floor.settlement:
         raise InputError("simulation.settles", "room.floor.settlement", value=room.floor.settlement)
-    standing = assembly.members
-    planes = planes_in(standing, room)
-    laws = [_floor_laws(room.floor)] * len(standing)
+    shaking = SpaceShaking(acceleration_of(motion), motion.dt)
+    bodies, planes, springs, trace = trace_assembly(
+        assembly, room, shaking, GRAVITY.check(gravity), checked_step(step)
+    )
+    devices: list[DeviceResult] = []
+    first = 0
+    for number, one in enumerate(bodies):
+        own = slice(first, first + len(one.springs))
+        if one.held is not None:
+            found = device_results(
+                one.held, springs[own], trace.devices[own], trace.forces[:, own], mass=1.0, member=number
+            )
+            devices += found
+        first = own.stop
+    between = slice(first, None)
+    devices += joint_results(
+        assembly.joints, springs[between], trace.devices[between], trace.forces[:, between]
+    )
+    standing, held = tuple(one.standing for one in bodies), tuple(one.held for one in bodies)
+    return _run(standing, room, motion, planes, trace, tuple(devices), held)
+
+
+class AssemblyTrace(NamedTuple):
+    """Several bodies as the engine ran them: bodies, room, devices and joints, and what became of them."""
+
+    bodies: tuple[Placed, ...]
+    planes: NDArray[np.void]
+    springs: NDArray[np.void]
+    trace: SpaceTrace
+
+
+def trace_assembly(
+    assembly: Assembly,
+    room: Room,
+    shaking: SpaceShaking,
+    gravity: float,
+    step: float = STEP,
+    strength: float = 1.0,
+) -> AssemblyTrace:
+    """Run the bodies of an assembly with their measures in place.
+
+    Parameters
+    ----------
+    assembly : Assembly
+        The bodies.
+    room : Room
+        Where they stand.
+    shaking : SpaceShaking
+        Of the floor.
+    gravity, step : float
+        g [m/s²], and the longest step [s].
+    strength : float
+        Factor on the strengths of all devices but joints.
+
+    Raises
+    ------
+    InputError
+        Measures that cannot be put in place, or bodies that begin inside each other or the room.
+    """
+    stated = [bare(one) for one in assembly.members]
+    planes = planes_in(stated, room)
+    bodies = placed(assembly.members, room, wall_distances(stated, room), strength)
+    standing = [one.standing for one in bodies]
+    laws = [_laws_under(one, room.floor) for one in bodies]
     world = world_of([one.solid for one in standing], laws, planes, assembly.friction)
     poses = np.stack(
         [pose_of(one.solid, one.turn, one.place, one.velocity, one.rotation_rate) for one in standing]
     )
-    springs = joint_springs(standing, assembly.joints)
-    trace = run_world(
-        world,
-        poses,
-        springs,
-        acceleration_of(motion),
-        motion.dt,
-        checked_step(step),
-        GRAVITY.check(gravity),
-    )
-    joints = joint_results(assembly.joints, springs, trace.devices, trace.forces)
-    return _run(standing, room, motion, planes, trace, joints)
+    springs = np.concatenate([*(one.springs for one in bodies), joint_springs(standing, assembly.joints)])
+    trace = run_world(world, poses, springs, shaking.acceleration, shaking.dt, step, gravity)
+    return AssemblyTrace(bodies, planes, springs, trace)
 
 
 def simulate_piece(
@@ -122,8 +176,8 @@ def run_held(
     shaking = SpaceShaking(acceleration_of(motion), motion.dt)
     piece, trace = trace_case(case, rows, shaking, step, m)
     trace = trace._replace(pressing=m * trace.pressing)
-    devices = device_results(held, rows, trace.devices, trace.forces)
-    return _run((piece.standing,), held.room, motion, piece.planes, trace, devices, held)
+    devices = device_results(held, rows, trace.devices, trace.forces, held.body.mass)
+    return _run((piece.standing,), held.room, motion, piece.planes, trace, devices, (held,))
 
 
 def _run(
@@ -133,7 +187,7 @@ def _run(
     planes: NDArray[np.void],
     trace: SpaceTrace,
     devices: tuple[DeviceResult, ...],
-    held: Held | None = None,
+    held: tuple[Held | None, ...],
 ) -> SpaceRun:
     present = [name for name in SURFACES if name == "floor" or getattr(room, name) is not None]
     hits = tuple(
@@ -176,13 +230,37 @@ def _floor_laws(floor: Floor) -> FloorLaws:
     return FloorLaws(floor.restitution, floor.landing_place, floor.edge_friction, own("left"), own("right"))
 
 
-def planes_in(standing: Sequence[Standing], room: Room) -> NDArray[np.void]:
-    """Return the room; the gaps of its walls are from what is outermost of all bodies."""
+def _laws_under(body: Placed, floor: Floor) -> FloorLaws:
+    """Return the laws of the floor under a body: where a measure changes the friction, its feet have that."""
+    own = floor if body.held is None else body.held.room.floor
+    laws = _floor_laws(own)
+    friction = own.static_friction, own.kinetic_friction
+    if friction == (floor.static_friction, floor.kinetic_friction):
+        return laws
+    return laws._replace(back_friction=friction, front_friction=friction)
+
+
+def wall_distances(standing: Sequence[Standing], room: Room) -> tuple[float, float]:
+    """Return how far the walls at either end of x are from the origin [m], infinite for none.
+
+    Their gaps are from what is outermost of all bodies.
+    """
     back, front = zip(*(one.depth for one in standing), strict=True)
+    behind, before = (
+        math.inf if wall is None else reach + wall.gap
+        for wall, reach in ((room.left_wall, -min(back)), (room.right_wall, max(front)))
+    )
+    return behind, before
+
+
+def planes_in(standing: Sequence[Standing], room: Room) -> NDArray[np.void]:
+    """Return the room; see `wall_distances`."""
     floor, above = room.floor, room.ceiling
     behind, before = (
-        None if wall is None else RoomSurface(reach + wall.gap, wall.friction, wall.restitution)
-        for wall, reach in ((room.left_wall, -min(back)), (room.right_wall, max(front)))
+        None if wall is None else RoomSurface(distance, wall.friction, wall.restitution)
+        for wall, distance in zip(
+            (room.left_wall, room.right_wall), wall_distances(standing, room), strict=True
+        )
     )
     ceiling = None if above is None else RoomSurface(above.height, above.friction, above.restitution)
     return planes_of(

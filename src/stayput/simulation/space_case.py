@@ -71,7 +71,7 @@ def acceleration_of(motion: Motion) -> NDArray[np.float64]:
     return np.stack([given.get(name, np.zeros(len(motion.x))) for name in "xyz"], axis=1)
 
 
-class Piece(NamedTuple):
+class PieceInRoom(NamedTuple):
     """A piece of furniture as it rests, and its room; the middle of its base is at the origin of the room."""
 
     standing: Standing
@@ -119,7 +119,7 @@ def _pose(case: np.void) -> tuple[NDArray[np.float64], ...]:
     return turn, place, np.array([float(case["slide_rate"]), 0.0, 0.0]) - np.cross(spin, foot), spin
 
 
-def piece_of(case: np.void, mass: float = 1.0) -> Piece:
+def piece_of(case: np.void, mass: float = 1.0) -> PieceInRoom:
     """Return the piece of a case as it rests."""
     resting = case.copy()
     for name in ("tilt", "tilt_rate", "slide", "slide_rate"):
@@ -143,12 +143,12 @@ def piece_of(case: np.void, mass: float = 1.0) -> Piece:
     u, v = case["u"], case["v"]
     lean = math.atan2(v[1] - v[0], u[1] - u[0])
     standing = Standing(solid, (float(origin[0]), 0.0, float(origin[2])), tilt=(0.0, lean, 0.0))
-    return Piece(standing, planes)
+    return PieceInRoom(standing, planes)
 
 
 def trace_case(
     case: np.void, elements: NDArray[np.void], motion: SpaceShaking, step: float = STEP, mass: float = 1.0
-) -> tuple[Piece, SpaceTrace]:
+) -> tuple[PieceInRoom, SpaceTrace]:
     """Run a case in space, per unit mass.
 
     Parameters
@@ -190,7 +190,7 @@ def _floor_laws(case: np.void) -> FloorLaws:
     return FloorLaws(float(case["restitution"] / landing), float(case["landing_place"]), edge, back, front)
 
 
-def result_of(piece: Piece, trace: SpaceTrace, time: NDArray[np.float64]) -> NDArray[np.void]:
+def result_of(piece: PieceInRoom, trace: SpaceTrace, time: NDArray[np.float64]) -> NDArray[np.void]:
     """Return what became of a piece: a RESULT. Its slide is a distance in plan, whatever the direction."""
     result = np.zeros((), RESULT)
     one = piece.standing
