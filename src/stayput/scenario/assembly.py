@@ -20,7 +20,10 @@ from stayput.scenario.assembly_options import (
 )
 from stayput.scenario.fields import Table, Text, between, checked
 from stayput.scenario.messages import refusal_of
-from stayput.scenario.pieces import JointTable, StandingTable
+from stayput.scenario.pieces import (
+    JointTable,  # noqa: TC001 - pydantic reads the annotations
+    StandingTable,  # noqa: TC001 - pydantic reads the annotations
+)
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import RoomTable
 from stayput.scenario.toml import read_toml
