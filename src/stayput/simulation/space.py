@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import fields, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -97,6 +98,7 @@ def trace_assembly(
     gravity: float,
     step: float = STEP,
     strength: float = 1.0,
+    friction: float = 1.0,
 ) -> AssemblyTrace:
     """Run the bodies of an assembly with their measures in place.
 
@@ -112,6 +114,8 @@ def trace_assembly(
         g [m/s²], and the longest step [s].
     strength : float
         Factor on the strengths of all devices but joints.
+    friction : float
+        Factor on the friction of what measures put between a piece and the floor.
 
     Raises
     ------
@@ -122,7 +126,7 @@ def trace_assembly(
     planes = planes_in(stated, room)
     bodies = placed(assembly.members, room, wall_distances(stated, room), strength)
     standing = [one.standing for one in bodies]
-    laws = [_laws_under(one, room.floor) for one in bodies]
+    laws = [_laws_under(one, room.floor, friction) for one in bodies]
     world = world_of([one.solid for one in standing], laws, planes, assembly.friction)
     poses = np.stack(
         [pose_of(one.solid, one.turn, one.place, one.velocity, one.rotation_rate) for one in standing]
@@ -230,13 +234,20 @@ def _floor_laws(floor: Floor) -> FloorLaws:
     return FloorLaws(floor.restitution, floor.landing_place, floor.edge_friction, own("left"), own("right"))
 
 
-def _laws_under(body: Placed, floor: Floor) -> FloorLaws:
+def _laws_under(body: Placed, floor: Floor, factor: float) -> FloorLaws:
     """Return the laws of the floor under a body: where a measure changes the friction, its feet have that."""
-    own = floor if body.held is None else body.held.room.floor
-    laws = _floor_laws(own)
-    friction = own.static_friction, own.kinetic_friction
-    if friction == (floor.static_friction, floor.kinetic_friction):
+    if body.held is None:
+        return _floor_laws(floor)
+    own = body.held.room.floor
+    changed = {
+        name: factor * value
+        for name, value in ((field.name, getattr(own, field.name)) for field in fields(own))
+        if name.endswith("friction") and value is not None and value != getattr(floor, name)
+    }
+    laws = _floor_laws(replace(own, **changed))
+    if not {"static_friction", "kinetic_friction"} & changed.keys():
         return laws
+    friction = laws.edge_friction
     return laws._replace(back_friction=friction, front_friction=friction)
 
 

@@ -190,21 +190,36 @@ def _floor_laws(case: np.void) -> FloorLaws:
     return FloorLaws(float(case["restitution"] / landing), float(case["landing_place"]), edge, back, front)
 
 
-def result_of(piece: PieceInRoom, trace: SpaceTrace, time: NDArray[np.float64]) -> NDArray[np.void]:
-    """Return what became of a piece: a RESULT. Its slide is a distance in plan, whatever the direction."""
+def result_of(
+    one: Standing, planes: NDArray[np.void], trace: SpaceTrace, time: NDArray[np.float64], body: int = 0
+) -> NDArray[np.void]:
+    """Return what became of a body: a RESULT. Its slide is a distance in plan, whatever the direction.
+
+    Parameters
+    ----------
+    one : Standing
+        The body as it stood at first.
+    planes : ndarray of PLANE
+        The room.
+    trace : SpaceTrace
+        What the engine returned.
+    time : ndarray, shape (samples,)
+        Time [s].
+    body : int
+        Its number.
+    """
     result = np.zeros((), RESULT)
-    one = piece.standing
-    turn, place = matrices(frames_of([one], trace.attitude)[0]), trace.place[0]
+    turn, place = matrices(frames_of([one], trace.attitude[body : body + 1])[0]), trace.place[body]
     tilt = tilts(one.rest, turn)
     slide = np.linalg.norm(slides(one, place, turn), axis=1)
     fell = np.flatnonzero(fallen(one, place, turn))
     end = int(fell[0]) if len(fell) else len(time) - 1
-    result["outcome"] = NUMBERS[outcome_of(one, piece.planes, place, turn)]
+    result["outcome"] = NUMBERS[outcome_of(one, planes, place, turn)]
     result["end"] = time[end]
-    result["peak_tilt"] = tilt[: end + 1].max() if len(fell) else trace.peak_tilt[0]
+    result["peak_tilt"] = tilt[: end + 1].max() if len(fell) else trace.peak_tilt[body]
     result["peak_slide"] = slide[: end + 1].max()
     result["residual_tilt"], result["residual_slide"] = tilt[end], slide[end]
-    result["floor_impacts"], result["wall_impacts"] = trace.hit_numbers[0, [ON_FLOOR, ON_ROOM]]
+    result["floor_impacts"], result["wall_impacts"] = trace.hit_numbers[body, [ON_FLOOR, ON_ROOM]]
     result["events"], result["steps"] = trace.hit_numbers[-1, 0], trace.steps
     return result
 
@@ -218,6 +233,6 @@ def run_rows_in_space(
     time = motion.dt * np.arange(len(motion.acceleration), dtype=np.float64)
     for n, (case, rows) in enumerate(zip(cases, elements, strict=True)):
         piece, trace = trace_case(case, rows, motion)
-        results[n] = result_of(piece, trace, time)
+        results[n] = result_of(piece.standing, piece.planes, trace, time)
         devices[n, rows["kind"] != NONE] = trace.devices
     return results, devices

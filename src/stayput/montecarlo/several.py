@@ -1,0 +1,280 @@
+"""Monte Carlo runs of several pieces: draws of what is uncertain of each, and what became of them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields, replace
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from stayput.execution import Call, ThreadExecutor
+from stayput.measures.bracket import REACH
+from stayput.measures.results import utilisation
+from stayput.mechanics.columns import FAILED_OUTCOME, RESULT
+from stayput.mechanics.devices.columns import DEVICE, HOLDS
+from stayput.model.room import FRICTION_RANGE
+from stayput.model.solid import Solid
+from stayput.montecarlo.counting import Outcomes
+from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_place, drawn_surfaces
+from stayput.simulation.placing import bare, room_seen
+from stayput.simulation.space import trace_assembly, wall_distances
+from stayput.simulation.space_case import SpaceShaking, acceleration_of, result_of
+from stayput.simulation.standing import Assembly, Piece, Standing
+from stayput.uncertainty import USUAL, Uncertainty
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Collection, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.model.room import Room
+    from stayput.montecarlo.hazard import FloorMotions
+    from stayput.motion import Motion
+
+OWN = ("mass", "gravity_height", "back_inset", "front_inset")
+"""Quantities of `Draw` that each piece has of its own; the others are the room's."""
+
+LIKE = {"between": "friction", "joints": "strength"}
+"""Quantities of several pieces that are drawn like one of `Draw`: friction between them, and joints."""
+
+
+class DrawOfSeveral(NamedTuple):
+    """One draw of what is uncertain of several pieces in a room.
+
+    Parameters
+    ----------
+    pieces : tuple of Draw
+        Of each; what is the room's is the same in all.
+    between : float
+        Factor on the friction between pieces.
+    joints : float
+        Factor on the strengths of the joints.
+    """
+
+    pieces: tuple[Draw, ...]
+    between: float
+    joints: float
+
+    @property
+    def room(self) -> Draw:
+        """What is drawn of the room."""
+        return self.pieces[0]
+
+
+def draws_of_several(
+    bodies: int, motions: int, samples: int, seed: int, start: int = 0, *, as_stated: Collection[str] = ()
+) -> list[list[DrawOfSeveral]]:
+    """Return the draws of every motion.
+
+    Parameters
+    ----------
+    bodies : int
+        Pieces.
+    motions, samples, seed, start, as_stated
+        As for `stayput.montecarlo.sampling.draws`.
+    """
+    own = {f"{name} {body}": USUAL[name] for body in range(1, bodies) for name in OWN}
+    like = {name: USUAL[other] for name, other in LIKE.items()}
+    drawn = Uncertainty({**USUAL, **like, **own}).sample(samples, seed, motions=motions, start=start)
+    for name in drawn:
+        quantity = LIKE.get(name, name.partition(" ")[0])
+        if quantity in as_stated:
+            drawn[name] = np.full((motions, samples), getattr(AS_STATED, quantity))
+
+    def one(motion: int, sample: int) -> DrawOfSeveral:
+        values = {name: float(column[motion, sample]) for name, column in drawn.items()}
+        first = Draw(**{field.name: values[field.name] for field in fields(Draw)})
+        others = (
+            replace(first, **{name: values[f"{name} {body}"] for name in OWN}) for body in range(1, bodies)
+        )
+        return DrawOfSeveral((first, *others), *(values[name] for name in LIKE))
+
+    return [[one(motion, sample) for sample in range(samples)] for motion in range(motions)]
+
+
+def drawn_assembly(assembly: Assembly, draw: DrawOfSeveral) -> Assembly:
+    """Return an assembly as drawn; its products were bought for the pieces as stated."""
+    members = [_drawn_member(one, own) for one, own in zip(assembly.members, draw.pieces, strict=True)]
+    static, kinetic = (min(draw.between * mu, FRICTION_RANGE[1]) for mu in assembly.friction)
+    joints = [
+        replace(joint, strength=draw.joints * joint.strength, shear=draw.joints * joint.shear)
+        for joint in assembly.joints
+    ]
+    return Assembly(members, (static, kinetic), joints)
+
+
+def _drawn_member(member: Standing | Piece, draw: Draw) -> Standing | Piece:
+    """Return a member as drawn. The floor's lean is the room's; feet matter on the floor alone."""
+    if isinstance(member, Standing):
+        return replace(member, solid=_heavier(member.solid, draw.mass))
+    inset = draw if member.at[2] == 0.0 else replace(draw, back_inset=0.0, front_inset=0.0)
+    body = drawn_body(member.body, replace(inset, lean=0.0))
+    measures = [measure.fitted_to(member.body) for measure in member.measures]
+    return Piece(body, member.at, member.heading, measures)
+
+
+def _heavier(solid: Solid, factor: float) -> Solid:
+    """Return a body of another mass, distributed alike."""
+    return Solid(
+        solid.vertices,
+        factor * solid.mass,
+        centre_of_gravity=solid.centre_of_gravity,
+        inertia=factor * solid.inertia,
+        feet=solid.feet,
+        rims=solid.rims,
+    )
+
+
+def drawn_room(assembly: Assembly, room: Room, draw: Draw) -> Room:
+    """Return the room as drawn; where a bracket reaches the wall from a piece as stated, it does as drawn."""
+    distances = wall_distances([bare(one) for one in assembly.members], room)
+    drawn = drawn_place(room, draw)
+    for name in ("left_wall", "right_wall"):
+        wall = getattr(drawn, name)
+        if wall is None:
+            continue
+        stated = getattr(room, name).gap
+        seen = [
+            room_seen(one, replace(room, **{other: None}), distances)
+            for one in assembly.members
+            if isinstance(one, Piece)
+            for other in {"left_wall", "right_wall"} - {name}
+        ]
+        behind = [one.left_wall.gap for one in seen if one.left_wall is not None]
+        most = min((REACH - (gap - stated) for gap in behind if gap <= REACH), default=math.inf)
+        drawn = replace(drawn, **{name: replace(wall, gap=min(wall.gap, most))})
+    return drawn_surfaces(drawn, draw)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RunsOfSeveral(Outcomes):
+    """Outcomes of several pieces with one option, over motions and samples; of all of them together.
+
+    It overturned where any did, and slide and tilt are the largest of all.
+
+    Parameters
+    ----------
+    results : ndarray of RESULT, shape (motions, samples, bodies)
+        What became of each.
+    devices : ndarray of DEVICE, shape (motions, samples, devices)
+        What became of each device and joint, in newtons.
+    used : ndarray, shape (motions, samples, devices)
+        Utilisation of each.
+    """
+
+    results: NDArray[np.void]
+    devices: NDArray[np.void]
+    used: NDArray[np.float64]
+
+    def of_body(self, body: int) -> Outcomes:
+        """Return the outcomes of one of the pieces."""
+        return Outcomes.of(self.results[..., body], self.device_failed)
+
+
+def run_several(
+    assemblies: Sequence[Assembly],
+    room: Room,
+    drawn: Sequence[Sequence[DrawOfSeveral]],
+    floors: FloorMotions,
+    gravity: float,
+    *,
+    threads: int | None = None,
+    progress: Callable[[int], None] | None = None,
+) -> list[RunsOfSeveral]:
+    """Run several options at one level together, so that all threads are busy.
+
+    Parameters
+    ----------
+    assemblies : sequence of Assembly
+        The pieces with each option, as stated.
+    room : Room
+        Where they stand.
+    drawn : sequence of sequence of DrawOfSeveral
+        The draws, by motion and sample.
+    floors : FloorMotions
+        The motions.
+    gravity : float
+        Acceleration of gravity [m/s²].
+    threads : int, optional
+        As many as there are cores by default. The bits do not depend on them.
+    progress : callable, optional
+        Called with the number of runs just done; an exception that it raises stops the work.
+
+    Raises
+    ------
+    InputError
+        Measures that cannot be put in place, as stated or in one of the draws.
+    """
+    shape = len(drawn), len(drawn[0])
+    each = [one for option in range(len(assemblies)) for one in _places(option, *shape)]
+    bodies = len(assemblies[0].members)
+    results = np.zeros((len(assemblies), *shape, bodies), RESULT)
+    found: dict[tuple[int, int, int], tuple[NDArray[np.void], NDArray[np.float64]]] = {}
+
+    def run(place: tuple[int, int, int]) -> None:
+        option, motion, sample = place
+        draw = drawn[motion][sample]
+        shaking = _shaking(floors.motions[motion], float(floors.scales[motion]), draw.room.lean, gravity)
+        results[place], found[place] = run_draw(assemblies[option], room, draw, shaking, gravity)
+
+    with ThreadExecutor(threads) as executor:
+        for _ in executor.as_completed(Call(run, place) for place in each):
+            if progress is not None:
+                progress(1)
+    return [_runs(results[option], found, option) for option in range(len(assemblies))]
+
+
+def _places(option: int, motions: int, samples: int) -> list[tuple[int, int, int]]:
+    return [(option, motion, sample) for motion in range(motions) for sample in range(samples)]
+
+
+def _shaking(motion: Motion, scale: float, lean: float, gravity: float) -> SpaceShaking:
+    """Return the motion of a floor that leans to the front: it is shaken by −g sin(lean) along x as well."""
+    acceleration = scale * acceleration_of(motion)
+    acceleration[:, 0] -= gravity * math.sin(lean)
+    return SpaceShaking(acceleration, motion.dt)
+
+
+def run_draw(
+    assembly: Assembly, room: Room, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
+) -> tuple[NDArray[np.void], tuple[NDArray[np.void], NDArray[np.float64]]]:
+    """Run an assembly under one draw.
+
+    Returns
+    -------
+    tuple
+        RESULT, shape (bodies,); and the devices with their utilisation.
+    """
+    bodies, planes, springs, trace = trace_assembly(
+        drawn_assembly(assembly, draw),
+        drawn_room(assembly, room, draw.room),
+        shaking,
+        gravity,
+        strength=draw.room.strength,
+        friction=draw.room.friction,
+    )
+    time = shaking.dt * np.arange(len(shaking.acceleration), dtype=np.float64)
+    results = np.array(
+        [result_of(one.standing, planes, trace, time, body) for body, one in enumerate(bodies)], RESULT
+    )
+    return results, (trace.devices, utilisation(springs, trace.devices))
+
+
+def _runs(results: NDArray[np.void], found: dict[tuple[int, int, int], Any], option: int) -> RunsOfSeveral:
+    motions, samples, bodies = results.shape
+    each = [found[place] for place in _places(option, motions, samples)]
+    devices = np.array([one for one, _ in each], DEVICE).reshape(motions, samples, -1)
+    used = np.array([one for _, one in each], np.float64).reshape(motions, samples, -1)
+    parts = [Outcomes.of(results[..., body], np.zeros((motions, samples), bool)) for body in range(bodies)]
+    return RunsOfSeveral(
+        overturned=np.any([part.overturned for part in parts], axis=0),
+        missing=(results["outcome"] == FAILED_OUTCOME).any(axis=-1),
+        hit_wall=np.any([part.hit_wall for part in parts], axis=0),
+        device_failed=(devices["failure"] != HOLDS).any(axis=-1),
+        slide=results["peak_slide"].max(axis=-1),
+        tilt=results["peak_tilt"].max(axis=-1),
+        results=results,
+        devices=devices,
+        used=used,
+    )
