@@ -11,14 +11,14 @@ import numpy as np
 from stayput.execution import Call, ThreadExecutor
 from stayput.measures.bracket import REACH
 from stayput.measures.results import utilisation
-from stayput.mechanics.columns import FAILED_OUTCOME, RESULT
+from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import DEVICE, HOLDS
 from stayput.model.room import FRICTION_RANGE
 from stayput.model.solid import Solid
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_place, drawn_surfaces
 from stayput.simulation.placing import bare, room_seen
-from stayput.simulation.space import trace_assembly, wall_distances
+from stayput.simulation.space import run_of_assembly, trace_assembly, wall_distances
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, result_of
 from stayput.simulation.standing import Assembly, Piece, Standing
 from stayput.uncertainty import USUAL, Uncertainty
@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     from stayput.model.room import Room
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.motion import Motion
+    from stayput.simulation.space import AssemblyTrace
+    from stayput.simulation.space_run import SpaceRun
 
 OWN = ("mass", "gravity_height", "back_inset", "front_inset")
 """Quantities of `Draw` that each piece has of its own; the others are the room's."""
@@ -149,9 +151,9 @@ def drawn_room(assembly: Assembly, room: Room, draw: Draw) -> Room:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RunsOfSeveral(Outcomes):
-    """Outcomes of several pieces with one option, over motions and samples; of all of them together.
+    """Outcomes of several pieces with one option, over motions and samples; of those that count together.
 
-    It overturned where any did, and slide and tilt are the largest of all.
+    Any of them overturned, hit a wall; slide and tilt are the largest of theirs.
 
     Parameters
     ----------
@@ -178,6 +180,7 @@ def run_several(
     drawn: Sequence[Sequence[DrawOfSeveral]],
     floors: FloorMotions,
     gravity: float,
+    counted: Sequence[int],
     *,
     threads: int | None = None,
     progress: Callable[[int], None] | None = None,
@@ -196,6 +199,8 @@ def run_several(
         The motions.
     gravity : float
         Acceleration of gravity [m/s²].
+    counted : sequence of int
+        The pieces that count together.
     threads : int, optional
         As many as there are cores by default. The bits do not depend on them.
     progress : callable, optional
@@ -222,7 +227,7 @@ def run_several(
         for _ in executor.as_completed(Call(run, place) for place in each):
             if progress is not None:
                 progress(1)
-    return [_runs(results[option], found, option) for option in range(len(assemblies))]
+    return [_runs(results[option], found, option, counted) for option in range(len(assemblies))]
 
 
 def _places(option: int, motions: int, samples: int) -> list[tuple[int, int, int]]:
@@ -246,14 +251,7 @@ def run_draw(
     tuple
         RESULT, shape (bodies,); and the devices with their utilisation.
     """
-    bodies, planes, springs, trace = trace_assembly(
-        drawn_assembly(assembly, draw),
-        drawn_room(assembly, room, draw.room),
-        shaking,
-        gravity,
-        strength=draw.room.strength,
-        friction=draw.room.friction,
-    )
+    bodies, planes, springs, trace = _traced(assembly, room, draw, shaking, gravity)
     time = shaking.dt * np.arange(len(shaking.acceleration), dtype=np.float64)
     results = np.array(
         [result_of(one.standing, planes, trace, time, body) for body, one in enumerate(bodies)], RESULT
@@ -261,19 +259,50 @@ def run_draw(
     return results, (trace.devices, utilisation(springs, trace.devices))
 
 
-def _runs(results: NDArray[np.void], found: dict[tuple[int, int, int], Any], option: int) -> RunsOfSeveral:
-    motions, samples, bodies = results.shape
+def _traced(
+    assembly: Assembly, room: Room, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
+) -> AssemblyTrace:
+    return trace_assembly(
+        drawn_assembly(assembly, draw),
+        drawn_room(assembly, room, draw.room),
+        shaking,
+        gravity,
+        strength=draw.room.strength,
+        friction=draw.room.friction,
+    )
+
+
+def replay(
+    assembly: Assembly, room: Room, draw: DrawOfSeveral, motion: Motion, scale: float, gravity: float
+) -> SpaceRun:
+    """Run an assembly under one draw again, with its histories.
+
+    Parameters
+    ----------
+    assembly, room, draw, gravity
+        As for `run_several`.
+    motion, scale
+        The floor's motion, and the factor on it.
+    """
+    traced = _traced(assembly, room, draw, _shaking(motion, scale, draw.room.lean, gravity), gravity)
+    return run_of_assembly(traced, assembly.joints, room, motion.scaled(scale))
+
+
+def _runs(
+    results: NDArray[np.void], found: dict[tuple[int, int, int], Any], option: int, counted: Sequence[int]
+) -> RunsOfSeveral:
+    motions, samples, _ = results.shape
     each = [found[place] for place in _places(option, motions, samples)]
     devices = np.array([one for one, _ in each], DEVICE).reshape(motions, samples, -1)
     used = np.array([one for _, one in each], np.float64).reshape(motions, samples, -1)
-    parts = [Outcomes.of(results[..., body], np.zeros((motions, samples), bool)) for body in range(bodies)]
+    own = results[..., list(counted)]
     return RunsOfSeveral(
-        overturned=np.any([part.overturned for part in parts], axis=0),
+        overturned=(own["outcome"] == OVERTURNED_OUTCOME).any(axis=-1),
         missing=(results["outcome"] == FAILED_OUTCOME).any(axis=-1),
-        hit_wall=np.any([part.hit_wall for part in parts], axis=0),
+        hit_wall=np.any(own["wall_impacts"] > 0, axis=-1),
         device_failed=(devices["failure"] != HOLDS).any(axis=-1),
-        slide=results["peak_slide"].max(axis=-1),
-        tilt=results["peak_tilt"].max(axis=-1),
+        slide=own["peak_slide"].max(axis=-1),
+        tilt=own["peak_tilt"].max(axis=-1),
         results=results,
         devices=devices,
         used=used,

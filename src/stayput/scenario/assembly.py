@@ -123,6 +123,12 @@ class AssemblyScenario(Table):
         return self._folder
 
     @property
+    def counted(self) -> tuple[int, ...]:
+        """The pieces of furniture, by whose falls a verification ranks: all pieces where there is none."""
+        furniture = tuple(number for number, piece in enumerate(self.furniture) if piece.is_furniture)
+        return furniture or tuple(range(len(self.furniture)))
+
+    @property
     def stated(self) -> AssemblyOption:
         """The pieces as the file states them: with its joints, and with the measures of its pieces."""
         measures = tuple(in_place(piece.measures) for piece in self.furniture)

@@ -84,7 +84,7 @@ class AssemblyUncertaintyTable(UncertaintyTable):
     """How much of what is not known is tried out; runs of several pieces take long."""
 
     samples: Annotated[int, between(1, 1_000_000)] = Field(
-        default=40, description="Most samples of each option."
+        default=20, description="Most samples of each option."
     )
 
     @model_validator(mode="after")

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.simulation.placing import Placed
     from stayput.simulation.space_engine import SpaceTrace
-    from stayput.simulation.standing import Assembly, Standing
+    from stayput.simulation.standing import Assembly, Joint, Standing
 
 SURFACES = ("floor", "left_wall", "right_wall", "ceiling")
 
@@ -61,25 +61,8 @@ def simulate_assembly(
     if room.floor.settlement:
         raise InputError("simulation.settles", "room.floor.settlement", value=room.floor.settlement)
     shaking = SpaceShaking(acceleration_of(motion), motion.dt)
-    bodies, planes, springs, trace = trace_assembly(
-        assembly, room, shaking, GRAVITY.check(gravity), checked_step(step)
-    )
-    devices: list[DeviceResult] = []
-    first = 0
-    for number, one in enumerate(bodies):
-        own = slice(first, first + len(one.springs))
-        if one.held is not None:
-            found = device_results(
-                one.held, springs[own], trace.devices[own], trace.forces[:, own], mass=1.0, member=number
-            )
-            devices += found
-        first = own.stop
-    between = slice(first, None)
-    devices += joint_results(
-        assembly.joints, springs[between], trace.devices[between], trace.forces[:, between]
-    )
-    standing, held = tuple(one.standing for one in bodies), tuple(one.held for one in bodies)
-    return _run(standing, room, motion, planes, trace, tuple(devices), held)
+    traced = trace_assembly(assembly, room, shaking, GRAVITY.check(gravity), checked_step(step))
+    return run_of_assembly(traced, assembly.joints, room, motion)
 
 
 class AssemblyTrace(NamedTuple):
@@ -134,6 +117,35 @@ def trace_assembly(
     springs = np.concatenate([*(one.springs for one in bodies), joint_springs(standing, assembly.joints)])
     trace = run_world(world, poses, springs, shaking.acceleration, shaking.dt, step, gravity)
     return AssemblyTrace(bodies, planes, springs, trace)
+
+
+def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, motion: Motion) -> SpaceRun:
+    """Return the run of an assembly, with the names of its devices and joints.
+
+    Parameters
+    ----------
+    traced : AssemblyTrace
+        What the engine returned.
+    joints : sequence of Joint
+        The joints.
+    room, motion
+        Where the bodies stood, and how the floor moved.
+    """
+    bodies, planes, springs, trace = traced
+    devices: list[DeviceResult] = []
+    first = 0
+    for number, one in enumerate(bodies):
+        own = slice(first, first + len(one.springs))
+        if one.held is not None:
+            found = device_results(
+                one.held, springs[own], trace.devices[own], trace.forces[:, own], mass=1.0, member=number
+            )
+            devices += found
+        first = own.stop
+    between = slice(first, None)
+    devices += joint_results(joints, springs[between], trace.devices[between], trace.forces[:, between])
+    standing, held = tuple(one.standing for one in bodies), tuple(one.held for one in bodies)
+    return _run(standing, room, motion, planes, trace, tuple(devices), held)
 
 
 def simulate_piece(

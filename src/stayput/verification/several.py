@@ -20,7 +20,7 @@ from stayput.progress import bar
 from stayput.simulation.placing import bare, placed
 from stayput.simulation.space import wall_distances
 from stayput.simulation.space_devices import JOINT
-from stayput.verification.compare import members, severity
+from stayput.verification.ranking import members, severity
 from stayput.verification.several_options import options_of_several
 from stayput.verification.several_verdict import (
     AssemblyOptionVerdict,
@@ -86,7 +86,10 @@ def verify_several(
 
         def run(_: list[int], samples: int, start: int) -> list[RunsOfSeveral]:
             drawn = draw(samples, start=start)
-            return run_several(assemblies, room, drawn, floors, gravity, threads=threads, progress=count)
+            counted = scenario.counted
+            return run_several(
+                assemblies, room, drawn, floors, gravity, counted, threads=threads, progress=count
+            )
 
         runs, samples, precise = sample_until_precise(len(options), settings, run, together=True)
         made = len(options) * len(ground) * samples
@@ -126,6 +129,8 @@ def _verdicts(
                 rank=rank,
                 probabilities=chances[i],
                 change=difference(own.overturned, bare_runs.overturned, missing) if i else None,
+                slide=Quantiles.of(own.slide, own.overturned),
+                tilt=Quantiles.of(own.tilt, own.overturned),
                 pieces=tuple(
                     _piece(name, own, body, slide_limit) for body, name in enumerate(scenario.names)
                 ),

@@ -55,7 +55,7 @@ def label(option: AssemblyOption, scenario: AssemblyScenario) -> Phrase:
 
 def _label(option: AssemblyOption, scenario: AssemblyScenario, language: str) -> str:
     if not option.count:
-        return say("common.without", language)
+        return say("several.nothing", language)
     on: dict[Phrase, list[str]] = {}
     for name, measures in zip(scenario.names, option.measures, strict=True):
         for measure in measures:

@@ -56,9 +56,12 @@ class AssemblyOptionVerdict:
     rank : int
         1 for the best.
     probabilities : mapping of str to Probability
-        Of each of `EVENTS` for any of the pieces: that one overturns or more, at the scenario's shaking.
+        Of each of `EVENTS` for any of the pieces that count (`AssemblyScenario.counted`), at the
+        scenario's shaking.
     change : Difference, optional
         Probability that any overturns less that without anything; none for the latter itself.
+    slide, tilt : Quantiles
+        Peak slide [m] and tilt [rad] of that which moves farthest.
     pieces : tuple of PieceVerdict
         Each of the pieces.
     devices : tuple of DeviceOfSeveral
@@ -71,6 +74,8 @@ class AssemblyOptionVerdict:
     rank: int
     probabilities: Mapping[str, Probability]
     change: Difference | None
+    slide: Quantiles
+    tilt: Quantiles
     pieces: tuple[PieceVerdict, ...]
     devices: tuple[DeviceOfSeveral, ...]
     typical: Member
