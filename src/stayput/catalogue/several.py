@@ -16,6 +16,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     # What an option consists of
     "joined": ("Joined", "接合あり"),
     "nothing": ("Without joints and measures", "接合・対策なし"),
+    "on": ("{measure} ({pieces})", "{pieces}に{measure}"),
     # The verdict in a sentence
     "no_run": (
         "No run without joints and measures could be followed to its end, so nothing can be said.",
@@ -82,6 +83,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "ranking_text": (
         "The bars show shares of all runs; the thin line is the 95 % interval.",
         "棒は全計算に対する割合、細い線は95%区間です。",
+    ),
+    "brief_text": (
+        "Columns of events count any piece of furniture; those of the pieces tell how often each overturns.",
+        "事象の列はいずれかの家具に起こる割合、各家具の列はその家具が転倒する割合です。",
+    ),
+    "simulations": (
+        "{runs} runs: motions × Monte Carlo samples {motions} × {samples} for each option",
+        "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各案で計算",
     ),
     "option": ("Option", "案"),
     "any": ("Any furniture overturns", "いずれかの家具が転倒"),

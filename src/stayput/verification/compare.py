@@ -78,6 +78,18 @@ def verify(
 ) -> AssemblyVerdict: ...
 
 
+@overload
+def verify(
+    scenario: Scenario | AssemblyScenario,
+    *,
+    slide_limit: float = ...,
+    every_run: bool = ...,
+    threads: int | None = ...,
+    progress: bool | None = ...,
+    on_progress: Callable[[int, int], None] | None = ...,
+) -> Verdict | AssemblyVerdict: ...
+
+
 def verify(
     scenario: Scenario | AssemblyScenario,
     *,

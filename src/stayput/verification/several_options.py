@@ -5,13 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from stayput.catalogue import say
+from stayput.catalogue import phrase, say
 from stayput.errors import InputError
 from stayput.measures import MEASURES
 from stayput.scenario.assembly_options import AssemblyOption
 from stayput.simulation.placing import bare, placed
 from stayput.simulation.space import wall_distances
-from stayput.wording import with_aside
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
@@ -48,21 +47,30 @@ class RejectedOption:
 
 
 def label(option: AssemblyOption, scenario: AssemblyScenario) -> Phrase:
-    """Return what an option consists of: "joined + screwed L-brackets (upper part)"."""
-    english, japanese = (_label(option, scenario, language) for language in ("en", "ja"))
+    """Return what an option consists of: "Joined + Screwed L-brackets (upper part)"."""
+    english, japanese = (_label(option, scenario.names, language) for language in ("en", "ja"))
     return english, japanese
 
 
-def _label(option: AssemblyOption, scenario: AssemblyScenario, language: str) -> str:
+def brief_label(option: AssemblyOption) -> Phrase:
+    """Return the same without the names of the pieces."""
+    english, japanese = (_label(option, (), language) for language in ("en", "ja"))
+    return english, japanese
+
+
+def _label(option: AssemblyOption, names: tuple[str, ...], language: str) -> str:
     if not option.count:
         return say("several.nothing", language)
     on: dict[Phrase, list[str]] = {}
-    for name, measures in zip(scenario.names, option.measures, strict=True):
+    for number, measures in enumerate(option.measures):
         for measure in measures:
-            on.setdefault(measure.label, []).append(name)
-    listed = ", " if language == "en" else "、"
+            on.setdefault(measure.label, []).extend(names[number : number + 1])
     parts = [say("several.joined", language)] if option.joined else []
-    parts += [with_aside(say(what, language), listed.join(names), language) for what, names in on.items()]
+    for what, held in on.items():
+        pieces = (", " if language == "en" else "、").join(held)
+        parts.append(
+            say("several.on", language, measure=what, pieces=pieces) if held else say(what, language)
+        )
     return (" + " if language == "en" else "＋").join(parts)
 
 

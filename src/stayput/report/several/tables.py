@@ -21,6 +21,7 @@ from stayput.report.verdict.assumptions import (
 from stayput.report.verdict.words import named, word
 from stayput.simulation.space_devices import JOINT, JOINT_LABEL
 from stayput.uncertainty import USUAL
+from stayput.verification.several_options import brief_label
 from stayput.verification.several_words import reason_of_several, title_of_several
 from stayput.wording import with_aside
 
@@ -44,8 +45,8 @@ class SeveralRow:
     ----------
     result : AssemblyOptionVerdict
         The option.
-    title : str
-        What it consists of.
+    title, brief : str
+        What it consists of, with the names of the pieces and without; a name of the user's own stands for it.
     shares : tuple of (str, Probability)
         Each event of any piece of furniture; there is none of a device's failure without devices.
     pieces : tuple of (str, Probability)
@@ -58,6 +59,7 @@ class SeveralRow:
 
     result: AssemblyOptionVerdict
     title: str
+    brief: str
     shares: tuple[tuple[str, Probability | None], ...]
     pieces: tuple[tuple[str, Probability], ...]
     slide: tuple[str, str]
@@ -67,11 +69,12 @@ class SeveralRow:
 
 def several_rows(verdict: AssemblyVerdict, language: str) -> list[SeveralRow]:
     """Return the options as they are read, the best first."""
-    room = verdict.scenario.room.room()
+    room, own = verdict.scenario.room.room(), verdict.scenario.options
     return [
         SeveralRow(
             result,
             title_of_several(result, verdict, language),
+            result.option.name if result.option in own else say(brief_label(result.option), language),
             tuple(
                 (event, result.probabilities[event] if event != DEVICE_FAILED or result.devices else None)
                 for event in EVENTS
@@ -121,7 +124,7 @@ def _device_name(device: DeviceOfSeveral, language: str) -> str:
 def simulations_of_several(verdict: AssemblyVerdict, language: str) -> str:
     """Return the number of simulations in words."""
     counts = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "samples": verdict.samples}
-    return word("simulations_text", language, **counts)
+    return say("several.simulations", language, **counts)
 
 
 def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
