@@ -68,9 +68,8 @@ def _label(option: AssemblyOption, names: tuple[str, ...], language: str) -> str
     parts = [say("several.joined", language)] if option.joined else []
     for what, held in on.items():
         pieces = (", " if language == "en" else "、").join(held)
-        parts.append(
-            say("several.on", language, measure=what, pieces=pieces) if held else say(what, language)
-        )
+        on_pieces = phrase("several.on", measure=what, pieces=pieces)
+        parts.append(say(on_pieces if held else what, language))
     return (" + " if language == "en" else "＋").join(parts)
 
 

@@ -18,7 +18,7 @@ from stayput.report.verdict.assumptions import (
     room_assumptions,
     shaking_assumptions,
 )
-from stayput.report.verdict.words import named, word
+from stayput.report.verdict.words import place_named, word
 from stayput.simulation.space_devices import JOINT, JOINT_LABEL
 from stayput.uncertainty import USUAL
 from stayput.verification.several_options import brief_label
@@ -118,7 +118,7 @@ def _device_name(device: DeviceOfSeveral, language: str) -> str:
     kind = device.summary.kind
     name = say(JOINT_LABEL if kind == JOINT else MEASURES[kind].label, language)
     where = device.summary.name.removeprefix(kind).strip()
-    return with_aside(name, named(where, language), language) if where else name
+    return with_aside(name, place_named(where, language), language) if where else name
 
 
 def simulations_of_several(verdict: AssemblyVerdict, language: str) -> str:
