@@ -14,9 +14,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "複数の家具ではすべての計算を行うので、every_runは指定できません。",
     ),
     # What an option consists of
-    "joined": ("Joined", "接合あり"),
+    "joined": ("Joints", "接合"),
     "nothing": ("Without joints and measures", "接合・対策なし"),
-    "on": ("{measure} ({pieces})", "{pieces}に{measure}"),
+    "on": ("{measure} on {pieces}", "{pieces}に{measure}"),
     # The verdict in a sentence
     "no_run": (
         "No run without joints and measures could be followed to its end, so nothing can be said.",

@@ -47,7 +47,7 @@ class RejectedOption:
 
 
 def label(option: AssemblyOption, scenario: AssemblyScenario) -> Phrase:
-    """Return what an option consists of: "Joined + Screwed L-brackets (upper part)"."""
+    """Return what an option consists of: "Joints + Screwed L-brackets on upper part"."""
     english, japanese = (_label(option, scenario.names, language) for language in ("en", "ja"))
     return english, japanese
 
@@ -67,7 +67,7 @@ def _label(option: AssemblyOption, names: tuple[str, ...], language: str) -> str
             on.setdefault(measure.label, []).extend(names[number : number + 1])
     parts = [say("several.joined", language)] if option.joined else []
     for what, held in on.items():
-        pieces = (", " if language == "en" else "、").join(held)
+        pieces = (" and " if language == "en" else "と").join(held)
         on_pieces = phrase("several.on", measure=what, pieces=pieces)
         parts.append(say(on_pieces if held else what, language))
     return (" + " if language == "en" else "＋").join(parts)

@@ -32,10 +32,16 @@ OFTEN = 0.05
 def title_of_several(
     result: AssemblyOptionVerdict | RejectedOption, verdict: AssemblyVerdict, language: str
 ) -> str:
-    """Return what an option consists of, with its name where that is the user's own."""
-    text = say(label(result.option, verdict.scenario), language)
-    own = result.option.name in (option.name for option in verdict.scenario.options)
-    return with_aside(text, result.option.name, language) if own else text
+    """Return what an option consists of, after its name where that is the user's own."""
+    content = label(result.option, verdict.scenario)
+    if not is_own(result, verdict):
+        return say(content, language)
+    return with_aside(result.option.name, inside(content[0]) if language == "en" else content[1], language)
+
+
+def is_own(result: AssemblyOptionVerdict | RejectedOption, verdict: AssemblyVerdict) -> bool:
+    """Return whether an option has a name of the user's own."""
+    return result.option in verdict.scenario.options
 
 
 def headline_of_several(verdict: AssemblyVerdict, language: str) -> str:
@@ -50,12 +56,13 @@ def headline_of_several(verdict: AssemblyVerdict, language: str) -> str:
         unclear = best.change is not None and not best.change.clear
         then = "verification.then_never" if held == 0.0 else "verification.then_falls"
         english, japanese = (title_of_several(best, verdict, each) for each in ("en", "ja"))
+        english = f"“{best.option.name}”" if is_own(best, verdict) else inside(english)
         return say(
             "several.better",
             language,
             strength=strength,
             falls=falls,
-            option=(inside(english), japanese),
+            option=(english, japanese),
             then=phrase(then, share=share_text(held)),
             chance=phrase("verification.may_be_chance") if unclear else "",
         )

@@ -22,7 +22,7 @@ from stayput.report.verdict.words import place_named, word
 from stayput.simulation.space_devices import JOINT, JOINT_LABEL
 from stayput.uncertainty import USUAL
 from stayput.verification.several_options import brief_label
-from stayput.verification.several_words import reason_of_several, title_of_several
+from stayput.verification.several_words import is_own, reason_of_several, title_of_several
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
@@ -69,12 +69,12 @@ class SeveralRow:
 
 def several_rows(verdict: AssemblyVerdict, language: str) -> list[SeveralRow]:
     """Return the options as they are read, the best first."""
-    room, own = verdict.scenario.room.room(), verdict.scenario.options
+    room = verdict.scenario.room.room()
     return [
         SeveralRow(
             result,
             title_of_several(result, verdict, language),
-            result.option.name if result.option in own else say(brief_label(result.option), language),
+            result.option.name if is_own(result, verdict) else say(brief_label(result.option), language),
             tuple(
                 (event, result.probabilities[event] if event != DEVICE_FAILED or result.devices else None)
                 for event in EVENTS
