@@ -18,8 +18,8 @@ from stayput.model.solid import Solid
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_place, drawn_surfaces
 from stayput.simulation.placing import bare, room_seen
-from stayput.simulation.space import run_of_assembly, trace_assembly, wall_distances
-from stayput.simulation.space_case import SpaceShaking, acceleration_of, result_of
+from stayput.simulation.space import results_of, run_of_assembly, trace_assembly, wall_distances
+from stayput.simulation.space_case import SpaceShaking, acceleration_of
 from stayput.simulation.standing import Assembly, Piece, Standing
 from stayput.uncertainty import USUAL, Uncertainty
 
@@ -251,12 +251,9 @@ def run_draw(
     tuple
         RESULT, shape (bodies,); and the devices with their utilisation.
     """
-    bodies, planes, springs, trace = _traced(assembly, room, draw, shaking, gravity)
-    time = shaking.dt * np.arange(len(shaking.acceleration), dtype=np.float64)
-    results = np.array(
-        [result_of(one.standing, planes, trace, time, body) for body, one in enumerate(bodies)], RESULT
-    )
-    return results, (trace.devices, utilisation(springs, trace.devices))
+    traced = _traced(assembly, room, draw, shaking, gravity)
+    devices = traced.trace.devices
+    return results_of(traced, shaking), (devices, utilisation(traced.springs, devices))
 
 
 def _traced(

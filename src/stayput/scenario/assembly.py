@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from os import PathLike
 
+    import xarray as xr
+
     from stayput.model.solid import Solid
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
@@ -223,6 +225,30 @@ class AssemblyScenario(Table):
     def run(self) -> SpaceRun:
         """Simulate the pieces as the file states them."""
         return simulate(self.assembly(), self.room.room(), self.motion(), gravity=self.gravity)
+
+    def sweep(
+        self, axes: Mapping[str, Any], *, threads: int | None = None, progress: bool | None = None
+    ) -> xr.Dataset:
+        """Simulate the pieces along axes; the result has a dimension for each, and one for the pieces.
+
+        Parameters
+        ----------
+        axes : mapping
+            Keys of the file and their values: ``{"static_friction": [...], "shaking.scale": [...]}``. The
+            cases are all combinations. ``joints.strength`` changes all joints, ``joints[0].strength`` one.
+        threads : int, optional
+            As many as there are cores by default. The bits do not depend on them.
+        progress : bool, optional
+            Whether to draw a bar on standard error; default on a terminal.
+
+        Raises
+        ------
+        InputError
+            A key that there is not, or a value that the file may not have.
+        """
+        from stayput.scenario.assembly_sweep import sweep_assembly
+
+        return sweep_assembly(self, axes, threads=threads, progress=progress)
 
 
 @cache

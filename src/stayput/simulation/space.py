@@ -11,10 +11,11 @@ import numpy as np
 from stayput.errors import InputError, within
 from stayput.measures.measure import element_rows, hold
 from stayput.measures.results import device_results
+from stayput.mechanics.columns import RESULT
 from stayput.motion.units import GRAVITY
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.placing import bare, placed
-from stayput.simulation.space_case import SpaceShaking, acceleration_of, trace_case
+from stayput.simulation.space_case import SpaceShaking, acceleration_of, result_of, trace_case
 from stayput.simulation.space_devices import joint_results, joint_springs
 from stayput.simulation.space_engine import STEP, run_world
 from stayput.simulation.space_records import (
@@ -117,6 +118,14 @@ def trace_assembly(
     springs = np.concatenate([*(one.springs for one in bodies), joint_springs(standing, assembly.joints)])
     trace = run_world(world, poses, springs, shaking.acceleration, shaking.dt, step, gravity)
     return AssemblyTrace(bodies, planes, springs, trace)
+
+
+def results_of(traced: AssemblyTrace, shaking: SpaceShaking) -> NDArray[np.void]:
+    """Return what became of each body of an assembly: RESULT, shape (bodies,)."""
+    bodies, planes, _, trace = traced
+    time = shaking.dt * np.arange(len(shaking.acceleration), dtype=np.float64)
+    each = [result_of(one.standing, planes, trace, time, body) for body, one in enumerate(bodies)]
+    return np.array(each, RESULT)
 
 
 def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, motion: Motion) -> SpaceRun:
