@@ -9,10 +9,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "levels is given for several pieces, which have no fragility curves; it must be left out.",
         "複数の家具にlevelsが指定されています。フラジリティ曲線は求めないので、省いてください。",
     ),
-    "every_run": (
-        "every_run is true for several pieces, of which all runs are made; it must be false.",
-        "複数の家具ではすべての計算を行うので、every_runは指定できません。",
-    ),
     # What an option consists of
     "joined": ("Joints", "接合"),
     "nothing": ("Without joints and measures", "接合・対策なし"),

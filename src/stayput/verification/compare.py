@@ -144,8 +144,6 @@ def verify(
     if isinstance(given, AssemblyScenario):
         if levels is not None and len(levels):
             raise InputError("several.levels", "levels")
-        if every_run:
-            raise InputError("several.every_run", "every_run")
         return verify_several(
             given, slide_limit=limit, threads=threads, progress=progress, on_progress=on_progress
         )
