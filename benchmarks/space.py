@@ -28,7 +28,7 @@ from stayput.mechanics.devices.runner import no_elements
 from stayput.model.state import State
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.simulation.flat_fields import case_columns
-from stayput.simulation.space_case import SpaceShaking, acceleration_of, result_of, trace_case
+from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of, trace_case
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -133,13 +133,13 @@ class Tilts:
 def ours(boxes: list[FreeBox], motion: sp.Motion, step: float) -> Tilts:
     """Run the boxes here, on this thread."""
     shaking, none = SpaceShaking(acceleration_of(motion), motion.dt), no_elements(0, 1)[0]
-    grid = motion.dt * np.arange(len(motion.x), dtype=np.float64)
     rows = [box.row()[0] for box in boxes]
     trace_case(rows[0], none, shaking, step)
     peak, seconds = np.zeros(len(rows)), np.zeros(len(rows))
     for n, row in enumerate(rows):
         start = time.process_time()
-        result = result_of(*trace_case(row, none, shaking, step), grid)
+        piece, trace = trace_case(row, none, shaking, step)
+        result = results_of([piece.standing], trace, shaking.times)[0]
         seconds[n] = time.process_time() - start
         peak[n] = np.inf if result["outcome"] == OVERTURNED_OUTCOME else result["peak_tilt"]
     return Tilts(peak, seconds)

@@ -64,6 +64,7 @@ from .simulation.space_run import Hit as Hit
 from .simulation.space_run import SpaceRun as SpaceRun
 from .simulation.standing import Assembly as Assembly
 from .simulation.standing import Joint as Joint
+from .simulation.standing import Piece as Piece
 from .simulation.standing import Standing as Standing
 from .simulation.sweep import sweep as sweep
 from .standards import ac156 as ac156

@@ -16,8 +16,8 @@ from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces,
 from stayput.report.verdict.pairs import replay
 from stayput.scenario import Scenario
 from stayput.verification import LEVELS, options_of, verify
-from stayput.verification.compare import members
 from stayput.verification.options import usual_options
+from stayput.verification.ranking import members
 from stayput.verification.verdict import Member
 from stayput.verification.words import headline, reason
 

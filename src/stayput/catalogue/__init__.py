@@ -42,6 +42,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "report",
         "runs",
         "scenario",
+        "several",
         "simulation",
         "solids",
         "space",

@@ -15,6 +15,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{first} and {second} are given together, both {place}; only one of them can be there.",
         "「{first}」と「{second}」は同じ場所（{place}）に取り付けるため、どちらか1つしか使えません。",
     ),
+    "room_of_several": (
+        "{measure} cannot be given to one piece of several; say where it stands by its place (at) instead.",
+        "「{measure}」は複数の家具のうちの1つには使えません。位置（at）で置き場所を指定してください。",
+    ),
+    "base_on_another": (
+        "{measure} belong on the floor, and the piece stands {height:g} m above it; join it to the one below.",
+        "「{measure}」は床に使うものですが、家具は床から{height:g} mの高さにあります。下の家具と接合してください。",
+    ),
     # Places that a measure takes up
     "under_base": ("under the base", "底面の下"),
     "on_wall": ("on the wall at {height:g} times the height", "家具の高さの{height:g}倍の位置の壁"),

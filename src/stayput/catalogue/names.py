@@ -131,8 +131,10 @@ MOTIONS: dict[str, tuple[str, str]] = {
 PLACES: dict[str, tuple[str, str]] = {
     "front": ("front", "前面側"),
     "back": ("back", "背面側"),
+    "left": ("left", "左"),
+    "right": ("right", "右"),
 }
-"""Places of devices on a piece."""
+"""Places of devices on a piece, which may be said together: "front left"."""
 
 MODES: dict[str, tuple[str, str]] = {
     "rest": ("stands still", "静止"),

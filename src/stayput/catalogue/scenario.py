@@ -71,8 +71,20 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}が{value}になっていますが、その名前の家具がありません。",
     ),
     "one_piece_alone": (
-        "furniture is a list of several pieces, which only simulate takes; it must be one table.",
-        "furnitureが複数の家具のリストになっています。複数の家具はsimulateだけで扱えます。",
+        "furniture is a list of several pieces, which simulate and verify take; it must be one table.",
+        "furnitureが複数の家具のリストになっています。複数の家具はsimulateとverifyだけで扱えます。",
+    ),
+    "measures_on_solid": (
+        "The piece {name!r} has measures; what they hold must be a preset or a box.",
+        "家具{name!r}に対策が指定されています。対策はpresetか直方体の家具だけに使えます。",
+    ),
+    "no_such_path": (
+        "{path!r} is no key of the file; it must be like room.back_wall.gap or joints[0].strength.",
+        "{path!r}というキーはありません。room.back_wall.gapやjoints[0].strengthのように指定してください。",
+    ),
+    "installed_well": (
+        "uncertainty.installation is given for several pieces; it must be 'well' or left out.",
+        "複数の家具にuncertainty.installationが指定されています。'well'にするか、省いてください。",
     ),
     "no_length": (
         "furniture.length is missing; with dimensions = 3 the piece needs its length across the depth [m].",

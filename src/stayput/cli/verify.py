@@ -11,9 +11,10 @@ import typer
 
 from stayput.cli.flags import EveryRunOption, ThreadsOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.messages import compiling, folded
+from stayput.cli.verify_several import print_several
 
 if TYPE_CHECKING:
-    from stayput.verification import Verdict
+    from stayput.verification import AssemblyVerdict, Verdict
 
 
 def verify(
@@ -32,7 +33,8 @@ def verify(
 ) -> None:
     """Compare what a scenario's measures do, over its motions and over what is not known.
 
-    Without measures in the file the usual ones are compared, those that can be applied there.
+    Without measures in the file the usual ones are compared, those that can be applied there. Of several
+    pieces ([[furniture]]) joints and measures on each are compared.
     """
     from stayput.errors import within
     from stayput.files import check_target
@@ -46,18 +48,25 @@ def verify(
         within("--slide-limit", slide_limit, 0.0, 100.0, "m")
     verdict = _verified(scenario, slide_limit, every_run, threads)
     written = _write(verdict, report, markdown, csv, lang)
-    if json:
-        from stayput.report.verdict.data import verdict_json
 
-        typer.echo(verdict_json(verdict), nl=False)
+    from stayput.verification import AssemblyVerdict
+
+    if json:
+        typer.echo(verdict.to_json(), nl=False)
+    elif isinstance(verdict, AssemblyVerdict):
+        print_several(verdict, lang, written)
     else:
         _print(verdict, lang, written)
 
 
-def _verified(path: Path, slide_limit: float | None, every_run: bool, threads: int | None) -> Verdict:
-    from stayput.scenario import read_scenario
+def _verified(
+    path: Path, slide_limit: float | None, every_run: bool, threads: int | None
+) -> Verdict | AssemblyVerdict:
+    from stayput.cli.flags import scenario_data
+    from stayput.scenario import read_assembly, read_scenario
 
-    scenario = read_scenario(path)
+    several = isinstance(scenario_data(path, None).get("furniture"), list)
+    scenario = read_assembly(path) if several else read_scenario(path)
 
     from stayput.verification import SLIDE_LIMIT
     from stayput.verification import verify as compare
@@ -68,24 +77,22 @@ def _verified(path: Path, slide_limit: float | None, every_run: bool, threads: i
 
 
 def _write(
-    verdict: Verdict, report: Path | None, markdown: Path | None, csv: Path | None, lang: str
+    verdict: Verdict | AssemblyVerdict,
+    report: Path | None,
+    markdown: Path | None,
+    csv: Path | None,
+    lang: str,
 ) -> list[Path]:
     from stayput.files import draft
 
     if report is not None:
-        from stayput.report.verdict.html import write_report
-
-        write_report(verdict, report, lang)
+        verdict.report(report, lang)
     if markdown is not None:
-        from stayput.report.verdict.markdown import verdict_markdown
-
         with draft(markdown) as unfinished:
-            unfinished.write_text(verdict_markdown(verdict, lang), encoding="utf-8")
+            unfinished.write_text(verdict.to_markdown(lang), encoding="utf-8")
     if csv is not None:
-        from stayput.report.verdict.tables import verdict_csv
-
         with draft(csv) as unfinished:
-            unfinished.write_text(verdict_csv(verdict), encoding="utf-8")
+            unfinished.write_text(verdict.to_csv(), encoding="utf-8")
     return [path for path in (report, markdown, csv) if path is not None]
 
 

@@ -17,7 +17,7 @@ from stayput.inventory.plan import ROWS, not_possible
 from stayput.inventory.records import ESTIMATE, HIGH, LOW, MEAN, MEDIAN, P90, RecordFile
 from stayput.inventory.workspace import read_json
 from stayput.montecarlo.counting import EVENTS, OVERTURNED
-from stayput.verification.compare import severity
+from stayput.verification.ranking import severity
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -120,7 +120,7 @@ def choose(
 ) -> Choice:
     """Choose among options, that without a measure first.
 
-    By risk: ranked by `stayput.verification.compare.severity`, where a piece that overturns is as bad as one
+    By risk: ranked by `stayput.verification.ranking.severity`, where a piece that overturns is as bad as one
     that also slid or hit a wall: the other events count only beyond the probability of overturning. A
     measure that ranks no better than none is not taken: then none of them helps.
     By cost: with a value, the largest loss avoided less cost; else the largest fall of the probability of

@@ -68,6 +68,8 @@ class DeviceResult:
     weakest : Phrase or None
         What gave way, or what would first where it holds: "the screws pull out of the plasterboard"; None
         where nothing can.
+    member : int or None
+        The number of the piece that it holds, in an assembly; None of a joint.
     """
 
     kind: str
@@ -83,6 +85,7 @@ class DeviceResult:
     pull: NDArray[np.float64]
     shear: NDArray[np.float64]
     weakest: Phrase | None = None
+    member: int | None = None
 
 
 def utilisation(elements: NDArray[np.void], devices: NDArray[np.void]) -> NDArray[np.float64]:
@@ -162,9 +165,14 @@ def failures_of(elements: NDArray[np.void], devices: NDArray[np.void]) -> Failur
 
 
 def device_results(
-    held: Held, elements: NDArray[np.void], devices: NDArray[np.void], forces: NDArray[np.float64]
+    held: Held,
+    elements: NDArray[np.void],
+    devices: NDArray[np.void],
+    forces: NDArray[np.float64],
+    mass: float,
+    member: int | None = None,
 ) -> tuple[DeviceResult, ...]:
-    """Name what the mechanics returned in numbers per unit mass.
+    """Name what the mechanics returned in numbers.
 
     Parameters
     ----------
@@ -173,10 +181,14 @@ def device_results(
     elements, devices : ndarray, shape [n]
         The mechanics' rows.
     forces : ndarray of float64, shape [samples, n, 2]
-        Forces at the samples [N/kg].
+        Forces at the samples.
+    mass : float
+        By what the mechanics' forces are multiplied: the body's mass [kg] where they are per unit mass.
+    member : int, optional
+        The number of the body in an assembly.
     """
     labels = {measure.kind: measure.label for measure in held.measures}
-    used, m = utilisation(elements, devices), held.body.mass
+    used, m = utilisation(elements, devices), mass
     return tuple(
         DeviceResult(
             element.kind,
@@ -192,6 +204,7 @@ def device_results(
             m * forces[:, n, F_NORMAL],
             m * forces[:, n, F_TANGENT],
             weakest(element, devices[n : n + 1]),
+            member,
         )
         for n, (element, device) in enumerate(zip(held.elements, devices, strict=True))
     )

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.model.room import Floor, Room
     from stayput.montecarlo.counting import Outcomes
-    from stayput.scenario import Scenario
+    from stayput.scenario import AssemblyScenario, Scenario
     from stayput.simulation.flat_fields import NumberOrColumn
 
 INSETS = ("back_inset", "front_inset")
@@ -75,7 +75,7 @@ class Settings:
     as_stated: tuple[str, ...]
 
     @classmethod
-    def of(cls, scenario: Scenario, motions: int, slide_limit: float) -> Self:
+    def of(cls, scenario: Scenario | AssemblyScenario, motions: int, slide_limit: float) -> Self:
         """Return the settings of a scenario, its samples spread evenly over a number of motions."""
         stated = scenario.uncertainty
         samples = max(1, -(-stated.samples // motions))

@@ -200,11 +200,16 @@ def rows(run: Run) -> list[tuple[str, str]]:
     return [*((say(f"runs.row_{key}"), value) for key, value in values.items()), *device_rows(run.devices)]
 
 
-def device_rows(devices: Sequence[DeviceResult]) -> list[tuple[str, str]]:
-    """Return a row for each device: its largest force, how much of its strength that is, and its failure."""
+def device_rows(devices: Sequence[DeviceResult], members: Sequence[str] = ()) -> list[tuple[str, str]]:
+    """Return a row for each device: its largest force, how much of its strength that is, and its failure.
+
+    ``members`` are what the pieces of an assembly are called.
+    """
     rows_of_devices: list[tuple[str, str]] = []
     for device in devices:
         name = " ".join(filter(None, (device.label[0], device.place)))
+        if device.member is not None and members:
+            name = f"{name} ({members[device.member]})"
         peak = max(device.peak_pull, device.peak_push, device.peak_shear)
         used = say("runs.row_used", share=100.0 * device.utilisation) if device.utilisation > 0.0 else ""
         fate = (

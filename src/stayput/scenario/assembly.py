@@ -7,122 +7,39 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
+import tomli_w
 from pydantic import Field, PrivateAttr, ValidationError, model_validator
 
 from stayput.errors import InputError
-from stayput.model.furniture import FURNITURE
-from stayput.model.solid import Solid
 from stayput.motion.units import STANDARD_GRAVITY
+from stayput.scenario.assembly_options import (
+    AssemblyOption,
+    AssemblyUncertaintyTable,
+    OptionTable,
+    in_place,
+)
 from stayput.scenario.fields import Table, Text, between, checked
 from stayput.scenario.messages import refusal_of
+from stayput.scenario.pieces import (
+    JointTable,  # noqa: TC001 - pydantic reads the annotations
+    StandingTable,  # noqa: TC001 - pydantic reads the annotations
+)
 from stayput.scenario.shaking import ShakingTable
-from stayput.scenario.tables import Kind, RoomTable
+from stayput.scenario.tables import RoomTable
 from stayput.scenario.toml import read_toml
 from stayput.simulation.run import simulate
-from stayput.simulation.standing import MOST_BODIES, Assembly, Joint, Standing
+from stayput.simulation.standing import MOST_BODIES, Assembly, Joint, Piece, Standing
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from os import PathLike
 
+    import xarray as xr
+
+    from stayput.model.solid import Solid
     from stayput.motion import Motion
+    from stayput.motion.suites import Suite
     from stayput.simulation.space_run import SpaceRun
-
-_SIZES = ("width", "length", "height", "diameter", "bottom", "top")
-_SHAPES = {
-    "box": {"width", "length", "height"},
-    "cylinder": {"diameter", "height"},
-    "cone": {"bottom", "top", "height"},
-}
-"""Sizes of each shape."""
-
-Size = Annotated[float, between(1e-3, 100.0, "m")]
-PlaceInPlan = Annotated[
-    list[Annotated[float, between(-100.0, 100.0, "m")]], Field(min_length=2, max_length=3)
-]
-PointOfRoom = Annotated[
-    list[Annotated[float, between(-100.0, 100.0, "m")]], Field(min_length=3, max_length=3)
-]
-
-
-class StandingTable(Table):
-    """A piece and where it stands: a preset, a box, a cylinder, a cone or a mesh."""
-
-    name: Text = Field(description="What the piece is called; others stand on it by this name.")
-    preset: Kind | None = Field(default=None, description="A common piece of furniture.")
-    width: Size | None = Field(default=None, description="Depth of a box.")
-    length: Size | None = Field(default=None, description="Length of a box, across its depth.")
-    height: Size | None = Field(default=None, description="Height of a box, a cylinder or a cone.")
-    diameter: Size | None = Field(default=None, description="Diameter of a cylinder.")
-    bottom: Size | None = Field(default=None, description="Lower diameter of a cone.")
-    top: Size | None = Field(default=None, description="Upper diameter of a cone.")
-    mesh: Text | None = Field(default=None, description="A mesh's file (STL, OBJ), relative to this one.")
-    unit: Text | None = Field(default=None, description="Unit of the mesh's numbers: mm, cm, m, in or ft.")
-    mass: Annotated[float, between(1e-3, 1e7, "kg")] | None = Field(default=None, description="Mass.")
-    at: PlaceInPlan = Field(
-        default=[0.0, 0.0],
-        description="Where the middle of its base is, along x and y of the room, or of the piece that it "
-        "stands on; and how high it stands above the floor.",
-    )
-    on: Text | None = Field(default=None, description="The piece on whose top it stands.")
-    heading: Annotated[float, between(-2.0 * math.pi, 2.0 * math.pi, "rad")] = Field(
-        default=0.0, description="Direction in which it faces: from x towards y."
-    )
-
-    @model_validator(mode="after")
-    def _consistent(self) -> Self:
-        given = self._sizes.keys()
-        ways = [self.preset is not None, self.mesh is not None, bool(given)]
-        if sum(ways) != 1 or (given and given not in _SHAPES.values()):
-            raise InputError("scenario.one_shape", "furniture", name=self.name)
-        if self.mass is None and self.preset is None:
-            raise InputError("scenario.no_mass", "furniture.mass", name=self.name)
-        if (self.mesh is None) != (self.unit is None):
-            raise InputError("scenario.mesh_and_unit", "furniture.unit", name=self.name)
-        if self.on is not None and len(self.at) == 3:
-            raise InputError("scenario.on_and_height", "furniture.at", name=self.name)
-        return self
-
-    @property
-    def _sizes(self) -> dict[str, float]:
-        return {size: getattr(self, size) for size in _SIZES if getattr(self, size) is not None}
-
-    def solid(self, folder: Path) -> Solid:
-        """Make the body.
-
-        Raises
-        ------
-        InputError
-            A body that is not possible, or a mesh that cannot be read.
-        """
-        if self.preset is not None:
-            piece = FURNITURE[self.preset]
-            mass = piece.mass if self.mass is None else self.mass
-            return Solid.box(piece.width, piece.length, piece.height, mass)
-        assert self.mass is not None
-        if self.mesh is not None:
-            return Solid.from_mesh(folder / self.mesh, unit=self.unit or "", mass=self.mass)
-        sizes = self._sizes
-        shape = next(shape for shape, names in _SHAPES.items() if names == sizes.keys())
-        return getattr(Solid, shape)(**sizes, mass=self.mass)
-
-
-class JointTable(Table):
-    """What joins two pieces: a connector at a point, or a belt between two."""
-
-    first: Text = Field(description="The one piece.")
-    second: Text = Field(description="The other piece.")
-    at: PointOfRoom = Field(description="The point, in the room as the pieces stand.")
-    to: PointOfRoom | None = Field(default=None, description="For a belt: its end on the other piece.")
-    stiffness: Annotated[float, between(1.0, 1e9, "N/m")] = Field(default=1e6, description="Stiffness.")
-    strength: Annotated[float, between(1e-3, 1e9, "N")] | None = Field(
-        default=None, description="Pull that it bears; without it any."
-    )
-    shear: Annotated[float, between(1e-3, 1e9, "N")] | None = Field(
-        default=None, description="Force across that it bears; without it any."
-    )
-    slack: Annotated[float, between(0.0, 10.0, "m")] = Field(default=0.0, description="Slack of a belt.")
-    damping: Annotated[float, between(0.0, 2.0)] = Field(default=0.1, description="Damping ratio.")
 
 
 class AssemblyScenario(Table):
@@ -152,6 +69,12 @@ class AssemblyScenario(Table):
     gravity: Annotated[float, between(0.1, 100.0, "m/s²")] = Field(
         default=STANDARD_GRAVITY, description="Acceleration of gravity."
     )
+    option_tables: Annotated[list[OptionTable], Field(min_length=1, max_length=100)] | None = Field(
+        default=None, alias="options", description="What a verification compares; by default the usual."
+    )
+    uncertainty: AssemblyUncertaintyTable = Field(
+        default_factory=AssemblyUncertaintyTable, description="How much of what is not known is tried out."
+    )
 
     _folder: Path = PrivateAttr(default=Path())
 
@@ -172,6 +95,13 @@ class AssemblyScenario(Table):
                     value = repr(getattr(joint, key))
                     raise InputError("scenario.no_such_piece", name, name=name, value=value)
         checked("joints", self._joints)
+        for number, option in enumerate(self.option_tables or ()):
+            for place, piece in enumerate(option.pieces):
+                name = f"options[{number}].pieces[{place}].name"
+                if piece.name not in names:
+                    raise InputError("scenario.no_such_piece", name, name=name, value=repr(piece.name))
+                if not self.furniture[names.index(piece.name)].is_furniture:
+                    raise InputError("scenario.measures_on_solid", name, name=piece.name)
         return self
 
     @classmethod
@@ -189,27 +119,77 @@ class AssemblyScenario(Table):
         """What the pieces are called."""
         return tuple(piece.name for piece in self.furniture)
 
-    def assembly(self) -> Assembly:
+    @property
+    def folder(self) -> Path:
+        """Where the relative path of a record or a mesh begins."""
+        return self._folder
+
+    @property
+    def counted(self) -> tuple[int, ...]:
+        """The pieces of furniture, by whose falls a verification ranks: all pieces where there is none."""
+        furniture = tuple(number for number, piece in enumerate(self.furniture) if piece.is_furniture)
+        return furniture or tuple(range(len(self.furniture)))
+
+    @property
+    def stated(self) -> AssemblyOption:
+        """The pieces as the file states them: with its joints, and with the measures of its pieces."""
+        measures = tuple(in_place(piece.measures) for piece in self.furniture)
+        return AssemblyOption("as stated", bool(self.joints), measures)
+
+    @property
+    def options(self) -> tuple[AssemblyOption, ...]:
+        """What a verification compares; empty where the file says nothing."""
+        return tuple(
+            AssemblyOption(
+                table.name,
+                table.joined and bool(self.joints),
+                tuple(
+                    tuple(
+                        one for held in table.pieces if held.name == name for one in in_place(held.measures)
+                    )
+                    for name in self.names
+                ),
+            )
+            for table in self.option_tables or ()
+        )
+
+    def assembly(self, option: AssemblyOption | None = None) -> Assembly:
         """Make the assembly.
+
+        Parameters
+        ----------
+        option : AssemblyOption, optional
+            What is in place; default what the file states.
 
         Raises
         ------
         InputError
             A body that is not possible, or a mesh that cannot be read.
         """
-        placed: dict[str, tuple[float, float, float]] = {}
-        tops: dict[str, float] = {}
-        members: list[Standing] = []
+        chosen = self.stated if option is None else option
+        members = [
+            Piece(piece.body(), (x, y, z), piece.heading, measures)
+            if measures or (option is not None and piece.is_furniture)
+            else Standing(solid, (x, y, z), piece.heading)
+            for piece, (solid, x, y, z), measures in zip(
+                self.furniture, self._placed(), chosen.measures, strict=True
+            )
+        ]
+        joints = self._joints() if chosen.joined else []
+        return Assembly(members, (self.static_friction, self.kinetic_friction), joints)
+
+    def _placed(self) -> list[tuple[Solid, float, float, float]]:
+        """Return each body, and where the middle of its base is [m]."""
+        placed: dict[str, tuple[Solid, float, float, float]] = {}
         for piece in self.furniture:
             solid = piece.solid(self._folder)
             x, y, *up = piece.at
             z = up[0] if up else 0.0
             if piece.on is not None:
-                x, y, z = x + placed[piece.on][0], y + placed[piece.on][1], tops[piece.on]
-            placed[piece.name] = x, y, z
-            tops[piece.name] = z + float(solid.vertices[:, 2].max())
-            members.append(Standing(solid, (x, y, z), piece.heading))
-        return Assembly(members, (self.static_friction, self.kinetic_friction), self._joints())
+                below, x_below, y_below, z_below = placed[piece.on]
+                x, y, z = x + x_below, y + y_below, z_below + float(below.vertices[:, 2].max())
+            placed[piece.name] = solid, x, y, z
+        return list(placed.values())
 
     def _joints(self) -> list[Joint]:
         names = self.names
@@ -232,9 +212,43 @@ class AssemblyScenario(Table):
         """Make the motion of the floor: of a suite, that of its ``member``."""
         return self.shaking.motion(self._folder)
 
+    def ground(self) -> Suite:
+        """Make the motions of the ground, not scaled, with all components."""
+        return self.shaking.ground(self._folder)
+
+    def to_toml(self) -> str:
+        """Return the scenario as a file's text; see `Scenario.to_toml`."""
+        return tomli_w.dumps(
+            self.model_dump(mode="json", exclude_unset=True, exclude_none=True, by_alias=True)
+        )
+
     def run(self) -> SpaceRun:
-        """Simulate the pieces."""
+        """Simulate the pieces as the file states them."""
         return simulate(self.assembly(), self.room.room(), self.motion(), gravity=self.gravity)
+
+    def sweep(
+        self, axes: Mapping[str, Any], *, threads: int | None = None, progress: bool | None = None
+    ) -> xr.Dataset:
+        """Simulate the pieces along axes; the result has a dimension for each, and one for the pieces.
+
+        Parameters
+        ----------
+        axes : mapping
+            Keys of the file and their values: ``{"static_friction": [...], "shaking.scale": [...]}``. The
+            cases are all combinations. ``joints.strength`` changes all joints, ``joints[0].strength`` one.
+        threads : int, optional
+            As many as there are cores by default. The bits do not depend on them.
+        progress : bool, optional
+            Whether to draw a bar on standard error; default on a terminal.
+
+        Raises
+        ------
+        InputError
+            A key that there is not, or a value that the file may not have.
+        """
+        from stayput.scenario.assembly_sweep import sweep_assembly
+
+        return sweep_assembly(self, axes, threads=threads, progress=progress)
 
 
 @cache

@@ -362,7 +362,7 @@ def simulate(
     columns, elements = case_columns(held.body, held.room, start, gravity), element_rows(held)
     shaken = shaking(motion.x, motion.z, motion.dt, law_number(contact))
     traced, devices, forces = trace_held(columns[0], elements, shaken)
-    results = device_results(held, elements, devices, forces)
+    results = device_results(held, elements, devices, forces, held.body.mass)
     case = Case(held.body, held.room, motion, contact, start, gravity)
     return run_of(case, traced, held, results, most_events)
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import fields, replace
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -11,13 +12,13 @@ from stayput.measures.measure import element_rows, hold
 from stayput.measures.results import device_results
 from stayput.motion.units import GRAVITY
 from stayput.simulation.flat_fields import case_columns, room_row
+from stayput.simulation.placing import placed, planes_around
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, trace_case
 from stayput.simulation.space_devices import joint_results, joint_springs
 from stayput.simulation.space_engine import STEP, run_world
 from stayput.simulation.space_records import (
     FloorLaws,
     frames_of,
-    planes_of,
     pose_of,
     surface_of,
     world_of,
@@ -35,8 +36,9 @@ if TYPE_CHECKING:
     from stayput.model.room import Room
     from stayput.model.state import State
     from stayput.motion import Motion
+    from stayput.simulation.placing import Placed
     from stayput.simulation.space_engine import SpaceTrace
-    from stayput.simulation.standing import Assembly, Standing
+    from stayput.simulation.standing import Assembly, Joint, Standing
 
 
 def checked_step(step: float | None) -> float:
@@ -54,26 +56,91 @@ def simulate_assembly(
     """
     if room.floor.settlement:
         raise InputError("simulation.settles", "room.floor.settlement", value=room.floor.settlement)
-    standing = assembly.members
-    numbers = room_row(room)
-    planes = planes_of(standing, numbers)
-    laws = [FloorLaws.of(numbers)] * len(standing)
+    shaking = SpaceShaking(acceleration_of(motion), motion.dt)
+    traced = trace_assembly(assembly, room, shaking, GRAVITY.check(gravity), checked_step(step))
+    return run_of_assembly(traced, assembly.joints, room, motion)
+
+
+class AssemblyTrace(NamedTuple):
+    """Several bodies as the engine ran them: bodies, room, devices and joints, and what became of them."""
+
+    bodies: tuple[Placed, ...]
+    planes: NDArray[np.void]
+    springs: NDArray[np.void]
+    trace: SpaceTrace
+
+
+def trace_assembly(
+    assembly: Assembly,
+    room: Room,
+    shaking: SpaceShaking,
+    gravity: float,
+    step: float = STEP,
+    strength: float = 1.0,
+    friction: float = 1.0,
+) -> AssemblyTrace:
+    """Run the bodies of an assembly with their measures in place.
+
+    Parameters
+    ----------
+    assembly : Assembly
+        The bodies.
+    room : Room
+        Where they stand.
+    shaking : SpaceShaking
+        Of the floor.
+    gravity, step : float
+        g [m/s²], and the longest step [s].
+    strength : float
+        Factor on the strengths of all devices but joints.
+    friction : float
+        Factor on the friction of what measures put between a piece and the floor.
+
+    Raises
+    ------
+    InputError
+        Measures that cannot be put in place, or bodies that begin inside each other or the room.
+    """
+    planes = planes_around(assembly.members, room)
+    bodies = placed(assembly.members, room, strength)
+    standing = [one.standing for one in bodies]
+    laws = [_laws_under(one, room, friction) for one in bodies]
     world = world_of([one.solid for one in standing], laws, planes, assembly.friction)
     poses = np.stack(
         [pose_of(one.solid, one.turn, one.place, one.velocity, one.rotation_rate) for one in standing]
     )
-    springs = joint_springs(standing, assembly.joints)
-    trace = run_world(
-        world,
-        poses,
-        springs,
-        acceleration_of(motion),
-        motion.dt,
-        checked_step(step),
-        GRAVITY.check(gravity),
-    )
-    joints = joint_results(assembly.joints, springs, trace.devices, trace.forces)
-    return _run(standing, room, motion, planes, trace, joints)
+    springs = np.concatenate([*(one.springs for one in bodies), joint_springs(standing, assembly.joints)])
+    trace = run_world(world, poses, springs, shaking.acceleration, shaking.dt, step, gravity)
+    return AssemblyTrace(bodies, planes, springs, trace)
+
+
+def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, motion: Motion) -> SpaceRun:
+    """Return the run of an assembly, with the names of its devices and joints.
+
+    Parameters
+    ----------
+    traced : AssemblyTrace
+        What the engine returned.
+    joints : sequence of Joint
+        The joints.
+    room, motion
+        Where the bodies stood, and how the floor moved.
+    """
+    bodies, planes, springs, trace = traced
+    devices: list[DeviceResult] = []
+    first = 0
+    for number, one in enumerate(bodies):
+        own = slice(first, first + len(one.springs))
+        if one.held is not None:
+            found = device_results(
+                one.held, springs[own], trace.devices[own], trace.forces[:, own], mass=1.0, member=number
+            )
+            devices += found
+        first = own.stop
+    between = slice(first, None)
+    devices += joint_results(joints, springs[between], trace.devices[between], trace.forces[:, between])
+    standing, held = tuple(one.standing for one in bodies), tuple(one.held for one in bodies)
+    return _run(standing, room, motion, planes, trace, tuple(devices), held)
 
 
 def simulate_piece(
@@ -120,8 +187,8 @@ def run_held(
     shaking = SpaceShaking(acceleration_of(motion), motion.dt)
     piece, trace = trace_case(case, rows, shaking, step, m)
     trace = trace._replace(pressing=m * trace.pressing)
-    devices = device_results(held, rows, trace.devices, trace.forces)
-    return _run((piece.standing,), held.room, motion, piece.planes, trace, devices, held)
+    devices = device_results(held, rows, trace.devices, trace.forces, held.body.mass)
+    return _run((piece.standing,), held.room, motion, piece.planes, trace, devices, (held,))
 
 
 def _run(
@@ -131,7 +198,7 @@ def _run(
     planes: NDArray[np.void],
     trace: SpaceTrace,
     devices: tuple[DeviceResult, ...],
-    held: Held | None = None,
+    held: tuple[Held | None, ...],
 ) -> SpaceRun:
     surfaces = [surface_of(plane) for plane in planes]
     hits = tuple(
@@ -165,3 +232,20 @@ def _run(
         trace.unconverged,
         held,
     )
+
+
+def _laws_under(body: Placed, room: Room, factor: float) -> FloorLaws:
+    """Return the laws of the floor under a body: where a measure changes the friction, its feet have that."""
+    if body.held is None:
+        return FloorLaws.of(room_row(room))
+    own = body.held.room.floor
+    changed = {
+        name: factor * value
+        for name, value in ((field.name, getattr(own, field.name)) for field in fields(own))
+        if name.endswith("friction") and value is not None and value != getattr(room.floor, name)
+    }
+    laws = FloorLaws.of(room_row(replace(room, floor=replace(own, **changed))))
+    if not {"static_friction", "kinetic_friction"} & changed.keys():
+        return laws
+    friction = laws.edge_friction
+    return laws._replace(back_friction=friction, front_friction=friction)

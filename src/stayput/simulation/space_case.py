@@ -29,7 +29,6 @@ from stayput.simulation.outcome import Outcome
 from stayput.simulation.space_devices import springs_of
 from stayput.simulation.space_engine import STEP, SpaceTrace, run_world
 from stayput.simulation.space_fate import fates_of
-from stayput.simulation.space_kinematics import slides, tilts
 from stayput.simulation.space_records import (
     FloorLaws,
     frames_of,
@@ -41,6 +40,8 @@ from stayput.simulation.space_records import (
 from stayput.simulation.standing import Standing
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from stayput.motion import Motion
@@ -51,9 +52,10 @@ NUMBERS = {
     Outcome.ROCKED: ROCKED,
     Outcome.LEANING: LEANING,
     Outcome.OVERTURNED: OVERTURNED_OUTCOME,
+    Outcome.FELL_OFF: OVERTURNED_OUTCOME,
     Outcome.FAILED: FAILED_OUTCOME,
 }
-"""Numbers in the mechanics of what becomes of one body, which can fall off nothing."""
+"""Numbers of the outcomes in the mechanics, which know of no body that another bears."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -63,6 +65,11 @@ class SpaceShaking:
     acceleration: NDArray[np.float64]
     dt: float
 
+    @property
+    def times(self) -> NDArray[np.float64]:
+        """The times of its samples [s]."""
+        return self.dt * np.arange(len(self.acceleration), dtype=np.float64)
+
 
 def acceleration_of(motion: Motion) -> NDArray[np.float64]:
     """Return the floor's acceleration along x, y and z, shape (samples, 3) [m/s²]."""
@@ -70,7 +77,7 @@ def acceleration_of(motion: Motion) -> NDArray[np.float64]:
     return np.stack([given.get(name, np.zeros(len(motion.x))) for name in "xyz"], axis=1)
 
 
-class Piece(NamedTuple):
+class PieceInRoom(NamedTuple):
     """A piece of furniture as it rests, and its room; the middle of its base is at the origin of the room."""
 
     standing: Standing
@@ -118,7 +125,7 @@ def _pose(case: np.void) -> tuple[NDArray[np.float64], ...]:
     return turn, place, np.array([float(case["slide_rate"]), 0.0, 0.0]) - np.cross(spin, foot), spin
 
 
-def piece_of(case: np.void, mass: float = 1.0) -> Piece:
+def piece_of(case: np.void, mass: float = 1.0) -> PieceInRoom:
     """Return the piece of a case as it rests."""
     resting = case.copy()
     for name in ("tilt", "tilt_rate", "slide", "slide_rate"):
@@ -129,12 +136,12 @@ def piece_of(case: np.void, mass: float = 1.0) -> Piece:
     u, v = case["u"], case["v"]
     lean = math.atan2(v[1] - v[0], u[1] - u[0])
     standing = Standing(solid, (float(origin[0]), 0.0, float(origin[2])), tilt=(0.0, lean, 0.0))
-    return Piece(standing, planes_of([standing], case))
+    return PieceInRoom(standing, planes_of([standing], case))
 
 
 def trace_case(
     case: np.void, elements: NDArray[np.void], motion: SpaceShaking, step: float = STEP, mass: float = 1.0
-) -> tuple[Piece, SpaceTrace]:
+) -> tuple[PieceInRoom, SpaceTrace]:
     """Run a case in space, per unit mass.
 
     Parameters
@@ -173,24 +180,34 @@ def _laws_of_piece(case: np.void) -> FloorLaws:
     return laws._replace(restitution=float(laws.restitution / landing))
 
 
-def result_of(piece: Piece, trace: SpaceTrace, time: NDArray[np.float64]) -> NDArray[np.void]:
-    """Return what became of a piece: a RESULT. Its slide is a distance in plan, whatever the direction."""
-    result = np.zeros((), RESULT)
-    one = piece.standing
-    turns = matrices(frames_of([one], trace.attitude))
-    turn, place = turns[0], trace.place[0]
-    tilt = tilts(one.rest, turn)
-    slide = np.linalg.norm(slides(one, place, turn), axis=1)
-    (fate,) = fates_of([one], trace.place, turns, trace.gaps)
-    end = len(time) - 1 if fate.overturned is None else fate.overturned
-    result["outcome"] = NUMBERS[fate.outcome]
-    result["end"] = time[end]
-    result["peak_tilt"] = trace.peak_tilt[0] if fate.overturned is None else tilt[: end + 1].max()
-    result["peak_slide"] = slide[: end + 1].max()
-    result["residual_tilt"], result["residual_slide"] = tilt[end], slide[end]
-    result["floor_impacts"], result["wall_impacts"] = trace.hit_numbers[0, [ON_FLOOR, ON_ROOM]]
-    result["events"], result["steps"] = trace.hit_numbers[-1, 0], trace.steps
-    return result
+def results_of(
+    standing: Sequence[Standing], trace: SpaceTrace, time: NDArray[np.float64]
+) -> NDArray[np.void]:
+    """Return what became of bodies: RESULT, shape (bodies,). Slides are distances in plan, of any direction.
+
+    Parameters
+    ----------
+    standing : sequence of Standing
+        The bodies as they stood at first.
+    trace : SpaceTrace
+        What the engine returned.
+    time : ndarray, shape (samples,)
+        Time [s].
+    """
+    turns = matrices(frames_of(standing, trace.attitude))
+    results = np.zeros(len(standing), RESULT)
+    fates = fates_of(standing, trace.place, turns, trace.gaps)
+    for body, (result, fate) in enumerate(zip(results, fates, strict=True)):
+        falls = [sample for sample in (fate.overturned, fate.fell_off) if sample is not None]
+        end = min(falls, default=len(time) - 1)
+        result["outcome"] = NUMBERS[fate.outcome]
+        result["end"] = time[end]
+        result["peak_tilt"] = fate.tilt[: end + 1].max() if falls else trace.peak_tilt[body]
+        result["peak_slide"] = fate.way[: end + 1].max()
+        result["residual_tilt"], result["residual_slide"] = fate.tilt[end], fate.way[end]
+        result["floor_impacts"], result["wall_impacts"] = trace.hit_numbers[body, [ON_FLOOR, ON_ROOM]]
+        result["events"], result["steps"] = trace.hit_numbers[-1, 0], trace.steps
+    return results
 
 
 def run_rows_in_space(
@@ -199,9 +216,9 @@ def run_rows_in_space(
     """Run cases under one motion on this thread; see `stayput.simulation.columns.run_rows`."""
     results, devices = np.zeros(len(cases), RESULT), np.zeros(elements.shape, DEVICE)
     devices["failure_time"] = np.nan
-    time = motion.dt * np.arange(len(motion.acceleration), dtype=np.float64)
+    time = motion.times
     for n, (case, rows) in enumerate(zip(cases, elements, strict=True)):
         piece, trace = trace_case(case, rows, motion)
-        results[n] = result_of(piece, trace, time)
+        results[n] = results_of([piece.standing], trace, time)[0]
         devices[n, rows["kind"] != NONE] = trace.devices
     return results, devices

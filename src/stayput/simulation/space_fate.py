@@ -39,11 +39,16 @@ LEFT = 0.01
 
 
 class Fate(NamedTuple):
-    """What became of a body, and the samples at which it overturned and fell off, where it did."""
+    """What became of a body, the samples at which it overturned and fell off, where it did, and how it moved.
+
+    Its tilts [rad] and how far it has slid in plan [m] have the shape (samples,).
+    """
 
     outcome: Outcome
     overturned: int | None
     fell_off: int | None
+    tilt: NDArray[np.float64]
+    way: NDArray[np.float64]
 
 
 def fates_of(
@@ -68,10 +73,11 @@ def fates_of(
     bears = _bears(standing, first)
     found: list[Fate] = []
     for b, one in enumerate(standing):
-        if not np.isfinite(place[b]).all():
-            found.append(Fate(Outcome.FAILED, None, None))
-            continue
         tilt = tilts(one.rest, turn[b])
+        way = np.linalg.norm(slides(one, place[b], turn[b]), axis=1)
+        if not np.isfinite(place[b]).all():
+            found.append(Fate(Outcome.FAILED, None, None, tilt, way))
+            continue
         overturned = _first(lies_on_floor(one, place[b], turn[b]))
         if overturned is None and touching[b].any():
             overturned = _since(tilt > LIES)
@@ -85,10 +91,12 @@ def fates_of(
                     fell_off is not None,
                     tilt,
                     bool((last.room[b, 1:] <= TOUCHES).any() or beside.any()),
-                    float(np.abs(slides(one, place[b], turn[b])).max()),
+                    float(way.max()),
                 ),
                 overturned,
                 fell_off,
+                tilt,
+                way,
             )
         )
     return found

@@ -107,8 +107,8 @@ class SpaceRun:
         Steps of the engine.
     unconverged : int
         Steps whose contact forces did not converge; a few where contacts jam.
-    held : Held or None
-        The measures in place, where a `Body` was given.
+    held : tuple of Held or None
+        The measures in place on each body; None of one that is no piece of furniture.
     """
 
     standing: tuple[Standing, ...]
@@ -128,7 +128,7 @@ class SpaceRun:
     devices: tuple[DeviceResult, ...]
     steps: int
     unconverged: int
-    held: Held | None = None
+    held: tuple[Held | None, ...] = ()
 
     def __repr__(self) -> str:
         bodies = ", ".join(outcome.value for outcome in self.outcomes)

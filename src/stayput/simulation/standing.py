@@ -1,4 +1,4 @@
-"""`Standing`: a body in space where it stands; `Assembly`: several of them, and what joins them."""
+"""`Standing` and `Piece`: a body in space where it stands; `Assembly`: several, and what joins them."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, list_of, numbers, whole_within, within
+from stayput.measures.measure import Measure, refuse_conflicts
+from stayput.model.body import Body
 from stayput.model.room import FRICTION_RANGE
 from stayput.model.solid import Solid
 
@@ -104,6 +106,53 @@ class Standing:
         centres = rims[:, :3] @ own
         ends = place + np.concatenate([self.solid.vertices @ own, centres - reach, centres + reach])
         return float(ends.min()), float(ends.max())
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A piece of furniture among several bodies, with the measures that hold it to the room.
+
+    Parameters
+    ----------
+    body : Body
+        The piece, with a length.
+    at : tuple of float
+        Where the middle of its base is: along x, across y, up z [m].
+    heading : float
+        By what it is turned about the vertical, from x towards y [rad]. Its back is at −x of its own frame.
+    measures : sequence of Measure
+        What holds it: to the wall that its back faces, to the ceiling, and to the floor where it stands on
+        that.
+
+    Raises
+    ------
+    InputError
+        A body without a length, a number out of range, or two measures for one place.
+    """
+
+    body: Body
+    at: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    heading: float = 0.0
+    measures: tuple[Measure, ...] = ()
+
+    def __init__(
+        self,
+        body: Body,
+        at: tuple[float, float, float] = (0.0, 0.0, 0.0),
+        heading: float = 0.0,
+        measures: Sequence[Measure] = (),
+    ) -> None:
+        object.__setattr__(self, "body", instance_of("body", body, Body))
+        object.__setattr__(self, "measures", list_of("measures", measures, Measure))
+        refuse_conflicts(self.measures)
+        standing = Standing(Solid.of(body), at, heading)
+        object.__setattr__(self, "at", standing.at)
+        object.__setattr__(self, "heading", heading)
+
+    @property
+    def standing(self) -> Standing:
+        """The piece without its measures."""
+        return Standing(Solid.of(self.body), self.at, self.heading)
 
 
 def rotation_by(vector: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -201,7 +250,7 @@ class Assembly:
 
     Parameters
     ----------
-    members : sequence of Standing
+    members : sequence of Standing or Piece
         The bodies, not inside each other.
     friction : tuple of float
         Static and kinetic coefficients of friction between them.
@@ -222,17 +271,17 @@ class Assembly:
     2
     """
 
-    members: tuple[Standing, ...]
+    members: tuple[Standing | Piece, ...]
     friction: tuple[float, float] = (0.4, 0.3)
     joints: tuple[Joint, ...] = ()
 
     def __init__(
         self,
-        members: Sequence[Standing],
+        members: Sequence[Standing | Piece],
         friction: tuple[float, float] = (0.4, 0.3),
         joints: Sequence[Joint] = (),
     ) -> None:
-        standing = list_of("members", members, Standing)
+        standing = list_of("members", members, (Standing, Piece))
         if not standing:
             raise InputError("simulation.no_bodies", "members")
         if len(standing) > MOST_BODIES:

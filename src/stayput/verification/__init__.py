@@ -5,6 +5,7 @@ from __future__ import annotations
 from stayput.montecarlo.counting import EVENTS, SLIDE_LIMIT, Quantiles
 from stayput.verification.compare import LEVELS, verify
 from stayput.verification.options import Option, options_of
+from stayput.verification.several_verdict import AssemblyOptionVerdict, AssemblyVerdict, PieceVerdict
 from stayput.verification.verdict import AsInstalled, DeviceSummary, OptionVerdict, Verdict
 
 __all__ = [
@@ -12,9 +13,12 @@ __all__ = [
     "LEVELS",
     "SLIDE_LIMIT",
     "AsInstalled",
+    "AssemblyOptionVerdict",
+    "AssemblyVerdict",
     "DeviceSummary",
     "Option",
     "OptionVerdict",
+    "PieceVerdict",
     "Quantiles",
     "Verdict",
     "options_of",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from functools import cache, partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, overload
 
 import numpy as np
 
@@ -14,23 +14,18 @@ from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve
 from stayput.measures import hold
 from stayput.measures.results import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import (
-    DEVICE_FAILED,
-    HIT_WALL,
-    OVERTURNED,
-    SLID,
-    SLIDE_LIMIT,
-    Quantiles,
-)
+from stayput.montecarlo.counting import SLIDE_LIMIT, Quantiles
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
 from stayput.progress import bar
-from stayput.scenario import Scenario
+from stayput.scenario import AssemblyScenario, Scenario
 from stayput.verification.contents import contents_verdicts
 from stayput.verification.options import compared_options, require_coulomb
-from stayput.verification.verdict import AsInstalled, DeviceSummary, Estimates, Member, OptionVerdict, Verdict
+from stayput.verification.ranking import members, severity
+from stayput.verification.several import verify_several
+from stayput.verification.verdict import AsInstalled, DeviceSummary, Estimates, OptionVerdict, Verdict
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -38,7 +33,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
-    from stayput.fragility import FragilityCurve, IntensityMeasure, Probability
+    from stayput.fragility import FragilityCurve, IntensityMeasure
     from stayput.measures import Held
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.montecarlo.levels import Falls
@@ -46,6 +41,7 @@ if TYPE_CHECKING:
     from stayput.montecarlo.sampling import Rows
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.options import Option
+    from stayput.verification.several_verdict import AssemblyVerdict
 
 LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
 """JMA intensities of the ground for the fragility curves: from 4 to 7."""
@@ -57,11 +53,41 @@ LEVELS_IN_SPACE: NDArray[np.float64] = LEVELS[1::3]
 CAPACITIES = (0.1, 0.5)
 """Shares of overturning for which the intensity is given."""
 
-RANKING_ORDER = (OVERTURNED, SLID, DEVICE_FAILED, HIT_WALL)
-"""Events by which options are ranked, the most important first."""
 
-RANKING_RESOLUTION = 0.005
-"""Probabilities that differ by no more than this are equal in the ranking: half a per cent."""
+@overload
+def verify(
+    scenario: Scenario,
+    *,
+    levels: Sequence[float] | NDArray[np.float64] | None = ...,
+    slide_limit: float = ...,
+    every_run: bool = ...,
+    threads: int | None = ...,
+    progress: bool | None = ...,
+    on_progress: Callable[[int, int], None] | None = ...,
+) -> Verdict: ...
+
+
+@overload
+def verify(
+    scenario: AssemblyScenario,
+    *,
+    slide_limit: float = ...,
+    threads: int | None = ...,
+    progress: bool | None = ...,
+    on_progress: Callable[[int, int], None] | None = ...,
+) -> AssemblyVerdict: ...
+
+
+@overload
+def verify(
+    scenario: Scenario | AssemblyScenario,
+    *,
+    slide_limit: float = ...,
+    every_run: bool = ...,
+    threads: int | None = ...,
+    progress: bool | None = ...,
+    on_progress: Callable[[int, int], None] | None = ...,
+) -> Verdict | AssemblyVerdict: ...
 
 
 def curve_levels(dimensions: int) -> NDArray[np.float64]:
@@ -70,7 +96,7 @@ def curve_levels(dimensions: int) -> NDArray[np.float64]:
 
 
 def verify(
-    scenario: Scenario,
+    scenario: Scenario | AssemblyScenario,
     *,
     levels: Sequence[float] | NDArray[np.float64] | None = None,
     slide_limit: float = SLIDE_LIMIT,
@@ -78,7 +104,7 @@ def verify(
     threads: int | None = None,
     progress: bool | None = None,
     on_progress: Callable[[int, int], None] | None = None,
-) -> Verdict:
+) -> Verdict | AssemblyVerdict:
     """Compare a scenario's measures over its motions and over draws of the uncertain quantities.
 
     Every option meets the same motions and the same draws. At the scenario's own shaking samples are added
@@ -88,8 +114,9 @@ def verify(
 
     Parameters
     ----------
-    scenario : Scenario
-        Furniture, room, shaking, measures, uncertainty.
+    scenario : Scenario or AssemblyScenario
+        Furniture, room, shaking, measures, uncertainty. Of several pieces joints and measures on each are
+        compared, at the scenario's own shaking alone.
     levels : sequence of float, optional
         JMA intensities of the ground for the fragility curves, increasing; with none in it there are no
         curves. Default `LEVELS`, in space `LEVELS_IN_SPACE`.
@@ -107,7 +134,7 @@ def verify(
 
     Returns
     -------
-    Verdict
+    Verdict or AssemblyVerdict
         The options, the best first.
 
     Raises
@@ -117,13 +144,21 @@ def verify(
         that cannot be read.
     """
     began = time.perf_counter()
-    require_coulomb(instance_of("scenario", scenario, Scenario), "verification.a_verification")
+    limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
+    given = instance_of("scenario", scenario, (Scenario, AssemblyScenario))
+    if isinstance(given, AssemblyScenario):
+        if levels is not None and len(levels):
+            raise InputError("several.levels", "levels")
+        return verify_several(
+            given, slide_limit=limit, threads=threads, progress=progress, on_progress=on_progress
+        )
+    scenario = given
+    require_coulomb(scenario, "verification.a_verification")
     if levels is None:
         levels = curve_levels(scenario.dimensions)
     rows = numbers("fragility.level", levels, "levels")
     if rows.ndim != 1:
         raise InputError("common.not_a_list", "levels", name=phrase("fragility.level"), value=repr(levels))
-    limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
     if np.any(np.diff(rows) <= 0.0):
         raise InputError("verification.levels_not_increasing", "levels")
     (options, impossible), shaking = compared_options(scenario), scenario.shaking
@@ -316,29 +351,3 @@ def device_summaries(held: Held, runs: Runs) -> tuple[DeviceSummary, ...]:
             )
         )
     return tuple(summaries)
-
-
-def severity(probabilities: Mapping[str, Probability], cost: int) -> tuple[float, ...]:
-    """Return the sort key of an option: its probabilities in `RANKING_ORDER`, then its number of measures."""
-    shares = (probabilities[event].estimate for event in RANKING_ORDER)
-    return (
-        *(
-            round(share / RANKING_RESOLUTION) * RANKING_RESOLUTION if np.isfinite(share) else 1.0
-            for share in shares
-        ),
-        float(cost),
-    )
-
-
-def members(runs: Runs) -> tuple[Member, Member]:
-    """Return the run of median severity, and the worst: by overturning, then by tilt, then by slide."""
-    order = np.lexsort((runs.slide.ravel(), runs.tilt.ravel(), runs.overturned.ravel()))
-    completed = order[~runs.missing.ravel()[order]]
-    ranked = completed if len(completed) else order
-    samples = runs.tilt.shape[1]
-
-    def member(place: int) -> Member:
-        number = int(ranked[place])
-        return Member(number // samples, number % samples)
-
-    return member((len(ranked) - 1) // 2), member(len(ranked) - 1)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from stayput.catalogue import Phrase
-    from stayput.scenario import Scenario
+    from stayput.scenario import AssemblyScenario, Scenario
     from stayput.scenario.building import BuildingTable
     from stayput.scenario.tables import FurnitureTable
     from stayput.verification.options import Option
@@ -113,7 +113,7 @@ def furniture_tag(table: FurnitureTable) -> str:
     return GIVEN if all(known) else Confidence.LOW.value
 
 
-def floor_tag(scenario: Scenario) -> str:
+def floor_tag(scenario: Scenario | AssemblyScenario) -> str:
     """Return the tag of the floor's friction."""
     table = scenario.room.floor
     surface = table if isinstance(table, str) else table.surface

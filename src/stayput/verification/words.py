@@ -27,13 +27,14 @@ SMALL = 0.005
 """A share below this is not mentioned."""
 
 
-def _class(intensity: float) -> Phrase:
+def class_phrase(intensity: float) -> Phrase:
+    """Return the class of a JMA intensity."""
     return INTENSITIES[intensity_class(intensity)]
 
 
 def class_label(intensity: float, language: str) -> str:
     """Return the class of a JMA intensity: "6-upper", or "震度6強"."""
-    return say(_class(intensity), language)
+    return say(class_phrase(intensity), language)
 
 
 def share_text(share: float) -> Phrase:
@@ -45,13 +46,13 @@ def share_text(share: float) -> Phrase:
     return both if bound is None else phrase(bound, share=both)
 
 
-def _of_the_cases(share: float) -> str:
+def of_the_cases(share: float) -> str:
     """Return a share in English: "in 12 % of the cases", "in none of the cases"."""
     amount = {0.0: "none", 1.0: "all"}.get(share, share_text(share)[0])
     return f"in {amount} of the cases"
 
 
-def _falls(share: float) -> Phrase:
+def falls_phrase(share: float) -> Phrase:
     """Return how often it overturns: "in 12 % of the cases", "12%の場合に転倒します"."""
     key = {0.0: "verification.never_falls", 1.0: "verification.always_falls"}.get(share, "verification.falls")
     return phrase(key, share=share_text(share))
@@ -109,7 +110,7 @@ def asides(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
     sentences: list[Phrase] = []
     if option.contents is not None:
         english, japanese = contents_out(option, verdict)
-        sentences.append((_sentence([english], "en"), _sentence([japanese], "ja")))
+        sentences.append((sentence_of([english], "en"), sentence_of([japanese], "ja")))
     if option.installed is not None:
         share = share_text(option.installed.usual[OVERTURNED])
         sentences.append(phrase("verification.overturns_as_installed", share=share))
@@ -165,7 +166,7 @@ def _headline(verdict: Verdict) -> Phrase:
     share = without.probabilities[OVERTURNED].estimate
     if math.isnan(share):
         return phrase("verification.no_run_without_a_measure")
-    strength, falls = _class(verdict.intensity), _falls(share)
+    strength, falls = class_phrase(verdict.intensity), falls_phrase(share)
     if _helps(best, without):
         held = best.probabilities[OVERTURNED].estimate
         unclear = best.change is not None and not best.change.clear
@@ -187,10 +188,10 @@ def reason(option: OptionVerdict, verdict: Verdict, language: str) -> str:
     """Return why an option stands where it does, in one plain sentence."""
     if math.isnan(option.probabilities[OVERTURNED].estimate):
         return say("verification.no_run", language)
-    return _sentence([say(part, language) for part in _reasons(option, verdict)], language)
+    return sentence_of([say(part, language) for part in _reasons(option, verdict)], language)
 
 
-def _sentence(clauses: list[str], language: str) -> str:
+def sentence_of(clauses: list[str], language: str) -> str:
     """Return clauses as a sentence; in Japanese each is one."""
     text = "; ".join(clauses) if language == "en" else "。".join(clauses)
     return f"{text[:1].upper()}{text[1:]}." if language == "en" else f"{text}。"
@@ -199,10 +200,10 @@ def _sentence(clauses: list[str], language: str) -> str:
 def _reasons(option: OptionVerdict, verdict: Verdict) -> list[Phrase]:
     shares = {event: chance.estimate for event, chance in option.probabilities.items()}
     bare, held = verdict.without.probabilities[OVERTURNED].estimate, shares[OVERTURNED]
-    values = {"bare": share_text(bare), "held": (_of_the_cases(held), share_text(held)[1])}
+    values = {"bare": share_text(bare), "held": (of_the_cases(held), share_text(held)[1])}
     parts: list[Phrase] = []
     if option.change is None:
-        parts.append(phrase("verification.overturns", falls=_falls(bare)))
+        parts.append(phrase("verification.overturns", falls=falls_phrase(bare)))
     elif not option.change.clear and not abs(option.change.estimate) >= ALIKE:  # nor where it is unknown
         parts.append(phrase("verification.about_as_often"))
     elif not option.change.clear:

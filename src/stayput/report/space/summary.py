@@ -52,7 +52,7 @@ def space_rows(run: SpaceRun, names: Sequence[str] | None = None) -> list[tuple[
         else:
             del values["fell_off"]
         rows += [(say(f"runs.row_{key}"), value) for key, value in values.items()]
-    return [*rows, *device_rows(run.devices)]
+    return [*rows, *device_rows(run.devices, called if len(called) > 1 else ())]
 
 
 def space_summary(run: SpaceRun, names: Sequence[str] | None = None) -> dict[str, Any]:
@@ -91,8 +91,12 @@ def space_summary(run: SpaceRun, names: Sequence[str] | None = None) -> dict[str
             for b, name in enumerate(called)
         ],
         "motion": motion_data(run.motion),
-        "measures": [] if run.held is None else [measure.kind for measure in run.held.measures],
-        "devices": [{key: device[name] for key, name in DEVICE_KEYS.items()} for device in devices],
+        "measures": [measure.kind for one in run.held if one is not None for measure in one.measures],
+        "devices": [
+            {key: device[name] for key, name in DEVICE_KEYS.items()}
+            | ({} if result.member is None else {"body": called[result.member]})
+            for device, result in zip(devices, run.devices, strict=True)
+        ],
         "hits": [_hit(hit, called) for hit in run.hits],
         "steps": run.steps,
         "unconverged_steps": run.unconverged,

@@ -13,11 +13,11 @@ from stayput.uncertainty import USUAL, Lognormal, Normal, Uniform
 from stayput.verification.grades import building_tag, floor_tag, furniture_tag
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Collection, Iterator
 
     from stayput.catalogue import Phrase
     from stayput.model.room import Ceiling, Wall
-    from stayput.scenario import Scenario
+    from stayput.scenario import AssemblyScenario, Scenario
     from stayput.uncertainty import Marginal
     from stayput.verification import Verdict
 
@@ -59,15 +59,28 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
     measured = scenario.uncertainty.as_stated
     return [
         _furniture(scenario),
-        _floor(scenario),
-        *_walls(scenario),
+        *room_assumptions(scenario),
         *_contents(scenario),
-        _motions(scenario, verdict.motions),
-        *([] if scenario.shaking.building is None else [_building(scenario)]),
-        *(_drawn(name, marginal) for name, marginal in USUAL.items() if name not in measured),
-        *(Assumption((_text(f"quantity_{name}"), _text("as_stated")), GIVEN) for name in measured),
+        *shaking_assumptions(scenario, verdict.motions),
+        *drawn_assumptions(USUAL, measured),
         *(Assumption((_text(f"limit_{key}"), _text(f"limit_{key}_text")), MODEL) for key in LIMITS),
     ]
+
+
+def shaking_assumptions(scenario: Scenario | AssemblyScenario, count: int) -> Iterator[Assumption]:
+    """Yield the motions, of which there are so many, and the building."""
+    yield _motions(scenario, count)
+    if scenario.shaking.building is not None:
+        yield _building(scenario)
+
+
+def drawn_assumptions(quantities: Collection[str], measured: Collection[str]) -> Iterator[Assumption]:
+    """Yield what is drawn of the quantities of `USUAL`, and what is not since it was measured."""
+    for name in quantities:
+        if name not in measured:
+            yield _drawn(name, USUAL[name])
+    for name in measured:
+        yield Assumption((_text(f"quantity_{name}"), _text("as_stated")), GIVEN)
 
 
 def _text(key: str, **values: object) -> Phrase:
@@ -86,7 +99,13 @@ def _furniture(scenario: Scenario) -> Assumption:
     return Assumption((_text("piece"), value), furniture_tag(table))
 
 
-def _floor(scenario: Scenario) -> Assumption:
+def room_assumptions(scenario: Scenario | AssemblyScenario) -> Iterator[Assumption]:
+    """Yield the floor, the walls and the ceiling."""
+    yield _floor(scenario)
+    yield from _walls(scenario)
+
+
+def _floor(scenario: Scenario | AssemblyScenario) -> Assumption:
     floor, table = scenario.room.room().floor, scenario.room.floor
     name = table if isinstance(table, str) else table.surface
     surface = "" if name is None else _text("surface", name=_in_both(name))
@@ -94,7 +113,7 @@ def _floor(scenario: Scenario) -> Assumption:
     return Assumption((_text("floor"), value), floor_tag(scenario))
 
 
-def _walls(scenario: Scenario) -> Iterator[Assumption]:
+def _walls(scenario: Scenario | AssemblyScenario) -> Iterator[Assumption]:
     room = scenario.room.room()
     for key, wall in (
         ("wall", room.left_wall),
@@ -140,7 +159,7 @@ def _contents(scenario: Scenario) -> Iterator[Assumption]:
     yield Assumption((_text("inside"), value), contents.tag)
 
 
-def _motions(scenario: Scenario, count: int) -> Assumption:
+def _motions(scenario: Scenario | AssemblyScenario, count: int) -> Assumption:
     shaking = scenario.shaking
     heading = _text("motions")
     if shaking.record is not None or isinstance(shaking.suite, str):
@@ -155,7 +174,7 @@ def _motions(scenario: Scenario, count: int) -> Assumption:
     return Assumption((heading, value), GIVEN if shaking.sine is not None else "low")
 
 
-def _building(scenario: Scenario) -> Assumption:
+def _building(scenario: Scenario | AssemblyScenario) -> Assumption:
     table = scenario.shaking.building
     assert table is not None
     value = _text("building_text", name=table.building().name, storey=scenario.shaking.storey)

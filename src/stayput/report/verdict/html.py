@@ -105,7 +105,7 @@ def report_html(verdict: Verdict, language: str = "en") -> str:
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
-        finalize=_tight,
+        finalize=tight,
     )
     return pages.get_template("report.html").render(_content(verdict, language))
 
@@ -180,7 +180,7 @@ def command(verdict: Verdict, language: str, file: str = "scenario.toml") -> str
     return shlex.join([*words, "--report", "report.html"])
 
 
-def _tight(value: object) -> object:
+def tight(value: object) -> object:
     """Return a text whose lines do not end between a number and its unit; anything else as it is."""
     if not isinstance(value, str) or isinstance(value, Markup):
         return value

@@ -54,14 +54,14 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: 
     motion, scale = floor_motion(verdict, ground, member)
     options = shown_options(verdict)
     runs = [replay_in_space(verdict, option, member, motion, scale) for option in options]
-    start, end = _window(runs)
+    start, end = moving_window(runs)
     piece = verdict.scenario.furniture
     name = piece.name or say(PIECES.get(piece.preset or "", ANY_PIECE), language)
     heading = word("histories", language)
     drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
     sides: list[dict[str, Any]] = []
     for option, run in zip(options, runs, strict=True):
-        shown, label = _cut(run, start, end), title(option, verdict, language)
+        shown, label = cut_run(run, start, end), title(option, verdict, language)
         # several that play at once would be too much for a slow machine
         player = space_player_page(space_film(shown, [name], language), 1.0, 1.5, plays=False)
         figure = plot_space_run(shown, names=[name], language=drawn)
@@ -70,7 +70,7 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: 
                 "label": label,
                 "outcome": say(became(run, [name]), language),
                 "player": player,
-                "histories": _picture(figure),
+                "histories": embedded(figure),
             }
         )
     about = f"{kind}_text" if len(runs) > 1 else f"{kind}_bare_text"
@@ -93,24 +93,24 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: 
     }
 
 
-def _window(runs: list[SpaceRun]) -> tuple[float, float]:
+def moving_window(runs: list[SpaceRun]) -> tuple[float, float]:
     """Return the start and the end of the time in which something moves [s]."""
     times = runs[0].time
     first, last = float(times[-1]), 0.0
     for run in runs:
-        tilt, slide = run.tilt[0], np.hypot(*run.slide[0].T)
+        tilt, slide = run.tilt.max(axis=0), np.hypot(run.slide[..., 0], run.slide[..., 1]).max(axis=0)
         moved = np.flatnonzero((tilt > _MOVED) | (slide > _MOVED))
         if len(moved):
             first = min(first, float(times[moved[0]]))
-        fell = float(run.overturn_time[0])
-        last = max(last, float(times[tilt.argmax()]) if math.isnan(fell) else fell)
+        fell = run.overturn_time[run.overturned]
+        last = max(last, float(fell.max()) if len(fell) else float(times[tilt.argmax()]))
     if first >= last:  # nothing moves: the strongest shaking is shown
         first = last = float(times[np.abs(runs[0].motion.x).argmax()])
     end = min(float(times[-1]), last + AFTER)
     return max(0.0, math.floor(10.0 * max(first - BEFORE, end - LONGEST)) / 10.0), end
 
 
-def _cut(run: SpaceRun, start: float, end: float) -> SpaceRun:
+def cut_run(run: SpaceRun, start: float, end: float) -> SpaceRun:
     """Return the part of a run between two times [s]."""
     kept = (run.time >= start - 1e-9) & (run.time <= end + 1e-9)
     return replace(
@@ -124,7 +124,7 @@ def _cut(run: SpaceRun, start: float, end: float) -> SpaceRun:
     )
 
 
-def _picture(figure: Figure) -> str:
+def embedded(figure: Figure) -> str:
     """Return a figure as the address of an image that holds it."""
     written = io.BytesIO()
     figure.savefig(written, format="svg")

@@ -45,10 +45,10 @@ def verdict_markdown(verdict: Verdict, language: str = "en") -> str:
 
 def _lines(verdict: Verdict, language: str) -> Iterator[str]:
     text = partial(word, language=language)
-    yield f"# {_plain(verdict.scenario.title or text('report'))}"
-    yield f"\n**{_plain(headline(verdict, language))}**\n"
+    yield f"# {plain(verdict.scenario.title or text('report'))}"
+    yield f"\n**{plain(headline(verdict, language))}**\n"
     for note in verdict.notes(language):
-        yield f"{_plain(note)}\n"
+        yield f"{plain(note)}\n"
     yield simulations(verdict, language)
     if verdict.motions == 1:
         yield f"\n{text('one_motion')}"
@@ -60,8 +60,8 @@ def _lines(verdict: Verdict, language: str) -> Iterator[str]:
     for label, reason in impossible_rows(verdict, language):
         blank = (NO_NUMBER,) * (len(columns) - 4)
         rows.append((NO_NUMBER, label, text("not_possible"), *blank, reason))
-    yield from _table(columns, rows)
-    yield f"\n{_plain(grades_text(language))}"
+    yield from table(columns, rows)
+    yield f"\n{plain(grades_text(language))}"
     devices = [
         (title(result.option, verdict, language), *row)
         for result in verdict.options
@@ -69,13 +69,13 @@ def _lines(verdict: Verdict, language: str) -> Iterator[str]:
     ]
     if devices:
         yield f"\n## {text('devices')}\n"
-        yield from _table((text("measure"), *(text(key) for key in DEVICE_COLUMNS)), devices)
+        yield from table((text("measure"), *(text(key) for key in DEVICE_COLUMNS)), devices)
     yield f"\n## {text('estimates')}\n"
     yield f"{text('estimates_text')}\n"
-    yield from _table((text("formula"), text("says"), text("beside")), estimate_rows(verdict, language))
+    yield from table((text("formula"), text("says"), text("beside")), estimate_rows(verdict, language))
     yield f"\n## {text('assumptions')}\n"
     heading = (text("assumption"), text("value"), text("confidence"))
-    yield from _table(
+    yield from table(
         heading,
         ((a.what(language), a.value(language), text(a.confidence)) for a in assumptions(verdict)),
     )
@@ -115,14 +115,15 @@ def _cells(row: RankingRow, language: str) -> tuple[str, ...]:
     return str(row.option.rank), label, *shares, *contents, slide, *capacities, row.grade, row.reason
 
 
-def _table(heading: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
-    yield f"| {' | '.join(map(_plain, heading))} |"
+def table(heading: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
+    """Yield the lines of a table."""
+    yield f"| {' | '.join(map(plain, heading))} |"
     yield f"|{' --- |' * len(heading)}"
     for row in rows:
-        yield f"| {' | '.join(map(_plain, row))} |"
+        yield f"| {' | '.join(map(plain, row))} |"
 
 
-def _plain(text: str) -> str:
+def plain(text: str) -> str:
     """Return a text in which no character means something to Markdown or HTML, on one line."""
     one_line = " ".join(text.split())
     return re.sub(r"([\\`*_\[\]<>|#~])", r"\\\1", one_line)

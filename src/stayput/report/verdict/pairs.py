@@ -277,5 +277,5 @@ def replay_under(verdict: Verdict, option: Option, member: Member, motion: Motio
     row["scale"] = scale
     traced, devices, forces = trace_held(row[0], elements, shaking(motion.x, motion.z, motion.dt, 0))
     case = Case(held.body, held.room, motion.scaled(scale), initial=initial, gravity=scenario.gravity)
-    results = device_results(held, elements, devices, forces)
+    results = device_results(held, elements, devices, forces, held.body.mass)
     return run_of(case, traced, held, results, most_events=2)  # the pictures need the last one

@@ -14,7 +14,7 @@ from stayput.measures.parameters import MEANINGS
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED
 from stayput.report.summary import number
 from stayput.report.verdict import numbers
-from stayput.report.verdict.words import named, word
+from stayput.report.verdict.words import place_named, word
 from stayput.spreadsheets import text_cell
 from stayput.verification import EVENTS
 from stayput.verification.grades import weakest
@@ -172,7 +172,7 @@ def _device_name(device: DeviceSummary, names: dict[str, str], language: str) ->
     if device.name in ("", device.kind):
         return name
     where = device.name.removeprefix(device.kind).strip()
-    return with_aside(name, named(where, language), language)
+    return with_aside(name, place_named(where, language), language)
 
 
 def simulations(verdict: Verdict, language: str) -> str:

@@ -40,6 +40,11 @@ def named(name: str, language: str) -> str:
     return name if language == "en" or name not in _NAMES else say(_NAMES[name], language)
 
 
+def place_named(place: str, language: str) -> str:
+    """Return the place of a device in a language: "front left", or "前面側・左"."""
+    return place if language == "en" else "・".join(named(part, language) for part in place.split())
+
+
 def motion_named(name: str, language: str) -> str:
     """Return a motion's name in a language; a record's stays as it is."""
     member = None if language == "en" else _MEMBER.fullmatch(name)

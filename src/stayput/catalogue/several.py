@@ -1,0 +1,138 @@
+"""Verdicts on several pieces: what happens with their joints and with measures, and why."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    "two_of_one_name": (
+        "Two options are named {name}; each must have a name of its own.",
+        "{name}という名前の案が2つあります。それぞれに異なる名前を付けてください。",
+    ),
+    "levels": (
+        "levels is given for several pieces, which have no fragility curves; it must be left out.",
+        "複数の家具にlevelsが指定されています。フラジリティ曲線は求めないので、省いてください。",
+    ),
+    # What an option consists of
+    "joined": ("Joints", "接合"),
+    "nothing": ("Without joints and measures", "接合・対策なし"),
+    "on": ("{measure} on {pieces}", "{pieces}に{measure}"),
+    # The verdict in a sentence
+    "no_run": (
+        "No run without joints and measures could be followed to its end, so nothing can be said.",
+        "接合・対策なしの計算が最後まで進まなかったため、判定できません。",
+    ),
+    "better": (
+        (
+            "In shaking of JMA intensity {strength} furniture overturns {falls} without joints and measures; "
+            "with {option}, {then}{chance}."
+        ),
+        "{strength}の揺れで、接合・対策がなければ家具のいずれかが{falls}。「{option}」なら{then}。{chance}",
+    ),
+    "stays_upright": (
+        "In shaking of JMA intensity {strength} all furniture stays upright without joints and measures.",
+        "{strength}の揺れでも、接合・対策なしで家具は転倒しません。",
+    ),
+    "none_helps": (
+        (
+            "In shaking of JMA intensity {strength} furniture overturns {falls} without joints and measures, and "
+            "nothing that was compared makes it clearly less."
+        ),
+        "{strength}の揺れで、接合・対策がなければ家具のいずれかが{falls}。比較した案では明らかには減りません。",
+    ),
+    # Why an option stands where it does: clauses
+    "overturns": ("furniture overturns {falls}", "家具のいずれかが{falls}"),
+    "about_as_often": (
+        "furniture overturns about as often as without joints and measures",
+        "転倒する割合は接合・対策なしと明らかな差がありません",
+    ),
+    "by_chance": (
+        "furniture overturns {held} instead of {bare}, which may be chance",
+        "転倒は接合・対策なしの{bare}に対し{held}ですが、偶然の差かもしれません",
+    ),
+    "less_often": ("furniture overturns {held} instead of {bare}", "転倒は{bare}から{held}に減ります"),
+    "more_often": (
+        "furniture overturns more often than without joints and measures, {held}",
+        "転倒は接合・対策なしより増えて{held}です",
+    ),
+    "most_often": ("most often: {name} ({share})", "最も多いのは「{name}」（{share}）です"),
+    "loose": ("{name} overturns {falls}", "「{name}」は{falls}"),
+    "joint_fails": (
+        "mostly what joins {first} and {second}",
+        "多くは「{first}」と「{second}」の接合部です",
+    ),
+    "device_of": ("mostly on {name}: {weakest}", "多くは「{name}」で、{weakest}ことによります"),
+    "slides": (
+        "in nine of ten no furniture slides by more than {length}",
+        "10回中9回は家具の移動が{length}以内です",
+    ),
+    # The report
+    "report": ("Verification of several pieces of furniture", "複数の家具の地震対策の検証"),
+    "about": (
+        (
+            "Simulated in space, under all components of the motions, with friction and impacts between the "
+            "pieces. Options are ranked by how often any piece of furniture overturns (presets and boxes), then "
+            "by sliding, failing devices and hits on walls; other objects are listed by themselves."
+        ),
+        (
+            "三次元で、地震動のすべての成分と、家具どうしの摩擦・衝突を考慮して計算しました。順位は、いずれかの家具"
+            "（規定の家具と直方体）が転倒する割合、移動、器具の破損、壁への衝突の順で決めています。"
+            "そのほかの物は個別に示します。"
+        ),
+    ),
+    "ranking_text": (
+        "The bars show shares of all runs; the thin line is the 95 % interval.",
+        "棒は全計算に対する割合、細い線は95%区間です。",
+    ),
+    "brief_text": (
+        "Columns of events count any piece of furniture; those of the pieces tell how often each overturns.",
+        "事象の列はいずれかの家具に起こる割合、各家具の列はその家具が転倒する割合です。",
+    ),
+    "simulations": (
+        "{runs} runs: motions × Monte Carlo samples {motions} × {samples} for each option",
+        "合計{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、各案で計算",
+    ),
+    "option": ("Option", "案"),
+    "any": ("Any furniture overturns", "いずれかの家具が転倒"),
+    "each": ("Which pieces overturn", "転倒する家具"),
+    "details": ("Joints and devices of each option", "案ごとの接合部と器具"),
+    "holds": ("Holds", "取付け先"),
+    "typical_text": (
+        (
+            "Without joints and measures, half of the runs went better than this one and half went worse. The same "
+            "motion and the same draw with the best option."
+        ),
+        "接合・対策なしで、結果がちょうど中程度だった計算です。最良の案も同じ地震動・同じ標本です。",
+    ),
+    "typical_bare_text": (
+        "Without joints and measures, half of the runs went better than this one and half went worse.",
+        "接合・対策なしで、結果がちょうど中程度だった計算です。",
+    ),
+    "worst_text": (
+        "The run that went worst with the best option, and the same one without joints and measures.",
+        "最良の案で最も悪い結果になった計算と、同じ計算を接合・対策なしで行ったものです。",
+    ),
+    "worst_bare_text": (
+        "The run that went worst without joints and measures.",
+        "接合・対策なしで最も悪い結果になった計算です。",
+    ),
+    "piece_box": (
+        "{width:g} × {length:g} × {height:g} m, {mass:.4g} kg",
+        "{width:g} × {length:g} × {height:g} m、{mass:.4g} kg",
+    ),
+    "between": ("Friction between the pieces", "家具どうしの摩擦"),
+    "drawn_between": (
+        "Friction between the pieces and strength of the joints",
+        "家具どうしの摩擦と接合部の強さ",
+    ),
+    "drawn_between_text": (
+        "drawn by themselves, like friction and the strength of devices; masses, centres and feet of each piece too",
+        "摩擦・器具の強さと同じ分布で別に与える。質量・重心・脚は家具ごとに与える",
+    ),
+    "limit_body": ("Rigid bodies in space", "三次元の剛体"),
+    "limit_body_text": (
+        "The pieces do not bend, and what is inside them does not move.",
+        "家具の変形と、中身の動きは考慮しません。",
+    ),
+    "caution": (
+        "A simulation of rigid bodies is not a guarantee. Real rooms, walls and fixings differ.",
+        "これは剛体のシミュレーションであり、安全を保証するものではありません。実際の部屋や壁、固定の状態はこれと異なります。",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

@@ -1,0 +1,303 @@
+"""Monte Carlo runs of several pieces: draws of what is uncertain of each, and what became of them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields, replace
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from stayput.execution import Call, ThreadExecutor
+from stayput.measures.bracket import REACH
+from stayput.measures.results import utilisation
+from stayput.mechanics.columns import FAILED_OUTCOME, OVERTURNED_OUTCOME, RESULT
+from stayput.mechanics.devices.columns import DEVICE, HOLDS
+from stayput.model.room import FRICTION_RANGE, WALLS_AROUND
+from stayput.model.solid import Solid
+from stayput.montecarlo.counting import Outcomes
+from stayput.montecarlo.sampling import AS_STATED, Draw, drawn_body, drawn_place, drawn_surfaces
+from stayput.simulation.placing import planes_around, room_seen
+from stayput.simulation.space import run_of_assembly, trace_assembly
+from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of
+from stayput.simulation.standing import Assembly, Piece, Standing
+from stayput.uncertainty import USUAL, Uncertainty
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Collection, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.model.room import Room
+    from stayput.montecarlo.hazard import FloorMotions
+    from stayput.motion import Motion
+    from stayput.simulation.space import AssemblyTrace
+    from stayput.simulation.space_run import SpaceRun
+
+OWN = ("mass", "gravity_height", "back_inset", "front_inset")
+"""Quantities of `Draw` that each piece has of its own; the others are the room's."""
+
+LIKE = {"between": "friction", "joints": "strength"}
+"""Quantities of several pieces that are drawn like one of `Draw`: friction between them, and joints."""
+
+
+class DrawOfSeveral(NamedTuple):
+    """One draw of what is uncertain of several pieces in a room.
+
+    Parameters
+    ----------
+    pieces : tuple of Draw
+        Of each; what is the room's is the same in all.
+    between : float
+        Factor on the friction between pieces.
+    joints : float
+        Factor on the strengths of the joints.
+    """
+
+    pieces: tuple[Draw, ...]
+    between: float
+    joints: float
+
+    @property
+    def room(self) -> Draw:
+        """What is drawn of the room."""
+        return self.pieces[0]
+
+
+def draws_of_several(
+    bodies: int, motions: int, samples: int, seed: int, start: int = 0, *, as_stated: Collection[str] = ()
+) -> list[list[DrawOfSeveral]]:
+    """Return the draws of every motion.
+
+    Parameters
+    ----------
+    bodies : int
+        Pieces.
+    motions, samples, seed, start, as_stated
+        As for `stayput.montecarlo.sampling.draws`.
+    """
+    own = {f"{name} {body}": USUAL[name] for body in range(1, bodies) for name in OWN}
+    like = {name: USUAL[other] for name, other in LIKE.items()}
+    drawn = Uncertainty({**USUAL, **like, **own}).sample(samples, seed, motions=motions, start=start)
+    for name in drawn:
+        quantity = LIKE.get(name, name.partition(" ")[0])
+        if quantity in as_stated:
+            drawn[name] = np.full((motions, samples), getattr(AS_STATED, quantity))
+
+    def one(motion: int, sample: int) -> DrawOfSeveral:
+        values = {name: float(column[motion, sample]) for name, column in drawn.items()}
+        first = Draw(**{field.name: values[field.name] for field in fields(Draw)})
+        others = (
+            replace(first, **{name: values[f"{name} {body}"] for name in OWN}) for body in range(1, bodies)
+        )
+        return DrawOfSeveral((first, *others), *(values[name] for name in LIKE))
+
+    return [[one(motion, sample) for sample in range(samples)] for motion in range(motions)]
+
+
+def drawn_assembly(assembly: Assembly, draw: DrawOfSeveral) -> Assembly:
+    """Return an assembly as drawn; its products were bought for the pieces as stated."""
+    members = [_drawn_member(one, own) for one, own in zip(assembly.members, draw.pieces, strict=True)]
+    static, kinetic = (min(draw.between * mu, FRICTION_RANGE[1]) for mu in assembly.friction)
+    joints = [
+        replace(joint, strength=draw.joints * joint.strength, shear=draw.joints * joint.shear)
+        for joint in assembly.joints
+    ]
+    return Assembly(members, (static, kinetic), joints)
+
+
+def _drawn_member(member: Standing | Piece, draw: Draw) -> Standing | Piece:
+    """Return a member as drawn. The floor's lean is the room's; feet matter on the floor alone."""
+    if isinstance(member, Standing):
+        return replace(member, solid=_heavier(member.solid, draw.mass))
+    inset = draw if member.at[2] == 0.0 else replace(draw, back_inset=0.0, front_inset=0.0)
+    body = drawn_body(member.body, replace(inset, lean=0.0))
+    measures = [measure.fitted_to(member.body) for measure in member.measures]
+    return Piece(body, member.at, member.heading, measures)
+
+
+def _heavier(solid: Solid, factor: float) -> Solid:
+    """Return a body of another mass, distributed alike."""
+    return Solid(
+        solid.vertices,
+        factor * solid.mass,
+        centre_of_gravity=solid.centre_of_gravity,
+        inertia=factor * solid.inertia,
+        feet=solid.feet,
+        rims=solid.rims,
+    )
+
+
+def drawn_room(assembly: Assembly, room: Room, draw: Draw) -> Room:
+    """Return the room as drawn; where a bracket reaches the wall from a piece as stated, it does as drawn."""
+    drawn = drawn_place(room, draw)
+    for name in WALLS_AROUND:
+        wall = getattr(drawn, name)
+        if wall is None:
+            continue
+        stated = getattr(room, name).gap
+        alone = replace(room, **{other: None for other in WALLS_AROUND if other != name})
+        planes = planes_around(assembly.members, alone)
+        seen = [room_seen(one, alone, planes) for one in assembly.members if isinstance(one, Piece)]
+        behind = [one.left_wall.gap for one in seen if one.left_wall is not None]
+        most = min((REACH - (gap - stated) for gap in behind if gap <= REACH), default=math.inf)
+        drawn = replace(drawn, **{name: replace(wall, gap=min(wall.gap, most))})
+    return drawn_surfaces(drawn, draw)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RunsOfSeveral(Outcomes):
+    """Outcomes of several pieces with one option, over motions and samples; of those that count together.
+
+    Any of them overturned, hit a wall; slide and tilt are the largest of theirs.
+
+    Parameters
+    ----------
+    results : ndarray of RESULT, shape (motions, samples, bodies)
+        What became of each.
+    devices : ndarray of DEVICE, shape (motions, samples, devices)
+        What became of each device and joint, in newtons.
+    used : ndarray, shape (motions, samples, devices)
+        Utilisation of each.
+    """
+
+    results: NDArray[np.void]
+    devices: NDArray[np.void]
+    used: NDArray[np.float64]
+
+    def of_body(self, body: int) -> Outcomes:
+        """Return the outcomes of one of the pieces."""
+        return Outcomes.of(self.results[..., body], self.device_failed)
+
+
+def run_several(
+    assemblies: Sequence[Assembly],
+    room: Room,
+    drawn: Sequence[Sequence[DrawOfSeveral]],
+    floors: FloorMotions,
+    gravity: float,
+    counted: Sequence[int],
+    *,
+    threads: int | None = None,
+    progress: Callable[[int], None] | None = None,
+) -> list[RunsOfSeveral]:
+    """Run several options at one level together, so that all threads are busy.
+
+    Parameters
+    ----------
+    assemblies : sequence of Assembly
+        The pieces with each option, as stated.
+    room : Room
+        Where they stand.
+    drawn : sequence of sequence of DrawOfSeveral
+        The draws, by motion and sample.
+    floors : FloorMotions
+        The motions.
+    gravity : float
+        Acceleration of gravity [m/s²].
+    counted : sequence of int
+        The pieces that count together.
+    threads : int, optional
+        As many as there are cores by default. The bits do not depend on them.
+    progress : callable, optional
+        Called with the number of runs just done; an exception that it raises stops the work.
+
+    Raises
+    ------
+    InputError
+        Measures that cannot be put in place, as stated or in one of the draws.
+    """
+    shape = len(drawn), len(drawn[0])
+    each = [one for option in range(len(assemblies)) for one in _places(option, *shape)]
+    bodies = len(assemblies[0].members)
+    results = np.zeros((len(assemblies), *shape, bodies), RESULT)
+    found: dict[tuple[int, int, int], tuple[NDArray[np.void], NDArray[np.float64]]] = {}
+
+    def run(place: tuple[int, int, int]) -> None:
+        option, motion, sample = place
+        draw = drawn[motion][sample]
+        shaking = _shaking(floors.motions[motion], float(floors.scales[motion]), draw.room.lean, gravity)
+        results[place], found[place] = run_draw(assemblies[option], room, draw, shaking, gravity)
+
+    with ThreadExecutor(threads) as executor:
+        for _ in executor.as_completed(Call(run, place) for place in each):
+            if progress is not None:
+                progress(1)
+    return [_runs(results[option], found, option, counted) for option in range(len(assemblies))]
+
+
+def _places(option: int, motions: int, samples: int) -> list[tuple[int, int, int]]:
+    return [(option, motion, sample) for motion in range(motions) for sample in range(samples)]
+
+
+def _shaking(motion: Motion, scale: float, lean: float, gravity: float) -> SpaceShaking:
+    """Return the motion of a floor that leans to the front: it is shaken by −g sin(lean) along x as well."""
+    acceleration = scale * acceleration_of(motion)
+    acceleration[:, 0] -= gravity * math.sin(lean)
+    return SpaceShaking(acceleration, motion.dt)
+
+
+def run_draw(
+    assembly: Assembly, room: Room, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
+) -> tuple[NDArray[np.void], tuple[NDArray[np.void], NDArray[np.float64]]]:
+    """Run an assembly under one draw.
+
+    Returns
+    -------
+    tuple
+        RESULT, shape (bodies,); and the devices with their utilisation.
+    """
+    traced = _traced(assembly, room, draw, shaking, gravity)
+    devices = traced.trace.devices
+    standing = [one.standing for one in traced.bodies]
+    return results_of(standing, traced.trace, shaking.times), (devices, utilisation(traced.springs, devices))
+
+
+def _traced(
+    assembly: Assembly, room: Room, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
+) -> AssemblyTrace:
+    return trace_assembly(
+        drawn_assembly(assembly, draw),
+        drawn_room(assembly, room, draw.room),
+        shaking,
+        gravity,
+        strength=draw.room.strength,
+        friction=draw.room.friction,
+    )
+
+
+def replay(
+    assembly: Assembly, room: Room, draw: DrawOfSeveral, motion: Motion, scale: float, gravity: float
+) -> SpaceRun:
+    """Run an assembly under one draw again, with its histories.
+
+    Parameters
+    ----------
+    assembly, room, draw, gravity
+        As for `run_several`.
+    motion, scale
+        The floor's motion, and the factor on it.
+    """
+    traced = _traced(assembly, room, draw, _shaking(motion, scale, draw.room.lean, gravity), gravity)
+    return run_of_assembly(traced, assembly.joints, room, motion.scaled(scale))
+
+
+def _runs(
+    results: NDArray[np.void], found: dict[tuple[int, int, int], Any], option: int, counted: Sequence[int]
+) -> RunsOfSeveral:
+    motions, samples, _ = results.shape
+    each = [found[place] for place in _places(option, motions, samples)]
+    devices = np.array([one for one, _ in each], DEVICE).reshape(motions, samples, -1)
+    used = np.array([one for _, one in each], np.float64).reshape(motions, samples, -1)
+    own = results[..., list(counted)]
+    return RunsOfSeveral(
+        overturned=(own["outcome"] == OVERTURNED_OUTCOME).any(axis=-1),
+        missing=(results["outcome"] == FAILED_OUTCOME).any(axis=-1),
+        hit_wall=np.any(own["wall_impacts"] > 0, axis=-1),
+        device_failed=(devices["failure"] != HOLDS).any(axis=-1),
+        slide=own["peak_slide"].max(axis=-1),
+        tilt=own["peak_tilt"].max(axis=-1),
+        results=results,
+        devices=devices,
+        used=used,
+    )

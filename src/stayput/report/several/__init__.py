@@ -1,0 +1,1 @@
+"""Reports of verdicts on several pieces: HTML, Markdown, JSON and CSV."""

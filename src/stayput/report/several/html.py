@@ -1,0 +1,118 @@
+"""A verdict on several pieces as a self-contained HTML page."""
+
+from __future__ import annotations
+
+import shlex
+from functools import partial
+from importlib import resources
+from typing import TYPE_CHECKING, Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup, escape
+
+import stayput
+from stayput.catalogue import say
+from stayput.files import check_target, draft
+from stayput.report.embedding import inks_css
+from stayput.report.several.pairs import pairs_of_several
+from stayput.report.several.tables import (
+    DEVICE_OF_SEVERAL_COLUMNS,
+    rejected_rows,
+    several_assumptions,
+    several_device_rows,
+    several_rows,
+    simulations_of_several,
+)
+from stayput.report.verdict import numbers
+from stayput.report.verdict.html import SUFFIXES, tight
+from stayput.report.verdict.words import word
+from stayput.verification.several_words import headline_of_several
+from stayput.verification.words import class_label
+from stayput.wording import check_language
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from stayput.verification import AssemblyVerdict
+
+
+def write_several_report(verdict: AssemblyVerdict, path: str | Path, language: str = "en") -> Path:
+    """Write a report of a verdict on several pieces: one HTML file that loads nothing from elsewhere.
+
+    Up to four of the runs are done again for it.
+
+    Parameters
+    ----------
+    verdict : AssemblyVerdict
+        The verdict.
+    path : str or Path
+        The file, whose name ends in .html.
+    language : str
+        "en" or "ja".
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    InputError
+        Another language, a path that cannot be written, or a record that cannot be read any more.
+    """
+    check_language(language)
+    target = check_target(path, SUFFIXES)
+    pages = Environment(
+        loader=PackageLoader("stayput.report", "several"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        finalize=tight,
+    )
+    page = pages.get_template("several.html").render(_content(verdict, language))
+    with draft(target) as unfinished:
+        unfinished.write_text(page, encoding="utf-8")
+    return target
+
+
+def _content(verdict: AssemblyVerdict, language: str) -> dict[str, Any]:
+    scenario, text = verdict.scenario, partial(word, language=language)
+
+    def own(key: str) -> str:
+        return say(f"several.{key}", language)
+
+    style = resources.files("stayput.report.verdict").joinpath("report.css").read_text(encoding="utf-8")
+    words = ["stayput", "verify", "scenario.toml", "--slide-limit", f"{verdict.slide_limit:g}"]
+    return {
+        "language": language,
+        "text": text,
+        "own": own,
+        "numbers": numbers,
+        "verdict": verdict,
+        "title": scenario.title or own("report"),
+        "headline": headline_of_several(verdict, language),
+        "version": stayput.__version__,
+        "strength": text(
+            "instrumental",
+            **{"class": class_label(verdict.intensity, language), "value": f"{verdict.intensity:.2f}"},
+        ),
+        "simulations": simulations_of_several(verdict, language),
+        "limit": numbers.length(verdict.slide_limit, language),
+        "rows": several_rows(verdict, language),
+        "rejected": rejected_rows(verdict, language),
+        "pairs": pairs_of_several(verdict, language),
+        "device_columns": [own("holds"), *(text(key) for key in DEVICE_OF_SEVERAL_COLUMNS)],
+        "details": [
+            (row, several_device_rows(row.result, language))
+            for row in several_rows(verdict, language)
+            if row.result.devices
+        ],
+        "assumptions": [
+            (entry.what(language), entry.value(language), entry.confidence)
+            for entry in several_assumptions(verdict)
+        ],
+        "toml": escape(scenario.to_toml()),
+        "command": escape(shlex.join([*words, "--lang", language, "--report", "report.html"])),
+        "style": Markup(inks_css() + style),
+    }

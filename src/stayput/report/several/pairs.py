@@ -1,0 +1,95 @@
+"""The typical and the worst case of a verdict on several pieces: players and histories of the runs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from stayput.catalogue import say
+from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.several import draws_of_several, replay
+from stayput.report.fonts import drawable
+from stayput.report.space.animation import space_player_page
+from stayput.report.space.film import space_film
+from stayput.report.space.plot import plot_space_run
+from stayput.report.space.said import became
+from stayput.report.summary import motion_label
+from stayput.report.verdict.in_space import cut_run, embedded, moving_window
+from stayput.report.verdict.words import motion_named, word
+from stayput.verification.several_words import title_of_several
+
+if TYPE_CHECKING:
+    from stayput.simulation.space_run import SpaceRun
+    from stayput.verification import AssemblyOptionVerdict, AssemblyVerdict
+    from stayput.verification.verdict import Member
+
+
+def pairs_of_several(verdict: AssemblyVerdict, language: str) -> list[dict[str, Any]]:
+    """Return what the report shows of the typical and the worst case.
+
+    Parameters
+    ----------
+    verdict : AssemblyVerdict
+        The verdict.
+    language : str
+        "en" or "ja".
+    """
+    members = ("typical", verdict.without.typical), ("worst", verdict.best.worst)
+    return [_pair(kind, verdict, member, language) for kind, member in members]
+
+
+def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, member: Member) -> SpaceRun:
+    """Run a member of an option again, with its histories."""
+    scenario = verdict.scenario
+    shaking, settings = scenario.shaking, scenario.uncertainty
+    ground = scenario.ground()
+    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
+    floors = hazard.stated(shaking.wanted_intensity, shaking.scale)
+    drawn = draws_of_several(
+        len(scenario.names), len(ground), verdict.samples, verdict.seed, as_stated=settings.as_stated
+    )
+    return replay(
+        scenario.assembly(result.option),
+        scenario.room.room(),
+        drawn[member.motion][member.sample],
+        floors.motions[member.motion],
+        float(floors.scales[member.motion]),
+        scenario.gravity,
+    )
+
+
+def _pair(kind: str, verdict: AssemblyVerdict, member: Member, language: str) -> dict[str, Any]:
+    options = [verdict.without, verdict.best] if verdict.best.option.count else [verdict.without]
+    runs = [replay_of_several(verdict, option, member) for option in options]
+    start, end = moving_window(runs)
+    names, heading = verdict.scenario.names, word("histories", language)
+    drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
+    sides: list[dict[str, Any]] = []
+    for option, run in zip(options, runs, strict=True):
+        shown = cut_run(run, start, end)
+        sides.append(
+            {
+                "label": title_of_several(option, verdict, language),
+                "outcome": say(became(run, names), language),
+                "player": space_player_page(space_film(shown, names, language), 1.0, 1.5, plays=False),
+                "histories": embedded(plot_space_run(shown, names=names, language=drawn)),
+            }
+        )
+    about, shaken = f"{kind}_text" if len(runs) > 1 else f"{kind}_bare_text", runs[0].motion
+    return {
+        "title": word(kind, language),
+        "about": say(f"several.{about}", language),
+        "sides": sides,
+        "motion": word(
+            "motion_in_space",
+            language,
+            number=member.motion + 1,
+            count=verdict.motions,
+            name=motion_named(motion_label(shaken), language),
+            peak=f"{max(float(np.abs(a).max()) for a in shaken.components.values()):.1f}",
+            start=f"{start:.1f}",
+            end=f"{end:.1f}",
+            duration=f"{shaken.duration:g}",
+        ),
+    }

@@ -1,0 +1,162 @@
+"""A verdict on several pieces as rows of texts, for terminal, Markdown and HTML."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from stayput.catalogue import phrase, say
+from stayput.catalogue.names import PIECES
+from stayput.measures import MEASURES
+from stayput.model.parameters import GIVEN
+from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED
+from stayput.report.verdict import numbers
+from stayput.report.verdict.assumptions import (
+    MODEL,
+    Assumption,
+    drawn_assumptions,
+    room_assumptions,
+    shaking_assumptions,
+)
+from stayput.report.verdict.words import place_named, word
+from stayput.simulation.space_devices import JOINT, JOINT_LABEL
+from stayput.uncertainty import USUAL
+from stayput.verification.several_options import brief_label
+from stayput.verification.several_words import is_own, reason_of_several, title_of_several
+from stayput.wording import with_aside
+
+if TYPE_CHECKING:
+    from stayput.catalogue import Phrase
+    from stayput.fragility import Probability
+    from stayput.scenario import AssemblyScenario
+    from stayput.scenario.pieces import StandingTable
+    from stayput.verification import AssemblyOptionVerdict, AssemblyVerdict
+    from stayput.verification.several_verdict import DeviceOfSeveral
+
+NOT_DRAWN = ("settlement",)
+"""Quantities of `USUAL` that several pieces do not have."""
+
+
+@dataclass(frozen=True, slots=True)
+class SeveralRow:
+    """One option of several pieces as it is read: texts in one language.
+
+    Parameters
+    ----------
+    result : AssemblyOptionVerdict
+        The option.
+    title, brief : str
+        What it consists of, with the names of the pieces and without; a name of the user's own stands for it.
+    shares : tuple of (str, Probability)
+        Each event of any piece of furniture; there is none of a device's failure without devices.
+    pieces : tuple of (str, Probability)
+        Each piece, and how likely it overturns.
+    slide, tilt : tuple of str
+        Median and 90 % quantile of the peaks.
+    reason : str
+        Why it stands where it does.
+    """
+
+    result: AssemblyOptionVerdict
+    title: str
+    brief: str
+    shares: tuple[tuple[str, Probability | None], ...]
+    pieces: tuple[tuple[str, Probability], ...]
+    slide: tuple[str, str]
+    tilt: tuple[str, str]
+    reason: str
+
+
+def several_rows(verdict: AssemblyVerdict, language: str) -> list[SeveralRow]:
+    """Return the options as they are read, the best first."""
+    room = verdict.scenario.room.room()
+    return [
+        SeveralRow(
+            result,
+            title_of_several(result, verdict, language),
+            result.option.name if is_own(result, verdict) else say(brief_label(result.option), language),
+            tuple(
+                (event, result.probabilities[event] if event != DEVICE_FAILED or result.devices else None)
+                for event in EVENTS
+            ),
+            tuple((piece.name, piece.probabilities[OVERTURNED]) for piece in result.pieces),
+            numbers.slides(result.slide, room, language),
+            numbers.angles(result.tilt, language),
+            reason_of_several(result, verdict, language),
+        )
+        for result in verdict.options
+    ]
+
+
+def rejected_rows(verdict: AssemblyVerdict, language: str) -> list[tuple[str, str]]:
+    """Return label and reason of each option that cannot be put in place."""
+    return [(title_of_several(one, verdict, language), one.why(language)) for one in verdict.rejected]
+
+
+DEVICE_OF_SEVERAL_COLUMNS = ("device", "failed", "failure_time", "weakest_link", "peak_force", "used")
+"""Keys of the headings of `several_device_rows`, after what a device holds."""
+
+
+def several_device_rows(result: AssemblyOptionVerdict, language: str) -> list[tuple[str, ...]]:
+    """Return what each device and joint holds, and its results, as texts."""
+    listed = word("listed", language)
+    return [
+        (
+            (" – " if language == "en" else "と").join(device.pieces),
+            _device_name(device, language),
+            numbers.with_interval(device.summary.failed, language),
+            numbers.moment(device.summary.failure_time, language),
+            numbers.NO_NUMBER if device.summary.weakest is None else say(device.summary.weakest, language),
+            listed.join(numbers.forces(device.summary.peak, language)),
+            listed.join(numbers.used(device.summary.used, language)) or numbers.NO_NUMBER,
+        )
+        for device in result.devices
+    ]
+
+
+def _device_name(device: DeviceOfSeveral, language: str) -> str:
+    kind = device.summary.kind
+    name = say(JOINT_LABEL if kind == JOINT else MEASURES[kind].label, language)
+    where = device.summary.name.removeprefix(kind).strip()
+    return with_aside(name, place_named(where, language), language) if where else name
+
+
+def simulations_of_several(verdict: AssemblyVerdict, language: str) -> str:
+    """Return the number of simulations in words."""
+    counts = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "samples": verdict.samples}
+    return say("several.simulations", language, **counts)
+
+
+def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
+    """Return the assumptions of a verdict on several pieces."""
+    scenario = verdict.scenario
+    measured = scenario.uncertainty.as_stated
+    drawn = [name for name in USUAL if name not in NOT_DRAWN]
+    like = phrase("several.drawn_between"), phrase("several.drawn_between_text")
+    friction = phrase(
+        "report.frictions", surface="", static=scenario.static_friction, kinetic=scenario.kinetic_friction
+    )
+    return [
+        *(_piece(piece, scenario) for piece in scenario.furniture),
+        Assumption((phrase("several.between"), friction), GIVEN),
+        *room_assumptions(scenario),
+        *shaking_assumptions(scenario, verdict.motions),
+        *drawn_assumptions(drawn, measured),
+        Assumption(like, "low"),
+        Assumption((phrase("several.limit_body"), phrase("several.limit_body_text")), MODEL),
+        *(
+            Assumption((phrase(f"report.limit_{key}"), phrase(f"report.limit_{key}_text")), MODEL)
+            for key in ("contacts", "devices")
+        ),
+    ]
+
+
+def _piece(piece: StandingTable, scenario: AssemblyScenario) -> Assumption:
+    solid = piece.solid(scenario.folder)
+    width, length, height = (float(side) for side in solid.vertices.max(axis=0) - solid.vertices.min(axis=0))
+    size = phrase("several.piece_box", width=width, length=length, height=height, mass=solid.mass)
+    value: Phrase = size
+    if piece.preset is not None:
+        kind = PIECES[piece.preset]
+        value = f"{kind[0]}: {size[0]}", f"{kind[1]}：{size[1]}"
+    return Assumption(((piece.name, piece.name), value), GIVEN if piece.preset is None else "low")

@@ -1,0 +1,181 @@
+"""Pieces of furniture with measures among several bodies: what holds each where it stands."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from stayput.errors import InputError
+from stayput.measures.element import at_rest
+from stayput.measures.measure import Held, element_rows, hold
+from stayput.measures.wall import WallDevice
+from stayput.model.body import Body
+from stayput.model.room import WALLS_AROUND, Room
+from stayput.model.solid import Solid
+from stayput.simulation.flat_fields import room_row
+from stayput.simulation.space_devices import springs_of
+from stayput.simulation.space_records import NORMALS, planes_of, surface_of
+from stayput.simulation.standing import Piece, Standing
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.measures.measure import Measure
+    from stayput.model.room import Wall
+
+ALONG = 1e-6
+"""1 less the cosine of the angle up to which a side faces a wall that it is parallel to."""
+
+IN_NEWTONS = ("stiffness", "damping", "limit_plus", "limit_minus")
+"""Fields of a device that are per unit mass in an `ELEMENT`."""
+
+
+class Placed(NamedTuple):
+    """A body of an assembly as it stands in its room.
+
+    Parameters
+    ----------
+    standing : Standing
+        The body, with what its measures change of it.
+    held : Held or None
+        Its measures in place; None of a body that is no piece of furniture.
+    springs : ndarray of SPRING
+        Its devices, in newtons.
+    """
+
+    standing: Standing
+    held: Held | None
+    springs: NDArray[np.void]
+
+
+def bare(member: Standing | Piece) -> Standing:
+    """Return a member without its measures."""
+    return member.standing if isinstance(member, Piece) else member
+
+
+def planes_around(members: Sequence[Standing | Piece], room: Room) -> NDArray[np.void]:
+    """Return the room of an assembly as the engine reads it: PLANE; see `planes_of`."""
+    return planes_of([bare(member) for member in members], room_row(room))
+
+
+def placed(members: Sequence[Standing | Piece], room: Room, strength: float = 1.0) -> tuple[Placed, ...]:
+    """Return the bodies of an assembly with their measures in place.
+
+    Parameters
+    ----------
+    members : sequence of Standing or Piece
+        The members.
+    room : Room
+        Where they stand.
+    strength : float
+        Factor on the strengths of all devices.
+
+    Raises
+    ------
+    InputError
+        Measures that cannot be put in place.
+    """
+    planes = planes_around(members, room)
+    return tuple(
+        _placed(number, member, room, planes, strength)
+        if isinstance(member, Piece)
+        else Placed(member, None, _springs(number, member))
+        for number, member in enumerate(members)
+    )
+
+
+def _springs(number: int, standing: Standing) -> NDArray[np.void]:
+    """Return the devices of a body that has none."""
+    nothing = element_rows(Held(Body(1.0, 1.0, 1.0), Room()))
+    return springs_of(nothing, standing.turn, standing.place, standing.solid.principal[1], number)
+
+
+def _placed(number: int, piece: Piece, room: Room, planes: NDArray[np.void], strength: float) -> Placed:
+    held = hold_piece(piece, room, planes)
+    body = held.body
+    x, z = at_rest(body, body.centre_of_gravity)
+    place, tilt = np.array([x, 0.0, z]), (0.0, body.resting_tilt, 0.0)
+    upright = Standing(Solid.of(body), tilt=tilt)
+    facing = Standing(upright.solid, heading=piece.heading).turn
+    # what makes it lean leaves its back edge where it is
+    moved = np.array([_back_edge(piece.body) - _back_edge(body), 0.0, 0.0])
+    base = np.asarray(piece.at) + facing @ moved
+    origin = base + facing @ (place - upright.turn @ upright.solid.centre_of_gravity)
+    standing = Standing(upright.solid, (origin[0], origin[1], origin[2]), piece.heading, tilt)
+    rows = element_rows(held, strength)
+    springs = springs_of(rows, upright.turn, place, upright.solid.principal[1], number)
+    for names, shift in ((("ax", "ay", "az"), base), (("nx", "ny", "nz"), np.zeros(3))):
+        vectors = np.stack([springs[name] for name in names], axis=1) @ facing.T + shift
+        for name, values in zip(names, vectors.T, strict=True):
+            springs[name] = values
+    for name in IN_NEWTONS:
+        springs[name] *= body.mass
+    return Placed(standing, held, springs)
+
+
+def _back_edge(body: Body) -> float:
+    """Return where the back edge of a body's base is at rest [m]."""
+    return at_rest(body, (body.base_insets[0] - body.width / 2, body.base_heights[0]))[0]
+
+
+def hold_piece(piece: Piece, room: Room, planes: NDArray[np.void]) -> Held:
+    """Return a piece of an assembly with its measures in place; see `placed`.
+
+    A piece that stands on another is held to walls and ceiling as one of the same back and top that reaches
+    down to the floor: so heights on the wall, and what bends there, are those of the room.
+
+    Raises
+    ------
+    InputError
+        Measures that cannot be put in place, that change the room, or that belong on a floor where the piece
+        stands on another.
+    """
+    body, height, seen = piece.body, piece.at[2], room_seen(piece, room, planes)
+    for measure in piece.measures:
+        if measure.acts_on == "the room":
+            raise InputError("measures.room_of_several", "measures", measure=measure.label)
+        if measure.acts_on == "the base" and height > 0.0:
+            raise InputError("measures.base_on_another", "measures", measure=measure.label, height=height)
+    if height == 0.0:
+        held = hold(body, seen, piece.measures, dimensions=3)
+    else:
+        own = hold(body, seen, [one for one in piece.measures if one.acts_on == "the body"], dimensions=3)
+        tall = Body(body.width, height + body.height, own.body.mass, length=body.length)
+        ties = [_raised(one, height, body) for one in piece.measures if one.acts_on == "the tie"]
+        tied = hold(tall, seen, ties, dimensions=3)
+        elements = tuple(
+            replace(element, point=(element.point[0], element.point[1] - height)) for element in tied.elements
+        )
+        held = Held(own.body, tied.room, elements, piece.measures)
+    if held.room.ceiling != seen.ceiling:
+        pole = next(one for one in piece.measures if one.acts_on == "the tie")
+        raise InputError("measures.no_ceiling", "room.ceiling", measure=pole.label)
+    return held
+
+
+def _raised(measure: Measure, height: float, body: Body) -> Measure:
+    """Return a measure at the same place on a piece that reaches down to the floor."""
+    if not isinstance(measure, WallDevice):
+        return measure
+    return replace(measure, height=(height + measure.height * body.height) / (height + body.height))
+
+
+def room_seen(piece: Piece, room: Room, planes: NDArray[np.void]) -> Room:
+    """Return the room as a piece in it sees it: the wall behind its back is the left one.
+
+    A wall that none of its sides faces is left out.
+    """
+    standing = piece.standing
+    seen: dict[str, Wall | None] = dict.fromkeys(WALLS_AROUND)
+    for plane in planes[1:]:
+        name = surface_of(plane)
+        own = standing.turn.T @ NORMALS[name]
+        for side in WALLS_AROUND:
+            if np.dot(own, NORMALS[side]) > 1.0 - ALONG:
+                gap = standing.along(NORMALS[name])[0] - float(plane["offset"])
+                seen[side] = replace(getattr(room, name), gap=max(0.0, gap))
+    return replace(room, **seen)  # pyright: ignore[reportArgumentType]

@@ -1,0 +1,136 @@
+"""Measures on the pieces of an assembly: where they act, what they change, and what is refused."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import stayput as sp
+from stayput.measures import MEASURES, Measure
+from stayput.simulation.placing import hold_piece, planes_around, room_seen
+
+BODY = sp.Body(0.4, 1.8, 100.0, length=0.9)
+ROOM = sp.Room(sp.Floor(0.5, 0.4), left_wall=sp.Wall(0.03), ceiling=sp.Ceiling(2.4))
+SHAKEN = sp.near_fault()
+
+
+def of(*kinds: str) -> list[Measure]:
+    return [MEASURES[kind]() for kind in kinds]
+
+
+@pytest.mark.parametrize(
+    "kinds",
+    [
+        ("l_bracket",),
+        ("tension_pole",),
+        ("gel_mats",),
+        ("anti_slip_sheet",),
+        ("wedge_stopper",),
+        ("base_isolator",),
+        ("ballast",),
+        ("wedge_stopper", "belt"),
+    ],
+)
+def test_a_piece_alone_is_held_like_a_body_in_space(kinds: tuple[str, ...]) -> None:
+    alone = sp.simulate(BODY, ROOM, SHAKEN, of(*kinds), dimensions=3)
+    among = sp.simulate(sp.Assembly([sp.Piece(BODY, measures=of(*kinds))]), ROOM, SHAKEN)
+    assert among.outcome == alone.outcome
+    assert among.peak_tilt == pytest.approx(alone.peak_tilt, rel=1e-4)
+    assert [one.place for one in among.devices] == [one.place for one in alone.devices]
+    for mine, theirs in zip(among.devices, alone.devices, strict=True):
+        assert (mine.member, mine.failed) == (0, theirs.failed)
+        assert mine.peak_pull == pytest.approx(theirs.peak_pull, rel=1e-3, abs=0.1)
+        assert mine.utilisation == pytest.approx(theirs.utilisation, rel=1e-3, abs=1e-4)
+
+
+@pytest.mark.parametrize("kind", ["l_bracket", "belt"])
+def test_a_piece_that_is_turned_about_is_held_to_the_wall_behind_it(kind: str) -> None:
+    assert SHAKEN.y is not None
+    about = sp.Motion(dt=SHAKEN.dt, x=-SHAKEN.x, y=-SHAKEN.y, z=SHAKEN.z, name="about")
+    behind = sp.Room(ROOM.floor, right_wall=ROOM.left_wall, ceiling=ROOM.ceiling)
+    facing = sp.Piece(BODY, measures=of(kind))
+    turned = sp.Piece(BODY, (1.0, 2.0, 0.0), math.pi, of(kind))
+    first = sp.simulate(sp.Assembly([facing]), ROOM, SHAKEN)
+    second = sp.simulate(sp.Assembly([turned]), behind, about)
+    assert first.devices[0].peak_pull > 100.0
+    for mine, theirs in zip(first.devices, second.devices, strict=True):
+        assert mine.peak_pull == pytest.approx(theirs.peak_pull, rel=1e-6)
+
+
+def test_a_piece_on_another_is_held_where_its_back_and_top_are() -> None:
+    """As one of the same back and top that reaches down to the floor."""
+    upper, whole = sp.Body(0.35, 0.95, 40.0, length=0.9), sp.Body(0.35, 1.85, 40.0, length=0.9)
+    measures = of("l_bracket", "tension_pole")
+    upper_part = sp.Piece(upper, (-0.05, 0.0, 0.9), 0.0, measures)
+    raised = hold_piece(upper_part, ROOM, planes_around([upper_part], ROOM))
+    reaching = sp.hold(whole, ROOM, measures, dimensions=3)
+    assert raised.body == upper
+    for mine, theirs in zip(raised.elements, reaching.elements, strict=True):
+        assert mine.normal.stiffness == pytest.approx(theirs.normal.stiffness)
+        assert mine.normal.limit_plus == pytest.approx(theirs.normal.limit_plus)
+        assert mine.friction == pytest.approx(theirs.friction, nan_ok=True)
+        assert mine.point == pytest.approx((theirs.point[0], theirs.point[1] - 0.9))
+
+
+def test_the_room_as_a_piece_sees_it() -> None:
+    """Its wall behind is the one that its back faces; walls that none of its sides faces are left out."""
+    room = sp.Room(left_wall=sp.Wall(0.1), right_wall=sp.Wall(0.2), far_side_wall=sp.Wall(0.3))
+    neighbour = sp.Piece(BODY, (1.0, -2.0, 0.0))  # what is outermost in front and at the near side
+
+    def seen(*at: float, heading: float = 0.0) -> list[float | None]:
+        piece = sp.Piece(BODY, (at[0], at[1], 0.0), heading)
+        planes = planes_around([sp.Piece(BODY), piece, neighbour], room)
+        found = room_seen(piece, room, planes)
+        walls = (found.left_wall, found.right_wall, found.near_side_wall, found.far_side_wall)
+        return [None if wall is None else round(wall.gap, 9) for wall in walls]
+
+    assert seen(0.5, 0.0) == [0.6, 0.7, None, 0.3]
+    assert seen(0.5, 0.0, heading=-math.pi) == [0.7, 0.6, 0.3, None]
+    # its depth along y, its length along x
+    assert seen(0.5, 0.0, heading=-math.pi / 2) == [0.55, None, 0.35, 0.45]
+    assert seen(0.5, 0.0, heading=0.5) == [None, None, None, None]
+
+
+def test_a_sheet_is_under_its_own_piece_alone() -> None:
+    """Of two alike on a floor that a sine makes them slide on, the one on a sheet stays where it is."""
+    low = sp.Body(0.6, 0.4, 30.0, length=0.6)
+    pieces = [sp.Piece(low), sp.Piece(low, (0.0, 1.0, 0.0), 0.0, of("anti_slip_sheet"))]
+    run = sp.simulate(sp.Assembly(pieces), sp.Room(sp.Floor(0.2, 0.15)), sp.sine(3.0, 2.0, 3.0))
+    assert run.peak_slide[0] > 0.005
+    assert run.peak_slide[1] < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("piece", "room", "said"),
+    [
+        (sp.Piece(BODY, (0.0, 0.0, 0.9), 0.0, of("gel_mats")), ROOM, "belong on the floor"),
+        (sp.Piece(BODY, measures=of("against_wall")), ROOM, "cannot be given to one piece"),
+        (sp.Piece(BODY, heading=0.3, measures=of("l_bracket")), ROOM, "wall"),
+        (sp.Piece(BODY, measures=of("tension_pole")), sp.Room(), "need a ceiling"),
+        (
+            sp.Piece(BODY, measures=[sp.MEASURES["tension_pole"](ceiling_height=2.4)]),  # type: ignore[call-arg]
+            sp.Room(),
+            "need a ceiling",
+        ),
+    ],
+)
+def test_what_cannot_be_put_in_place(piece: sp.Piece, room: sp.Room, said: str) -> None:
+    with pytest.raises(sp.InputError, match=said):
+        sp.simulate(sp.Assembly([piece]), room, sp.sine(1.0, 1.0, 1.0))
+
+
+def test_bodies_that_are_no_pieces() -> None:
+    with pytest.raises(sp.InputError, match="length"):
+        sp.Piece(sp.Body(0.4, 1.8, 100.0))
+    with pytest.raises(sp.InputError, match="given twice"):
+        sp.Piece(BODY, measures=of("l_bracket", "l_bracket"))
+
+
+def test_members_without_measures_keep_their_bits() -> None:
+    solid = sp.Solid.box(0.4, 0.9, 1.8, 100.0)
+    run = sp.simulate(sp.Assembly([sp.Standing(solid)]), ROOM, SHAKEN.scaled(0.3))
+    again = sp.simulate(solid, ROOM, SHAKEN.scaled(0.3))
+    assert np.array_equal(run.place, again.place)
+    assert run.held == (None,)

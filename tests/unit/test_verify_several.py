@@ -1,0 +1,238 @@
+"""Verifications of several pieces: options, draws, what is counted, and what is written."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import stayput as sp
+from stayput.cli import app
+from stayput.montecarlo.sampling import draws
+from stayput.montecarlo.several import drawn_assembly, drawn_room, draws_of_several
+from stayput.report.several.pairs import replay_of_several
+from stayput.scenario import AssemblyScenario
+from stayput.verification.several_options import label, options_of_several
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from stayput.verification import AssemblyVerdict
+
+DRESSER: dict[str, Any] = {
+    "title": "Two parts",
+    "static_friction": 0.6,
+    "kinetic_friction": 0.5,
+    "furniture": [
+        {"name": "lower", "width": 0.45, "length": 0.9, "height": 0.9, "mass": 60.0},
+        {
+            "name": "upper",
+            "width": 0.3,
+            "length": 0.9,
+            "height": 1.1,
+            "mass": 40.0,
+            "on": "lower",
+            "at": [-0.05, 0.0],
+        },
+        {"name": "vase", "bottom": 0.1, "top": 0.18, "height": 0.3, "mass": 1.5, "on": "upper"},
+    ],
+    "joints": [
+        {"first": "upper", "second": "lower", "at": [-0.19, y, 0.9], "strength": 2000.0, "shear": 2000.0}
+        for y in (-0.4, 0.4)
+    ],
+    "room": {
+        "floor": {"static_friction": 0.6, "kinetic_friction": 0.5},
+        "back_wall": {"gap": 0.02},
+        "ceiling": {"height": 2.6},
+    },
+    "shaking": {"sine": {"amplitude": 5.5, "frequency": 0.8, "duration": 3.0}},
+    "uncertainty": {"samples": 2},
+}
+
+BELT = [{"type": "belt"}]
+
+
+def parsed(**changed: Any) -> AssemblyScenario:
+    return AssemblyScenario.parse({**DRESSER, **changed})
+
+
+@pytest.fixture(scope="module")
+def verdict() -> AssemblyVerdict:
+    return sp.verify(parsed(), threads=2, progress=False)
+
+
+def test_the_usual_options() -> None:
+    options, rejected = options_of_several(parsed())
+    names = [option.name for option in options]
+    assert names == [
+        "none",
+        "joined",
+        "l_bracket",
+        "joined + l_bracket",
+        "joined + belt",
+        "joined + tension_pole",
+        "joined + gel_mats",
+    ]
+    assert not rejected
+    bracket = options[2]
+    assert [len(measures) for measures in bracket.measures] == [0, 1, 0]
+    assert not bracket.joined
+    assert label(bracket, parsed())[0] == "Screwed L-brackets on upper"
+    without = {key: value for key, value in DRESSER.items() if key != "joints"}
+    unjoined, _ = options_of_several(AssemblyScenario.parse(without))
+    assert [option.name for option in unjoined] == ["none", "l_bracket", "belt", "tension_pole", "gel_mats"]
+
+
+def test_options_of_a_file() -> None:
+    both = {"name": "both", "pieces": [{"name": "upper", "measures": [{"type": "belt"}]}]}
+    mats = {"name": "mats between", "pieces": [{"name": "upper", "measures": [{"type": "gel_mats"}]}]}
+    options, rejected = options_of_several(parsed(options=[both, mats]))
+    assert [option.name for option in options] == ["none", "both"]
+    assert options[1].joined
+    assert "belong on the floor" in rejected[0].why("en")
+    with pytest.raises(sp.InputError, match="belong on the floor"):
+        options_of_several(parsed(options=[mats]))
+    with pytest.raises(sp.InputError, match="Two options are named 'both'"):
+        options_of_several(parsed(options=[both, both]))
+
+
+def test_measures_of_a_piece_are_in_place_as_stated() -> None:
+    furniture = [dict(piece) for piece in DRESSER["furniture"]]
+    furniture[1]["measures"] = [{"type": "l_bracket"}]
+    scenario = parsed(furniture=furniture)
+    assert [option.name for option in options_of_several(scenario)[0]] == ["none", "joined", "as stated"]
+    assert {device.kind for device in scenario.run().devices} == {"l_bracket", "joint"}
+    assert AssemblyScenario.parse(DRESSER | {"furniture": furniture}).to_toml() == scenario.to_toml()
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        (
+            {"furniture": [DRESSER["furniture"][2] | {"on": None, "measures": [{"type": "belt"}]}]},
+            "must be a preset",
+        ),
+        ({"options": [{"name": "x", "pieces": [{"name": "y", "measures": [{"type": "belt"}]}]}]}, "no piece"),
+        (
+            {"options": [{"name": "x", "pieces": [{"name": "vase", "measures": [{"type": "belt"}]}]}]},
+            "preset",
+        ),
+        ({"uncertainty": {"installation": 0.5}}, "must be 'well'"),
+    ],
+)
+def test_what_a_file_may_not_say(changed: dict[str, Any], said: str) -> None:
+    with pytest.raises(sp.InputError, match=said):
+        AssemblyScenario.parse({**DRESSER, "joints": [], **changed})
+
+
+def test_draws_are_those_of_one_piece_and_more() -> None:
+    single = draws(2, 3, seed=1)
+    several = draws_of_several(3, 2, 3, seed=1)
+    for motion, row in enumerate(several):
+        for sample, draw in enumerate(row):
+            assert draw.room == single[motion][sample]
+            assert len({piece.mass for piece in draw.pieces}) == 3
+            assert len({piece.friction for piece in draw.pieces}) == 1
+    stated = draws_of_several(3, 2, 3, seed=1, as_stated=["mass", "friction"])
+    assert all(piece.mass == 1.0 for row in stated for draw in row for piece in draw.pieces)
+    assert stated[0][0].between == 1.0
+    assert stated[0][0].joints == several[0][0].joints != 1.0
+
+
+def test_what_is_drawn() -> None:
+    scenario = parsed()
+    option = options_of_several(scenario)[0][1]
+    assembly, draw = scenario.assembly(option), draws_of_several(3, 1, 1, seed=2)[0][0]
+    drawn = drawn_assembly(assembly, draw)
+    lower, upper, vase = drawn.members
+    assert isinstance(lower, sp.Piece)
+    assert isinstance(upper, sp.Piece)
+    assert isinstance(vase, sp.Standing)
+    assert lower.body.mass == pytest.approx(60.0 * draw.pieces[0].mass)
+    assert lower.body.base_insets[0] > 0.0
+    assert upper.body.mass == pytest.approx(40.0 * draw.pieces[1].mass)
+    assert upper.body.base_insets == (0.0, 0.0)
+    assert vase.solid.mass == pytest.approx(1.5 * draw.pieces[2].mass)
+    assert drawn.joints[0].strength == pytest.approx(2000.0 * draw.joints)
+    assert drawn.friction[0] == pytest.approx(0.6 * draw.between)
+
+
+def test_a_bracket_that_reaches_the_wall_does_in_every_draw() -> None:
+    scenario = parsed(room={**DRESSER["room"], "back_wall": {"gap": 0.1}})
+    option = next(one for one in options_of_several(scenario)[0] if one.name == "l_bracket")
+    assembly, room = scenario.assembly(option), scenario.room.room()
+    gaps = []
+    for draw in draws_of_several(3, 1, 16, seed=1)[0]:
+        wall = drawn_room(assembly, room, draw.room).left_wall
+        assert wall is not None
+        gaps.append(wall.gap)
+    # the upper part's back is 2.5 cm nearer to the room than the lower one's
+    assert max(gaps) == pytest.approx(0.15 - 0.025)
+    assert min(gaps) < 0.1
+
+
+def test_a_verdict(verdict: AssemblyVerdict) -> None:
+    assert verdict.runs == 2 * 7
+    assert verdict.scenario.counted == (0, 1)
+    assert verdict.without.probabilities["overturned"].estimate > 0.6
+    assert verdict.best.probabilities["overturned"].estimate == 0.0
+    assert "furniture overturns" in verdict.sentence("en")
+    assert "家具のいずれかが" in verdict.sentence("ja")
+    joined = next(one for one in verdict.options if one.option.name == "joined")
+    assert [device.pieces for device in joined.devices] == [("upper", "lower")] * 2
+    assert joined.devices[0].summary.peak.median > 0.0
+    for option in verdict.options:
+        falls = [piece.probabilities["overturned"].fell for piece in option.pieces[:2]]
+        assert max(falls) <= option.probabilities["overturned"].fell <= sum(falls)
+
+
+def test_the_bits_do_not_depend_on_threads() -> None:
+    scenario = parsed(options=[{"name": "joined"}])
+    first, second = (sp.verify(scenario, threads=threads, progress=False) for threads in (1, 2))
+    for mine, theirs in zip(first.options, second.options, strict=True):
+        assert mine.pieces == theirs.pieces
+        assert mine.devices == theirs.devices
+
+
+def test_runs_are_made_again(verdict: AssemblyVerdict) -> None:
+    run = replay_of_several(verdict, verdict.without, verdict.without.worst)
+    assert run.overturned[:2].any() == (verdict.without.probabilities["overturned"].fell > 0)
+    assert np.isfinite(run.place).all()
+
+
+def test_what_is_written(verdict: AssemblyVerdict, tmp_path: Path) -> None:
+    data = json.loads(verdict.to_json())
+    assert [option["rank"] for option in data["options"]] == list(range(1, 8))
+    assert [piece["counts"] for piece in data["options"][0]["pieces"]] == [True, True, False]
+    rows = list(csv.DictReader(io.StringIO(verdict.to_csv())))
+    assert len(rows) == 7
+    assert rows[0]["overturned"] == "0.0"
+    for language in ("en", "ja"):
+        page = verdict.report(tmp_path / f"{language}.html", language).read_text(encoding="utf-8")
+        assert page.count("<iframe") == 4
+        assert verdict.sentence(language) in page
+        assert verdict.sentence(language).split("(")[0] in verdict.to_markdown(language).replace("\\", "")
+
+
+def test_levels_are_refused() -> None:
+    with pytest.raises(sp.InputError, match="no fragility curves"):
+        sp.verify(parsed(), levels=[5.0])  # type: ignore[call-overload]
+
+
+def test_the_command_line(tmp_path: Path) -> None:
+    file, table = tmp_path / "two_parts.toml", tmp_path / "two_parts.csv"
+    scenario = parsed(options=[{"name": "screwed together"}], uncertainty={"samples": 1})
+    file.write_text(scenario.to_toml(), encoding="utf-8")
+    printed = CliRunner().invoke(app, ["verify", str(file), "--csv", str(table)], env={"COLUMNS": "200"})
+    assert printed.exit_code == 0, printed.output
+    assert "screwed together (joints)" in printed.output
+    assert "Columns of events count any piece of furniture" in printed.output
+    assert table.read_text(encoding="utf-8").count("\n") == 3
+    data = json.loads(CliRunner().invoke(app, ["verify", str(file), "--json"]).stdout)
+    assert data["options"][0]["joined"] in (True, False)
+    assert [piece["name"] for piece in data["options"][0]["pieces"]] == ["lower", "upper", "vase"]
