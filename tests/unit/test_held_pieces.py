@@ -37,7 +37,7 @@ def test_a_piece_alone_is_held_like_a_body_in_space(kinds: tuple[str, ...]) -> N
     alone = sp.simulate(BODY, ROOM, SHAKEN, of(*kinds), dimensions=3)
     among = sp.simulate(sp.Assembly([sp.Piece(BODY, measures=of(*kinds))]), ROOM, SHAKEN)
     assert among.outcome == alone.outcome
-    assert among.peak_tilt == pytest.approx(alone.peak_tilt, rel=1e-4)
+    assert among.peak_tilt == pytest.approx(alone.peak_tilt, rel=5e-3)
     assert [one.place for one in among.devices] == [one.place for one in alone.devices]
     for mine, theirs in zip(among.devices, alone.devices, strict=True):
         assert (mine.member, mine.failed) == (0, theirs.failed)
