@@ -203,6 +203,7 @@ def improve(contacts, count, bodies, poses, system):
         c = contacts[k]
         if c.pn > 0.0:
             p, d1, d2, d3 = _law(c, beyond_target(c, poses))
+            c.dn, c.ds, c.dt = p
             d = d1, d2, d3
             _weigh(rows, k, 0, d)
             _add_moment(vector, c.a, rows, k, 0, p)
@@ -217,29 +218,23 @@ def improve(contacts, count, bodies, poses, system):
     for k in range(count):
         c = contacts[k]
         if c.pn > 0.0:
-            p, d1, d2, d3 = _law(c, beyond_target(c, poses))
-            u = _change(vector, c, rows, k)
-            c.dn = p[0] - dot(d1, u)
-            c.ds = p[1] - dot(d2, u)
-            c.dt = p[2] - dot(d3, u)
-    for k in range(count):
-        c = contacts[k]
-        if c.pn > 0.0:
+            x, y, z = _weighed(vector, c, rows, k)
+            c.dn, c.ds, c.dt = c.dn - x, c.ds - y, c.dt - z
             _add_impulse(c, bodies, poses)
 
 
 @inline
-def _change(vector, c, rows, k):
-    """Return the change of the relative velocity in a contact's frame by that of the scaled velocities."""
-    u0 = u1 = u2 = 0.0
+def _weighed(vector, c, rows, k):
+    """Return D times the change of the relative velocity in a contact's frame, by that of the bodies."""
+    x = y = z = 0.0
     for i in range(6):
-        x = vector[c.a, i]
-        u0, u1, u2 = u0 + rows[k, 0, 0, i] * x, u1 + rows[k, 0, 1, i] * x, u2 + rows[k, 0, 2, i] * x
+        v = vector[c.a, i]
+        x, y, z = x + rows[k, 0, 3, i] * v, y + rows[k, 0, 4, i] * v, z + rows[k, 0, 5, i] * v
     if c.b != ROOM:
         for i in range(6):
-            x = vector[c.b, i]
-            u0, u1, u2 = u0 + rows[k, 1, 0, i] * x, u1 + rows[k, 1, 1, i] * x, u2 + rows[k, 1, 2, i] * x
-    return u0, u1, u2
+            v = vector[c.b, i]
+            x, y, z = x + rows[k, 1, 3, i] * v, y + rows[k, 1, 4, i] * v, z + rows[k, 1, 5, i] * v
+    return x, y, z
 
 
 @inner
