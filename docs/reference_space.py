@@ -1,4 +1,4 @@
-"""Reference cases in space for the validation page: closed forms, and what `simulate_in_space` computes.
+"""Reference cases in space for the validation page: closed forms, and what `simulate` computes in space.
 
 As in `reference_cases`, each function is a case and its docstring the page's text. The derivations stand with
 the tests: `tests/validation/test_space_*.py` and `test_rolling_disc.py`. g = 9.80665 m/s².

@@ -68,6 +68,14 @@ def refused(client: httpx.Client, path: str, asked: dict[str, Any], field: str |
     return str(problem["message"])
 
 
+def test_hits_on_a_side_wall_are_told(client: httpx.Client) -> None:
+    room = {"near_side_wall": {"gap": 0.01}, "far_side_wall": {"gap": 0.01}}
+    shaking = {"shaking": {"builtin": "near-fault"}}
+    answer = simulated(client, {**SPACE, **shaking, "room": {"floor": "wood flooring", **room}}, [])
+    kinds = {event["kind"] for event in answer["without"]["events"]}
+    assert "wall impact" in kinds
+
+
 def test_a_run_in_space_is_that_of_the_scenario(client: httpx.Client) -> None:
     answer = simulated(client, SPACE, BELT)
     assert answer["dimensions"] == 3

@@ -18,6 +18,7 @@ from stayput.app.running import (
 )
 from stayput.app.space_replies import SpaceEventReply, SpaceRunReply, SpaceSimulateReply
 from stayput.errors import InputError
+from stayput.model.room import WALLS_AROUND
 from stayput.report.scene import TIME_DIGITS, rounded
 from stayput.report.space.histories import slid
 from stayput.report.space.said import became, piece_became
@@ -41,12 +42,9 @@ if TYPE_CHECKING:
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.simulation.space_run import SpaceRun
 
-HITS = {
-    "floor": EventKind.FLOOR_IMPACT,
-    "left_wall": EventKind.WALL_IMPACT,
-    "right_wall": EventKind.WALL_IMPACT,
-    "ceiling": EventKind.CEILING_IMPACT,
-}
+HITS = {"floor": EventKind.FLOOR_IMPACT, "ceiling": EventKind.CEILING_IMPACT} | dict.fromkeys(
+    WALLS_AROUND, EventKind.WALL_IMPACT
+)
 """Kinds of hits on the room."""
 
 

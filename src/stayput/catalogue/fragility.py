@@ -174,5 +174,21 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The levels have {count} values; there must be three or more, each above the one before.",
         "震度の段階が{count}個あります。3個以上を小さい順に指定してください。",
     ),
+    "left_out_state": (
+        "{option} is not in the files for loss tools: it has no curve ({state}).",
+        "{option}には曲線がないため、損失評価ツール用のファイルに含まれていません（{state}）。",
+    ),
+    "left_out_one_motion": (
+        "{option} is not in the files for loss tools: one motion has no scatter of motions.",
+        "{option}は地震動が1つでばらつきが分からないため、損失評価ツール用のファイルに含まれていません。",
+    ),
+    "left_out_abrupt": (
+        "{option} is not in pelicun.csv: its falls are too abrupt for a lognormal.",
+        "{option}は転倒が急に始まり対数正規分布に合わないため、pelicun.csvに含まれていません。",
+    ),
+    "left_out_misfit": (
+        "{option} is not in pelicun.csv. {why}",
+        "{option}はpelicun.csvに含まれていません。{why}",
+    ),
 }
 """Texts by their keys: English, Japanese."""

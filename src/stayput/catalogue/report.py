@@ -480,22 +480,6 @@ TEXTS: dict[str, tuple[str, str]] = {
         "OpenQuakeには{measure}がないため、NRMLファイルはありません。",
     ),
     "overturning_of": ("Overturning of {piece}", "{piece}の転倒"),
-    "left_out_state": (
-        "{option} is not in the files for loss tools: it has no curve ({state}).",
-        "{option}には曲線がないため、損失評価ツール用のファイルに含まれていません（{state}）。",
-    ),
-    "left_out_one_motion": (
-        "{option} is not in the files for loss tools: one motion has no scatter of motions.",
-        "{option}は地震動が1つでばらつきが分からないため、損失評価ツール用のファイルに含まれていません。",
-    ),
-    "left_out_abrupt": (
-        "{option} is not in pelicun.csv: its falls are too abrupt for a lognormal.",
-        "{option}は転倒が急に始まり対数正規分布に合わないため、pelicun.csvに含まれていません。",
-    ),
-    "left_out_misfit": (
-        "{option} is not in pelicun.csv. {why}",
-        "{option}はpelicun.csvに含まれていません。{why}",
-    ),
     "motions_shown": ("Motions: {motions}", "地震動：{motions}"),
 }
 """Texts by their keys: English, Japanese."""

@@ -7,7 +7,6 @@ from functools import partial
 from importlib import resources
 from typing import TYPE_CHECKING, Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
 import stayput
@@ -24,7 +23,7 @@ from stayput.report.several.tables import (
     simulations_of_several,
 )
 from stayput.report.verdict import numbers
-from stayput.report.verdict.html import SUFFIXES, tight
+from stayput.report.verdict.html import SUFFIXES, rendered
 from stayput.report.verdict.words import word
 from stayput.verification.several_words import headline_of_several
 from stayput.verification.words import class_label
@@ -62,15 +61,7 @@ def write_several_report(verdict: AssemblyVerdict, path: str | Path, language: s
     """
     check_language(language)
     target = check_target(path, SUFFIXES)
-    pages = Environment(
-        loader=PackageLoader("stayput.report", "several"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        finalize=tight,
-    )
-    page = pages.get_template("several.html").render(_content(verdict, language))
+    page = rendered("several/several.html", _content(verdict, language))
     with draft(target) as unfinished:
         unfinished.write_text(page, encoding="utf-8")
     return target

@@ -96,14 +96,14 @@ def write_curves(verdict: Verdict, measure: IntensityMeasure, folder: Path) -> t
 def _left_out(curve: FragilityCurve) -> str:
     """Return why a curve is not in the files for loss tools, or in one of them only; empty where it is."""
     if curve.state is not CurveState.FITTED:
-        return say("report.left_out_state", option=curve.name, state=curve.state.value)
+        return say("fragility.left_out_state", option=curve.name, state=curve.state.value)
     if curve.one_motion:
-        return say("report.left_out_one_motion", option=curve.name)
+        return say("fragility.left_out_one_motion", option=curve.name)
     if curve.lognormal is None:
-        return say("report.left_out_abrupt", option=curve.name)
+        return say("fragility.left_out_abrupt", option=curve.name)
     if curve.lognormal.fits:
         return ""
-    return say("report.left_out_misfit", option=curve.name, why=curve.lognormal.texts)
+    return say("fragility.left_out_misfit", option=curve.name, why=curve.lognormal.texts)
 
 
 @contextmanager

@@ -43,7 +43,7 @@ from stayput.verification.words import class_label, headline, title
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
     from pathlib import Path
 
     from stayput.measures import Measure
@@ -99,15 +99,20 @@ def report_html(verdict: Verdict, language: str = "en") -> str:
     language : str
         "en" or "ja".
     """
+    return rendered("verdict/report.html", _content(verdict, language))
+
+
+def rendered(template: str, content: Mapping[str, Any]) -> str:
+    """Return a template of the package `stayput.report`, by its path there, with its content filled in."""
     pages = Environment(
-        loader=PackageLoader("stayput.report", "verdict"),
+        loader=PackageLoader("stayput", "report"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
         finalize=tight,
     )
-    return pages.get_template("report.html").render(_content(verdict, language))
+    return pages.get_template(template).render(content)
 
 
 def _content(verdict: Verdict, language: str) -> dict[str, Any]:
