@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import stayput as sp
+from stayput.mechanics.space.columns import SPRING
 from stayput.simulation.flat_fields import room_row
 from stayput.simulation.space_gaps import Gaps
 from stayput.simulation.space_records import matrices, planes_of, product
@@ -52,6 +53,7 @@ def _made(standing: list[sp.Standing], places: list[np.ndarray], attitudes: list
         peak_tilt=np.zeros(count),
         gaps=(apart(count), apart(count)),
         devices=(),
+        springs=np.zeros(0, SPRING),
         steps=200,
         unconverged=0,
     )

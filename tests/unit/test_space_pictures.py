@@ -288,3 +288,26 @@ def test_a_still_run_of_several_bodies_is_plotted_in_japanese() -> None:
     assert figure.axes[3].get_xlabel() == "x、正面側 [m]"
     assert figure.axes[1].get_ylim() == (-0.1, 0.1)
     assert len(figure.axes[3].get_legend().get_texts()) == 3
+
+
+def test_devices_are_drawn_from_the_body_to_where_they_hold() -> None:
+    """A pole reaches up to the ceiling, a bracket is where it is screwed on, a joint goes with both bodies."""
+    body = sp.Body(0.4, 1.8, 100.0, length=0.9)
+    room = sp.Room(left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
+    still = sp.Motion(dt=0.01, x=np.zeros(11))
+    measures = [sp.MEASURES["l_bracket"](), sp.MEASURES["tension_pole"]()]
+    scene = space_scene(sp.simulate(body, room, still, measures, dimensions=3), ("body",))
+    places, turns = scene.pose(0.0)
+    brackets, poles = np.split(np.array([scene.ends(tie, places, turns) for tie in scene.ties]), 2)
+    np.testing.assert_allclose(brackets[:, 0], brackets[:, 1], atol=1e-9)
+    np.testing.assert_allclose(poles[:, :, 2], [[1.8, 2.4]] * 2)
+    np.testing.assert_allclose(sorted(poles[:, 0, 1]), [-0.225, 0.225])
+    lower, upper = sp.Solid.box(0.4, 0.8, 0.9, 40.0), sp.Solid.box(0.3, 0.8, 0.9, 20.0)
+    joint = sp.Joint(1, 0, (-0.1, 0.3, 0.9), strength=1.0)
+    stack = sp.Assembly([sp.Standing(lower), sp.Standing(upper, (0.0, 0.0, 0.9))], joints=[joint])
+    run = sp.simulate(stack, sp.Room(), sp.near_fault())
+    (tie,) = space_scene(run, ("lower", "upper")).ties
+    assert (tie.body, tie.other) == (1, 0)
+    np.testing.assert_allclose(tie.point, [-0.1, 0.3, 0.0], atol=1e-9)
+    np.testing.assert_allclose(tie.anchor, [-0.1, 0.3, 0.9], atol=1e-9)
+    assert tie.lost == run.devices[0].failure_time < 10.0

@@ -232,8 +232,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "実際の縮尺です。部屋は地震とともに動き、点線は動かない基準線で、間隔は右上の目盛りの長さです。丸い印は重心です。スペースキーで再生・停止、矢印キーでコマ送りできます。",
     ),
     "turnNote": (
-        "The room moves with the shaking unless that is switched off. Drag sideways to turn the picture, pinch or Ctrl and the wheel to come nearer; with the picture in focus, the arrow keys turn it. The lighter or striped side is the front. Devices are not drawn.",
-        "設定を外さない限り、部屋は地震とともに動きます。横にドラッグすると回転し、つまむ操作やコントロールキーとホイールで拡大・縮小できます。図を選ぶと矢印キーでも回転します。明るい面または縞のある側が正面です。器具は描いていません。",
+        "The room moves with the shaking unless that is switched off. Drag sideways to turn the picture, pinch or Ctrl and the wheel to come nearer; with the picture in focus, the arrow keys turn it. The lighter or striped side is the front. What holds the piece is drawn over it; a cross marks where it has failed.",
+        "設定を外さない限り、部屋は地震とともに動きます。横にドラッグすると回転し、つまむ操作やコントロールキーとホイールで拡大・縮小できます。図を選ぶと矢印キーでも回転します。明るい面または縞のある側が正面です。器具は家具の上に重ねて描き、壊れた所には×印を付けています。",
     ),
     "nowInSpace": (
         "tilt {tilt}° · moved {slide} · turned {yaw}°",

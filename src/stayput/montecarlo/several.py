@@ -250,7 +250,10 @@ def run_draw(
     traced = _traced(assembly, room, draw, shaking, gravity)
     devices = traced.trace.devices
     standing = [one.standing for one in traced.bodies]
-    return results_of(standing, traced.trace, shaking.times), (devices, utilisation(traced.springs, devices))
+    return results_of(standing, traced.trace, shaking.times), (
+        devices,
+        utilisation(traced.trace.springs, devices),
+    )
 
 
 def _traced(

@@ -131,4 +131,4 @@ def _run(scenario: AssemblyScenario) -> tuple[NDArray[np.void], int, float]:
     failed = int((devices["failure"] != HOLDS).sum())
     standing = [one.standing for one in traced.bodies]
     results = results_of(standing, traced.trace, shaking.times)
-    return results, failed, float(utilisation(traced.springs, devices).max(initial=0.0))
+    return results, failed, float(utilisation(traced.trace.springs, devices).max(initial=0.0))

@@ -62,11 +62,10 @@ def simulate_assembly(
 
 
 class AssemblyTrace(NamedTuple):
-    """Several bodies as the engine ran them: bodies, room, devices and joints, and what became of them."""
+    """Several bodies as the engine ran them: bodies, room, and what became of them and what holds them."""
 
     bodies: tuple[Placed, ...]
     planes: NDArray[np.void]
-    springs: NDArray[np.void]
     trace: SpaceTrace
 
 
@@ -111,7 +110,7 @@ def trace_assembly(
     )
     springs = np.concatenate([*(one.springs for one in bodies), joint_springs(standing, assembly.joints)])
     trace = run_world(world, poses, springs, shaking.acceleration, shaking.dt, step, gravity)
-    return AssemblyTrace(bodies, planes, springs, trace)
+    return AssemblyTrace(bodies, planes, trace)
 
 
 def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, motion: Motion) -> SpaceRun:
@@ -126,7 +125,8 @@ def run_of_assembly(traced: AssemblyTrace, joints: Sequence[Joint], room: Room, 
     room, motion
         Where the bodies stood, and how the floor moved.
     """
-    bodies, planes, springs, trace = traced
+    bodies, planes, trace = traced
+    springs = trace.springs
     devices: list[DeviceResult] = []
     first = 0
     for number, one in enumerate(bodies):
@@ -228,6 +228,7 @@ def _run(
         trace.peak_tilt,
         trace.gaps,
         devices,
+        trace.springs,
         trace.steps,
         trace.unconverged,
         held,

@@ -38,6 +38,8 @@ class SpaceTrace(NamedTuple):
         What pressed on the bodies in the step before: the room, and other bodies [N].
     forces : ndarray, shape (samples, devices, 2)
         Of the devices, along the normal and the plane [N].
+    springs : ndarray of SPRING, shape (devices,)
+        The devices.
     devices : ndarray of DEVICE, shape (devices,)
         What became of them; forces in newtons.
     hits : ndarray of HIT
@@ -58,6 +60,7 @@ class SpaceTrace(NamedTuple):
     rotation_rate: NDArray[np.float64]
     pressing: NDArray[np.float64]
     forces: NDArray[np.float64]
+    springs: NDArray[np.void]
     devices: NDArray[np.void]
     hits: NDArray[np.void]
     hit_numbers: NDArray[np.int64]
@@ -120,6 +123,7 @@ def run_world(
         histories[..., 10:13],
         histories[..., 13:19].reshape(bodies, samples, 2, 3),
         forces,
+        springs,
         held[2],
         hits[: min(len(hits), numbers[-1, 0])].copy(),
         numbers,

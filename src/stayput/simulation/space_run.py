@@ -103,6 +103,8 @@ class SpaceRun:
         How far the bodies are from the room and from each other, at first and at the end.
     devices : tuple of DeviceResult
         What became of each device and joint.
+    springs : ndarray of SPRING
+        Where each of these holds, as the engine saw it.
     steps : int
         Steps of the engine.
     unconverged : int
@@ -126,6 +128,7 @@ class SpaceRun:
     peak_tilt: NDArray[np.float64]
     gaps: tuple[Gaps, Gaps]
     devices: tuple[DeviceResult, ...]
+    springs: NDArray[np.void]
     steps: int
     unconverged: int
     held: tuple[Held | None, ...] = ()

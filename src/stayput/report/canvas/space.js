@@ -71,6 +71,7 @@ function triangles(gl, values) {
   return { array: array(gl, [{ values, stride: STRIDE, attributes }]), count: values.length / STRIDE };
 }
 
+/** Thick lines between pairs of points: six numbers each. */
 function segments(gl, values) {
   const ends = [
     [1, 3],
@@ -154,13 +155,13 @@ export function spacePainter(canvas, first) {
       const values = new Float32Array([0, 1, 3, 2].flatMap((i) => corners[i]));
       return { array: array(gl, [{ values, stride: 3, attributes: [[0, 3]] }]), normal, offset };
     });
-    return { meshes, faces, light: lightMatrix(scene) };
+    return { meshes, faces, ties: segments(gl, new Float32Array(0)), light: lightMatrix(scene) };
   }
 
   function take(next) {
     for (const { body, marks, edges, footprint } of made.meshes)
       for (const { array: which } of [body, marks, edges, footprint]) free(gl, which);
-    for (const { array: which } of made.faces) free(gl, which);
+    for (const { array: which } of [...made.faces, made.ties]) free(gl, which);
     scene = next;
     made = prepare();
   }
@@ -267,6 +268,35 @@ export function spacePainter(canvas, first) {
       drawSurface(face, { ...wall, alpha: inside ? 0.45 : 0.05, lineAlpha: inside ? 0.8 : 0.12 }, eye);
     }
     gl.depthMask(true);
+    drawTies(models, t, { ...lines, model: STILL }, sharp);
+  }
+
+  /** Draws the devices over all else, as they are mostly behind or below a body; a cross where one has failed. */
+  function drawTies(models, t, lines, sharp) {
+    const held = { whole: [], lost: [] },
+      reach = 0.012 * scene.size,
+      shifted = (place, axis, by) => place.map((x, i) => (i === axis ? x + by : x));
+    for (const { from, to, lost } of scene.ties(models, t)) {
+      const list = lost ? held.lost : held.whole;
+      if (!lost) list.push(...from, ...to);
+      for (const end of lost ? [from] : [from, to])
+        for (const axis of [0, 1, 2]) list.push(...shifted(end, axis, -reach), ...shifted(end, axis, reach));
+    }
+    gl.disable(gl.DEPTH_TEST);
+    for (const [name, values] of Object.entries(held)) {
+      if (!values.length) continue;
+      gl.bindBuffer(gl.ARRAY_BUFFER, made.ties.array.held[1]);
+      gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(values), gl.DYNAMIC_DRAW);
+      const colour = parts(name === "lost" ? ink.alarm : ink.tie);
+      for (const [width, look] of [
+        [6 * sharp, [...parts(ink.halo), 0.8]],
+        [2.6 * sharp, [...colour, 1]],
+      ]) {
+        use(tools.programs.LINES, { ...lines, width, colour: look });
+        strip({ array: made.ties.array, count: values.length / 6 });
+      }
+    }
+    gl.enable(gl.DEPTH_TEST);
   }
   return { draw, take };
 }

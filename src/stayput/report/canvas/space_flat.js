@@ -47,6 +47,15 @@ export function flatPainter(canvas, first) {
         pen.lineWidth = b === chosen ? 2 * STROKE : STROKE;
         pen.stroke();
       }
+    const matrices = scene.bodies.map((body) => body.matrix(t));
+    for (const { from: end, to, lost } of scene.ties(matrices, t)) {
+      const points = [seen(end), seen(lost ? end : to)];
+      if (!lost) line(pen, ink.tie, 2 * STROKE, points);
+      for (const [x, y] of points) {
+        pen.fillStyle = lost ? ink.alarm : ink.tie;
+        pen.fillRect(x - 2 * STROKE, y - 2 * STROKE, 4 * STROKE, 4 * STROKE);
+      }
+    }
   }
   const take = (next) => (scene = next);
   return { draw, take };

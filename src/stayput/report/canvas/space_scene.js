@@ -47,6 +47,10 @@ export function spaceScene(data) {
       state: (t) => ({ tilt: along(tilt, 1, t)[0], slide: along(slide, 1, t)[0], yaw: along(yaw, 1, t)[0] }),
     };
   });
+  const ends = data.ties.map(({ body, point_m: point, other, anchor_m: anchor, lost_s: lost }) => (matrices, t) => {
+    const seen = (owner, place) => (owner === null ? place : mat.image(matrices[owner], place).slice(0, 3));
+    return { from: seen(body, point), to: seen(other, anchor), lost: lost !== null && t >= lost };
+  });
   const shift = unpacked(data.floor.shift_m),
     dt = data.floor.dt_s;
   const accelerations = Object.entries(data.floor.acceleration_m_s2).map(([axis, text]) => {
@@ -60,6 +64,8 @@ export function spaceScene(data) {
     times,
     bodies,
     accelerations,
+    /** Both ends of all devices in the room, by the bodies' matrices, and whether each has failed. */
+    ties: (matrices, t) => ends.map((tie) => tie(matrices, t)),
     shift: (t) => along(shift, 3, t),
     planes: data.planes.map(([x, y, z, offset]) => ({ normal: [x, y, z], offset })),
     low,

@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFilter
 
 from stayput.report.layout import FrameLayout
-from stayput.report.palette import INK, PAPER, ROOM, rgb
+from stayput.report.palette import ALARM, INK, PAPER, ROLE_COLOURS, ROOM, rgb
 from stayput.report.space.camera import Camera
 from stayput.report.space.scene import body_colour
 
@@ -74,6 +74,7 @@ class SpacePainter:
         draw = ImageDraw.Draw(scene)
         for b in self._from_far(camera.place, corners, turns):
             _draw_body(draw, camera, self._line, film.scene.shapes[b], corners[b], turns[b], body_colour(b))
+        self._draw_ties(draw, camera, time, places, turns)
         image = self._layout.frame(self._still, scene, time)
         self._layout.head(image, film.title if time >= film.scene.end else film.state(time))
         if len(corners) > 1:
@@ -136,6 +137,27 @@ class SpacePainter:
                 _fill(draw, camera.seen(fallen[face]), round(255 * _SHADOW))
         scene.paste(INK, (0, 0), mask.filter(ImageFilter.BoxBlur(2.5 * self._line)))
 
+    def _draw_ties(
+        self,
+        draw: ImageDraw.ImageDraw,
+        camera: Camera,
+        time: float,
+        places: NDArray[np.float64],
+        turns: NDArray[np.float64],
+    ) -> None:
+        """Draw devices and joints over the bodies; of those that have failed a cross where they held."""
+        for tie in self._film.scene.ties:
+            ends = camera.seen(self._film.scene.ends(tie, places, turns))
+            if len(ends) < 2:  # behind the camera
+                continue
+            if time >= tie.lost:
+                _cross(draw, ends[0], 2.5 * self._line)
+                continue
+            for colour, width in ((PAPER, 4 * self._line), (ROLE_COLOURS["tie"], 2 * self._line)):
+                _stroke(draw, ends, colour, width)
+                for x, y in ends:
+                    draw.ellipse((x - width, y - width, x + width, y + width), fill=colour)
+
     def _from_far(
         self, eye: NDArray[np.float64], corners: list[NDArray[np.float64]], turns: NDArray[np.float64]
     ) -> list[int]:
@@ -161,6 +183,13 @@ class SpacePainter:
 def _fill(draw: ImageDraw.ImageDraw, outline: list[tuple[float, float]], colour: Colour) -> None:
     if len(outline) > 2:  # else it is behind the camera
         draw.polygon(outline, fill=colour)
+
+
+def _cross(draw: ImageDraw.ImageDraw, middle: tuple[float, float], reach: float) -> None:
+    x, y = middle
+    for colour, width in ((PAPER, round(reach)), (ALARM, round(0.5 * reach))):
+        for way in (reach, -reach):
+            draw.line([(x - reach, y - way), (x + reach, y + way)], fill=colour, width=width)
 
 
 def _stroke(draw: ImageDraw.ImageDraw, points: list[tuple[float, float]], colour: Colour, width: int) -> None:

@@ -9,10 +9,12 @@ from __future__ import annotations
 import base64
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from stayput.measures.pole import TensionPole
+from stayput.mechanics.space.touching import ROOM
 from stayput.report.palette import BODY_COLOURS
 from stayput.report.scene import SHIFT_SHOWN, TIME_DIGITS, View, ground_displacement, rounded
 from stayput.report.space.histories import slid
@@ -37,6 +39,30 @@ _DIRECTIONS = 300
 """Directions in which the outermost points are looked for."""
 
 
+class DrawnTie(NamedTuple):
+    """A device or a joint as it is drawn.
+
+    Parameters
+    ----------
+    body : int
+        The body that it holds.
+    point : ndarray, shape (3,)
+        Where, in the frame of the body [m].
+    other : int or None
+        The other body that it holds; None for the room.
+    anchor : ndarray, shape (3,)
+        Where there, in the frame of the other or the room [m].
+    lost : float
+        When it failed [s]; inf for never.
+    """
+
+    body: int
+    point: NDArray[np.float64]
+    other: int | None
+    anchor: NDArray[np.float64]
+    lost: float
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class SpaceScene:
     """A run in space, ready to be drawn.
@@ -59,6 +85,8 @@ class SpaceScene:
         Displacement of the floor in the picture [m].
     shift_scale : float
         What part of the floor's displacement the picture shows, at most 1.
+    ties : tuple of DrawnTie
+        The devices and joints.
     points : ndarray, shape (k, 3)
         The outermost points of the bodies over time, which the picture shows [m].
     """
@@ -71,6 +99,7 @@ class SpaceScene:
     attitude: NDArray[np.float64]
     shift: NDArray[np.float64]
     shift_scale: float
+    ties: tuple[DrawnTie, ...]
     points: NDArray[np.float64]
 
     @property
@@ -138,6 +167,7 @@ class SpaceScene:
             ``view``: ``low_m``, ``high_m``, ``grid_m``, ``points_m``. ``bodies``: ``name``, ``colour``,
             ``shape`` (see `SolidShape.data`), ``centre_of_gravity_m``, ``footprint_m`` (where it first stood
             on the floor), and at the poses ``place_m``, ``attitude``, ``tilt_rad``, ``slide_m``, ``yaw_rad``.
+            ``ties``: ``body``, ``point_m``, ``other``, ``anchor_m``, ``lost_s`` or None; see `DrawnTie`.
         """
         run = self.run
         histories = {"tilt_rad": run.tilt, "slide_m": slid(run), "yaw_rad": run.yaw}
@@ -174,7 +204,30 @@ class SpaceScene:
                 }
                 for b, one in enumerate(run.standing)
             ],
+            "ties": [
+                {
+                    "body": tie.body,
+                    "point_m": rounded(tie.point),
+                    "other": tie.other,
+                    "anchor_m": rounded(tie.anchor),
+                    "lost_s": None if math.isinf(tie.lost) else round(tie.lost, TIME_DIGITS),
+                }
+                for tie in self.ties
+            ],
         }
+
+    def ends(
+        self, tie: DrawnTie, places: NDArray[np.float64], turns: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Return both ends of a device where the bodies are, of `pose`, shape (2, 3) [m]."""
+
+        def seen(body: int | None, point: NDArray[np.float64]) -> NDArray[np.float64]:
+            if body is None:
+                return point
+            solid = self.run.standing[body].solid
+            return places[body] + turns[body] @ (point - solid.centre_of_gravity)
+
+        return np.stack([seen(tie.body, tie.point), seen(tie.other, tie.anchor)])
 
     def _at_poses(self, history: NDArray[np.float64]) -> NDArray[np.float64]:
         return np.asarray(np.interp(self.time, self.run.time, history))
@@ -221,7 +274,30 @@ def space_scene(run: SpaceRun, names: tuple[str, ...]) -> SpaceScene:
     scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
     shift = np.column_stack([scale * np.interp(times, run.motion.time, along) for along in ground.T])
     shapes = tuple(shape_of(one.solid) for one in run.standing)
-    return SpaceScene(run, names, shapes, times, place, attitude, shift, scale, points)
+    return SpaceScene(run, names, shapes, times, place, attitude, shift, scale, _ties(run), points)
+
+
+def _ties(run: SpaceRun) -> tuple[DrawnTie, ...]:
+    """Return the devices and joints of a run."""
+
+    def in_frame(body: int, spring: np.void, names: tuple[str, str, str]) -> NDArray[np.float64]:
+        solid = run.standing[body].solid
+        return solid.centre_of_gravity + solid.principal[1] @ [float(spring[name]) for name in names]
+
+    found: list[DrawnTie] = []
+    for spring, device in zip(run.springs, run.devices, strict=True):
+        body, other, anchor = int(spring["body"]), int(spring["other"]), ("ax", "ay", "az")
+        if other == ROOM:
+            end = np.array([float(spring[name]) for name in anchor])
+            if device.kind == TensionPole.kind and run.room.ceiling is not None:
+                end[2] = run.room.ceiling.height
+        else:
+            end = in_frame(other, spring, anchor)
+        point, lost = in_frame(body, spring, ("px", "py", "pz")), device.failure_time
+        found.append(
+            DrawnTie(body, point, None if other == ROOM else other, end, lost if device.failed else math.inf)
+        )
+    return tuple(found)
 
 
 def _between(
