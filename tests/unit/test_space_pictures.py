@@ -291,7 +291,7 @@ def test_a_still_run_of_several_bodies_is_plotted_in_japanese() -> None:
 
 
 def test_devices_are_drawn_from_the_body_to_where_they_hold() -> None:
-    """A pole reaches up to the ceiling, a bracket is where it is screwed on, a joint goes with both bodies."""
+    """A pole reaches up to the ceiling, a bracket is where it is screwed on, a joint joins both bodies."""
     body = sp.Body(0.4, 1.8, 100.0, length=0.9)
     room = sp.Room(left_wall=sp.Wall(0.02), ceiling=sp.Ceiling(2.4))
     still = sp.Motion(dt=0.01, x=np.zeros(11))
