@@ -237,7 +237,7 @@ def numbers(name: str | Phrase, values: Any, field: str | None = None) -> NDArra
         if isinstance(values, str | bytes):
             raise TypeError
         return np.array(values, np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError("common.not_numbers", field, name=_called(name), value=repr(values)) from None
 
 

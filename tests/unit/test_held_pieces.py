@@ -37,12 +37,18 @@ def test_a_piece_alone_is_held_like_a_body_in_space(kinds: tuple[str, ...]) -> N
     alone = sp.simulate(BODY, ROOM, SHAKEN, of(*kinds), dimensions=3)
     among = sp.simulate(sp.Assembly([sp.Piece(BODY, measures=of(*kinds))]), ROOM, SHAKEN)
     assert among.outcome == alone.outcome
-    assert among.peak_tilt == pytest.approx(alone.peak_tilt, rel=5e-3)
+    # on a wedge it chatters, which takes rounding for more
+    chatters = "belt" in kinds
+    assert among.peak_tilt == pytest.approx(alone.peak_tilt, rel=0.05 if chatters else 1e-3)
+    if not chatters:
+        hits = [[hit.impulse for hit in run.hits[:1]] for run in (among, alone)]
+        assert hits[0] == pytest.approx(hits[1], rel=0.01)
     assert [one.place for one in among.devices] == [one.place for one in alone.devices]
     for mine, theirs in zip(among.devices, alone.devices, strict=True):
         assert (mine.member, mine.failed) == (0, theirs.failed)
-        assert mine.peak_pull == pytest.approx(theirs.peak_pull, rel=1e-3, abs=0.1)
-        assert mine.utilisation == pytest.approx(theirs.utilisation, rel=1e-3, abs=1e-4)
+        near = 0.05 if chatters else 1e-3
+        assert mine.peak_pull == pytest.approx(theirs.peak_pull, rel=near, abs=0.1)
+        assert mine.utilisation == pytest.approx(theirs.utilisation, rel=near, abs=1e-4)
 
 
 @pytest.mark.parametrize("kind", ["l_bracket", "belt"])

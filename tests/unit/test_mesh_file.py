@@ -221,6 +221,7 @@ def test_the_python_of_the_page_runs(tmp_path, monkeypatch, capsys):
     write_stl(tmp_path / "stone.stl", 1000.0 * SHAPES["cone"].vertices, triangulated(SHAPES["cone"].faces))
     page = Path(__file__).parents[2] / "docs" / "space.md"
     blocks = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    (tmp_path / "examples").symlink_to(page.parents[1] / "examples")
     exec("".join(blocks), {})
     assert capsys.readouterr().out.count("True") >= 5
 
@@ -228,6 +229,8 @@ def test_the_python_of_the_page_runs(tmp_path, monkeypatch, capsys):
 def test_a_file_that_cannot_be_opened_is_refused(tmp_path):
     with pytest.raises(InputError, match=r"cannot be opened: no such file or directory\.$"):
         Solid.from_mesh(tmp_path / "nowhere.stl", unit="m", mass=10.0)
+    with pytest.raises(InputError, match=r"cannot be opened: no such file or directory\.$"):
+        Solid.from_mesh("a\0.stl", unit="m", mass=10.0)
     (tmp_path / "folder.stl").mkdir()
     with pytest.raises(InputError, match="cannot be opened: is a directory"):
         Solid.from_mesh(tmp_path / "folder.stl", unit="m", mass=10.0)

@@ -32,9 +32,15 @@ def run(*arguments: str) -> str:
     return found.output
 
 
+def _made(kind: type[Scenario] | type[AssemblyScenario], data: dict[str, object]) -> None:
+    made = kind.parse(data)
+    if isinstance(made, AssemblyScenario):
+        made.assembly()
+
+
 def refused(data: dict[str, object], kind: type[Scenario] | type[AssemblyScenario] = Scenario) -> str:
     with pytest.raises(sp.InputError) as caught:
-        kind.parse(data)
+        _made(kind, data)
     return caught.value.told("en")
 
 
@@ -154,6 +160,28 @@ def test_what_is_refused() -> None:
     assert "furniture[1].name" in refused({"furniture": [box, box]}, several)
     joint = {"first": "box", "second": "door", "at": [0.0, 0.0, 0.0]}
     assert "joints[0].second" in refused({"furniture": [box], "joints": [joint]}, several)
+    assert "joints is 1; it must be a list" in refused({"furniture": [box], "joints": 1}, several)
+    assert AssemblyScenario.parse({"furniture": [box], "dimensions": 3}).dimensions == 3
+    beside = {**box, "name": "other", "on": "box", "at": [0.3, 0.0]}
+    told = refused({"furniture": [box, beside]}, several)
+    assert "furniture[1].at = [0.3, 0.0] must be a place on 'box': x of -0.2 to 0.2 m" in told
+    far = {**joint, "second": "other", "at": [0.0, 0.0, 40.0]}
+    stack = {"furniture": [box, {**beside, "at": [0.0, 0.0]}], "joints": [far]}
+    assert "39.8 m from its centre of gravity" in refused(stack, several)
+
+
+def test_flags_beside_a_file_of_several_pieces() -> None:
+    """Those of the shaking and the room hold, those of one piece are refused."""
+    weak = json.loads(run("simulate", str(DRESSER), "--scale", "0.05", "--json"))
+    assert {body["outcome"] for body in weak["bodies"]} == {"rested"}
+    for flags in (["--heading", "0.5"], ["--measure", "belt"], ["--contact", "paper"]):
+        said = CliRunner().invoke(app, ["simulate", str(DRESSER), *flags])
+        assert said.exit_code == 2
+        assert f"{flags[0]} is of one piece" in said.output
+
+
+def test_a_joint_is_called_by_the_pieces_that_it_joins() -> None:
+    assert "Joint upper part – lower part" in run("simulate", str(DRESSER))
 
 
 def test_the_file_of_several_pieces() -> None:

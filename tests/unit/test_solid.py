@@ -392,3 +392,9 @@ def test_what_is_no_body_is_refused(make, sentence, field):
         make()
     assert refused.value.field == field
     assert not refused.value.told("ja").isascii()
+
+
+@pytest.mark.parametrize("foot", [(0.0, 0.0, 5.0), (200.0, 0.0, 0.0), (0.0, 0.0, -3.0)])
+def test_a_foot_that_is_not_at_the_foot_of_the_body_is_refused(foot):
+    with pytest.raises(InputError, match="feet must be below the middle of the body"):
+        Solid.box(0.4, 0.4, 1.0, 10.0, feet=[foot, (0.1, 0.1, 0.0), (-0.1, 0.1, 0.0)])

@@ -24,7 +24,7 @@ from stayput.report.space.histories import slid
 from stayput.report.space.said import became, piece_became
 from stayput.report.space.scene import space_scene
 from stayput.report.space.summary import space_summary
-from stayput.report.summary import device_results, number, piece_name
+from stayput.report.summary import device_results, number, piece_name, place_called
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.run import simulate
 from stayput.simulation.space_fate import ROCKED, SLID
@@ -153,7 +153,7 @@ def _or_never(time: float) -> float:
 def _device(device: DeviceResult, run: SpaceRun, scene: SpaceScene) -> Any:
     forces = {"pull_n": device.pull, "shear_n": device.shear}
     at_poses = {name: rounded(np.interp(scene.time, run.time, values), 1) for name, values in forces.items()}
-    return {**device_results(device), **at_poses}
+    return {**device_results(device), "name": place_called(device, scene.names), **at_poses}
 
 
 def _events(run: SpaceRun) -> list[SpaceEventReply]:

@@ -341,11 +341,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "took": ("{seconds} s of computing", "計算時間 {seconds} 秒"),
     "version": ("Version", "版"),
     "caution": (
-        ("A simulation of a rigid body in a plane is not a guarantee. Real rooms, walls and fixings differ."),
-        (
-            "これは平面内の剛体シミュレーションであり、安全を保証するものではありません。実際"
-            "の部屋や壁、固定の状態はこれと異なります。"
-        ),
+        "A simulation of rigid bodies is not a guarantee. Real rooms, walls and fixings differ.",
+        "これは剛体のシミュレーションであり、安全を保証するものではありません。実際の部屋や壁、固定の状態はこれと異なります。",
     ),
     "floor": ("Floor", "床"),
     "piece": ("Furniture", "家具"),

@@ -90,6 +90,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "furniture.length is missing; with dimensions = 3 the piece needs its length across the depth [m].",
         "furniture.lengthがありません。dimensions = 3では、奥行きと直角な方向の幅 [m] が必要です。",
     ),
+    "flag_of_one": (
+        "{flag} is of one piece, and must not be given with a file of several.",
+        "{flag}は家具が1つの場合の指定です。複数の家具のファイルには使えません。",
+    ),
+    "beside_support": (
+        "{name} = {value} must be a place on {other}: x of {low_x:.3g} to {high_x:.3g} m and y of {low_y:.3g} to {high_y:.3g} m from its middle.",
+        "{name} = {value}は{other}の上の位置にしてください（中央からxは{low_x:.3g}～{high_x:.3g} m、yは{low_y:.3g}～{high_y:.3g} m）。",
+    ),
     "contents_in_space": (
         "contents is given with dimensions = 3; what comes out is found in the plane alone.",
         "dimensions = 3でcontentsが指定されています。中身の飛び出しは平面の解析だけで求められます。",

@@ -130,9 +130,5 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The pieces do not bend, and what is inside them does not move.",
         "家具の変形と、中身の動きは考慮しません。",
     ),
-    "caution": (
-        "A simulation of rigid bodies is not a guarantee. Real rooms, walls and fixings differ.",
-        "これは剛体のシミュレーションであり、安全を保証するものではありません。実際の部屋や壁、固定の状態はこれと異なります。",
-    ),
 }
 """Texts by their keys: English, Japanese."""

@@ -54,13 +54,17 @@ TEXTS: dict[str, tuple[str, str]] = {
         "A joint names member {number}; the last one is {last}.",
         "接合部が物体{number}を指していますが、最後の物体は{last}です。",
     ),
+    "joint_astray": (
+        "A joint holds member {number} at a point {apart:.3g} m from its centre of gravity; it must be no more than {most:.3g} m, twice its diagonal.",
+        "接合部の点が物体{number}の重心から{apart:.3g} m離れています。対角線の2倍の{most:.3g} m以内にしてください。",
+    ),
     "no_bodies": (
         "There is no body to simulate; give one at least.",
         "物体がありません。少なくとも1つ指定してください。",
     ),
     "settles": (
-        "The floor settles by {value} m, which only a Body does; give a floor without settlement.",
-        "床の沈み込みが{value} mになっています。Bodyだけに使える値なので、沈み込みのない床を指定してください。",
+        "The floor settles by {value} m, which is left out: of solids and several pieces none sinks into it.",
+        "床の沈み込み（{value} m）は考慮していません。立体や複数の家具では、床に沈まないものとしています。",
     ),
     "chunk": ("Chunk", "一度に計算するケース数"),
     "tolerance": ("Tolerance", "許容誤差"),

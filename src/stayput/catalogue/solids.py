@@ -45,6 +45,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The shape fills {share:.4g} of its convex hull; it must be convex and fill at least {least:g}.",
         "形の体積が凸包の{share:.4g}倍しかありません。凸形状（{least:g}倍以上）にしてください。",
     ),
+    "foot_astray": (
+        "A foot is at {point} m; feet must be below the middle of the body, and no more than {reach:.3g} m beyond its sides.",
+        "脚の位置が{point} mになっています。脚は立体の中ほどより下で、側面から{reach:.3g} m以内にしてください。",
+    ),
     "rims_wrong": (
         "The rims must each have an axis of length 1 and a radius above 0 m.",
         "縁の円（rims）の軸は長さ1、半径は0 mより大きくしてください。",

@@ -19,6 +19,7 @@ from stayput.cli.flags import (
     scenario_data,
 )
 from stayput.cli.messages import compiling, print_json
+from stayput.errors import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Generator
@@ -116,14 +117,10 @@ def simulate(
 
     _check_targets(plot, animate)
     given = scenario_data(scenario, body)
-    if scenario is not None and isinstance(given.get("furniture"), list):
-        from stayput.scenario import read_assembly
-
-        pieces = read_assembly(scenario)
-        with compiling():
-            several = pieces.run()
-        _show_in_space(several, pieces.names, _Wanted("", pieces.title, plot, animate, speed, fps, json))
-        return
+    several = scenario is not None and body is None and isinstance(given.get("furniture"), list)
+    of_one = {"--contact": contact, "--length": length, "--heading": heading, "--measure": measure or None}
+    if several and (flags := [flag for flag, value in of_one.items() if value is not None]):
+        raise InputError("scenario.flag_of_one", flags[0], flag=flags[0])
     data = overlaid(
         given,
         body=body,
@@ -151,6 +148,14 @@ def simulate(
         piece={"length": length, "heading": heading},
     )
     here = Path() if scenario is None or motion is not None else scenario.parent
+    if several:
+        from stayput.scenario import AssemblyScenario
+
+        pieces = AssemblyScenario.parse(data, here)
+        with compiling():
+            found = pieces.run()
+        _show_in_space(found, pieces.names, _Wanted("", pieces.title, plot, animate, speed, fps, json))
+        return
     checked = Scenario.parse(data, here)
     case = checked.case(chosen_measures(checked, measure or []))
     with compiling():

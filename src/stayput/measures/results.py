@@ -70,6 +70,8 @@ class DeviceResult:
         where nothing can.
     member : int or None
         The number of the piece that it holds, in an assembly; None of a joint.
+    between : tuple of int or None
+        The numbers of the bodies that a joint joins.
     """
 
     kind: str
@@ -86,6 +88,7 @@ class DeviceResult:
     shear: NDArray[np.float64]
     weakest: Phrase | None = None
     member: int | None = None
+    between: tuple[int, int] | None = None
 
 
 def utilisation(elements: NDArray[np.void], devices: NDArray[np.void]) -> NDArray[np.float64]:

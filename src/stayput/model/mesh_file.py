@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+from errno import ENOENT
 from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -90,6 +92,9 @@ def _corners(path: Path) -> NDArray[np.float64]:
     except ImportError as error:
         raise absent("A mesh", error.name or "trimesh", "space") from None
     try:
+        # a pipe would wait for ever, and no file has a name with NUL
+        if "\0" in str(path) or path.is_fifo():
+            raise FileNotFoundError(ENOENT, os.strerror(ENOENT))
         size = path.stat().st_size
         if size > MOST_BYTES:
             raise InputError("solids.mesh_too_large", "file", file=name, size=size, most=MOST_BYTES)

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 import numpy as np
 
-from stayput.errors import InputError, within
+from stayput.errors import InputError, instance_of, within
+from stayput.model.body import Body
 from stayput.model.inertia import inertia_of, moments_of_furniture, principal_axes, uniform_cone
 from stayput.model.mesh_file import read_convex_mesh
 from stayput.model.polyhedron import (
@@ -39,7 +40,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
-    from stayput.model.body import Body
 
 MOST_VERTICES = 500
 """Most corners of a body."""
@@ -153,7 +153,7 @@ class Solid:
                 hull, uniform.centroid if centre_of_gravity is None else centre_of_gravity
             ),
             "inertia": checked_inertia(hull, mass, usual, usual if inertia is None else inertia),
-            "feet": None if feet is None else checked_feet(feet),
+            "feet": None if feet is None else checked_feet(hull, feet),
             "rims": checked_rims(rims),
         }
         fields["normals"] = read_only(hull.planes[:, :3])
@@ -316,6 +316,7 @@ class Solid:
         InputError
             No length, or one that is not possible.
         """
+        instance_of("body", body, Body)
         length = body.length if length is None else length
         if length is None:
             raise InputError("solids.no_length", "length")

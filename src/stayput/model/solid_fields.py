@@ -32,7 +32,7 @@ def numbers(name: str, value: ArrayLike, shape: tuple[int | None, ...]) -> NDArr
     text = str(shape).replace("None", "n")
     try:
         array = np.array(value, np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError("solids.wrong_shape", name, name=called, shape=text, given=_IRREGULAR) from None
     fits = array.ndim == len(shape) and all(
         side in (None, given) for side, given in zip(shape, array.shape, strict=True)
@@ -96,10 +96,17 @@ def checked_inertia(
     return read_only(tensor)
 
 
-def checked_feet(value: ArrayLike) -> NDArray[np.float64]:
-    """Return feet, shape (f, 3) [m], or refuse none or too many."""
+def checked_feet(hull: Hull, value: ArrayLike) -> NDArray[np.float64]:
+    """Return feet, shape (f, 3) [m], or refuse none, too many, or one that is not at the foot of the body."""
     feet = numbers("feet", value, (None, 3))
     within("solids.number_of_feet", len(feet), 1, MOST_FEET, "", "feet")
+    low, high = hull.vertices.min(axis=0), hull.vertices.max(axis=0)
+    reach = 0.5 * size_of(hull.vertices)
+    most = np.array([*(high[:2] + reach), 0.5 * (low[2] + high[2])])
+    astray = ((feet < low - reach) | (feet > most)).any(axis=1)
+    if astray.any():
+        told = f"({', '.join(f'{x:.4g}' for x in feet[astray][0])})"
+        raise InputError("solids.foot_astray", "feet", point=told, reach=reach)
     return feet
 
 

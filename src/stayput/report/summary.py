@@ -200,6 +200,13 @@ def rows(run: Run) -> list[tuple[str, str]]:
     return [*((say(f"runs.row_{key}"), value) for key, value in values.items()), *device_rows(run.devices)]
 
 
+def place_called(device: DeviceResult, members: Sequence[str]) -> str:
+    """Return where a device is; of a joint which bodies it joins, by what these are called."""
+    if device.between is None or not members:
+        return device.place
+    return " – ".join(members[body] for body in device.between)
+
+
 def device_rows(devices: Sequence[DeviceResult], members: Sequence[str] = ()) -> list[tuple[str, str]]:
     """Return a row for each device: its largest force, how much of its strength that is, and its failure.
 
@@ -207,7 +214,7 @@ def device_rows(devices: Sequence[DeviceResult], members: Sequence[str] = ()) ->
     """
     rows_of_devices: list[tuple[str, str]] = []
     for device in devices:
-        name = " ".join(filter(None, (device.label[0], device.place)))
+        name = " ".join(filter(None, (device.label[0], place_called(device, members))))
         if device.member is not None and members:
             name = f"{name} ({members[device.member]})"
         peak = max(device.peak_pull, device.peak_push, device.peak_shear)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import tomli_w
 from pydantic import Field, PrivateAttr, ValidationError, model_validator
@@ -61,6 +61,7 @@ class AssemblyScenario(Table):
     kinetic_friction: Annotated[float, between(0.0, 10.0)] = Field(
         default=0.3, description="Kinetic friction between the pieces."
     )
+    dimensions: Literal[3] = Field(default=3, description="Several pieces are always in space.")
     room: RoomTable = Field(
         default_factory=lambda: RoomTable.model_validate({"floor": {}}),
         description="Where they stand; the gaps of the walls are from the outermost of all pieces.",
@@ -181,12 +182,27 @@ class AssemblyScenario(Table):
     def _placed(self) -> list[tuple[Solid, float, float, float]]:
         """Return each body, and where the middle of its base is [m]."""
         placed: dict[str, tuple[Solid, float, float, float]] = {}
-        for piece in self.furniture:
+        headings = {piece.name: piece.heading for piece in self.furniture}
+        for number, piece in enumerate(self.furniture):
             solid = piece.solid(self._folder)
             x, y, *up = piece.at
             z = up[0] if up else 0.0
             if piece.on is not None:
                 below, x_below, y_below, z_below = placed[piece.on]
+                plan = Standing(below, heading=headings[piece.on])
+                (low_x, high_x), (low_y, high_y) = plan.along((1.0, 0.0, 0.0)), plan.along((0.0, 1.0, 0.0))
+                if not (low_x <= x <= high_x and low_y <= y <= high_y):
+                    raise InputError(
+                        "scenario.beside_support",
+                        f"furniture[{number}].at",
+                        name=f"furniture[{number}].at",
+                        value=piece.at,
+                        other=repr(piece.on),
+                        low_x=low_x,
+                        high_x=high_x,
+                        low_y=low_y,
+                        high_y=high_y,
+                    )
                 x, y, z = x + x_below, y + y_below, z_below + float(below.vertices[:, 2].max())
             placed[piece.name] = solid, x, y, z
         return list(placed.values())

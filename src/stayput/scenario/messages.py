@@ -149,7 +149,7 @@ def _in_words(kind: dict[str, Any], schema: dict[str, Any]) -> Phrase:
         case "boolean":
             return phrase("scenario.true_or_false")
         case "array":
-            few, many = kind["minItems"], kind["maxItems"]
+            few, many = kind.get("minItems", 0), kind["maxItems"]
             count = str(few) if few == many else phrase("scenario.few_to_many", few=few, many=many)
             return phrase("scenario.list", count=count, item=_allowed(kind["items"], schema))
         case "object":

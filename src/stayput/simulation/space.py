@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.errors import InputError, within
+from stayput.errors import InputWarning, warn, within
 from stayput.measures.measure import element_rows, hold
 from stayput.measures.results import device_results
 from stayput.motion.units import GRAVITY
@@ -41,6 +41,12 @@ if TYPE_CHECKING:
     from stayput.simulation.standing import Assembly, Joint, Standing
 
 
+def warn_of_settlement(room: Room) -> None:
+    """Warn where the floor settles, which several bodies do not feel."""
+    if room.floor.settlement:
+        warn(InputWarning("simulation.settles", value=room.floor.settlement))
+
+
 def checked_step(step: float | None) -> float:
     """Return a longest step [s], or raise `InputError`."""
     return STEP if step is None else within("simulation.step", step, 1e-6, 0.01, "s", "step")
@@ -51,11 +57,10 @@ def simulate_assembly(
 ) -> SpaceRun:
     """Simulate solids in space; see `stayput.simulate`.
 
-    The gaps of the walls are from the outermost corners of all bodies. The floor's settlement is a law of
-    pieces of furniture, and is refused.
+    The gaps of the walls are from the outermost corners of all bodies. The floor's settlement is a law of one
+    piece of furniture: it is left out, and warned of.
     """
-    if room.floor.settlement:
-        raise InputError("simulation.settles", "room.floor.settlement", value=room.floor.settlement)
+    warn_of_settlement(room)
     shaking = SpaceShaking(acceleration_of(motion), motion.dt)
     traced = trace_assembly(assembly, room, shaking, GRAVITY.check(gravity), checked_step(step))
     return run_of_assembly(traced, assembly.joints, room, motion)
@@ -186,7 +191,9 @@ def run_held(
     m = held.body.mass
     shaking = SpaceShaking(acceleration_of(motion), motion.dt)
     piece, trace = trace_case(case, rows, shaking, step, m)
-    trace = trace._replace(pressing=m * trace.pressing)
+    hits = trace.hits.copy()
+    hits["impulse"] *= m
+    trace = trace._replace(pressing=m * trace.pressing, hits=hits)
     devices = device_results(held, rows, trace.devices, trace.forces, held.body.mass)
     return _run((piece.standing,), held.room, motion, piece.planes, trace, devices, (held,))
 

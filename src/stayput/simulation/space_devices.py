@@ -118,6 +118,7 @@ def joint_results(
             CAUSES[int(device["failure"])],
             forces[:, n, F_NORMAL],
             forces[:, n, F_TANGENT],
+            between=(joint.first, joint.second),
         )
         for n, (joint, device) in enumerate(zip(joints, devices, strict=True))
     )

@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from stayput.simulation.standing import Standing
 
 
+UPRIGHT = math.pi / 3.0
+"""Tilt up to which a turn about the vertical says which way a body faces [rad]."""
+
+
 def tilts(rest: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the angle between the vertical and what points up at rest [rad], of any shape.
 
@@ -47,6 +51,13 @@ def yaws(rest: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.flo
     sine = _along(turn, 1, rest[0]) - _along(turn, 0, rest[1])
     cosine = _along(turn, 0, rest[0]) + _along(turn, 1, rest[1])
     return np.unwrap(np.arctan2(sine, cosine))
+
+
+def upright_yaws(rest: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the same as `yaws` while a body is tilted by up to `UPRIGHT`; then the last before."""
+    upright = tilts(rest, turn) <= UPRIGHT
+    last = np.maximum.accumulate(np.where(upright, np.arange(len(turn)), 0))
+    return yaws(rest, turn)[last]
 
 
 def slides(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.float64]:

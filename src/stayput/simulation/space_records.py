@@ -202,9 +202,10 @@ def _add(
         for v, x, f, r in zip(vertices, solid.vertices[:, 0] - about[0], on_floor, on_rim, strict=True)
     ]
     if solid.feet is not None:
+        stands = np.concatenate([solid.feet, _above_feet(solid, feet_reach)])
         points += [
             (*v, *floor.own_friction(x), 1, 0)
-            for v, x in zip(own(solid.feet), solid.feet[:, 0] - about[0], strict=True)
+            for v, x in zip(own(stands), stands[:, 0] - about[0], strict=True)
         ]
     body["restitution"], body["landing_place"] = floor.restitution, floor.landing_place
     body["edge_static"], body["edge_kinetic"] = floor.edge_friction
@@ -222,6 +223,18 @@ def _add(
         loops += corners
         edges += [(i, j) for i, j in zip(corners, [*corners[1:], corners[0]], strict=True) if i < j]
     body["edges"] = len(edges) - body["first_edge"]
+
+
+def _above_feet(solid: Solid, reach: float) -> NDArray[np.float64]:
+    """Return points above the low corners of a body with feet, which touch the floor where it falls over.
+
+    A corner that juts out beyond the feet is cut off at 45°: at the height of its distance from the nearest
+    foot. So the body tips over the foot, and lies on its side.
+    """
+    assert solid.feet is not None
+    low = solid.vertices[solid.vertices[:, 2] <= reach]
+    apart = np.linalg.norm(low[:, np.newaxis, :2] - solid.feet[:, :2], axis=2).min(axis=1)
+    return low[apart > 1e-9] + apart[apart > 1e-9, np.newaxis] * [0.0, 0.0, 1.0]
 
 
 def on_rims(solid: Solid) -> NDArray[np.bool_]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.space_fate import fates_of
-from stayput.simulation.space_kinematics import slides, tilts, yaws
+from stayput.simulation.space_kinematics import slides, tilts, upright_yaws
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
@@ -149,8 +149,12 @@ class SpaceRun:
 
     @property
     def yaw(self) -> NDArray[np.float64]:
-        """Turns about the vertical from how the bodies stood, shape (bodies, samples) [rad]."""
-        return np.stack([yaws(one.rest, turn) for one, turn in zip(self.standing, self.turn, strict=True)])
+        """Turns about the vertical from how the bodies stood, shape (bodies, samples) [rad].
+
+        Of a body that is tilted by more than 60°, as those that lie and roll, the last before.
+        """
+        each = zip(self.standing, self.turn, strict=True)
+        return np.stack([upright_yaws(one.rest, turn) for one, turn in each])
 
     @property
     def slide(self) -> NDArray[np.float64]:
@@ -252,8 +256,16 @@ class SpaceRun:
 
         return plot_space_run(self, path, names=names, language=language)
 
-    def animate(self, path: str | Path, *, names: Sequence[str] | None = None, language: str = "en") -> Path:
+    def animate(
+        self,
+        path: str | Path,
+        *,
+        names: Sequence[str] | None = None,
+        fps: float = 20.0,
+        speed: float = 1.0,
+        language: str = "en",
+    ) -> Path:
         """Write an animation (GIF, MP4 or HTML); see `stayput.report.space.animation.animate_space_run`."""
         from stayput.report.space.animation import animate_space_run
 
-        return animate_space_run(self, path, names=names, language=language)
+        return animate_space_run(self, path, names=names, fps=fps, speed=speed, language=language)

@@ -232,7 +232,7 @@ class Joint:
         within("simulation.joint_stiffness", self.stiffness, 1.0, 1e9, "N/m", "stiffness")
         for name in ("strength", "shear"):
             value = getattr(self, name)
-            if value != math.inf:
+            if not (isinstance(value, float) and value == math.inf):
                 within(f"simulation.joint_{name}", value, 1e-3, 1e9, "N", name)
         within("simulation.joint_slack", self.slack, 0.0, 10.0, "m", "slack")
         within("simulation.joint_damping", self.damping, 0.0, 2.0, "", "damping")
@@ -293,6 +293,15 @@ class Assembly:
                 raise InputError(
                     "simulation.joint_member", f"joints[{number}]", number=last, last=len(standing) - 1
                 )
+            for member, at in ((joint.first, joint.at), (joint.second, joint.to or joint.at)):
+                stated = standing[member]
+                one = stated.standing if isinstance(stated, Piece) else stated
+                reach = 2.0 * float(np.linalg.norm(np.ptp(one.solid.vertices, axis=0)))
+                apart = float(np.linalg.norm(np.asarray(at) - one.place))
+                if apart > reach:
+                    raise InputError(
+                        "simulation.joint_astray", f"joints[{number}]", number=member, apart=apart, most=reach
+                    )
         object.__setattr__(self, "members", standing)
         object.__setattr__(self, "friction", _friction(friction))
         object.__setattr__(self, "joints", joined)

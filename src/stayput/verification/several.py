@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.errors import InputError
 from stayput.fragility import JMA_INTENSITY, difference, probability
 from stayput.measures.results import weakest
 from stayput.mechanics.devices.columns import HOLDS
@@ -18,6 +17,7 @@ from stayput.montecarlo.sampling import Settings, sample_until_precise
 from stayput.montecarlo.several import draws_of_several, run_several
 from stayput.progress import bar
 from stayput.simulation.placing import placed
+from stayput.simulation.space import warn_of_settlement
 from stayput.simulation.space_devices import JOINT
 from stayput.verification.ranking import members, severity
 from stayput.verification.several_options import options_of_several
@@ -52,12 +52,11 @@ def verify_several(
     Raises
     ------
     InputError
-        Options of which none can be put in place, a floor that settles, or a record that cannot be read.
+        Options of which none can be put in place, or a record that cannot be read.
     """
     began = time.perf_counter()
     room, gravity, shaking = scenario.room.room(), scenario.gravity, scenario.shaking
-    if room.floor.settlement:
-        raise InputError("simulation.settles", "room.floor.settlement", value=room.floor.settlement)
+    warn_of_settlement(room)
     options, rejected = options_of_several(scenario)
     ground = scenario.ground()
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)

@@ -85,7 +85,7 @@ def _lines(verdict: AssemblyVerdict, language: str) -> Iterator[str]:
     yield "\n```toml"
     yield verdict.scenario.to_toml().rstrip()
     yield "```\n"
-    yield own("caution")
+    yield text("caution")
 
 
 def _own(key: str, language: str) -> str:
