@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
-from stayput.simulation.space_fate import lies_on_floor
+from stayput.simulation.space_fate import fates_of, lies_on_floor
 
 BOX = sp.Solid.box
 TALL = BOX(0.3, 0.5, 1.6, 40.0)
@@ -168,3 +168,14 @@ def test_what_is_told_of_what_fell_off() -> None:
     data = run.to_dataset()
     assert data.outcome.values.tolist() == [outcome.value for outcome in run.outcomes]
     assert float(data.fall_time[1]) == time
+
+
+def test_samples_at_which_nothing_moves_are_told_like_all_others() -> None:
+    """Of a box that stands, slides and stands again, tilts and ways have the bits of all poses at once."""
+    still, push = np.zeros(50), np.full(40, 6.0)
+    motion = sp.Motion(dt=0.01, x=np.concatenate([still, push, -push, still, still]))
+    run = sp.simulate(sp.Standing(sp.Solid.box(0.6, 0.6, 0.5, 10.0)), sp.Room(sp.Floor(0.3, 0.25)), motion)
+    (fate,) = fates_of(run.standing, run.place, run.turn, run.gaps)
+    assert fate.way[-1] == fate.way[-40] > 0.01
+    assert fate.tilt.tobytes() == run.tilt[0].tobytes()
+    assert fate.way.tobytes() == np.linalg.norm(run.slide[0], axis=1).tobytes()

@@ -73,12 +73,14 @@ def fates_of(
     bears = _bears(standing, first)
     found: list[Fate] = []
     for b, one in enumerate(standing):
-        tilt = tilts(one.rest, turn[b])
-        way = np.linalg.norm(slides(one, place[b], turn[b]), axis=1)
+        moved, pose = _moves(place[b], turn[b])
+        places, turns = place[b, moved], turn[b, moved]
+        tilt = tilts(one.rest, turns)[pose]
+        way = np.linalg.norm(slides(one, places, turns), axis=1)[pose]
         if not np.isfinite(place[b]).all():
             found.append(Fate(Outcome.FAILED, None, None, tilt, way))
             continue
-        overturned = _first(lies_on_floor(one, place[b], turn[b]))
+        overturned = _first(lies_on_floor(one, places, turns)[pose])
         if overturned is None and touching[b].any():
             overturned = _since(tilt > LIES)
         fell_off = _falls_off(b, standing, place, turn, bears, touching)
@@ -100,6 +102,18 @@ def fates_of(
             )
         )
     return found
+
+
+def _moves(
+    place: NDArray[np.float64], turn: NDArray[np.float64]
+) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return the samples at which a body is not where it was before, and which of them each sample repeats.
+
+    Furniture stands still for most of a record.
+    """
+    moved = np.ones(len(place), np.bool_)
+    moved[1:] = (place[1:] != place[:-1]).any(axis=1) | (turn[1:] != turn[:-1]).any(axis=(1, 2))
+    return np.flatnonzero(moved), np.cumsum(moved) - 1
 
 
 def _outcome(overturned: bool, fell_off: bool, tilt: NDArray[np.float64], held: bool, way: float) -> Outcome:
