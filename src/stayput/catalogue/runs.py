@@ -85,6 +85,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "スペースキーで再生・一時停止、矢印キーでコマ送りができます。",
     ),
     "player_tilt_shown": ("Tilt, shown up to {angle}°", "傾き（{angle}°まで表示）"),
+    "unnamed": ("a motion without a name", "名前のない地震動"),
     "motion_title": ("{name}, peak {peak:.1f} m/s²", "{name}、最大加速度 {peak:.1f} m/s²"),
     "caption": (
         (

@@ -102,6 +102,8 @@ def with_first_failure(outcome: Phrase, devices: Iterable[DeviceResult]) -> Phra
 
 def motion_label(motion: Motion, language: str = "en") -> str:
     """Return a motion's label in pictures; a computed one is always labelled synthetic."""
+    if not motion.name:
+        return say("runs.unnamed", language)
     plain = motion.synthetic and "synthetic" not in motion.name.lower()
     return say("runs.synthetic", language, name=motion.name) if plain else motion.name
 
