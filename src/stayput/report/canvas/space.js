@@ -3,7 +3,7 @@
 
 import { ink } from "./pen.js";
 import { BODIES, DEPTHS, LINES, SURFACES } from "./shaders.js";
-import { STRIDE, around, bodyMesh } from "./space_mesh.js";
+import { STRIDE, around, bodyMesh, ends } from "./space_mesh.js";
 import { surfaces } from "./space_scene.js";
 import { mat, mixed, parts, vec } from "./vectors.js";
 
@@ -273,15 +273,7 @@ export function spacePainter(canvas, first) {
 
   /** Draws the devices over all else, as they are mostly behind or below a body; a cross where one has failed. */
   function drawTies(models, t, lines, sharp) {
-    const held = { whole: [], lost: [] },
-      reach = 0.012 * scene.size,
-      shifted = (place, axis, by) => place.map((x, i) => (i === axis ? x + by : x));
-    for (const { from, to, lost } of scene.ties(models, t)) {
-      const list = lost ? held.lost : held.whole;
-      if (!lost) list.push(...from, ...to);
-      for (const end of lost ? [from] : [from, to])
-        for (const axis of [0, 1, 2]) list.push(...shifted(end, axis, -reach), ...shifted(end, axis, reach));
-    }
+    const held = ends(scene.ties(models, t), 0.012 * scene.size);
     gl.disable(gl.DEPTH_TEST);
     for (const [name, values] of Object.entries(held)) {
       if (!values.length) continue;

@@ -32,3 +32,16 @@ export function bodyMesh({ vertices_m: vertices, faces, normals, curved, edges, 
 /** The ends of a polygon's sides, six numbers each. */
 export const around = (corners) =>
   new Float32Array(corners.flatMap((corner, i) => [...corner, ...corners[(i + 1) % corners.length]]));
+
+/** Devices as thick lines: those that hold from end to end with a cross at both, the lost with one at the body. */
+export function ends(ties, reach) {
+  const held = { whole: [], lost: [] };
+  const shifted = (place, axis, by) => place.map((x, i) => (i === axis ? x + by : x));
+  for (const { from, to, lost } of ties) {
+    const list = lost ? held.lost : held.whole;
+    if (!lost) list.push(...from, ...to);
+    for (const end of lost ? [from] : [from, to])
+      for (const axis of [0, 1, 2]) list.push(...shifted(end, axis, -reach), ...shifted(end, axis, reach));
+  }
+  return held;
+}
