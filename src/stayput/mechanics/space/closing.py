@@ -94,11 +94,21 @@ def _rub(c, static, kinetic):
     c.mu = static if c.stuck else kinetic
 
 
+@inline
+def _touch_pair(world, poses, scratch, j, closed):
+    """Find where a pair of bodies touches; see `touch`. The corners of all bodies have been placed."""
+    bodies, _, _, _, pairs, faces, loops, edges = world
+    _, _, _, corners, polygons, touching, _, _, axes = scratch
+    a, b = pairs[j].a, pairs[j].b
+    body, other, s, r = bodies[a], bodies[b], poses[a], poses[b]
+    return touch(body, s, other, r, closed, axes[j], faces, loops, edges, corners, polygons, touching)
+
+
 @inner
 def find_contacts(world, poses, push, scratch, ratio, h):
     """Fill in the closed contacts; return their number. Impulses begin with those kept, times a ratio."""
-    bodies, points, rims, planes, pairs, faces, loops, edges = world
-    contacts, kept, _, corners, polygons, touching, _, _, axes = scratch
+    bodies, points, rims, planes, pairs, _, _, _ = world
+    contacts, kept, _, corners, _, touching, _, _, _ = scratch
     count, closed = 0, CLOSED + REACH * h * h
     for j in range(planes.shape[0]):
         plane = planes[j]
@@ -141,20 +151,7 @@ def find_contacts(world, poses, push, scratch, ratio, h):
     first_key = planes.shape[0] * (points.shape[0] + rims.shape[0] * RIM_POINTS)
     for j in range(pairs.shape[0]):
         a, b = pairs[j].a, pairs[j].b
-        _, found, n = touch(
-            bodies[a],
-            poses[a],
-            bodies[b],
-            poses[b],
-            closed,
-            axes[j],
-            faces,
-            loops,
-            edges,
-            corners,
-            polygons,
-            touching,
-        )
+        _, found, n = _touch_pair(world, poses, scratch, j, closed)
         for m in range(found):
             c = contacts[count]
             c.a, c.b, c.plane, c.floor = a, b, NO_PLANE, 0
@@ -181,8 +178,8 @@ def note_all_gaps(world, poses, scratch, gaps):
     tuple
         The least gap, and the least of what is left until bodies are too deep in planes or each other.
     """
-    bodies, points, rims, planes, pairs, faces, loops, edges = world
-    _, _, _, corners, polygons, touching, _, _, axes = scratch
+    bodies, points, rims, planes, pairs, _, _, _ = world
+    corners = scratch[3]
     least = note_gaps(bodies, poses, points, rims, planes, gaps)
     left = least + ENTERS
     if pairs.shape[0] == 0:
@@ -190,21 +187,7 @@ def note_all_gaps(world, poses, scratch, gaps):
     place_corners(bodies, poses, points, corners)
     first = planes.shape[0] * (points.shape[0] + rims.shape[0])
     for j in range(pairs.shape[0]):
-        a, b = pairs[j].a, pairs[j].b
-        apart, _, _ = touch(
-            bodies[a],
-            poses[a],
-            bodies[b],
-            poses[b],
-            CLOSED_BETWEEN,
-            axes[j],
-            faces,
-            loops,
-            edges,
-            corners,
-            polygons,
-            touching,
-        )
+        apart, _, _ = _touch_pair(world, poses, scratch, j, CLOSED_BETWEEN)
         gaps[first + j] = apart
         least, left = min(least, apart), min(left, apart + ENTERS_BODIES)
     return least, left
