@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -91,18 +92,34 @@ def solid_of(case: np.void, mass: float = 1.0) -> Solid:
     """
     if math.isnan(case["length"]):
         raise InputError("solids.no_length", "length")
-    (a, b, c, d), (v_a, v_b, top, _) = case["u"].tolist(), case["v"].tolist()
-    half, reach = 0.5 * float(case["length"]), float(case["half_base"])
-    middle, low = 0.5 * (c + d), min(v_a, v_b)
-    outline = [(u - middle, v - low) for u, v in ((c, v_a), (d, v_b), (c, top), (d, top))]
-    feet = [(u - middle, v - low) for u, v in ((a, v_a), (b, v_b))]
-    moments = [float(case[name]) for name in ("roll_inertia", "inertia", "yaw_inertia")]
+    names = ("length", "half_base", "roll_inertia", "inertia", "yaw_inertia")
+    # 0 added: −0 is the same key as 0, and should be the same number
+    u, v = (tuple((case[name] + 0.0).tolist()) for name in ("u", "v"))
+    return _solid_of(u, v, *(float(case[name]) + 0.0 for name in names), mass)
+
+
+# A verification shakes the same pieces with each measure.
+@lru_cache(maxsize=512)
+def _solid_of(
+    u: tuple[float, ...],
+    v: tuple[float, ...],
+    length: float,
+    half_base: float,
+    roll_inertia: float,
+    inertia: float,
+    yaw_inertia: float,
+    mass: float,
+) -> Solid:
+    (a, b, c, d), (v_a, v_b, top, _) = u, v
+    half, middle, low = 0.5 * length, 0.5 * (c + d), min(v_a, v_b)
+    outline = [(x - middle, z - low) for x, z in ((c, v_a), (d, v_b), (c, top), (d, top))]
+    feet = [(x - middle, z - low) for x, z in ((a, v_a), (b, v_b))]
     return Solid(
         [(x, y, z) for x, z in outline for y in (-half, half)],
         mass,
         centre_of_gravity=(-middle, 0.0, -low),
-        inertia=mass * np.diag(moments),
-        feet=[(x, y, z) for x, z in feet for y in (-reach, reach)],
+        inertia=mass * np.diag([roll_inertia, inertia, yaw_inertia]),
+        feet=[(x, y, z) for x, z in feet for y in (-half_base, half_base)],
     )
 
 

@@ -74,7 +74,7 @@ def fates_of(
     found: list[Fate] = []
     for b, one in enumerate(standing):
         moved, pose = _moves(place[b], turn[b])
-        places, turns = place[b, moved], turn[b, moved]
+        places, turns = _chosen(place[b], moved), _chosen(turn[b], moved)
         tilt = tilts(one.rest, turns)[pose]
         way = np.linalg.norm(slides(one, places, turns), axis=1)[pose]
         if not np.isfinite(place[b]).all():
@@ -112,8 +112,15 @@ def _moves(
     Furniture stands still for most of a record.
     """
     moved = np.ones(len(place), np.bool_)
-    moved[1:] = (place[1:] != place[:-1]).any(axis=1) | (turn[1:] != turn[:-1]).any(axis=(1, 2))
+    moved[1:] = False
+    for numbers in (*place.T, *turn.reshape(len(turn), -1).T):
+        moved[1:] |= numbers[1:] != numbers[:-1]
     return np.flatnonzero(moved), np.cumsum(moved) - 1
+
+
+def _chosen(poses: NDArray[np.float64], moved: NDArray[np.intp]) -> NDArray[np.float64]:
+    """Return some samples of poses, in whose memory each number is beside that of the next sample."""
+    return np.moveaxis(np.take(np.moveaxis(poses, 0, -1), moved, axis=-1), -1, 0)
 
 
 def _outcome(overturned: bool, fell_off: bool, tilt: NDArray[np.float64], held: bool, way: float) -> Outcome:

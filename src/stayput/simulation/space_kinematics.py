@@ -78,16 +78,16 @@ def slides(one: Standing, place: NDArray[np.float64], turn: NDArray[np.float64])
     """
     feet = one.solid.base - one.solid.centre_of_gravity
     lowest = np.stack([_along(turn, 2, foot) for foot in feet]).argmin(axis=0)
-    at = np.stack([place[:, axis] + _along(turn, axis, feet[lowest].T) for axis in range(2)], axis=1)
+    lows = feet[lowest].T
     first = one.place + feet @ one.turn.T
     foot = first[:, 2].argmin()
     stood = (first[foot] + (feet - feet[foot]) @ one.rest.T)[:, :2]
     middle = 0.5 * (stood.min(axis=0) + stood.max(axis=0))
-    arms = stood[lowest] - middle
+    x, y = (stood[lowest] - middle).T
     angle = yaws(one.rest, turn)
     cos, sin = np.cos(angle), np.sin(angle)
-    turned = np.stack([cos * arms[:, 0] - sin * arms[:, 1], sin * arms[:, 0] + cos * arms[:, 1]], axis=1)
-    return at - middle - turned
+    stays = cos * x - sin * y, sin * x + cos * y
+    return np.stack([place[:, i] + _along(turn, i, lows) - middle[i] - stays[i] for i in range(2)], axis=1)
 
 
 def heights(
