@@ -1,10 +1,6 @@
 """Verdicts on several pieces: what happens with their joints and with measures, and why."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    "two_of_one_name": (
-        "Two options are named {name}; each must have a name of its own.",
-        "{name}という名前の案が2つあります。それぞれに異なる名前を付けてください。",
-    ),
     "levels": (
         "levels is given for several pieces, which have no fragility curves; it must be left out.",
         "複数の家具にlevelsが指定されています。フラジリティ曲線は求めないので、省いてください。",
