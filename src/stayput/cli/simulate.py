@@ -20,7 +20,7 @@ from stayput.cli.flags import (
     scenario_data,
 )
 from stayput.cli.messages import compiling, print_json
-from stayput.errors import InputError
+from stayput.errors import InputError, InputWarning, warn
 
 if TYPE_CHECKING:
     from collections.abc import Generator
@@ -157,6 +157,8 @@ def simulate(
         _show_in_space(found, pieces.names, _Wanted("", pieces.title, plot, animate, speed, fps, json))
         return
     checked = parsed(Scenario, data, scenario, motion)
+    if length is not None and checked.dimensions == 2:
+        warn(InputWarning("cli.length_in_the_plane", "--length", value=length))
     with checked.naming_file(), compiling():
         run = checked.case(chosen_measures(checked, measure or [])).run()
     wanted = _Wanted(checked.furniture.title, checked.title, plot, animate, speed, fps, json)
