@@ -12,6 +12,7 @@ import pytest
 from typer.testing import CliRunner
 
 import stayput as sp
+from stayput.catalogue import say
 from stayput.cli import app
 from stayput.montecarlo.sampling import draws
 from stayput.montecarlo.several import drawn_assembly, drawn_room, draws_of_several
@@ -219,6 +220,7 @@ def test_what_is_written(verdict: AssemblyVerdict, tmp_path: Path) -> None:
         page = verdict.report(tmp_path / f"{language}.html", language).read_text(encoding="utf-8")
         assert page.count("<iframe") == 4
         assert verdict.sentence(language) in page
+        assert say("several.rolling_text", language) in page  # of the vase
         assert verdict.sentence(language).split("(")[0] in verdict.to_markdown(language).replace("\\", "")
 
 

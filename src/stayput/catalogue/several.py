@@ -121,6 +121,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "drawn by themselves, like friction and the strength of devices; masses, centres and feet of each piece too",
         "摩擦・器具の強さと同じ分布で別に与える。質量・重心・脚は家具ごとに与える",
     ),
+    "rolling": ("Slide of round pieces", "丸い物の移動量"),
+    "rolling_text": (
+        "How far they are from where they stood, rolling included.",
+        "置かれていた位置からの距離で、転がりを含みます。",
+    ),
     "limit_body": ("Rigid bodies in space", "三次元の剛体"),
     "limit_body_text": (
         "The pieces do not bend, and what is inside them does not move.",

@@ -136,6 +136,9 @@ def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
     friction = phrase(
         "report.frictions", surface="", static=scenario.static_friction, kinetic=scenario.kinetic_friction
     )
+    rolling: list[Assumption] = []
+    if any(len(piece.solid(scenario.folder).rims) for piece in scenario.furniture):
+        rolling = [Assumption((phrase("several.rolling"), phrase("several.rolling_text")), MODEL)]
     return [
         *(_piece(piece, scenario) for piece in scenario.furniture),
         Assumption((phrase("several.between"), friction), GIVEN),
@@ -144,6 +147,7 @@ def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
         *drawn_assumptions(drawn, measured),
         Assumption(like, "low"),
         Assumption((phrase("several.limit_body"), phrase("several.limit_body_text")), MODEL),
+        *rolling,
         *(
             Assumption((phrase(f"report.limit_{key}"), phrase(f"report.limit_{key}_text")), MODEL)
             for key in ("contacts", "devices")
