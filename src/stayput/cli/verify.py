@@ -72,7 +72,7 @@ def _verified(
     from stayput.verification import verify as compare
 
     limit = SLIDE_LIMIT if slide_limit is None else slide_limit
-    with compiling():
+    with scenario.naming_file(), compiling():
         return compare(scenario, slide_limit=limit, every_run=every_run, threads=threads)
 
 

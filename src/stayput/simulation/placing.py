@@ -95,7 +95,10 @@ def _springs(number: int, standing: Standing) -> NDArray[np.void]:
 
 
 def _placed(number: int, piece: Piece, room: Room, planes: NDArray[np.void], strength: float) -> Placed:
-    held = hold_piece(piece, room, planes)
+    try:
+        held = hold_piece(piece, room, planes)
+    except InputError as error:
+        raise error.at(f"members[{number}]") from None
     body = held.body
     x, z = at_rest(body, body.centre_of_gravity)
     place, tilt = np.array([x, 0.0, z]), (0.0, body.resting_tilt, 0.0)
