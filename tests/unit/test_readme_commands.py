@@ -36,7 +36,7 @@ COARSE = {
 }
 """A grid for ``study wall-gap``; its own takes ten seconds, and is run as the documentation is built."""
 
-FEW_MOTIONS = {"motions": 4, "samples": 2}
+FEW_MOTIONS = {"motions": 2, "samples": 1}
 """Runs of ``study baseline``; its own take a minute, and are run as the documentation is built."""
 
 FEWER = {
