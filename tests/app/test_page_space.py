@@ -46,8 +46,9 @@ sine = { amplitude = 6.0, frequency = 1.0, duration = 4.0 }
 """
 
 
-def scenario_file(text: str, name: str = "dresser.toml") -> FilePayload:
-    return {"name": name, "mimeType": "application/toml", "buffer": text.encode()}
+def scenario_file(text: str | bytes, name: str = "dresser.toml") -> FilePayload:
+    content = text if isinstance(text, bytes) else text.encode()
+    return {"name": name, "mimeType": "application/toml", "buffer": content}
 
 
 def drop(it: Opened, text: str) -> None:
@@ -232,7 +233,10 @@ def test_a_file_of_several_pieces_is_shown_until_the_scene_changes(browser: Brow
         it.page.locator("#time").fill("500")
         assert min(coloured(picture(it))) > 0.01  # blue below, orange above
         assert "upper part: " in it.text("#story")
-        assert it.page.locator("#toml").is_disabled()
+        with it.page.expect_download() as found:
+            it.page.click("#toml")
+        assert found.value.suggested_filename == "dresser.toml"
+        assert Path(found.value.path()).read_text(encoding="utf-8") == PIECES
         it.page.wait_for_selector("#understand[data-state=pieces]")
         assert "for one piece" in it.text("#state")
         it.page.click("#languages button[lang=ja]")
@@ -249,14 +253,95 @@ def test_a_file_of_several_pieces_is_shown_until_the_scene_changes(browser: Brow
         assert it.page.locator("#pieces").is_hidden()
 
 
-def test_scenario_files_that_are_not_shown_say_why(browser: Browser, server: Running) -> None:
-    with opened(browser, server, allowed=("status of 422",)) as it:
-        it.page.set_input_files("#file", scenario_file('[furniture]\npreset = "chest"'))
-        it.page.wait_for_selector("#uploaded :text('This scenario has one piece')")
-        stone = '[[furniture]]\nname = "stone"\nmesh = "stone.stl"\nunit = "m"\nmass = 3.0'
-        it.page.set_input_files("#file", scenario_file(stone))
-        it.page.wait_for_selector("#uploaded :text('stone')")
+def test_a_file_of_several_pieces_is_kept_by_reload_link_and_history(
+    browser: Browser, server: Running
+) -> None:
+    with opened(browser, server, LINK) as it:
+        drop(it, PIECES)
+        it.kept("file=dresser.toml", "piece=refrigerator", "heading=30")
+        link = it.page.input_value("#address")
+        it.page.reload()
+        it.settle()
+        assert "The pieces in “dresser.toml”" in it.text("#pieces")
+        assert it.page.locator("#says-without").inner_text() != ""
+        it.simulated(lambda: it.page.click("#pieces button"))
         assert it.page.locator("#pieces").is_hidden()
+        it.wait("() => !location.hash.includes('pieces=')")
+        it.page.go_back()
+        it.page.wait_for_selector("#pieces:not([hidden])", state="attached")
+        it.page.go_back()
+        it.page.wait_for_selector("#pieces", state="hidden")
+        assert it.page.locator("#sizes input").first.is_visible()
+        it.page.go_forward()
+        it.page.wait_for_selector("#pieces:not([hidden])", state="attached")
+        assert it.page.input_value("#address") == link
+    with opened(browser, server, link.partition("/#")[2].join(["#", ""])) as it:
+        assert "upper part: " in it.text("#story")
+        asked, _ = it.simulated(lambda: it.page.click("#pieces button"))
+        assert asked["scene"]["furniture"]["preset"] == "refrigerator"
+
+
+def test_a_file_too_long_for_a_link_says_so(browser: Browser, server: Running) -> None:
+    noise = "".join(np.random.default_rng(1).choice(list("abcdefghijklmnopqrstuvwxyz0123456789"), 20_000))
+    with opened(browser, server) as it:
+        drop(it, f"{PIECES}# {noise}\n")
+        it.go("keep")
+        it.page.wait_for_selector("#link-long:text('too large for a link')")
+        assert it.page.locator("#address").is_hidden()
+        assert "pieces=" not in it.page.url
+        it.simulated(lambda: it.page.locator("#pieces button").dispatch_event("click"))
+        it.page.wait_for_selector("#address", state="visible")
+
+
+@pytest.mark.parametrize(
+    ("letters", "said"),
+    [
+        ("AAAA", "The link is damaged: it does not hold all of the file “a.toml”"),
+        ("y0jNyclXKM8vyklRBAA", "The scenario file is 'a.toml'; it must be TOML"),
+    ],
+)
+def test_links_whose_pieces_cannot_be_shown_say_why(
+    browser: Browser, server: Running, letters: str, said: str
+) -> None:
+    link = f"{LINK}&file=a.toml&pieces={letters}"
+    with opened(browser, server, link, allowed=("status of 422",)) as it:
+        assert said in it.text("#notices")
+        assert it.page.locator("#pieces").is_hidden()
+        it.page.click("#notices button")
+        assert it.page.locator("#notices").is_hidden()
+
+
+ONE = '[furniture]\npreset = "chest"'
+INSIDE = PIECES.replace('on = "lower part"', "at = [0.1, 0.0]")
+WRONG = {
+    "one piece": (ONE, "This scenario has one piece"),
+    "one piece, wrong": (ONE.replace("chest", "ches"), "did you mean 'chest'?"),
+    "no TOML": ("[furniture", "'wrong.toml'"),
+    "no text": (b"\xff\xfe[", "not text in UTF-8"),
+    "a mesh": ('[[furniture]]\nname = "stone"\nmesh = "a.stl"\nunit = "m"\nmass = 3.0', "stone"),
+    "a record": (f'{ONE}\n[shaking]\nrecord = "knet.EW"', "it names a record's file"),
+    "inside each other": (INSIDE, "inside each other; they must begin apart"),
+}
+"""Files that are not shown, and what of that is said."""
+
+
+@pytest.mark.parametrize("before", ["the page's own piece", "a file"])
+def test_files_that_are_not_shown_say_why_and_change_nothing(
+    browser: Browser, server: Running, before: str
+) -> None:
+    with opened(browser, server, LINK, allowed=("status of 422",)) as it:
+        if before == "a file":
+            drop(it, PIECES)
+            it.kept("file=dresser.toml")
+        address, seen, story = it.page.url, picture(it), it.text("#story")
+        for text, said in WRONG.values():
+            it.page.set_input_files("#file", scenario_file(text, "wrong.toml"))
+            it.page.wait_for_selector(f'#uploaded .refusal:has-text("{said}")')
+            assert it.page.locator("#problem").is_hidden()
+        assert it.page.url == address
+        assert it.text("#story") == story
+        assert differ(picture(it), seen) == 0.0
+        assert it.page.locator("#pieces").is_visible() == (before == "a file")
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 import * as api from "./api.js";
 import { fill, offer, part } from "./dom.js";
+import * as pieces from "./pieces.js";
 import { worded } from "./refusals.js";
 import { spoken, t } from "./words.js";
 
@@ -32,7 +33,13 @@ export function wire(request) {
   part("address").addEventListener("focus", (event) => event.target.select());
   part("toml").addEventListener(
     "click",
-    attempt(async () => offer(await api.toml(request()), "scenario.toml", "application/toml")),
+    attempt(async () =>
+      offer(
+        pieces.shownText() ?? (await api.toml(request())),
+        pieces.shownName() ?? "scenario.toml",
+        "application/toml",
+      ),
+    ),
   );
   for (const which of ["without", "with"]) {
     part(`csv-${which}`).addEventListener(
@@ -66,9 +73,12 @@ export function point(job) {
   part("report-wait").hidden = Boolean(job);
 }
 
-/** Shows the address of the scene, whether there is a run with measures, and whether it is one of several pieces. */
-export function update(measured, several) {
-  part("toml").disabled = several;
+/** Shows the address of the scene, or that a file is too long for one, and whether there is a run with measures. */
+export function update(measured) {
+  const long = pieces.tooLong();
+  part("link").hidden = long;
+  part("link-long").hidden = !long;
   part("address").value = location.href;
-  for (const kind of ["csv", "html", "gif"]) part(`${kind}-with`).disabled = !measured;
+  const held = measured && !pieces.asked();
+  for (const kind of ["csv", "html", "gif"]) part(`${kind}-with`).disabled = !held;
 }
