@@ -18,6 +18,7 @@ import stayput as sp
 from stayput.report.embedding import script_module
 from stayput.report.palette import BODY_COLOURS, rgb
 from stayput.report.space.animation import animate_space_run, space_player_page
+from stayput.report.space.camera import Camera
 from stayput.report.space.film import space_film
 from stayput.report.space.frames import SpacePainter
 from stayput.report.space.plot import plot_space_run
@@ -113,6 +114,19 @@ def test_the_picture_holds_every_pose_near_the_start() -> None:
         assert (seen < [1280, 622]).all()
     far = dataclasses.replace(run, place=run.place + 50.0 * TIME[:, np.newaxis])
     assert np.ptp(space_scene(far, ("box",)).points, axis=0).max() < 15.0
+
+
+def test_lines_that_go_behind_the_camera_are_cut_and_the_others_are_whole() -> None:
+    camera = Camera(np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 2.0]]), 640, 480)
+    behind = camera.place + 5.0 * (camera.place - [0.5, 0.5, 1.0])
+    points = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], behind, behind + 1.0])
+    lines = [(0, 1), (1, 2), (2, 3), (2, 1)]
+    outlines = camera.outlines(points, lines)
+    assert [len(outline) for outline in outlines] == [2, 3, 0, 3]  # a line that is cut goes there and back
+    for line, outline in zip(lines, outlines, strict=True):
+        assert outline == camera.seen(points[list(line)])
+    assert outlines[1][0] == outlines[0][1]
+    assert outlines[0][1] in outlines[3]
 
 
 def test_a_large_ground_displacement_is_drawn_smaller_and_said_so() -> None:
