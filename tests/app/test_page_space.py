@@ -13,13 +13,14 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe
 from browsing import COMPILING, DESK, PHONE, browser, opened  # noqa: F401
 from PIL import Image
+from playwright.sync_api import expect
 from test_space_in_browser import NO_WEBGL, coloured, differ
 
 from stayput.scenario import Scenario
 
 if TYPE_CHECKING:
     from browsing import Opened
-    from playwright.sync_api import Browser, FilePayload
+    from playwright.sync_api import Browser, FilePayload, Route
     from serving import Running
 
 LINK = (
@@ -222,6 +223,33 @@ def test_the_scene_and_its_films_can_be_kept(browser: Browser, server: Running) 
             it.page.click("#html-without")
         assert found.value.suggested_filename == "run_without.html"
         assert "webgl2" in Path(found.value.path()).read_text(encoding="utf-8")
+
+
+def test_a_film_that_is_being_drawn_says_so_and_so_does_one_that_failed(
+    browser: Browser, server: Running
+) -> None:
+    with opened(browser, server, LINK, allowed=("status of 503",)) as it:
+        held: list[Route] = []
+        it.page.route("**/simulate/film*", lambda route: held.append(route))
+        button, other = it.page.locator("#gif-without"), it.page.locator("#html-without")
+        it.go("keep")
+        button.click()
+        expect(button).to_have_text("Drawing …")
+        expect(button).to_be_disabled()
+        expect(other).to_be_enabled()
+        it.page.click("#languages button[lang=ja]")
+        expect(button).to_have_text("作成中…")
+        it.page.click("#languages button[lang=en]")
+        held.pop().fulfill(status=503, json={"message": "busy", "message_ja": "busy", "field": None})
+        expect(button).to_have_text("Animation without measures (GIF)")
+        expect(button).to_be_enabled()
+        expect(it.page.locator("#kept")).to_contain_text("busy")
+        with it.page.expect_download():
+            button.click()
+            expect(button).to_have_text("Drawing …")
+            held.pop().fulfill(body=b"GIF89a", content_type="image/gif")
+        expect(button).to_be_enabled()
+        assert it.text("#kept") == ""
 
 
 def test_a_file_of_several_pieces_is_shown_until_the_scene_changes(browser: Browser, server: Running) -> None:

@@ -454,6 +454,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "htmlWith": ("Animation with the measures (HTML)", "対策ありの動画（HTML）"),
     "gifWithout": ("Animation without measures (GIF)", "対策なしの動画（GIF）"),
     "gifWith": ("Animation with the measures (GIF)", "対策ありの動画（GIF）"),
+    "drawingNow": ("Drawing …", "作成中…"),
     "drawing": (
         "Drawing the animation, which may take half a minute …",
         "動画を作っています。30秒ほどかかることがあります…",

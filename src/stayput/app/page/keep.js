@@ -6,7 +6,34 @@ import * as pieces from "./pieces.js";
 import { worded } from "./refusals.js";
 import { spoken, t } from "./words.js";
 
+const drawn = new Set(); // the buttons whose films are being drawn
+let held = false; // whether there is a run with measures
+
 const say = (...content) => fill(part("kept"), content);
+
+/** Closes a button and says on it that a film is being drawn, for as long as that takes. */
+async function drawing(button, work) {
+  const usual = button.dataset.t;
+  const tell = (key) => {
+    button.dataset.t = key; // from which another language is written
+    button.textContent = t(key);
+  };
+  drawn.add(button);
+  button.disabled = true;
+  tell("drawingNow");
+  say(t("drawing"));
+  try {
+    await work();
+    say();
+  } finally {
+    drawn.delete(button);
+    button.disabled = shut(button);
+    tell(usual);
+  }
+}
+
+/** Whether a button of a run is closed: its film is being drawn, or there is no such run. */
+const shut = (button) => drawn.has(button) || (button.id.endsWith("-with") && !held);
 
 /** Wires the buttons; "request" gives the scene and its measures. */
 export function wire(request) {
@@ -49,12 +76,12 @@ export function wire(request) {
     for (const kind of ["html", "gif"])
       part(`${kind}-${which}`).addEventListener(
         "click",
-        attempt(async () => {
-          say(t("drawing"));
-          const made = await api.film(request(), { which, kind, lang: spoken() });
-          offer(made, `run_${which}.${kind}`, made.type);
-          say();
-        }),
+        attempt(() =>
+          drawing(part(`${kind}-${which}`), async () => {
+            const made = await api.film(request(), { which, kind, lang: spoken() });
+            offer(made, `run_${which}.${kind}`, made.type);
+          }),
+        ),
       );
   }
 }
@@ -79,6 +106,6 @@ export function update(measured) {
   part("link").hidden = long;
   part("link-long").hidden = !long;
   part("address").value = location.href;
-  const held = measured && !pieces.asked();
-  for (const kind of ["csv", "html", "gif"]) part(`${kind}-with`).disabled = !held;
+  held = measured && !pieces.asked();
+  for (const kind of ["csv", "html", "gif"]) part(`${kind}-with`).disabled = shut(part(`${kind}-with`));
 }
