@@ -157,6 +157,17 @@ def test_a_new_scene_is_seen_from_where_the_one_before_was(browser: Browser, ser
         assert differ(picture(it), seen) > 0.1
 
 
+def test_no_number_is_a_negative_zero(browser: Browser, server: Running) -> None:
+    with opened(browser, server, LINK) as it:
+        shown = it.page.evaluate(
+            """([given]) => Promise.all([import("/canvas/digits.js"), import("/words.js")]).then(
+              ([{ digits }, { number }]) => given.map((one) => [digits(one, 1), number(one, 1)]))""",
+            [[-0.0, -0.04, -0.05, 0.04, -1.25, 12.345]],
+        )
+        assert [one for one, _ in shown] == ["0.0", "0.0", "−0.1", "0.0", "−1.3", "12.3"]
+        assert [one for _, one in shown] == ["0.0", "0.0", "-0.1", "0.0", "-1.3", "12.3"]
+
+
 def test_histories_and_sentences_are_those_of_space(browser: Browser, server: Running) -> None:
     with opened(browser, server, BELTED) as it:
         it.page.locator("#time").fill("1000")

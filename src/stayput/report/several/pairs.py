@@ -10,13 +10,13 @@ from stayput.catalogue import say
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.several import draws_of_several, replay
 from stayput.report.fonts import drawable
+from stayput.report.names import motion_label
 from stayput.report.space.animation import space_player_page
 from stayput.report.space.film import space_film
 from stayput.report.space.plot import plot_space_run
 from stayput.report.space.said import became
-from stayput.report.summary import motion_label
 from stayput.report.verdict.in_space import cut_run, embedded, moving_window
-from stayput.report.verdict.words import motion_named, word
+from stayput.report.verdict.words import word
 from stayput.verification.several_words import title_of_several
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ def _pair(kind: str, verdict: AssemblyVerdict, member: Member, language: str) ->
             language,
             number=member.motion + 1,
             count=verdict.motions,
-            name=motion_named(motion_label(shaken), language),
+            name=motion_label(shaken, language),
             peak=f"{max(float(np.abs(a).max()) for a in shaken.components.values()):.1f}",
             start=f"{start:.1f}",
             end=f"{end:.1f}",

@@ -10,6 +10,7 @@ from stayput.catalogue.names import PIECES
 from stayput.measures import MEASURES
 from stayput.model.parameters import GIVEN
 from stayput.montecarlo.counting import DEVICE_FAILED, EVENTS, OVERTURNED
+from stayput.report.names import place_named
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import (
     MODEL,
@@ -18,7 +19,7 @@ from stayput.report.verdict.assumptions import (
     room_assumptions,
     shaking_assumptions,
 )
-from stayput.report.verdict.words import place_named, word
+from stayput.report.verdict.words import word
 from stayput.simulation.space_devices import JOINT, JOINT_LABEL
 from stayput.uncertainty import USUAL
 from stayput.verification.several_options import brief_label

@@ -10,11 +10,11 @@ import numpy as np
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError
 from stayput.report.movie import frame_times
+from stayput.report.names import motion_label
 from stayput.report.scene import DRIFT_CORNER
 from stayput.report.space.histories import at_time, slid
 from stayput.report.space.said import became, names_of
 from stayput.report.space.scene import SpaceScene, space_scene
-from stayput.report.summary import motion_label
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -11,11 +11,11 @@ from scipy.spatial import ConvexHull
 from stayput.catalogue import say
 from stayput.report.figures import FONT, new_figure, saved, style
 from stayput.report.fonts import drawable
+from stayput.report.names import motion_label
 from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED, ROOM
 from stayput.report.space.histories import at_time
 from stayput.report.space.said import became, names_of
 from stayput.report.space.scene import body_colour
-from stayput.report.summary import motion_label
 from stayput.simulation.space_records import matrices
 from stayput.wording import check_language
 

@@ -13,13 +13,13 @@ import numpy as np
 from stayput.catalogue import say
 from stayput.catalogue.names import ANY_PIECE, PIECES
 from stayput.report.fonts import drawable
+from stayput.report.names import motion_label
 from stayput.report.space.animation import space_player_page
 from stayput.report.space.film import space_film
 from stayput.report.space.plot import plot_space_run
 from stayput.report.space.said import became
-from stayput.report.summary import motion_label
 from stayput.report.verdict.pairs import AFTER, BEFORE, LONGEST, floor_motion, replay_in_space, shown_options
-from stayput.report.verdict.words import motion_named, word
+from stayput.report.verdict.words import word
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
@@ -84,7 +84,7 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: 
             language,
             number=member.motion + 1,
             count=len(ground),
-            name=motion_named(motion_label(shaken), language),
+            name=motion_label(shaken, language),
             peak=f"{max(float(np.abs(a).max()) for a in shaken.components.values()):.1f}",
             start=f"{start:.1f}",
             end=f"{end:.1f}",
