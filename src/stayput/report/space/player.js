@@ -119,4 +119,9 @@ addEventListener("keydown", (event) => {
   go(views[place].value);
 });
 part("scene").addEventListener("webglcontextrestored", bar.again);
+if (frameElement) {
+  // in a report: the frame is as high as what is in it, so that nothing is cut
+  document.documentElement.dataset.framed = "";
+  new ResizeObserver(() => (frameElement.style.height = `${document.body.offsetHeight + 2}px`)).observe(document.body);
+}
 bar.begin(film.plays);
