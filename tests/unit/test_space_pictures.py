@@ -116,6 +116,19 @@ def test_the_picture_holds_every_pose_near_the_start() -> None:
     assert np.ptp(space_scene(far, ("box",)).points, axis=0).max() < 15.0
 
 
+def test_runs_beside_each_other_are_drawn_to_one_scale() -> None:
+    fallen = falling()
+    still = part(fallen, samples=slice(None))
+    still = dataclasses.replace(still, place=np.repeat(fallen.place[:, :1], len(fallen.time), axis=1))
+    runs = (fallen, still)
+    views = [space_scene(run, ("box",), runs).data()["view"] for run in runs]
+    for key in ("low_m", "high_m", "grid_m"):
+        assert views[0][key] == views[1][key]
+    assert views[0]["high_m"] != space_scene(still, ("box",)).data()["view"]["high_m"]
+    cameras = [SpacePainter(space_film(run, None, "en", runs), 640, 480)._camera for run in runs]
+    assert cameras[0].place == pytest.approx(cameras[1].place)
+
+
 def test_lines_that_go_behind_the_camera_are_cut_and_the_others_are_whole() -> None:
     camera = Camera(np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 2.0]]), 640, 480)
     behind = camera.place + 5.0 * (camera.place - [0.5, 0.5, 1.0])

@@ -71,7 +71,9 @@ class SpaceFilm:
         return frame_times(self.scene.start, self.scene.end, fps, speed, hold)
 
 
-def space_film(run: SpaceRun, names: Sequence[str] | None, language: str) -> SpaceFilm:
+def space_film(
+    run: SpaceRun, names: Sequence[str] | None, language: str, beside: Sequence[SpaceRun] = ()
+) -> SpaceFilm:
     """Make a run in space ready for an animation.
 
     Parameters
@@ -82,6 +84,8 @@ def space_film(run: SpaceRun, names: Sequence[str] | None, language: str) -> Spa
         What the bodies are called; by default by their numbers.
     language : str
         Language of the texts, "en" or "ja".
+    beside : sequence of SpaceRun
+        Runs that are shown beside each other, this one among them, to one scale.
 
     Raises
     ------
@@ -94,4 +98,4 @@ def space_film(run: SpaceRun, names: Sequence[str] | None, language: str) -> Spa
     peak = float(np.linalg.norm(list(run.motion.components.values()), axis=0).max())
     motion = say("runs.motion_title", language, name=motion_label(run.motion, language), peak=peak)
     strip = say("runs.floor_acceleration", language, motion=motion)
-    return SpaceFilm(space_scene(run, called), say(became(run, called), language), strip, language)
+    return SpaceFilm(space_scene(run, called, beside), say(became(run, called), language), strip, language)

@@ -60,10 +60,11 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: 
     heading = word("histories", language)
     drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
     sides: list[dict[str, Any]] = []
-    for option, run in zip(options, runs, strict=True):
-        shown, label = cut_run(run, start, end), title(option, verdict, language)
+    cut = [cut_run(run, start, end) for run in runs]
+    for option, run, shown in zip(options, runs, cut, strict=True):
+        label = title(option, verdict, language)
         # several that play at once would be too much for a slow machine
-        player = space_player_page(space_film(shown, [name], language), 1.0, 1.5, plays=False)
+        player = space_player_page(space_film(shown, [name], language, cut), 1.0, 1.5, plays=False)
         figure = plot_space_run(shown, names=[name], language=drawn)
         sides.append(
             {
