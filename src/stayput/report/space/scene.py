@@ -263,8 +263,8 @@ def space_scene(run: SpaceRun, names: tuple[str, ...], beside: Sequence[SpaceRun
     names : tuple of str
         What the bodies are called.
     beside : sequence of SpaceRun
-        Runs that are shown beside each other, this one among them: each picture has room for all, so that they
-        are to one scale.
+        Runs that are shown beside each other, this one among them: each picture has room for all of them, so
+        that they are to one scale.
     """
     start, end = float(run.time[0]), float(run.time[-1])
     count = min(len(run.time), math.ceil((end - start) * RATE) + 1)
