@@ -274,7 +274,9 @@ def test_a_file_of_several_pieces_is_shown_until_the_scene_changes(browser: Brow
         assert "upper part: " in it.text("#story")
         assert it.text("#pieces-key").split("\n") == ["lower part", "upper part"]
         stage, pieces = (it.page.locator(one).bounding_box() for one in ("#space-without", "#pieces"))
-        assert stage and pieces and stage["y"] < pieces["y"]  # a long list does not push the picture away
+        assert stage
+        assert pieces
+        assert stage["y"] < pieces["y"]  # a long list does not push the picture away
         with it.page.expect_download() as found:
             it.page.click("#toml")
         assert found.value.suggested_filename == "dresser.toml"

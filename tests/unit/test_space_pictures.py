@@ -314,7 +314,29 @@ def test_a_still_run_of_several_bodies_is_plotted_in_japanese() -> None:
     figure = plot_space_run(spinning(), names=NAMES, language="ja")
     assert figure.axes[3].get_xlabel() == "x、正面側 [m]"
     assert figure.axes[1].get_ylim() == (-0.1, 0.1)
-    assert len(figure.axes[3].get_legend().get_texts()) == 3
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == NAMES
+
+
+def test_bodies_of_one_colour_have_other_dashes_and_long_titles_are_wrapped() -> None:
+    one = falling()
+    count = len(BODY_COLOURS) + 1
+    repeated = {
+        name: np.repeat(getattr(one, name), count, axis=0)
+        for name in ("place", "attitude", "velocity", "rotation_rate", "peak_tilt")
+    }
+    apart_by = (apart(count), apart(count))
+    run = dataclasses.replace(one, standing=count * one.standing, gaps=apart_by, **repeated)
+    figure = plot_space_run(run, names=[f"a piece with a long name, number {b}" for b in range(count)])
+    first, *_, last = figure.legends[0].get_lines()[:count]
+    assert first.get_color() == last.get_color()
+    assert first.get_linestyle() != last.get_linestyle()
+    figure.draw_without_rendering()
+    wide = figure.bbox.width
+    for text in (figure._suptitle, figure.legends[0]):
+        box = text.get_window_extent()
+        assert box.x0 >= 0.0
+        assert box.x1 <= wide
+    assert figure.axes[1].get_legend() is None
 
 
 def test_devices_are_drawn_from_the_body_to_where_they_hold() -> None:
