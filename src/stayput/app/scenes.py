@@ -134,7 +134,7 @@ def _check_texts_and_shaking(scene: dict[str, Any], limits: Limits, motions: Mot
 def _refuse_half_characters(scene: dict[str, Any]) -> None:
     """Refuse texts that are no Unicode (halves of pairs), which could not be sent back."""
     try:
-        json.dumps(scene, ensure_ascii=False).encode("utf-8")
+        json.dumps(scene, ensure_ascii=False, default=str).encode("utf-8")
     except UnicodeEncodeError:
         raise refused(422, "app.half_character", "scene") from None
 

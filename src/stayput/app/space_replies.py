@@ -21,6 +21,8 @@ class PieceReply(Reply):
     outcome: str
     overturned: bool
     overturn_time_s: float | None
+    fell_off: bool = Field(description="Whether it came off what it stood on.")
+    fall_time_s: float | None
     peak_tilt_rad: float | None = Field(description="Largest angle to how it stood, in any direction.")
     peak_slide_m: float | None = Field(description="Farthest from where it stood, in plan.")
     residual_slide_m: TwoNumbers | None = Field(description="Along x and y, at the end.")

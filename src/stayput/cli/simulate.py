@@ -118,8 +118,14 @@ def simulate(
 
     _check_targets(plot, animate)
     given = scenario_data(scenario, body)
-    several = scenario is not None and body is None and isinstance(given.get("furniture"), list)
-    of_one = {"--contact": contact, "--length": length, "--heading": heading, "--measure": measure or None}
+    several = scenario is not None and isinstance(scenario_data(scenario, None).get("furniture"), list)
+    of_one = {
+        "--body": body,
+        "--contact": contact,
+        "--length": length,
+        "--heading": heading,
+        "--measure": measure or None,
+    }
     if several and (flags := [flag for flag, value in of_one.items() if value is not None]):
         raise InputError("scenario.flag_of_one", flags[0], flag=flags[0])
     data = overlaid(

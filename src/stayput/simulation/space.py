@@ -239,6 +239,7 @@ def _run(
         trace.steps,
         trace.unconverged,
         held,
+        trace.given_up,
     )
 
 

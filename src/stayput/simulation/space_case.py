@@ -213,7 +213,7 @@ def results_of(
     """
     turns = matrices(frames_of(standing, trace.attitude))
     results = np.zeros(len(standing), RESULT)
-    fates = fates_of(standing, trace.place, turns, trace.gaps)
+    fates = fates_of(standing, trace.place, turns, trace.gaps, trace.given_up)
     for body, (result, fate) in enumerate(zip(results, fates, strict=True)):
         falls = [sample for sample in (fate.overturned, fate.fell_off) if sample is not None]
         end = min(falls, default=len(time) - 1)

@@ -8,7 +8,7 @@ import numpy as np
 
 from stayput.mechanics.devices.columns import DEVICE, FORCES
 from stayput.mechanics.space.columns import HISTORY, HIT, POSE, PULL
-from stayput.mechanics.space.engine import run_in_space
+from stayput.mechanics.space.engine import MOST_WORK, run_in_space
 from stayput.simulation.space_devices import longest_step
 from stayput.simulation.space_gaps import Gaps, gaps_of, refuse_overlaps
 from stayput.simulation.space_records import scratch_of
@@ -52,6 +52,8 @@ class SpaceTrace(NamedTuple):
         At first and at the end.
     steps, unconverged : int
         Steps, and those whose contact forces did not converge.
+    given_up : bool
+        Whether it took too much work: bodies stay where they were then.
     """
 
     place: NDArray[np.float64]
@@ -68,6 +70,7 @@ class SpaceTrace(NamedTuple):
     gaps: tuple[Gaps, Gaps]
     steps: int
     unconverged: int
+    given_up: bool
 
 
 def run_world(
@@ -108,7 +111,7 @@ def run_world(
     held[2]["failure_time"] = np.nan
     histories = np.zeros((bodies, samples, len(HISTORY)))
     forces, hits = np.zeros((samples, len(springs), FORCES)), np.zeros(MOST_HITS, HIT)
-    numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(2)
+    numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(3)
     output = histories, forces, hits, numbers, peaks, work
     times = np.array([dt, longest_step(springs, world[0], step), gravity])
     scratch = scratch_of(world)
@@ -131,4 +134,5 @@ def run_world(
         (first, gaps_of(world, scratch[2][0])),
         int(work[0]),
         int(work[1]),
+        bool(work[2] > MOST_WORK),
     )

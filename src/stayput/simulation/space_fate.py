@@ -59,6 +59,7 @@ def fates_of(
     place: NDArray[np.float64],
     turn: NDArray[np.float64],
     gaps: tuple[Gaps, Gaps],
+    given_up: bool = False,
 ) -> list[Fate]:
     """Return what became of bodies.
 
@@ -70,6 +71,8 @@ def fates_of(
         Their poses.
     gaps : tuple of Gaps
         At first and at the end.
+    given_up : bool
+        Whether the run took too much work: then what became of them is not known.
     """
     first, last = gaps
     touching = last.bodies <= TOUCHES
@@ -80,7 +83,7 @@ def fates_of(
         places, turns = _chosen(place[b], moved), _chosen(turn[b], moved)
         tilt = tilts(one.rest, turns)[pose]
         way = np.linalg.norm(slides(one, places, turns), axis=1)[pose]
-        if not np.isfinite(place[b]).all():
+        if given_up or not np.isfinite(place[b]).all():
             found.append(Fate(Outcome.FAILED, None, None, tilt, way))
             continue
         overturned = _first(lies_on_floor(one, places, turns)[pose])

@@ -111,6 +111,8 @@ class SpaceRun:
         Steps whose contact forces did not converge; a few where contacts jam.
     held : tuple of Held or None
         The measures in place on each body; None of one that is no piece of furniture.
+    given_up : bool
+        Whether it took too much work: bodies stay where they were then, and what became of them is not known.
     """
 
     standing: tuple[Standing, ...]
@@ -132,6 +134,7 @@ class SpaceRun:
     steps: int
     unconverged: int
     held: tuple[Held | None, ...] = ()
+    given_up: bool = False
 
     def __repr__(self) -> str:
         bodies = ", ".join(outcome.value for outcome in self.outcomes)
@@ -195,7 +198,7 @@ class SpaceRun:
 
     @property
     def _fates(self) -> list[Fate]:
-        return fates_of(self.standing, self.place, self.turn, self.gaps)
+        return fates_of(self.standing, self.place, self.turn, self.gaps, self.given_up)
 
     @property
     def outcomes(self) -> tuple[Outcome, ...]:

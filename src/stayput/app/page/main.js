@@ -22,7 +22,7 @@ import * as see from "./see.js";
 import { tell } from "./story.js";
 import * as understand from "./understand.js";
 import * as upload from "./upload.js";
-import { both, number, t } from "./words.js";
+import { t } from "./words.js";
 
 const PANELS = [piece, room, shaking, measures, everyday];
 const SLOW = 400,
@@ -110,7 +110,7 @@ function tellOld() {
 function display() {
   const { result, scene, file } = shown;
   see.show(result, scene);
-  pieces.list(result.runs[0], presets.outcomes, ownPiece);
+  pieces.list(file ? result.runs[0] : null, presets.outcomes, ownPiece);
   const first = t(file ? "piecesShaken" : "without");
   part("title-without").textContent = first;
   tell(result, [first, t("with")], presets.events, (time) => {
@@ -118,11 +118,16 @@ function display() {
     if (part("see").clientWidth === 0) screens.goTo("see");
     see.lookAt();
   });
-  part("summary").textContent = file ? strengthOf(result.motion) : summary(scene, result.motion);
+  part("summary").textContent = file ? shaking.strengthOf(result.motion) : shaking.summary(scene, result.motion);
 }
 
 /** Shows the pieces of a file that was read, in the place of the page's own scene. */
 function shakePieces() {
+  shakeAnew();
+  if (part("see").clientWidth === 0) screens.goTo("see");
+}
+
+function shakeAnew() {
   edited.place = true;
   understand.outdated();
   address();
@@ -132,34 +137,7 @@ function shakePieces() {
 /** Goes back to the page's own scene. */
 function ownPiece() {
   pieces.leave();
-  edited.place = true;
-  understand.outdated();
-  address();
-  simulate();
-}
-
-const strengthOf = (motion) =>
-  motion.ground_intensity === null
-    ? ""
-    : t("strength", {
-        class: both(shaking.classOf(motion.ground_intensity).label),
-        at: number(motion.ground_intensity, 2),
-      });
-
-function summary(scene, motion) {
-  const place =
-    scene.storeys > 0
-      ? t("placeStorey", { storey: number(scene.storey), storeys: number(scene.storeys) })
-      : t("placeGround");
-  const felt =
-    scene.storeys > 0 && motion.floor_intensity !== null
-      ? t("felt", { at: number(motion.floor_intensity, 2) })
-      : "";
-  const source = [
-    scene.record ? t("recorded", { name: scene.record.name }) : "",
-    motion.synthetic ? t("synthetic") : "",
-  ];
-  return [place, strengthOf(motion), felt, ...source].filter(Boolean).join(t("space"));
+  shakeAnew();
 }
 
 /** Builds the panels, whose fields depend on the piece; what one of them says may depend on what another knows. */

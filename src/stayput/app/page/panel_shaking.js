@@ -70,3 +70,29 @@ export function update() {
   fill(part("meaning"), both(now.about), t("space"), both(now.furniture));
   fields.intensity.range.setAttribute("aria-valuetext", `${number(scene.intensity, 2)}, ${both(now.label)}`);
 }
+
+/** How strong the ground shakes, in words. */
+export const strengthOf = (motion) =>
+  motion.ground_intensity === null
+    ? ""
+    : t("strength", {
+        class: both(classOf(motion.ground_intensity).label),
+        at: number(motion.ground_intensity, 2),
+      });
+
+/** Where the piece is shaken, how strongly and by what, in words. */
+export function summary(scene, motion) {
+  const place =
+    scene.storeys > 0
+      ? t("placeStorey", { storey: number(scene.storey), storeys: number(scene.storeys) })
+      : t("placeGround");
+  const felt =
+    scene.storeys > 0 && motion.floor_intensity !== null
+      ? t("felt", { at: number(motion.floor_intensity, 2) })
+      : "";
+  const source = [
+    scene.record ? t("recorded", { name: scene.record.name }) : "",
+    motion.synthetic ? t("synthetic") : "",
+  ];
+  return [place, strengthOf(motion), felt, ...source].filter(Boolean).join(t("space"));
+}

@@ -63,14 +63,17 @@ export function leave() {
   newest++;
 }
 
-/** Lists the pieces and what became of each, with the button that leaves the file. */
+/** Lists the pieces and what became of each, with the button that leaves the file; no run of a file: none. */
 export function list(run, outcomes, back) {
   const labels = Object.fromEntries(outcomes.map((one) => [one.id, both(one.label)]));
-  part("pieces").hidden = !file;
-  document.body.dataset.pieces = String(Boolean(file));
-  if (!file) return fill(part("pieces"));
-  const what = ({ outcome, overturn_time_s: time }) =>
-    `${labels[outcome]}${time === null ? "" : `${t("listed")}${number(time, 1)}\u00a0s`}`;
+  const here = Boolean(file && run);
+  part("pieces").hidden = !here;
+  document.body.dataset.pieces = String(here);
+  if (!here) return fill(part("pieces"));
+  const what = ({ outcome, fall_time_s: fell, overturn_time_s: lay }) => {
+    const time = fell ?? lay;
+    return `${labels[outcome]}${time === null ? "" : `${t("listed")}${number(time, 1)}\u00a0s`}`;
+  };
   fill(
     part("pieces"),
     el("h3", { text: t("piecesTitle", { name: file.name }) }),

@@ -48,11 +48,14 @@ function also(one, title, verdict) {
     sentences.push(
       t("alsoSlides", { limit: length(verdict.slide_limit_m), share: percent(one.slid.estimate) }),
     );
-  for (const { label, name, failed } of one.devices)
-    if (failed.estimate >= LIKELY)
-      sentences.push(
-        t("alsoFails", { device: deviceName(within(label), name), share: percent(failed.estimate) }),
-      );
+  const worst = new Map(); // of devices of a kind that which fails most often
+  for (const each of one.devices)
+    if (!(worst.get(each.kind)?.failed.estimate >= each.failed.estimate)) worst.set(each.kind, each);
+  for (const { kind, label, name, failed } of worst.values())
+    if (failed.estimate >= LIKELY) {
+      const device = deviceName(within(label), name.replace(kind, "").trim());
+      sentences.push(t("alsoFails", { device, share: percent(failed.estimate) }));
+    }
   sentences.push(...one.asides.map(both));
   return sentences.length ? el("li", { text: `${title}${t("colon")}${sentences.join(t("space"))}` }) : null;
 }

@@ -38,8 +38,13 @@ export const choiceLabel = (id) => (known(`choice_${id}`) ? t(`choice_${id}`) : 
 const placed = (word) => (known(`place_${word}`) ? t(`place_${word}`) : word);
 
 /** The words for where a device is: "front left"; of many of a kind each has a number, "front 3". */
-const placeLabel = (place) =>
-  known(`place_${place}`) ? placed(place) : place.split(" ").map(placed).join(t("space"));
+const placeLabel = (place) => {
+  if (known(`place_${place}`)) return placed(place);
+  const words = place.split(" ");
+  // that of a joint is the names of two pieces, which are the user's own
+  const ours = words.every((word) => known(`place_${word}`) || /^\d+$/.test(word));
+  return ours ? words.map(placed).join(t("space")) : place;
+};
 
 /** What a device is called, and where it is. */
 export const deviceName = (label, place) => [label, placeLabel(place)].filter(Boolean).join(t("comma"));

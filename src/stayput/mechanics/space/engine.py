@@ -67,6 +67,12 @@ DEEP = 1e-5
 MOST_ROUNDS = 8
 """Rounds of devices and contacts in a step: their dampers feel what the contacts do."""
 
+MOST_WORK = 1e8
+"""Work after which a run is given up: updates of contacts, some 0.1 µs each."""
+
+SWEEPS = (4.0, 150.0)
+"""Sweeps that a step takes, about: one whose impulses converge, and one whose do not."""
+
 RESTS = 4e-5
 """Acceleration from rest up to which a body rests on, exactly [m/s²]."""
 
@@ -166,9 +172,10 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
             break
         converged = count == 0 or solve(contacts, count, bodies, after, system, h)
     if not converged or bounces(contacts, count):
-        converged = mend(contacts, count, bodies, after, system, h, converged)
+        converged = mend(contacts, count, bodies, after, system, h, converged, work)
     if not converged:
         work[1] += 1.0
+    work[2] += (SWEEPS[0] if converged else SWEEPS[1]) * (1.0 + count)
     land(contacts, count, bodies, before, after)
     for k in range(count):
         c = contacts[k]
@@ -259,7 +266,8 @@ def run_in_space(
         Histories at the samples float64[n, samples, 19]; forces of the devices there float64[samples, d, 2],
         along the normal, + where it pulls, and the plane; HIT[h], the first hits; numbers of hits by body and
         kind int64[n + 1, 3], in the last row of all hits; the largest 1 − cos of the bodies' tilts at any
-        step float64[n]; steps, and steps whose impulses did not converge, float64[2]: added to.
+        step float64[n]; steps, steps whose impulses did not converge, and work, float64[3]: added to. From
+        where that is more than `MOST_WORK` bodies stay where they are.
     """
     dt, longest, gravity = numbers[0], numbers[1], numbers[2]
     bodies, floor = world[0], world[3][0]
@@ -313,6 +321,12 @@ def run_in_space(
                 note_forces(held[1], forces[k + 1])
                 continue
         noted = bears = False
+        if work[2] > MOST_WORK:
+            for b in range(bodies.shape[0]):
+                stop(now[b])
+            for later in range(k + 1, histories.shape[1]):
+                note_pose(histories, later, now)
+            return
         for part in range(parts):
             t, end = dt * part / parts, dt * (part + 1) / parts
             while t < end:

@@ -28,6 +28,9 @@ SQUARE = 1e-3
 SWEEPS_OF_PAIR, SURE_AFTER = 50, 40
 """Most sweeps for the impulses of one pair, and after how many each contact is solved surely."""
 
+SURELY = 360.0
+"""Work of an update by bisection, of one by sweeps: half of the halvings and steps that it may take."""
+
 CLOSING = 1e-9
 """Velocity beyond that wanted from which on a contact closes [m/s]."""
 
@@ -99,7 +102,14 @@ def _beyond(c, poses):
 
 @inner
 def _meet(contacts, count, pair, bodies, poses, restitution):
-    """Find the impulses of the contacts of one pair by themselves, and add them to the sums."""
+    """Find the impulses of the contacts of one pair by themselves, and add them to the sums.
+
+    Returns
+    -------
+    float
+        The work that it took: updates of contacts.
+    """
+    done = 0.0
     still = SQUARE * -_beyond(pair, poses)
     for k in range(count):
         c = contacts[k]
@@ -117,14 +127,17 @@ def _meet(contacts, count, pair, bodies, poses, restitution):
             if c.a == pair.a and c.b == pair.b and c.plane == pair.plane:
                 if number < SURE_AFTER:
                     change = max(change, update(c, bodies, poses))
+                    done += 1.0
                 else:
                     change = max(change, update_surely(c, bodies, poses))
+                    done += SURELY
         if change <= SETTLED:
             break
     for k in range(count):
         c = contacts[k]
         if c.a == pair.a and c.b == pair.b and c.plane == pair.plane:
             c.dn, c.ds, c.dt = c.dn + c.pn, c.ds + c.ps, c.dt + c.pt
+    return done
 
 
 @inner
@@ -141,10 +154,10 @@ def _stop_jammed(contacts, count, poses):
 
 
 @inner
-def _one_after_the_other(contacts, count, bodies, poses, restitution):
+def _one_after_the_other(contacts, count, bodies, poses, restitution, work):
     """Let pairs meet by themselves until none closes; return whether none does.
 
-    ``restitution`` is a factor on that of the contacts, 0 or 1.
+    ``restitution`` is a factor on that of the contacts, 0 or 1; what it takes is added to ``work``.
     """
     ended = False
     for k in range(count):
@@ -158,7 +171,7 @@ def _one_after_the_other(contacts, count, bodies, poses, restitution):
         ended = first < 0
         if ended:
             break
-        _meet(contacts, count, contacts[first], bodies, poses, restitution)
+        work[2] += _meet(contacts, count, contacts[first], bodies, poses, restitution)
     for k in range(count):
         c = contacts[k]
         c.pn, c.ps, c.pt = c.dn, c.ds, c.dt
@@ -166,7 +179,7 @@ def _one_after_the_other(contacts, count, bodies, poses, restitution):
 
 
 @inner
-def mend(contacts, count, bodies, poses, system, h, converged):
+def mend(contacts, count, bodies, poses, system, h, converged, work):
     """Replace impulses that make energy, or have not converged where bodies bounce or enter each other.
 
     Returns
@@ -193,8 +206,8 @@ def mend(contacts, count, bodies, poses, system, h, converged):
             _bounce_alike(contacts, count, bodies, poses, system[3], least)
             return True
         apply(contacts, count, bodies, poses, -1.0)
-    ended = _one_after_the_other(contacts, count, bodies, poses, 1.0)
+    ended = _one_after_the_other(contacts, count, bodies, poses, 1.0, work)
     if _energy(bodies, poses) > most:
         apply(contacts, count, bodies, poses, -1.0)
-        ended = _one_after_the_other(contacts, count, bodies, poses, 0.0)
+        ended = _one_after_the_other(contacts, count, bodies, poses, 0.0, work)
     return ended
