@@ -174,7 +174,12 @@ def test_flags_beside_a_file_of_several_pieces() -> None:
     """Those of the shaking and the room hold, those of one piece are refused."""
     weak = json.loads(run("simulate", str(DRESSER), "--scale", "0.05", "--json"))
     assert {body["outcome"] for body in weak["bodies"]} == {"rested"}
-    for flags in (["--body", "0.4x1x10"], ["--heading", "0.5"], ["--measure", "belt"], ["--contact", "paper"]):
+    for flags in (
+        ["--body", "0.4x1x10"],
+        ["--heading", "0.5"],
+        ["--measure", "belt"],
+        ["--contact", "paper"],
+    ):
         said = CliRunner().invoke(app, ["simulate", str(DRESSER), *flags])
         assert said.exit_code == 2
         assert f"{flags[0]} is of one piece" in said.output

@@ -36,6 +36,7 @@ let presets = null,
   flying = false,
   stale = false,
   taking = false,
+  follows = false, // a step in the browser's history
   edited = { keys: "", at: -Infinity };
 
 /** What the server is asked: the scene, and the measures that can be put there. */
@@ -123,12 +124,12 @@ function display() {
 
 /** Shows the pieces of a file that was read, in the place of the page's own scene. */
 function shakePieces() {
+  edited.place = true;
   shakeAnew();
   if (part("see").clientWidth === 0) screens.goTo("see");
 }
 
 function shakeAnew() {
-  edited.place = true;
   understand.outdated();
   address();
   simulate();
@@ -137,6 +138,7 @@ function shakeAnew() {
 /** Goes back to the page's own scene. */
 function ownPiece() {
   pieces.leave();
+  edited.place = true;
   shakeAnew();
 }
 
@@ -176,7 +178,7 @@ const changed = beforeNextFrame(() => {
  * back; what goes on changing the same fields stays in one place.
  */
 const address = settled(250, () => {
-  if (taking) return;
+  if (taking || follows) return;
   const hash = hashNow(),
     state = { screen: document.body.dataset.screen };
   if (hash !== location.hash) {
@@ -228,10 +230,15 @@ async function begin() {
   });
   addEventListener("popstate", async (event) => {
     screens.goBack(event.state);
-    if (location.hash === hashNow()) return;
-    await take(location.hash);
-    again();
-    address();
+    if (follows || location.hash === hashNow()) return;
+    follows = true;
+    for (let hash = ""; hash !== location.hash; ) {
+      hash = location.hash; // which may change again while what it names is fetched
+      await take(hash);
+      again();
+    }
+    follows = false;
+    shakeAnew(); // another file is no change of the scene
   });
   address();
   simulate();
