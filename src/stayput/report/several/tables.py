@@ -69,7 +69,7 @@ class SeveralRow:
 
 def several_rows(verdict: AssemblyVerdict, language: str) -> list[SeveralRow]:
     """Return the options as they are read, the best first."""
-    room = verdict.scenario.room.room()
+    room = verdict.scenario.surroundings()
     return [
         SeveralRow(
             result,
