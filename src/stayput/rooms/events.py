@@ -1,4 +1,4 @@
-"""What happens in a room: who is hit by what, which doors are blocked, who does not get out, what collides."""
+"""What happens in a room: who is hit by what, which doors are blocked, who is shut in, what collides."""
 
 from __future__ import annotations
 

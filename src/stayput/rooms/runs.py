@@ -42,7 +42,6 @@ if TYPE_CHECKING:
     from stayput.model.room import Room
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.montecarlo.several import DrawOfSeveral
-    from stayput.scenario.assembly_options import AssemblyOption
     from stayput.scenario.room import RoomScenario
     from stayput.simulation.space_case import SpaceShaking
     from stayput.simulation.standing import Standing
@@ -86,17 +85,6 @@ def groups_of(scenario: RoomScenario) -> tuple[tuple[int, ...], ...]:
         kept, gone = sorted((group[first], group[second]))
         group = [kept if number == gone else number for number in group]
     return tuple(tuple(i for i, own in enumerate(group) if own == number) for number in sorted(set(group)))
-
-
-def part_of(scenario: RoomScenario, bodies: tuple[int, ...], option: AssemblyOption) -> Part:
-    """Return some of the pieces as they stand, with what an option puts in place.
-
-    Raises
-    ------
-    InputError
-        A body that is not possible, or a mesh that cannot be read.
-    """
-    return part_with(scenario, bodies, scenario.assembly(option))
 
 
 def part_with(scenario: RoomScenario, bodies: tuple[int, ...], whole: Assembly) -> Part:
@@ -266,13 +254,15 @@ def _result(traced: Traced) -> NDArray[np.void]:
 
 
 def placed_elsewhere(
-    scenario: RoomScenario, body: int, option: AssemblyOption, at: tuple[float, float], heading: float
+    scenario: RoomScenario, whole: Assembly, body: int, at: tuple[float, float], heading: float
 ) -> Part:
     """Return a piece by itself, moved to another place of the plan."""
-    member = scenario.assembly(option).members[body]
+    member = whole.members[body]
     moved = _moved(member, (at[0], at[1], member.at[2]), heading)
     return Part((body,), Assembly([moved]), scenario.around([bare(moved)]))
 
 
 def _moved(member: Piece | Standing, at: tuple[float, float, float], heading: float) -> Piece | Standing:
+    if isinstance(member, Piece):
+        return Piece(member.body, at, heading, member.measures)
     return replace(member, at=at, heading=heading)
