@@ -260,18 +260,13 @@ class FloorPlan:
         windows: Sequence[Window] = (),
         places: Sequence[Place] = (),
     ) -> None:
-        given = {
-            "width": width,
-            "length": length,
-            "doors": list_of("doors", doors, Door),
-            "windows": list_of("windows", windows, Window),
-            "places": list_of("places", places, Place),
-        }
-        for name, value in given.items():
-            object.__setattr__(self, name, value)
+        object.__setattr__(self, "width", width)
+        object.__setattr__(self, "length", length)
+        object.__setattr__(self, "doors", list_of("doors", doors, Door))
+        object.__setattr__(self, "windows", list_of("windows", windows, Window))
+        object.__setattr__(self, "places", list_of("places", places, Place))
         check_fields(self)
-        for kind in ("doors", "windows", "places"):
-            items = given[kind]
+        for kind, items in (("doors", self.doors), ("windows", self.windows), ("places", self.places)):
             if len(items) > MOST_PLACES:
                 raise InputError("rooms.too_many", kind, count=len(items), most=MOST_PLACES)
         for kind, items in (("doors", self.doors), ("windows", self.windows)):

@@ -192,21 +192,26 @@ def places_at_walls(
         Where it may be put.
     """
     member, plan = bare(whole.members[body]), floor.plan
-    half_depth, half_length = 0.5 * np.ptp(member.solid.vertices[:, :2], axis=0)
+    half_depth, half_length = (0.5 * np.ptp(member.solid.vertices[:, :2], axis=0)).tolist()
     height = float(member.solid.vertices[:, 2].max())
     for wall, heading in FACING.items():
         if half_length > 0.5 * plan.side(wall):
             continue
-        count = max(1, math.ceil((plan.side(wall) - 2.0 * half_length) / STRIDE))
-        alongs = np.linspace(half_length, plan.side(wall) - half_length, count + 1)
         found: list[tuple[float, float]] = []
-        for along in alongs.tolist():
+        for along in _spread(half_length, plan.side(wall) - half_length):
             at = plan.on_wall(wall, along, half_depth + BEHIND)
             corners = rectangle(at, 2.0 * half_depth, 2.0 * half_length, heading)
             if floor.fits(corners, height=height, but_piece=body):
                 found.append(at)
         if found:
             yield wall, found
+
+
+def _spread(low: float, high: float) -> list[float]:
+    """Return places from low to high, `STRIDE` apart at most; none where high is below low."""
+    if high < low:
+        return []
+    return np.linspace(low, high, max(1, math.ceil((high - low) / STRIDE)) + 1).tolist()
 
 
 def other_places(place: Place, floor: FreeFloor) -> list[Place]:
@@ -221,16 +226,11 @@ def other_places(place: Place, floor: FreeFloor) -> list[Place]:
     """
     found: list[Place] = []
     for heading in (place.heading, place.heading + math.pi / 2.0):
-        reach = 0.5 * np.ptp(rectangle((0.0, 0.0), place.width, place.length, heading), axis=0)
-        ranges = [
-            np.linspace(half, side - half, max(1, math.ceil((side - 2.0 * half) / STRIDE)) + 1)
-            for half, side in zip(reach.tolist(), (floor.plan.width, floor.plan.length), strict=True)
-            if 2.0 * half <= side
-        ]
-        if len(ranges) < 2:
-            continue
-        for x in ranges[0].tolist():
-            for y in ranges[1].tolist():
+        half_x, half_y = (
+            0.5 * np.ptp(rectangle((0.0, 0.0), place.width, place.length, heading), axis=0)
+        ).tolist()
+        for x in _spread(half_x, floor.plan.width - half_x):
+            for y in _spread(half_y, floor.plan.length - half_y):
                 corners = rectangle((x, y), place.width, place.length, heading)
                 if floor.fits(corners, height=place.high, but_place=place.name):
                     found.append(replace(place, at=(x, y), heading=math.remainder(heading, 2.0 * math.pi)))

@@ -11,15 +11,16 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.model.floor_plan import rectangle
+from stayput.model.floor_plan import Place, rectangle
+from stayput.rooms.tracks import at_rest
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from numpy.typing import NDArray
 
-    from stayput.model.floor_plan import Place
     from stayput.rooms.tracks import Track
+    from stayput.simulation.standing import Standing
 
 SLIGHT = 1e-6
 """Length of a cross product of two unit vectors up to which they are parallel."""
@@ -83,6 +84,13 @@ def _box_of(place: Place, count: int) -> _Convex:
     axes = np.concatenate([np.column_stack((sides, np.zeros(2))), [[0.0, 0.0, 1.0]]])
     corners, axes = (np.broadcast_to(values, (count, *values.shape)) for values in (corners, axes))
     return _Convex(corners, axes, axes)
+
+
+def inside_each_other(one: Standing, other: Standing | Place) -> float:
+    """Return how deep a piece stands in another, or where a person is, at first [m]; 0 where it does not."""
+    first = np.zeros(1, np.intp)
+    box = _box_of(other, 1) if isinstance(other, Place) else _body_at(at_rest(other), first)
+    return max(0.0, -float(separation(_body_at(at_rest(one), first), box)[0]))
 
 
 def contact_with_place(track: Track, place: Place) -> Contact | None:

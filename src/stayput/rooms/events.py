@@ -56,6 +56,11 @@ class Events:
     blocked: NDArray[np.bool_]
     shut_in: NDArray[np.bool_]
 
+    @property
+    def runs(self) -> int:
+        """How many runs there are."""
+        return self.shut_in.shape[1]
+
     def hit(self, place: int) -> NDArray[np.bool_]:
         """Return whether a place is hit by any piece, shape (runs,)."""
         return np.any([one.happened for one in self.hits[place]], axis=0)

@@ -24,7 +24,7 @@ from stayput.model.state import State
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces
 from stayput.montecarlo.several import drawn_assembly, drawn_room, shaking_of
-from stayput.rooms.tracks import Shape, Track, track_in_plane, tracks_of
+from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.placing import bare, planes_around, room_seen, standing_of
 from stayput.simulation.run import trace_held
@@ -218,19 +218,10 @@ def _run_in_plane(
     cos, sin = math.cos(piece.heading), math.sin(piece.heading)
     along, up = shaking.acceleration[:, :2] @ [cos, sin], shaking.acceleration[:, 2]
     traced, devices, _ = trace_held(row[0], elements, shaking_in_plane(along, up, shaking.dt, 0))
-    standing = standing_of(piece, held)
-    shape = Shape.of(standing.solid)
-    start = Track(
-        shape,
-        np.zeros(1, np.intp),
-        standing.place[np.newaxis],
-        standing.turn[np.newaxis],
-        np.zeros(1),
-        shaking.dt,
-    )
+    start = at_rest(standing_of(piece, held), shaking.dt)
     history = traced.history
     x, z, tilt = (history[:, column] for column in (H_X, H_Z, H_TILT))
-    track = track_in_plane(shape, start, x - x[0], z - z[0], tilt)
+    track = track_in_plane(start, x - x[0], z - z[0], tilt)
     return _result(traced), bool((devices["failure"] != HOLDS).any()), [track]
 
 

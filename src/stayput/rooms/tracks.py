@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from stayput.model.solid import Solid
     from stayput.simulation.space import AssemblyTrace
+    from stayput.simulation.standing import Standing
 
 STIRS = 0.01
 """Way of a body's corner up to which it stays where it stood [m]."""
@@ -135,6 +136,13 @@ class Track:
         return replace(self, place=place, turn=about @ self.turn)
 
 
+def at_rest(one: Standing, dt: float = 1.0) -> Track:
+    """Return the track of a piece that stays where it stands."""
+    chosen = np.zeros(1, np.intp)
+    shape = Shape.of(one.solid)
+    return Track(shape, chosen, one.place[np.newaxis], one.turn[np.newaxis], np.zeros(1), dt)
+
+
 def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the convex outline in plan of points [m], counter-clockwise, shape (n, 2)."""
     plan = corners[:, :2]
@@ -167,14 +175,12 @@ def tracks_of(traced: AssemblyTrace, dt: float) -> list[Track]:
 
 
 def track_in_plane(
-    shape: Shape, pose: Track, x: NDArray[np.float64], z: NDArray[np.float64], tilt: NDArray[np.float64]
+    pose: Track, x: NDArray[np.float64], z: NDArray[np.float64], tilt: NDArray[np.float64]
 ) -> Track:
     """Return the track of a piece that moves in the plane across its length.
 
     Parameters
     ----------
-    shape : Shape
-        The piece.
     pose : Track
         How it stands at first, alone.
     x, z : ndarray, shape (samples,)
@@ -182,6 +188,7 @@ def track_in_plane(
     tilt : ndarray, shape (samples,)
         By what it has tilted to its front from there [rad].
     """
+    shape = pose.shape
     facing = pose.turn[0] @ np.array([1.0, 0.0, 0.0])
     front = np.array([facing[0], facing[1], 0.0]) / np.hypot(facing[0], facing[1])
     place = pose.place[0] + x[:, np.newaxis] * front + z[:, np.newaxis] * [0.0, 0.0, 1.0]

@@ -222,11 +222,29 @@ class RoomVerdict:
         """The best single change, or None where none makes anything better."""
         return next((one for one in self.changes if one.helps), None)
 
-    def to_html(self, path: str | Path, language: str = "en") -> Path:
-        """Write the report: one file that needs no network; see `stayput.report.room.write_report`."""
-        from stayput.report.room import write_report
+    def sentence(self, language: str = "en") -> str:
+        """Return the verdict in one sentence, in "en" or "ja"."""
+        from stayput.rooms.words import sentence_of_room
 
-        return write_report(self, path, language)
+        return sentence_of_room(self, language)
+
+    def to_json(self) -> str:
+        """Return the verdict as JSON; keys carry their units."""
+        from stayput.report.room.data import room_json
+
+        return room_json(self)
+
+    def to_csv(self) -> str:
+        """Return the probabilities as CSV."""
+        from stayput.report.room.data import room_csv
+
+        return room_csv(self)
+
+    def report(self, path: str | Path, language: str = "en") -> Path:
+        """Write the report, one HTML file with everything in it; see `stayput.report.room`."""
+        from stayput.report.room.html import write_room_report
+
+        return write_room_report(self, path, language)
 
 
 def presence(place: Place) -> float:

@@ -144,7 +144,7 @@ class RoomScenario(AssemblyScenario):
     room: RoomSurfacesTable = Field(  # pyright: ignore[reportIncompatibleVariableOverride]
         default_factory=RoomSurfacesTable, description="Floor, walls and ceiling."
     )
-    uncertainty: RoomUncertaintyTable = Field(
+    uncertainty: RoomUncertaintyTable = Field(  # pyright: ignore[reportIncompatibleVariableOverride]
         default_factory=RoomUncertaintyTable, description="How much of what is not known is tried out."
     )
 
