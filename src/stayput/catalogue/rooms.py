@@ -108,6 +108,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{change}で、出られなくなる割合は{bare}から{held}になります",
     ),
     # Tables
+    "report": ("Verification of a room", "部屋の地震対策の検証"),
     "who": ("Who is hit", "人のいる場所"),
     "by": ("by", "当たる家具"),
     "any_piece": ("any piece", "いずれか"),

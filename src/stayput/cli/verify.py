@@ -100,11 +100,7 @@ def _write(
 
     if report is not None:
         verdict.report(report, lang)
-    from stayput.rooms.verdict import RoomVerdict
-
     if markdown is not None:
-        if isinstance(verdict, RoomVerdict):
-            raise InputError("rooms.no_markdown", "--markdown")
         with draft(markdown) as unfinished:
             unfinished.write_text(verdict.to_markdown(lang), encoding="utf-8")
     if csv is not None:

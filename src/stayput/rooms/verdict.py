@@ -234,6 +234,12 @@ class RoomVerdict:
 
         return room_json(self)
 
+    def to_markdown(self, language: str = "en") -> str:
+        """Return the verdict as Markdown, in "en" or "ja"."""
+        from stayput.report.room.markdown import room_markdown
+
+        return room_markdown(self, language)
+
     def to_csv(self) -> str:
         """Return the probabilities as CSV."""
         from stayput.report.room.data import room_csv
