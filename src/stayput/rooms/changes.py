@@ -15,7 +15,7 @@ import numpy as np
 from stayput.errors import InputError
 from stayput.measures import MEASURES
 from stayput.model.floor_plan import FACING, rectangle
-from stayput.rooms.runs import Part, part_with
+from stayput.rooms.runs import RoomPart, part_with
 from stayput.rooms.tracks import outline_of
 from stayput.scenario.pieces import BEHIND
 from stayput.simulation.placing import bare, placed
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.measures import Measure
-    from stayput.model.floor_plan import FloorPlan, Place
+    from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.rooms.tracks import Track
     from stayput.rooms.ways import Ways
     from stayput.scenario.room import RoomScenario
@@ -147,7 +147,7 @@ def overlap(first: NDArray[np.float64], second: NDArray[np.float64]) -> bool:
 
 def measures_tried(
     scenario: RoomScenario, whole: Assembly, bodies: tuple[int, ...]
-) -> Iterator[tuple[Change, Part]]:
+) -> Iterator[tuple[Change, RoomPart]]:
     """Yield the measures that can be put on pieces of a group, with the group as it is then held.
 
     Parameters
@@ -214,17 +214,17 @@ def _spread(low: float, high: float) -> list[float]:
     return np.linspace(low, high, max(1, math.ceil((high - low) / STRIDE)) + 1).tolist()
 
 
-def other_places(place: Place, floor: FreeFloor) -> list[Place]:
+def other_places(place: PersonPlace, floor: FreeFloor) -> list[PersonPlace]:
     """Return where else the place of a person may be: at the same height, turned by 90° or not.
 
     Parameters
     ----------
-    place : Place
+    place : PersonPlace
         The place.
     floor : FreeFloor
         Where it may be put.
     """
-    found: list[Place] = []
+    found: list[PersonPlace] = []
     for heading in (place.heading, place.heading + math.pi / 2.0):
         half_x, half_y = (
             0.5 * np.ptp(rectangle((0.0, 0.0), place.width, place.length, heading), axis=0)

@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.model.floor_plan import Place
+    from stayput.model.floor_plan import PersonPlace
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.montecarlo.several import DrawOfSeveral
-    from stayput.rooms.runs import Part, PartRuns
+    from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
     from stayput.scenario.room import RoomScenario
     from stayput.simulation.standing import Assembly
@@ -41,7 +41,7 @@ class Question(NamedTuple):
     threads: int | None
     advance: Callable[[int], None]
 
-    def run(self, parts: Sequence[Part]) -> list[PartRuns]:
+    def run(self, parts: Sequence[RoomPart]) -> list[PartRuns]:
         """Run parts of the room under all draws."""
         gravity = self.scenario.gravity
         return run_parts(parts, self.drawn, self.floors, gravity, threads=self.threads, progress=self.advance)
@@ -73,7 +73,7 @@ def hits_but(events: Events, but: int | None = None) -> NDArray[np.bool_]:
     return found
 
 
-def risk_of(hits: NDArray[np.bool_], places: Sequence[Place], missing: NDArray[np.bool_]) -> float:
+def risk_of(hits: NDArray[np.bool_], places: Sequence[PersonPlace], missing: NDArray[np.bool_]) -> float:
     """Return the chance that a person is hit, weighted by how long somebody is at each place."""
     known = ~missing.ravel()
     if not len(hits) or not known.any():
@@ -85,7 +85,7 @@ def risk_of(hits: NDArray[np.bool_], places: Sequence[Place], missing: NDArray[n
 
 
 def changes_of(
-    question: Question, parts: Sequence[Part], as_it_is: Answer, ends: EndOfRuns
+    question: Question, parts: Sequence[RoomPart], as_it_is: Answer, ends: EndOfRuns
 ) -> tuple[ChangeVerdict, ...]:
     """Return what single changes bring, the best first."""
     scenario, plan, whole = question.scenario, question.plan, question.whole
@@ -166,7 +166,7 @@ def _effect(
     return _compared(change, Events(hits, blocked, shut), question.plan, as_it_is)
 
 
-def _effect_of_place(number: int, place: Place, question: Question, as_it_is: Answer) -> ChangeVerdict:
+def _effect_of_place(number: int, place: PersonPlace, question: Question, as_it_is: Answer) -> ChangeVerdict:
     """Return what it brings that a place is elsewhere."""
     places = tuple(place if n == number else one for n, one in enumerate(question.plan.places))
     plan = replace_places(question.plan, places)
@@ -183,7 +183,7 @@ def _effect_of_place(number: int, place: Place, question: Question, as_it_is: An
     return _compared(change, Events(hits, blocked, shut), plan, as_it_is)
 
 
-def replace_places(plan: FloorPlan, places: tuple[Place, ...]) -> FloorPlan:
+def replace_places(plan: FloorPlan, places: tuple[PersonPlace, ...]) -> FloorPlan:
     """Return a plan with other places."""
     return type(plan)(plan.width, plan.length, plan.doors, plan.windows, places)
 
@@ -249,15 +249,15 @@ def _best_at_wall(
 
 
 def _best_place(
-    number: int, others: list[Place], question: Question, as_it_is: Answer, ways: Ways
-) -> Place | None:
+    number: int, others: list[PersonPlace], question: Question, as_it_is: Answer, ways: Ways
+) -> PersonPlace | None:
     """Return where a place is hit least, the nearest of those that are alike."""
     if not others:
         return None
     over = np.any([swept(ways, own) for own in as_it_is.tracks], axis=0)
     here = question.plan.places[number]
 
-    def key(place: Place) -> tuple[float, float]:
+    def key(place: PersonPlace) -> tuple[float, float]:
         share = (over & ways.covered([place.corners]).ravel()).any(axis=1).mean()
         away = math.hypot(place.at[0] - here.at[0], place.at[1] - here.at[1])
         return float(share), away + abs(math.remainder(place.heading - here.heading, math.pi))

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.model.floor_plan import FloorPlan, Place
+    from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.rooms.tracks import Track
 
 
@@ -25,7 +25,7 @@ class Hits(NamedTuple):
     Parameters
     ----------
     time, speed, energy : ndarray, shape (runs,)
-        As of `stayput.rooms.contact.Contact` [s, m/s, J].
+        As of `stayput.rooms.contact.RoomContact` [s, m/s, J].
     """
 
     time: NDArray[np.float64]
@@ -66,7 +66,7 @@ class Events:
         return np.any([one.happened for one in self.hits[place]], axis=0)
 
 
-def hits_of(place: Place, tracks: Sequence[Track]) -> Hits:
+def hits_of(place: PersonPlace, tracks: Sequence[Track]) -> Hits:
     """Return the contacts of a piece, whose tracks are given by run, with a place."""
     found = np.full((3, len(tracks)), np.nan)
     for run, track in enumerate(tracks):

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.fragility import Difference, Probability
-    from stayput.model.floor_plan import Door, FloorPlan, Place
+    from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
     from stayput.montecarlo.counting import Quantiles
     from stayput.rooms.changes import Change
     from stayput.scenario.room import RoomScenario
@@ -53,7 +53,7 @@ class PlaceVerdict:
 
     Parameters
     ----------
-    place : Place
+    place : PersonPlace
         The place.
     hit : Probability
         That somebody who is there is hit by any piece.
@@ -63,7 +63,7 @@ class PlaceVerdict:
         That no way leads out from there.
     """
 
-    place: Place
+    place: PersonPlace
     hit: Probability
     by: tuple[HitVerdict, ...]
     shut_in: Probability
@@ -99,7 +99,7 @@ class DoorVerdict:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class PieceInRoom:
+class RoomPiece:
     """What becomes of a piece of a room.
 
     Parameters
@@ -186,7 +186,7 @@ class RoomVerdict:
         In the order of the file.
     doors : tuple of DoorVerdict
         In the order of the file.
-    pieces : tuple of PieceInRoom
+    pieces : tuple of RoomPiece
         Those that contribute most to the risk first.
     collisions : mapping of pairs of str to Probability
         Pieces that meet; what they do afterwards is not followed.
@@ -208,7 +208,7 @@ class RoomVerdict:
     risk: float
     places: tuple[PlaceVerdict, ...]
     doors: tuple[DoorVerdict, ...]
-    pieces: tuple[PieceInRoom, ...]
+    pieces: tuple[RoomPiece, ...]
     collisions: Mapping[tuple[str, str], Probability]
     changes: tuple[ChangeVerdict, ...]
     motions: int
@@ -253,6 +253,6 @@ class RoomVerdict:
         return write_room_report(self, path, language)
 
 
-def presence(place: Place) -> float:
+def presence(place: PersonPlace) -> float:
     """Return in what share of the 24 hours somebody is at a place."""
     return (DAY_HOURS * place.day + (24.0 - DAY_HOURS) * place.night) / 24.0

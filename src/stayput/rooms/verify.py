@@ -23,8 +23,8 @@ from stayput.rooms.verdict import (
     ChangeVerdict,
     DoorVerdict,
     HitVerdict,
-    PieceInRoom,
     PlaceVerdict,
+    RoomPiece,
     RoomVerdict,
 )
 from stayput.scenario.room import RoomScenario
@@ -34,9 +34,9 @@ from stayput.simulation.space_gaps import DEEPEST
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from stayput.model.floor_plan import FloorPlan, Place
+    from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.montecarlo.hazard import FloorMotions
-    from stayput.rooms.runs import Part, PartRuns
+    from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
     from stayput.simulation.standing import Assembly, Standing
 
@@ -144,7 +144,7 @@ def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Ass
                 width=plan.width,
                 length=plan.length,
             )
-        others: list[tuple[Standing | Place, str]] = [
+        others: list[tuple[Standing | PersonPlace, str]] = [
             (other, repr(names[before])) for before, other in enumerate(standing_all[:number])
         ]
         others += [(place, repr(place.name)) for place in plan.places]
@@ -156,7 +156,7 @@ def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Ass
                 )
 
 
-def _answer(ends: EndOfRuns, bodies: int, parts: Sequence[Part], runs: Sequence[PartRuns]) -> Answer:
+def _answer(ends: EndOfRuns, bodies: int, parts: Sequence[RoomPart], runs: Sequence[PartRuns]) -> Answer:
     tracks: list[list[Track]] = [[] for _ in range(bodies)]
     missing = np.zeros(runs[0].results.shape[:2], np.bool_)
     for part, own in zip(parts, runs, strict=True):
@@ -168,7 +168,7 @@ def _answer(ends: EndOfRuns, bodies: int, parts: Sequence[Part], runs: Sequence[
 
 def _verdict(
     question: Question,
-    parts: Sequence[Part],
+    parts: Sequence[RoomPart],
     runs: Sequence[PartRuns],
     as_it_is: Answer,
     ends: EndOfRuns,
@@ -183,14 +183,14 @@ def _verdict(
     shape = missing.shape
     hits = hits_but(events)
     risk = risk_of(hits, plan.places, missing)
-    pieces: list[PieceInRoom] = []
+    pieces: list[RoomPiece] = []
     masses: dict[int, float] = {}
     for part, own in zip(parts, runs, strict=True):
         for place, body in enumerate(part.bodies):
             outcomes, tracks = own.of_body(place), as_it_is.tracks[body]
             masses[body] = bare(question.whole.members[body]).solid.mass
             pieces.append(
-                PieceInRoom(
+                RoomPiece(
                     scenario.names[body],
                     part.in_plane,
                     outcomes.probabilities(slide_limit),

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.model.floor_plan import Door, FloorPlan, Place
+    from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
 
 _images: Any = ndimage  # its results depend on its arguments, which its types do not tell
 
@@ -125,7 +125,7 @@ class Ways:
         apart = np.hypot(self.x[:, np.newaxis] - middle[0], self.y[np.newaxis] - middle[1])
         return apart <= PASSAGE
 
-    def _at_place(self, place: Place) -> NDArray[np.bool_]:
+    def _at_place(self, place: PersonPlace) -> NDArray[np.bool_]:
         """Return the cells onto which one steps from a place: in it, or up to a passage's width beside it."""
         cos, sin = math.cos(place.heading), math.sin(place.heading)
         x, y = self.x[:, np.newaxis] - place.at[0], self.y[np.newaxis] - place.at[1]

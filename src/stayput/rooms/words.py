@@ -6,13 +6,14 @@ import math
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase, say
+from stayput.catalogue.names import PIECES
 from stayput.model.floor_plan import FACING, PLACES
 from stayput.verification.words import class_phrase, of_the_cases, sentence_of, share_text
 from stayput.wording import inside
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
-    from stayput.model.floor_plan import Door, Place
+    from stayput.model.floor_plan import Door, PersonPlace
     from stayput.rooms.changes import Change
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
 
@@ -20,7 +21,7 @@ TOLD = 0.005
 """From this share on something is told in the verdict's sentence."""
 
 
-def place_name(place: Place) -> Phrase:
+def place_name(place: PersonPlace) -> Phrase:
     """Return what a place is called, translated where that is its kind."""
     return phrase(f"rooms.{place.name}") if place.name in PLACES else (place.name, place.name)
 
@@ -28,6 +29,11 @@ def place_name(place: Place) -> Phrase:
 def door_name(door: Door) -> Phrase:
     """Return what a door is called, translated where it has no name of its own."""
     return phrase("rooms.door") if door.name == "door" else (door.name, door.name)
+
+
+def piece_name(name: str) -> Phrase:
+    """Return what a piece is called, translated where that is a preset's name."""
+    return PIECES.get(name, (name, name))
 
 
 def often(share: float) -> Phrase:
@@ -56,7 +62,7 @@ def _clauses(verdict: RoomVerdict) -> list[Phrase]:
             phrase(
                 "rooms.hits",
                 often=often(place.by[0].probability.estimate),
-                piece=place.by[0].piece,
+                piece=piece_name(place.by[0].piece),
                 place=place_name(place.place),
             )
             for place in sorted(verdict.places, key=lambda one: -one.hit.estimate)
@@ -82,7 +88,7 @@ def change_label(change: Change, verdict: RoomVerdict, language: str) -> str:
 
 def _label(change: Change, verdict: RoomVerdict) -> Phrase:
     if change.measure is not None:
-        return phrase("rooms.fix", measure=change.measure.label, piece=change.what)
+        return phrase("rooms.fix", measure=change.measure.label, piece=piece_name(change.what))
     assert change.at is not None
     assert change.heading is not None
     x, y = change.at
@@ -94,7 +100,9 @@ def _label(change: Change, verdict: RoomVerdict) -> Phrase:
     faces = change.heading
     wall = min(FACING, key=lambda name: abs(math.remainder(FACING[name] - faces, 2.0 * math.pi)))
     along = y if wall in ("left_wall", "right_wall") else x
-    return phrase("rooms.move_piece", piece=change.what, wall=phrase(f"rooms.{wall}"), along=along)
+    return phrase(
+        "rooms.move_piece", piece=piece_name(change.what), wall=phrase(f"rooms.{wall}"), along=along
+    )
 
 
 def change_sentence(result: ChangeVerdict, verdict: RoomVerdict, language: str) -> str:

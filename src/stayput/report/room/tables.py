@@ -7,7 +7,14 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase, say
 from stayput.report.verdict import numbers
-from stayput.rooms.words import best_sentence, change_label, door_name, place_name, sentence_of_room
+from stayput.rooms.words import (
+    best_sentence,
+    change_label,
+    door_name,
+    piece_name,
+    place_name,
+    sentence_of_room,
+)
 
 if TYPE_CHECKING:
     from stayput.rooms.verdict import RoomVerdict
@@ -43,7 +50,16 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
         )
         for one in place.by:
             values = f"{one.speed.median:.1f} m/s", f"{one.energy.median:.3g} J", f"{one.mass:.4g} kg"
-            hits.append(("", one.piece, numbers.with_interval(one.probability, language), "", "", *values))
+            hits.append(
+                (
+                    "",
+                    say(piece_name(one.piece), language),
+                    numbers.with_interval(one.probability, language),
+                    "",
+                    "",
+                    *values,
+                )
+            )
     ways = [(phrase("rooms.door_blocked", door=door_name(door.door)), door.blocked) for door in verdict.doors]
     if any(door.door.way_out for door in verdict.doors):
         ways += [
