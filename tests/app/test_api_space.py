@@ -229,7 +229,7 @@ def test_a_scenario_file_of_several_pieces_is_read(client: httpx.Client) -> None
             '[[furniture]]\nname = "stone"\nmesh = "/etc/passwd"\nunit = "m"\nmass = 3.0',
             "scene.furniture[0].mesh",
         ),
-        ('[[furniture]]\nname = "box"\nwidth = 0.4\nmass = 3.0', "scene.furniture"),
+        ('[[furniture]]\nname = "box"\nwidth = 0.4\nmass = 3.0', "scene.furniture[0]"),
         ('[furniture]\npreset = "chest"\n[shaking]\nrecord = "kobe.csv"', "scene.shaking.record"),
     ],
     ids=["no TOML", "a mesh", "half a box", "a record's file"],

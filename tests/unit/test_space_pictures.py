@@ -232,6 +232,8 @@ def test_what_became_of_the_bodies() -> None:
     )
     still = part(other, bodies=slice(1))
     assert became(still, ["box"])[0] == "The box stayed put: it neither slid nor rocked."
+    landed = sp.simulate(sp.Standing(BOX, (0.0, 0.0, 0.1)), sp.Room(), sp.Motion(dt=0.01, x=np.zeros(100)))
+    assert became(landed, ["box"])[0].startswith("The box did not overturn; it tilted by less than 0.1°")
 
 
 @pytest.mark.parametrize(

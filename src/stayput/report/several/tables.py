@@ -18,12 +18,11 @@ from stayput.report.verdict.assumptions import (
     room_assumptions,
     shaking_assumptions,
 )
-from stayput.report.verdict.words import place_named, word
+from stayput.report.verdict.tables import device_cells
 from stayput.simulation.space_devices import JOINT, JOINT_LABEL
 from stayput.uncertainty import USUAL
 from stayput.verification.several_options import brief_label
 from stayput.verification.several_words import is_own, reason_of_several, title_of_several
-from stayput.wording import with_aside
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
@@ -31,7 +30,6 @@ if TYPE_CHECKING:
     from stayput.scenario import AssemblyScenario
     from stayput.scenario.pieces import StandingTable
     from stayput.verification import AssemblyOptionVerdict, AssemblyVerdict
-    from stayput.verification.several_verdict import DeviceOfSeveral
 
 NOT_DRAWN = ("settlement",)
 """Quantities of `USUAL` that several pieces do not have."""
@@ -93,32 +91,16 @@ def rejected_rows(verdict: AssemblyVerdict, language: str) -> list[tuple[str, st
     return [(title_of_several(one, verdict, language), one.why(language)) for one in verdict.rejected]
 
 
-DEVICE_OF_SEVERAL_COLUMNS = ("device", "failed", "failure_time", "weakest_link", "peak_force", "used")
-"""Keys of the headings of `several_device_rows`, after what a device holds."""
-
-
 def several_device_rows(result: AssemblyOptionVerdict, language: str) -> list[tuple[str, ...]]:
-    """Return what each device and joint holds, and its results, as texts."""
-    listed = word("listed", language)
+    """Return what each device and joint holds, and its results, as texts: see `device_cells`."""
+    labels = {JOINT: JOINT_LABEL} | {kind: measure.label for kind, measure in MEASURES.items()}
     return [
         (
             (" – " if language == "en" else "と").join(device.pieces),
-            _device_name(device, language),
-            numbers.with_interval(device.summary.failed, language),
-            numbers.moment(device.summary.failure_time, language),
-            numbers.NO_NUMBER if device.summary.weakest is None else say(device.summary.weakest, language),
-            listed.join(numbers.forces(device.summary.peak, language)),
-            listed.join(numbers.used(device.summary.used, language)) or numbers.NO_NUMBER,
+            *device_cells(device.summary, labels[device.summary.kind], language),
         )
         for device in result.devices
     ]
-
-
-def _device_name(device: DeviceOfSeveral, language: str) -> str:
-    kind = device.summary.kind
-    name = say(JOINT_LABEL if kind == JOINT else MEASURES[kind].label, language)
-    where = device.summary.name.removeprefix(kind).strip()
-    return with_aside(name, place_named(where, language), language) if where else name
 
 
 def simulations_of_several(verdict: AssemblyVerdict, language: str) -> str:
@@ -136,6 +118,9 @@ def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
     friction = phrase(
         "report.frictions", surface="", static=scenario.static_friction, kinetic=scenario.kinetic_friction
     )
+    rolling: list[Assumption] = []
+    if any(len(piece.solid(scenario.folder).rims) for piece in scenario.furniture):
+        rolling = [Assumption((phrase("several.rolling"), phrase("several.rolling_text")), MODEL)]
     return [
         *(_piece(piece, scenario) for piece in scenario.furniture),
         Assumption((phrase("several.between"), friction), GIVEN),
@@ -144,6 +129,7 @@ def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
         *drawn_assumptions(drawn, measured),
         Assumption(like, "low"),
         Assumption((phrase("several.limit_body"), phrase("several.limit_body_text")), MODEL),
+        *rolling,
         *(
             Assumption((phrase(f"report.limit_{key}"), phrase(f"report.limit_{key}_text")), MODEL)
             for key in ("contacts", "devices")

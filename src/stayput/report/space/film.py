@@ -11,7 +11,7 @@ from stayput.catalogue import phrase, say
 from stayput.errors import InputError
 from stayput.report.movie import frame_times
 from stayput.report.scene import DRIFT_CORNER
-from stayput.report.space.histories import at_time, slid
+from stayput.report.space.histories import at_time, peak_of, slid
 from stayput.report.space.said import became, names_of
 from stayput.report.space.scene import SpaceScene, space_scene
 from stayput.report.summary import motion_label
@@ -91,7 +91,7 @@ def space_film(run: SpaceRun, names: Sequence[str] | None, language: str) -> Spa
     if len(run.time) < 2:
         raise InputError("runs.too_short", samples=len(run.time))
     called = names_of(run, names, language)
-    peak = float(np.linalg.norm(list(run.motion.components.values()), axis=0).max())
-    motion = say("runs.motion_title", language, name=motion_label(run.motion, language), peak=peak)
+    name, peak = motion_label(run.motion, language), peak_of(run.motion)
+    motion = say("space.motion_title", language, name=name, peak=peak)
     strip = say("runs.floor_acceleration", language, motion=motion)
     return SpaceFilm(space_scene(run, called), say(became(run, called), language), strip, language)

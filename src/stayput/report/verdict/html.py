@@ -237,7 +237,7 @@ def _pair(verdict: Verdict, pair: RunPair, scene: Scene, count: int, language: s
             number=pair.member.motion + 1,
             count=count,
             name=motion_named(motion_label(pair.motion), language),
-            peak=f"{pair.motion.pga:.1f}",
+            peak=pair.motion.pga,
             start=f"{pair.start:.1f}",
             end=f"{pair.end:.1f}",
             duration=f"{pair.motion.duration:g}",

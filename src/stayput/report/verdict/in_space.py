@@ -15,6 +15,7 @@ from stayput.catalogue.names import ANY_PIECE, PIECES
 from stayput.report.fonts import drawable
 from stayput.report.space.animation import space_player_page
 from stayput.report.space.film import space_film
+from stayput.report.space.histories import peak_of
 from stayput.report.space.plot import plot_space_run
 from stayput.report.space.said import became
 from stayput.report.summary import motion_label
@@ -25,6 +26,7 @@ from stayput.verification.words import title
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from stayput.motion import Motion
     from stayput.motion.suites import Suite
     from stayput.simulation.space_run import SpaceRun
     from stayput.verification import Verdict
@@ -74,23 +76,41 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: 
             }
         )
     about = f"{kind}_text" if len(runs) > 1 else f"{kind}_bare_text"
-    shaken = motion.scaled(scale)
     return {
         "title": word(kind, language),
         "about": word(about, language),
         "sides": sides,
-        "motion": word(
-            "motion_in_space",
-            language,
-            number=member.motion + 1,
-            count=len(ground),
-            name=motion_named(motion_label(shaken), language),
-            peak=f"{max(float(np.abs(a).max()) for a in shaken.components.values()):.1f}",
-            start=f"{start:.1f}",
-            end=f"{end:.1f}",
-            duration=f"{shaken.duration:g}",
-        ),
+        "motion": motion_in_space(motion.scaled(scale), member.motion, len(ground), (start, end), language),
     }
+
+
+def motion_in_space(
+    motion: Motion, number: int, count: int, window: tuple[float, float], language: str
+) -> str:
+    """Return what is said of the motion of a pair of runs.
+
+    Parameters
+    ----------
+    motion : Motion
+        Of the floor.
+    number, count : int
+        Which it is, from 0, and of how many.
+    window : tuple of float
+        From when to when it is shown [s].
+    language : str
+        "en" or "ja".
+    """
+    return word(
+        "motion_in_space",
+        language,
+        number=number + 1,
+        count=count,
+        name=motion_named(motion_label(motion), language),
+        peak=peak_of(motion),
+        start=f"{window[0]:.1f}",
+        end=f"{window[1]:.1f}",
+        duration=f"{motion.duration:g}",
+    )
 
 
 def moving_window(runs: list[SpaceRun]) -> tuple[float, float]:
