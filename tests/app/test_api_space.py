@@ -134,6 +134,13 @@ def test_the_reply_is_small(client: httpx.Client) -> None:
     assert len(gzip.compress(answer.content)) < 250_000  # 30 s, twice
 
 
+def test_both_runs_are_drawn_to_one_scale(client: httpx.Client) -> None:
+    answer = simulated(client, SPACE, BELT)
+    one, other = (answer[which]["scene"]["view"] for which in ("without", "with"))
+    assert one == other
+    assert answer["with"]["pieces"][0]["peak_tilt_rad"] != answer["without"]["pieces"][0]["peak_tilt_rad"]
+
+
 def test_a_verification_in_space(client: httpx.Client) -> None:
     suite = {"suite": {"count": 4}, "intensity": 6.5}
     scene = {**SPACE, "shaking": suite, "uncertainty": {"samples": 4}}

@@ -72,7 +72,7 @@ def test_a_body_with_a_length_under_two_components_is_simulated_in_space() -> No
     with pytest.raises(sp.InputError, match="length"):
         sp.simulate(body, room, motion, dimensions=3)
     solid = sp.Solid.of(long)
-    with pytest.raises(sp.InputError, match="only a Body has"):
+    with pytest.raises(sp.InputError, match="is of a Body alone"):
         sp.simulate(solid, room, motion, [sp.MEASURES["belt"]()], dimensions=3)
 
 

@@ -63,13 +63,14 @@ def _pair(kind: str, verdict: AssemblyVerdict, member: Member, language: str) ->
     names, heading = verdict.scenario.names, word("histories", language)
     drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
     sides: list[dict[str, Any]] = []
-    for option, run in zip(options, runs, strict=True):
-        shown = cut_run(run, start, end)
+    cut = [cut_run(run, start, end) for run in runs]
+    for option, run, shown in zip(options, runs, cut, strict=True):
+        film = space_film(shown, names, language, cut)
         sides.append(
             {
                 "label": title_of_several(option, verdict, language),
                 "outcome": say(became(run, names), language),
-                "player": space_player_page(space_film(shown, names, language), 1.0, 1.5, plays=False),
+                "player": space_player_page(film, 1.0, 1.5, plays=False),
                 "histories": embedded(plot_space_run(shown, names=names, language=drawn)),
             }
         )

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import say
+from stayput.report.names import motion_label
 from stayput.report.space.histories import peak_of
 from stayput.report.space.said import names_of
-from stayput.report.summary import DEVICE_KEYS, device_results, device_rows, motion_data, motion_label, number
+from stayput.report.summary import DEVICE_KEYS, device_results, device_rows, motion_data, number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

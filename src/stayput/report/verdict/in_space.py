@@ -13,14 +13,14 @@ import numpy as np
 from stayput.catalogue import say
 from stayput.catalogue.names import ANY_PIECE, PIECES
 from stayput.report.fonts import drawable
+from stayput.report.names import motion_label
 from stayput.report.space.animation import space_player_page
 from stayput.report.space.film import space_film
 from stayput.report.space.histories import peak_of
 from stayput.report.space.plot import plot_space_run
 from stayput.report.space.said import became
-from stayput.report.summary import motion_label
 from stayput.report.verdict.pairs import AFTER, BEFORE, LONGEST, floor_motion, replay_in_space, shown_options
-from stayput.report.verdict.words import motion_named, word
+from stayput.report.verdict.words import word
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
@@ -62,10 +62,11 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: 
     heading = word("histories", language)
     drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
     sides: list[dict[str, Any]] = []
-    for option, run in zip(options, runs, strict=True):
-        shown, label = cut_run(run, start, end), title(option, verdict, language)
+    cut = [cut_run(run, start, end) for run in runs]
+    for option, run, shown in zip(options, runs, cut, strict=True):
+        label = title(option, verdict, language)
         # several that play at once would be too much for a slow machine
-        player = space_player_page(space_film(shown, [name], language), 1.0, 1.5, plays=False)
+        player = space_player_page(space_film(shown, [name], language, cut), 1.0, 1.5, plays=False)
         figure = plot_space_run(shown, names=[name], language=drawn)
         sides.append(
             {
@@ -105,7 +106,7 @@ def motion_in_space(
         language,
         number=number + 1,
         count=count,
-        name=motion_named(motion_label(motion), language),
+        name=motion_label(motion, language),
         peak=peak_of(motion),
         start=f"{window[0]:.1f}",
         end=f"{window[1]:.1f}",

@@ -12,9 +12,10 @@ from stayput.catalogue import say
 from stayput.fragility import JMA_INTENSITY
 from stayput.measures.parameters import MEANINGS
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED
+from stayput.report.names import place_named
 from stayput.report.summary import number
 from stayput.report.verdict import numbers
-from stayput.report.verdict.words import place_named, word
+from stayput.report.verdict.words import word
 from stayput.spreadsheets import text_cell
 from stayput.verification import EVENTS
 from stayput.verification.grades import weakest
