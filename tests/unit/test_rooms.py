@@ -122,7 +122,7 @@ def test_the_verdict_hangs_together(verdict: RoomVerdict):
     assert verdict.risk == pytest.approx(place.hit.estimate * 8.0 / 24.0)
     bookcase = next(one for one in verdict.pieces if one.name == "bookcase")
     assert verdict.pieces[0] is bookcase
-    assert bookcase.share == pytest.approx(verdict.risk)
+    assert bookcase.risk == pytest.approx(verdict.places[0].by[0].probability.estimate * 8.0 / 24.0)
     assert bookcase.in_plane
     # where it ends is in the room; a piece that overturns covers more of the floor
     area = bookcase.covers.sum() * 0.05**2
