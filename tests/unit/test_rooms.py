@@ -232,6 +232,17 @@ def test_the_command_line_verifies_a_room(tmp_path: Path):
     assert "ベッドにいる人" in told.stdout
 
 
+def test_a_room_is_simulated_with_all_its_pieces_together(tmp_path: Path):
+    run = changed().run()
+    assert len(run.standing) == 2
+    file = tmp_path / "room.toml"
+    file.write_text(changed().to_toml(), "utf-8")
+    told = CliRunner().invoke(app, ["simulate", str(file), "--json"])
+    assert told.exit_code == 0, told.output
+    with pytest.raises(sp.InputError, match="must go to verify_room"):
+        sp.verify(changed())
+
+
 def test_free_floor_keeps_off_walls_doors_windows_pieces_and_people():
     room = changed(windows=[{"wall": "far_side_wall", "start": 0.5, "width": 1.0, "sill": 0.9}])
     plan, whole = room.floor_plan(), room.assembly(room.stated)

@@ -237,8 +237,8 @@ def _place(number: int, question: Question, masses: dict[int, float], as_it_is: 
             names[body],
             masses[body],
             probability(one.happened.reshape(shape), missing),
-            Quantiles.of(one.speed[one.happened], np.zeros(one.happened.sum(), np.bool_)),
-            Quantiles.of(one.energy[one.happened], np.zeros(one.happened.sum(), np.bool_)),
+            _quantiles(one.speed[one.happened]),
+            _quantiles(one.energy[one.happened]),
         )
         for body, one in enumerate(events.hits[number])
         if one.happened.any()
@@ -250,3 +250,7 @@ def _place(number: int, question: Question, masses: dict[int, float], as_it_is: 
         tuple(by),
         probability(events.shut_in[number].reshape(shape), missing),
     )
+
+
+def _quantiles(values: NDArray[np.float64]) -> Quantiles:
+    return Quantiles.of(values, np.zeros(values.shape, np.bool_))
