@@ -34,6 +34,8 @@ from stayput.simulation.space_gaps import DEEPEST
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from numpy.typing import NDArray
+
     from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.rooms.runs import PartRuns, RoomPart
