@@ -41,6 +41,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "plots",
         "report",
         "room_report",
+        "rooms",
         "runs",
         "scenario",
         "several",

@@ -2,13 +2,7 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # The page, from its top to its foot
-    "report": ("Verification of a room", "部屋の地震対策 検証報告書"),
     "skip": ("Skip to the plan", "平面図へ移動"),
-    "simulations": (
-        "{runs} runs of pieces: motions × Monte Carlo samples {motions} × {samples} of the room as it is{changes}",
-        "家具の計算 合計{runs}回：現状の部屋で地震動{motions}本 × 不確かさの標本{samples}組{changes}",
-    ),
-    "with_changes": (", the rest with changes", "、残りは変更した場合"),
     "any_hit": (
         "At least one of the places where people are is hit",
         "人のいる場所の少なくとも一つに家具が当たる割合",

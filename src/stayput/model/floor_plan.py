@@ -149,7 +149,7 @@ _SHARE = quantity("", 0.0, 1.0, ("share", "割合"), "Share of the time in which
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class PersonPlace:
     """Where a person is: a box above a rectangle of the floor.
 
     Parameters
@@ -199,7 +199,9 @@ class Place:
         object.__setattr__(self, "at", (x, y))
 
     @classmethod
-    def of(cls, kind: str, at: tuple[float, float], heading: float = 0.0, name: str | None = None) -> Place:
+    def of(
+        cls, kind: str, at: tuple[float, float], heading: float = 0.0, name: str | None = None
+    ) -> PersonPlace:
         """Make a place of one of the kinds of `PLACES`, called by its kind unless it has a name."""
         preset = PLACES[word_of("rooms.kind", kind, PLACES, "kind")]
         return cls(name or kind, at, heading=heading, **preset._asdict())
@@ -231,7 +233,7 @@ class FloorPlan:
         Its doors.
     windows : sequence of Window
         Its windows.
-    places : sequence of Place
+    places : sequence of PersonPlace
         Where people are.
 
     Raises
@@ -241,7 +243,7 @@ class FloorPlan:
 
     Examples
     --------
-    >>> plan = FloorPlan(3.6, 2.7, [Door("right_wall", 0.2, 0.8)], places=[Place.of("bed", (0.6, 1.2))])
+    >>> plan = FloorPlan(3.6, 2.7, [Door("right_wall", 0.2, 0.8)], places=[PersonPlace.of("bed", (0.6, 1.2))])
     >>> plan.places[0].high
     0.75
     """
@@ -250,7 +252,7 @@ class FloorPlan:
     length: float = field(metadata=quantity("m", *ROOM_SIZE, ("room length", "部屋の奥行き（y方向）")))
     doors: tuple[Door, ...] = ()
     windows: tuple[Window, ...] = ()
-    places: tuple[Place, ...] = ()
+    places: tuple[PersonPlace, ...] = ()
 
     def __init__(
         self,
@@ -258,20 +260,15 @@ class FloorPlan:
         length: float,
         doors: Sequence[Door] = (),
         windows: Sequence[Window] = (),
-        places: Sequence[Place] = (),
+        places: Sequence[PersonPlace] = (),
     ) -> None:
-        given = {
-            "width": width,
-            "length": length,
-            "doors": list_of("doors", doors, Door),
-            "windows": list_of("windows", windows, Window),
-            "places": list_of("places", places, Place),
-        }
-        for name, value in given.items():
-            object.__setattr__(self, name, value)
+        object.__setattr__(self, "width", width)
+        object.__setattr__(self, "length", length)
+        object.__setattr__(self, "doors", list_of("doors", doors, Door))
+        object.__setattr__(self, "windows", list_of("windows", windows, Window))
+        object.__setattr__(self, "places", list_of("places", places, PersonPlace))
         check_fields(self)
-        for kind in ("doors", "windows", "places"):
-            items = given[kind]
+        for kind, items in (("doors", self.doors), ("windows", self.windows), ("places", self.places)):
             if len(items) > MOST_PLACES:
                 raise InputError("rooms.too_many", kind, count=len(items), most=MOST_PLACES)
         for kind, items in (("doors", self.doors), ("windows", self.windows)):

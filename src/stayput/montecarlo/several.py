@@ -250,17 +250,38 @@ def _places(option: int, motions: int, samples: int) -> list[tuple[int, int, int
 
 
 def shaking_of(motion: Motion, scale: float, draw: DrawOfSeveral, gravity: float) -> SpaceShaking:
-    """Return the motion of a floor under one draw: turned in plan, and leaning to the front.
+    """Return the motion of a floor under one draw, which leans along x; see `turned` and `leaning`."""
+    return leaning(turned(motion, scale, draw.direction), draw.room.lean, 0.0, gravity)
 
-    A floor that leans by a small angle is shaken by −g sin(lean) along x as well.
-    """
+
+def turned(motion: Motion, scale: float, direction: float) -> SpaceShaking:
+    """Return the motion of a floor times a scale, its x turned in plan from x towards y [rad]."""
     acceleration = scale * acceleration_of(motion)
-    if draw.direction:
-        cos, sin = math.cos(draw.direction), math.sin(draw.direction)
+    if direction:
+        cos, sin = math.cos(direction), math.sin(direction)
         x, y = acceleration[:, 0].copy(), acceleration[:, 1].copy()
         acceleration[:, 0], acceleration[:, 1] = cos * x - sin * y, sin * x + cos * y
-    acceleration[:, 0] -= gravity * math.sin(draw.room.lean)
     return SpaceShaking(acceleration, motion.dt)
+
+
+def leaning(shaking: SpaceShaking, lean: float, towards: float, gravity: float) -> SpaceShaking:
+    """Return the motion of a floor that leans: by a small angle it is shaken by −g sin(lean) as well.
+
+    Parameters
+    ----------
+    shaking : SpaceShaking
+        Of the level floor.
+    lean : float
+        How much it leans [rad].
+    towards : float
+        The direction in plan in which it goes down, from x towards y [rad].
+    gravity : float
+        g [m/s²].
+    """
+    acceleration = shaking.acceleration.copy()
+    acceleration[:, 0] -= gravity * math.sin(lean) * math.cos(towards)
+    acceleration[:, 1] -= gravity * math.sin(lean) * math.sin(towards)
+    return SpaceShaking(acceleration, shaking.dt)
 
 
 def run_draw(

@@ -15,7 +15,7 @@ import numpy as np
 from stayput.errors import InputError
 from stayput.measures import MEASURES
 from stayput.model.floor_plan import FACING, rectangle
-from stayput.rooms.runs import Part, part_with
+from stayput.rooms.runs import RoomPart, part_with
 from stayput.rooms.tracks import outline_of
 from stayput.scenario.pieces import BEHIND
 from stayput.simulation.placing import bare, placed
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.measures import Measure
-    from stayput.model.floor_plan import FloorPlan, Place
+    from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.rooms.tracks import Track
     from stayput.rooms.ways import Ways
     from stayput.scenario.room import RoomScenario
@@ -147,7 +147,7 @@ def overlap(first: NDArray[np.float64], second: NDArray[np.float64]) -> bool:
 
 def measures_tried(
     scenario: RoomScenario, whole: Assembly, bodies: tuple[int, ...]
-) -> Iterator[tuple[Change, Part]]:
+) -> Iterator[tuple[Change, RoomPart]]:
     """Yield the measures that can be put on pieces of a group, with the group as it is then held.
 
     Parameters
@@ -192,15 +192,13 @@ def places_at_walls(
         Where it may be put.
     """
     member, plan = bare(whole.members[body]), floor.plan
-    half_depth, half_length = 0.5 * np.ptp(member.solid.vertices[:, :2], axis=0)
+    half_depth, half_length = (0.5 * np.ptp(member.solid.vertices[:, :2], axis=0)).tolist()
     height = float(member.solid.vertices[:, 2].max())
     for wall, heading in FACING.items():
         if half_length > 0.5 * plan.side(wall):
             continue
-        count = max(1, math.ceil((plan.side(wall) - 2.0 * half_length) / STRIDE))
-        alongs = np.linspace(half_length, plan.side(wall) - half_length, count + 1)
         found: list[tuple[float, float]] = []
-        for along in alongs.tolist():
+        for along in _spread(half_length, plan.side(wall) - half_length):
             at = plan.on_wall(wall, along, half_depth + BEHIND)
             corners = rectangle(at, 2.0 * half_depth, 2.0 * half_length, heading)
             if floor.fits(corners, height=height, but_piece=body):
@@ -209,28 +207,30 @@ def places_at_walls(
             yield wall, found
 
 
-def other_places(place: Place, floor: FreeFloor) -> list[Place]:
+def _spread(low: float, high: float) -> list[float]:
+    """Return places from low to high, `STRIDE` apart at most; none where high is below low."""
+    if high < low:
+        return []
+    return np.linspace(low, high, max(1, math.ceil((high - low) / STRIDE)) + 1).tolist()
+
+
+def other_places(place: PersonPlace, floor: FreeFloor) -> list[PersonPlace]:
     """Return where else the place of a person may be: at the same height, turned by 90° or not.
 
     Parameters
     ----------
-    place : Place
+    place : PersonPlace
         The place.
     floor : FreeFloor
         Where it may be put.
     """
-    found: list[Place] = []
+    found: list[PersonPlace] = []
     for heading in (place.heading, place.heading + math.pi / 2.0):
-        reach = 0.5 * np.ptp(rectangle((0.0, 0.0), place.width, place.length, heading), axis=0)
-        ranges = [
-            np.linspace(half, side - half, max(1, math.ceil((side - 2.0 * half) / STRIDE)) + 1)
-            for half, side in zip(reach.tolist(), (floor.plan.width, floor.plan.length), strict=True)
-            if 2.0 * half <= side
-        ]
-        if len(ranges) < 2:
-            continue
-        for x in ranges[0].tolist():
-            for y in ranges[1].tolist():
+        half_x, half_y = (
+            0.5 * np.ptp(rectangle((0.0, 0.0), place.width, place.length, heading), axis=0)
+        ).tolist()
+        for x in _spread(half_x, floor.plan.width - half_x):
+            for y in _spread(half_y, floor.plan.length - half_y):
                 corners = rectangle((x, y), place.width, place.length, heading)
                 if floor.fits(corners, height=place.high, but_place=place.name):
                     found.append(replace(place, at=(x, y), heading=math.remainder(heading, 2.0 * math.pi)))

@@ -11,21 +11,22 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.model.floor_plan import rectangle
+from stayput.model.floor_plan import PersonPlace, rectangle
+from stayput.rooms.tracks import at_rest
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from numpy.typing import NDArray
 
-    from stayput.model.floor_plan import Place
     from stayput.rooms.tracks import Track
+    from stayput.simulation.standing import Standing
 
 SLIGHT = 1e-6
 """Length of a cross product of two unit vectors up to which they are parallel."""
 
 
-class Contact(NamedTuple):
+class RoomContact(NamedTuple):
     """A contact of a piece with the place of a person, or with another piece.
 
     The piece moves on as if nobody were there: speed and energy are upper bounds.
@@ -76,7 +77,7 @@ def _body_at(track: Track, chosen: NDArray[np.intp]) -> _Convex:
     return _Convex(track.corners(chosen), track.shape.normals @ back, track.shape.edges @ back)
 
 
-def _box_of(place: Place, count: int) -> _Convex:
+def _box_of(place: PersonPlace, count: int) -> _Convex:
     plan = rectangle(place.at, place.width, place.length, place.heading)
     corners = np.concatenate([np.column_stack((plan, np.full(4, z))) for z in (place.low, place.high)])
     sides = np.diff(plan[:3], axis=0) / np.linalg.norm(np.diff(plan[:3], axis=0), axis=1)[:, np.newaxis]
@@ -85,14 +86,21 @@ def _box_of(place: Place, count: int) -> _Convex:
     return _Convex(corners, axes, axes)
 
 
-def contact_with_place(track: Track, place: Place) -> Contact | None:
+def inside_each_other(one: Standing, other: Standing | PersonPlace) -> float:
+    """Return how deep a piece stands in another, or where a person is, at first [m]; 0 where it does not."""
+    first = np.zeros(1, np.intp)
+    box = _box_of(other, 1) if isinstance(other, PersonPlace) else _body_at(at_rest(other), first)
+    return max(0.0, -float(separation(_body_at(at_rest(one), first), box)[0]))
+
+
+def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     """Return the first contact of a piece with the place of a person, or None.
 
     Parameters
     ----------
     track : Track
         The piece's.
-    place : Place
+    place : PersonPlace
         The place; what stands in it from the beginning does not hit it by staying there.
     """
     if track.stays:
@@ -111,7 +119,7 @@ def contact_with_place(track: Track, place: Place) -> Contact | None:
     )
 
 
-def contact_between(one: Track, other: Track) -> Contact | None:
+def contact_between(one: Track, other: Track) -> RoomContact | None:
     """Return the first contact of two pieces that were run each by itself under the same motion, or None."""
     if one.stays and other.stays:
         return None
@@ -134,7 +142,7 @@ def _first(
     dt: float,
     gap_at: Callable[[NDArray[np.intp]], NDArray[np.float64]],
     energy_at: Callable[[NDArray[np.intp]], NDArray[np.float64]],
-) -> Contact | None:
+) -> RoomContact | None:
     """Return the contact from the first overlap after a gap on; ``near``: where two bodies may overlap."""
     close = np.flatnonzero(near)
     if not len(close):
@@ -152,4 +160,4 @@ def _first(
     steps = np.diff(gaps)
     together = (gaps[1:] <= 0.0) & (np.diff(chosen) == 1) & (np.arange(len(steps)) >= first)
     touching = chosen[1:][together]
-    return Contact(time, float(-steps[together].min()) / dt, float(energy_at(touching).max()))
+    return RoomContact(time, float(-steps[together].min()) / dt, float(energy_at(touching).max()))

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.model.floor_plan import FloorPlan, Place
+    from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.rooms.tracks import Track
 
 
@@ -25,7 +25,7 @@ class Hits(NamedTuple):
     Parameters
     ----------
     time, speed, energy : ndarray, shape (runs,)
-        As of `stayput.rooms.contact.Contact` [s, m/s, J].
+        As of `stayput.rooms.contact.RoomContact` [s, m/s, J].
     """
 
     time: NDArray[np.float64]
@@ -56,12 +56,17 @@ class Events:
     blocked: NDArray[np.bool_]
     shut_in: NDArray[np.bool_]
 
+    @property
+    def runs(self) -> int:
+        """How many runs there are."""
+        return self.shut_in.shape[1]
+
     def hit(self, place: int) -> NDArray[np.bool_]:
         """Return whether a place is hit by any piece, shape (runs,)."""
         return np.any([one.happened for one in self.hits[place]], axis=0)
 
 
-def hits_of(place: Place, tracks: Sequence[Track]) -> Hits:
+def hits_of(place: PersonPlace, tracks: Sequence[Track]) -> Hits:
     """Return the contacts of a piece, whose tracks are given by run, with a place."""
     found = np.full((3, len(tracks)), np.nan)
     for run, track in enumerate(tracks):

@@ -23,8 +23,8 @@ from stayput.model.room import SIDE_WALLS, WALLS_AROUND
 from stayput.model.state import State
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces
-from stayput.montecarlo.several import drawn_assembly, drawn_room, shaking_of
-from stayput.rooms.tracks import Shape, Track, track_in_plane, tracks_of
+from stayput.montecarlo.several import drawn_assembly, drawn_room, leaning, turned
+from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.placing import bare, planes_around, room_seen, standing_of
 from stayput.simulation.run import trace_held
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     from stayput.simulation.standing import Standing
 
 
-class Part(NamedTuple):
+class RoomPart(NamedTuple):
     """Pieces of a room that are run together, as they stand and are held.
 
     Parameters
@@ -87,7 +87,7 @@ def groups_of(scenario: RoomScenario) -> tuple[tuple[int, ...], ...]:
     return tuple(tuple(i for i, own in enumerate(group) if own == number) for number in sorted(set(group)))
 
 
-def part_with(scenario: RoomScenario, bodies: tuple[int, ...], whole: Assembly) -> Part:
+def part_with(scenario: RoomScenario, bodies: tuple[int, ...], whole: Assembly) -> RoomPart:
     """Return some of the members of an assembly of all pieces."""
     members = [whole.members[body] for body in bodies]
     joints = [
@@ -95,7 +95,7 @@ def part_with(scenario: RoomScenario, bodies: tuple[int, ...], whole: Assembly) 
         for joint in whole.joints
         if joint.first in bodies
     ]
-    return Part(
+    return RoomPart(
         bodies,
         Assembly(members, whole.friction, joints),
         scenario.around([bare(member) for member in members]),
@@ -126,7 +126,7 @@ class PartRuns:
 
 
 def run_parts(
-    parts: Sequence[Part],
+    parts: Sequence[RoomPart],
     drawn: Sequence[Sequence[DrawOfSeveral]],
     floors: FloorMotions,
     gravity: float,
@@ -138,7 +138,7 @@ def run_parts(
 
     Parameters
     ----------
-    parts : sequence of Part
+    parts : sequence of RoomPart
         The pieces, as stated.
     drawn : sequence of sequence of DrawOfSeveral
         The draws of all pieces of the room, by motion and sample.
@@ -168,7 +168,7 @@ def run_parts(
 
     def run(number: int, motion: int, sample: int) -> None:
         part, runs, draw = parts[number], found[number], drawn[motion][sample]
-        shaking = shaking_of(floors.motions[motion], float(floors.scales[motion]), draw, gravity)
+        shaking = turned(floors.motions[motion], float(floors.scales[motion]), draw.direction)
         act = _run_in_plane if part.in_plane else _run_in_space
         results, failed, tracks = act(part, draw.of(part.bodies), shaking, gravity)
         runs.results[motion, sample], runs.device_failed[motion, sample] = results, failed
@@ -183,9 +183,13 @@ def run_parts(
 
 
 def _run_in_space(
-    part: Part, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
+    part: RoomPart, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
 ) -> tuple[NDArray[np.void], bool, list[Track]]:
-    """Return RESULT of the pieces of a part, whether a device or joint failed, and their tracks."""
+    """Return RESULT of the pieces of a part, whether a device or joint failed, and their tracks.
+
+    The floor leans to the front of the first of them, as in the plane.
+    """
+    shaking = leaning(shaking, draw.room.lean, part.assembly.members[0].heading, gravity)
     traced = trace_assembly(
         drawn_assembly(part.assembly, draw),
         _drawn_room(part, draw),
@@ -200,7 +204,7 @@ def _run_in_space(
 
 
 def _run_in_plane(
-    part: Part, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
+    part: RoomPart, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
 ) -> tuple[NDArray[np.void], bool, list[Track]]:
     """Return the same of the one piece of a part, run in the plane across its length."""
     piece = part.assembly.members[0]
@@ -218,23 +222,14 @@ def _run_in_plane(
     cos, sin = math.cos(piece.heading), math.sin(piece.heading)
     along, up = shaking.acceleration[:, :2] @ [cos, sin], shaking.acceleration[:, 2]
     traced, devices, _ = trace_held(row[0], elements, shaking_in_plane(along, up, shaking.dt, 0))
-    standing = standing_of(piece, held)
-    shape = Shape.of(standing.solid)
-    start = Track(
-        shape,
-        np.zeros(1, np.intp),
-        standing.place[np.newaxis],
-        standing.turn[np.newaxis],
-        np.zeros(1),
-        shaking.dt,
-    )
+    start = at_rest(standing_of(piece, held), shaking.dt)
     history = traced.history
     x, z, tilt = (history[:, column] for column in (H_X, H_Z, H_TILT))
-    track = track_in_plane(shape, start, x - x[0], z - z[0], tilt)
+    track = track_in_plane(start, x - x[0], z - z[0], tilt)
     return _result(traced), bool((devices["failure"] != HOLDS).any()), [track]
 
 
-def _drawn_room(part: Part, draw: DrawOfSeveral) -> Room:
+def _drawn_room(part: RoomPart, draw: DrawOfSeveral) -> Room:
     """Return the room as drawn: the gaps behind pieces are not known well, walls further away are."""
     drawn = drawn_room(part.assembly, part.room, draw.room)
     walls = {}
@@ -255,11 +250,11 @@ def _result(traced: Traced) -> NDArray[np.void]:
 
 def placed_elsewhere(
     scenario: RoomScenario, whole: Assembly, body: int, at: tuple[float, float], heading: float
-) -> Part:
+) -> RoomPart:
     """Return a piece by itself, moved to another place of the plan."""
     member = whole.members[body]
     moved = _moved(member, (at[0], at[1], member.at[2]), heading)
-    return Part((body,), Assembly([moved]), scenario.around([bare(moved)]))
+    return RoomPart((body,), Assembly([moved]), scenario.around([bare(moved)]))
 
 
 def _moved(member: Piece | Standing, at: tuple[float, float, float], heading: float) -> Piece | Standing:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from stayput.model.solid import Solid
     from stayput.simulation.space import AssemblyTrace
+    from stayput.simulation.standing import Standing
 
 STIRS = 0.01
 """Way of a body's corner up to which it stays where it stood [m]."""
@@ -28,7 +29,7 @@ PARALLEL = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Shape:
+class ConvexShape:
     """A convex body for questions of where it is.
 
     Parameters
@@ -50,7 +51,7 @@ class Shape:
     inertia: NDArray[np.float64]
 
     @classmethod
-    def of(cls, solid: Solid) -> Shape:
+    def of(cls, solid: Solid) -> ConvexShape:
         """Return that of a solid."""
         edges = np.concatenate(
             [solid.vertices[np.roll(face, -1)] - solid.vertices[face] for face in solid.faces]
@@ -80,7 +81,7 @@ class Track:
 
     Parameters
     ----------
-    shape : Shape
+    shape : ConvexShape
         The body.
     sample : ndarray of int, shape (k,)
         Samples of the motion at which it has just moved; the first is 0.
@@ -94,7 +95,7 @@ class Track:
         Time between samples [s].
     """
 
-    shape: Shape
+    shape: ConvexShape
     sample: NDArray[np.intp]
     place: NDArray[np.float64]
     turn: NDArray[np.float64]
@@ -135,6 +136,13 @@ class Track:
         return replace(self, place=place, turn=about @ self.turn)
 
 
+def at_rest(one: Standing, dt: float = 1.0) -> Track:
+    """Return the track of a piece that stays where it stands."""
+    chosen = np.zeros(1, np.intp)
+    shape = ConvexShape.of(one.solid)
+    return Track(shape, chosen, one.place[np.newaxis], one.turn[np.newaxis], np.zeros(1), dt)
+
+
 def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the convex outline in plan of points [m], counter-clockwise, shape (n, 2)."""
     plan = corners[:, :2]
@@ -155,7 +163,7 @@ def tracks_of(traced: AssemblyTrace, dt: float) -> list[Track]:
     turns = matrices(frames_of(standing, trace.attitude))
     found: list[Track] = []
     for b, one in enumerate(standing):
-        shape, place, turn = Shape.of(one.solid), trace.place[b], turns[b]
+        shape, place, turn = ConvexShape.of(one.solid), trace.place[b], turns[b]
         moved = _stirring(shape, place, turn)
         v, w = trace.velocity[b, moved], trace.rotation_rate[b, moved]
         own = np.einsum("kji,kj->ki", turn[moved], w)
@@ -167,14 +175,12 @@ def tracks_of(traced: AssemblyTrace, dt: float) -> list[Track]:
 
 
 def track_in_plane(
-    shape: Shape, pose: Track, x: NDArray[np.float64], z: NDArray[np.float64], tilt: NDArray[np.float64]
+    pose: Track, x: NDArray[np.float64], z: NDArray[np.float64], tilt: NDArray[np.float64]
 ) -> Track:
     """Return the track of a piece that moves in the plane across its length.
 
     Parameters
     ----------
-    shape : Shape
-        The piece.
     pose : Track
         How it stands at first, alone.
     x, z : ndarray, shape (samples,)
@@ -182,6 +188,7 @@ def track_in_plane(
     tilt : ndarray, shape (samples,)
         By what it has tilted to its front from there [rad].
     """
+    shape = pose.shape
     facing = pose.turn[0] @ np.array([1.0, 0.0, 0.0])
     front = np.array([facing[0], facing[1], 0.0]) / np.hypot(facing[0], facing[1])
     place = pose.place[0] + x[:, np.newaxis] * front + z[:, np.newaxis] * [0.0, 0.0, 1.0]
@@ -201,7 +208,7 @@ def track_in_plane(
     return Track(shape, moved, place[moved], turn[moved], energy[moved], pose.dt)
 
 
-def _stirring(shape: Shape, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.intp]:
+def _stirring(shape: ConvexShape, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.intp]:
     """Return the samples at which a body is elsewhere than at the sample before, and the first."""
     if not np.isfinite(place).all():
         return np.zeros(1, np.intp)

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.fragility import Difference, Probability
-    from stayput.model.floor_plan import Door, FloorPlan, Place
+    from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
     from stayput.montecarlo.counting import Quantiles
     from stayput.rooms.changes import Change
     from stayput.scenario.room import RoomScenario
@@ -53,7 +53,7 @@ class PlaceVerdict:
 
     Parameters
     ----------
-    place : Place
+    place : PersonPlace
         The place.
     hit : Probability
         That somebody who is there is hit by any piece.
@@ -63,7 +63,7 @@ class PlaceVerdict:
         That no way leads out from there.
     """
 
-    place: Place
+    place: PersonPlace
     hit: Probability
     by: tuple[HitVerdict, ...]
     shut_in: Probability
@@ -99,7 +99,7 @@ class DoorVerdict:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class PieceInRoom:
+class RoomPiece:
     """What becomes of a piece of a room.
 
     Parameters
@@ -186,7 +186,7 @@ class RoomVerdict:
         In the order of the file.
     doors : tuple of DoorVerdict
         In the order of the file.
-    pieces : tuple of PieceInRoom
+    pieces : tuple of RoomPiece
         Those that contribute most to the risk first.
     collisions : mapping of pairs of str to Probability
         Pieces that meet; what they do afterwards is not followed.
@@ -210,7 +210,7 @@ class RoomVerdict:
     risk: float
     places: tuple[PlaceVerdict, ...]
     doors: tuple[DoorVerdict, ...]
-    pieces: tuple[PieceInRoom, ...]
+    pieces: tuple[RoomPiece, ...]
     collisions: Mapping[tuple[str, str], Probability]
     changes: tuple[ChangeVerdict, ...]
     motions: int
@@ -225,13 +225,37 @@ class RoomVerdict:
         """The best single change, or None where none makes anything better."""
         return next((one for one in self.changes if one.helps), None)
 
-    def to_html(self, path: str | Path, language: str = "en") -> Path:
-        """Write the report: one file that needs no network; see `stayput.report.room.write_report`."""
-        from stayput.report.room import write_report
+    def sentence(self, language: str = "en") -> str:
+        """Return the verdict in one sentence, in "en" or "ja"."""
+        from stayput.rooms.words import sentence_of_room
 
-        return write_report(self, path, language)
+        return sentence_of_room(self, language)
+
+    def to_json(self) -> str:
+        """Return the verdict as JSON; keys carry their units."""
+        from stayput.report.room.data import room_json
+
+        return room_json(self)
+
+    def to_markdown(self, language: str = "en") -> str:
+        """Return the verdict as Markdown, in "en" or "ja"."""
+        from stayput.report.room.markdown import room_markdown
+
+        return room_markdown(self, language)
+
+    def to_csv(self) -> str:
+        """Return the probabilities as CSV."""
+        from stayput.report.room.data import room_csv
+
+        return room_csv(self)
+
+    def report(self, path: str | Path, language: str = "en") -> Path:
+        """Write the report, one HTML file with everything in it; see `stayput.report.room`."""
+        from stayput.report.room.html import write_room_report
+
+        return write_room_report(self, path, language)
 
 
-def presence(place: Place) -> float:
+def presence(place: PersonPlace) -> float:
     """Return in what share of the 24 hours somebody is at a place."""
     return (DAY_HOURS * place.day + (24.0 - DAY_HOURS) * place.night) / 24.0

@@ -2,76 +2,43 @@
 
 from __future__ import annotations
 
-import math
 import time
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from stayput.errors import InputError, instance_of, within
-from stayput.fragility import JMA_INTENSITY, difference, probability
+from stayput.fragility import JMA_INTENSITY, probability
 from stayput.mechanics.columns import FAILED_OUTCOME
-from stayput.model.floor_plan import FACING
 from stayput.montecarlo.counting import SLIDE_LIMIT, Quantiles
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.several import draws_of_several
 from stayput.progress import bar
-from stayput.rooms.changes import Change, FreeFloor, measures_tried, other_places, places_at_walls, swept
-from stayput.rooms.events import EndOfRuns, Events, collisions, events_of, hits_of
-from stayput.rooms.runs import groups_of, part_with, placed_elsewhere, run_parts
+from stayput.rooms.contact import inside_each_other
+from stayput.rooms.effects import Answer, Question, anybody, changes_of, hits_but, risk_of
+from stayput.rooms.events import EndOfRuns, collisions, events_of
+from stayput.rooms.runs import groups_of, part_with
 from stayput.rooms.verdict import (
     ChangeVerdict,
     DoorVerdict,
     HitVerdict,
-    PieceInRoom,
     PlaceVerdict,
+    RoomPiece,
     RoomVerdict,
-    presence,
 )
-from stayput.rooms.ways import Ways
 from stayput.scenario.room import RoomScenario
 from stayput.simulation.placing import bare
+from stayput.simulation.space_gaps import DEEPEST
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from numpy.typing import NDArray
-
-    from stayput.model.floor_plan import FloorPlan, Place
+    from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.montecarlo.hazard import FloorMotions
-    from stayput.montecarlo.several import DrawOfSeveral
-    from stayput.rooms.runs import Part, PartRuns
+    from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
-    from stayput.simulation.standing import Assembly
-
-Tracks = list[list["Track"]]
-"""Where the pieces were, [body][run]."""
-
-
-class _Question(NamedTuple):
-    """What all runs of a verification share."""
-
-    scenario: RoomScenario
-    plan: FloorPlan
-    whole: Assembly
-    drawn: list[list[DrawOfSeveral]]
-    floors: FloorMotions
-    threads: int | None
-    count: Callable[[int], None]
-
-    def run(self, parts: Sequence[Part]) -> list[PartRuns]:
-        """Run parts of the room under all draws."""
-        gravity = self.scenario.gravity
-        return run_parts(parts, self.drawn, self.floors, gravity, threads=self.threads, progress=self.count)
-
-
-class _Answer(NamedTuple):
-    """What happens in the room, as it is or with a change."""
-
-    tracks: Tracks
-    missing: NDArray[np.bool_]
-    events: Events
+    from stayput.simulation.standing import Assembly, Standing
 
 
 def verify_room(
@@ -141,12 +108,12 @@ def verify_room(
             if on_progress is not None:
                 on_progress(made, max(total, made))
 
-        question = _Question(room, plan, whole, drawn, floors, threads, count)
+        question = Question(room, plan, whole, drawn, floors, threads, count)
         parts = [part_with(room, group, whole) for group in groups]
         runs = question.run(parts)
         ends = EndOfRuns(plan)
         as_it_is = _answer(ends, len(room.names), parts, runs)
-        tried = _changes(question, parts, as_it_is, ends) if changes else ()
+        tried = changes_of(question, parts, as_it_is, ends) if changes else ()
     return _verdict(
         question, parts, runs, as_it_is, ends, tried, ground_intensity(floors), limit, made, began
     )
@@ -158,10 +125,10 @@ def ground_intensity(floors: FloorMotions) -> float:
 
 
 def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Assembly) -> None:
-    """Raise `InputError` where a piece stands in a wall, or where a person is."""
+    """Raise `InputError` where a piece stands in a wall, in another piece, or where a person is."""
+    names, standing_all = scenario.names, [bare(member) for member in whole.members]
     sides = np.array([plan.width, plan.length])
-    for number, member in enumerate(whole.members):
-        standing = bare(member)
+    for number, standing in enumerate(standing_all):
         corners = standing.solid.vertices @ standing.turn.T + np.asarray(standing.at)
         low, high = corners.min(axis=0), corners.max(axis=0)
         name = f"furniture[{number}].at"
@@ -177,223 +144,33 @@ def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Ass
                 width=plan.width,
                 length=plan.length,
             )
+        others: list[tuple[Standing | PersonPlace, str]] = [
+            (other, repr(names[before])) for before, other in enumerate(standing_all[:number])
+        ]
+        others += [(place, repr(place.name)) for place in plan.places]
+        for other, called in others:
+            depth = inside_each_other(standing, other)
+            if depth > DEEPEST:
+                raise InputError(
+                    "rooms.in_another", name, name=repr(names[number]), other=called, depth=depth
+                )
 
 
-def _answer(ends: EndOfRuns, bodies: int, parts: Sequence[Part], runs: Sequence[PartRuns]) -> _Answer:
-    tracks: Tracks = [[] for _ in range(bodies)]
+def _answer(ends: EndOfRuns, bodies: int, parts: Sequence[RoomPart], runs: Sequence[PartRuns]) -> Answer:
+    tracks: list[list[Track]] = [[] for _ in range(bodies)]
     missing = np.zeros(runs[0].results.shape[:2], np.bool_)
     for part, own in zip(parts, runs, strict=True):
         missing |= (own.results["outcome"] == FAILED_OUTCOME).any(axis=-1)
         for place, body in enumerate(part.bodies):
             tracks[body] = [run[place] for run in own.tracks]
-    return _Answer(tracks, missing, events_of(ends, tracks))
-
-
-def _anybody(flags: NDArray[np.bool_], shape: tuple[int, ...]) -> NDArray[np.bool_]:
-    """Return whether something happens in any row, shape (motions, samples)."""
-    return flags.any(axis=0).reshape(shape) if len(flags) else np.zeros(shape, np.bool_)
-
-
-def _hits(events: Events, but: int | None = None) -> NDArray[np.bool_]:
-    """Return which places are hit by any piece but one, shape (places, runs)."""
-    return np.array(
-        [
-            np.any([one.happened for body, one in enumerate(hits) if body != but], axis=0)
-            if len(hits) > (but is not None)
-            else np.zeros_like(hits[0].happened)
-            for hits in events.hits
-        ],
-        np.bool_,
-    )
-
-
-def _risk(hits: NDArray[np.bool_], places: Sequence[Place], missing: NDArray[np.bool_]) -> float:
-    """Return the chance that a person is hit, weighted by how long somebody is at each place."""
-    known = ~missing.ravel()
-    if not len(hits) or not known.any():
-        return 0.0 if known.any() else math.nan
-    alone = np.prod([1.0 - presence(p) * own[known] for p, own in zip(places, hits, strict=True)], axis=0)
-    return float(np.mean(1.0 - alone))
-
-
-def _changes(
-    question: _Question, parts: Sequence[Part], as_it_is: _Answer, ends: EndOfRuns
-) -> tuple[ChangeVerdict, ...]:
-    """Return what single changes bring, the best first."""
-    scenario, plan, whole = question.scenario, question.plan, question.whole
-    ways, floor = Ways(plan), FreeFloor(plan, tuple(bare(one) for one in whole.members))
-    harmful = _harmful(as_it_is, plan, ends)
-    found: list[ChangeVerdict] = []
-    tried = [
-        (part, one)
-        for part in parts
-        if set(part.bodies) & harmful
-        for one in measures_tried(scenario, whole, part.bodies)
-    ]
-    tried = [
-        (part, (change, held))
-        for part, (change, held) in tried
-        if scenario.names.index(change.what) in harmful
-    ]
-    for (part, (change, _)), own in zip(tried, question.run([held for _, (_, held) in tried]), strict=True):
-        found.append(
-            _effect(change, dict(zip(part.bodies, zip(*own.tracks), strict=True)), question, as_it_is, ends)
-        )
-    for part in parts:
-        (body, *others) = part.bodies
-        if others or body not in harmful or not scenario.furniture[body].is_furniture:
-            continue
-        for wall, middles in places_at_walls(scenario, whole, body, floor):
-            moved = _best_at_wall(question, body, wall, middles, as_it_is, ways)
-            if moved is not None:
-                found.append(_effect(*moved, question, as_it_is, ends))
-    for number, place in enumerate(plan.places):
-        if as_it_is.events.hit(number).any():
-            other = _best_place(number, other_places(place, floor), question, as_it_is, ways)
-            if other is not None:
-                found.append(_effect_of_place(number, other, question, as_it_is))
-    return tuple(sorted(found, key=lambda one: (round(one.risk, 4), one.shut_in.estimate, one.change.effort)))
-
-
-def _harmful(as_it_is: _Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
-    """Return the pieces without which less would happen."""
-    events, missing = as_it_is.events, as_it_is.missing
-    risk = _risk(_hits(events), plan.places, missing)
-    found: set[int] = set()
-    blocked = events.blocked.sum() + events.shut_in.sum()
-    for body in range(len(as_it_is.tracks)):
-        others = [own for number, own in enumerate(as_it_is.tracks) if number != body]
-        less = _risk(_hits(events, but=body), plan.places, missing) < risk
-        if not less and blocked and others:
-            left = [ends.of(run) for run in zip(*others, strict=True)]
-            less = sum(map(sum, (flags for both in left for flags in both))) < blocked
-        if less or (blocked and not others):
-            found.add(body)
-    return found
-
-
-def _effect(
-    change: Change,
-    instead: dict[int, Sequence[Track]],
-    question: _Question,
-    as_it_is: _Answer,
-    ends: EndOfRuns,
-) -> ChangeVerdict:
-    """Return what it brings that some pieces have other tracks."""
-    tracks = [list(instead.get(body, own)) for body, own in enumerate(as_it_is.tracks)]
-    hits = tuple(
-        tuple(hits_of(place, instead[body]) if body in instead else one for body, one in enumerate(own))
-        for place, own in zip(question.plan.places, as_it_is.events.hits, strict=True)
-    )
-    found = [ends.of(run) for run in zip(*tracks, strict=True)]
-    blocked, shut = (
-        np.array([pair[i] for pair in found], np.bool_).reshape(len(found), -1).T for i in (0, 1)
-    )
-    return _compared(change, Events(hits, blocked, shut), question.plan, as_it_is)
-
-
-def _effect_of_place(number: int, place: Place, question: _Question, as_it_is: _Answer) -> ChangeVerdict:
-    """Return what it brings that a place is elsewhere."""
-    places = tuple(place if n == number else one for n, one in enumerate(question.plan.places))
-    plan = replace_places(question.plan, places)
-    hits = tuple(
-        tuple(hits_of(place, own) for own in as_it_is.tracks) if n == number else own
-        for n, own in enumerate(as_it_is.events.hits)
-    )
-    ends = EndOfRuns(plan)
-    found = [ends.of(run) for run in zip(*as_it_is.tracks, strict=True)]
-    blocked, shut = (
-        np.array([pair[i] for pair in found], np.bool_).reshape(len(found), -1).T for i in (0, 1)
-    )
-    change = Change(place.name, at=place.at, heading=place.heading)
-    return _compared(change, Events(hits, blocked, shut), plan, as_it_is)
-
-
-def replace_places(plan: FloorPlan, places: tuple[Place, ...]) -> FloorPlan:
-    """Return a plan with other places."""
-    return type(plan)(plan.width, plan.length, plan.doors, plan.windows, places)
-
-
-def _compared(change: Change, events: Events, plan: FloorPlan, as_it_is: _Answer) -> ChangeVerdict:
-    missing, shape = as_it_is.missing, as_it_is.missing.shape
-    before, after = _hits(as_it_is.events), _hits(events)
-    hit, was_hit = _anybody(after, shape), _anybody(before, shape)
-    shut, was_shut = _anybody(events.shut_in, shape), _anybody(as_it_is.events.shut_in, shape)
-    return ChangeVerdict(
-        change,
-        probability(hit, missing),
-        difference(hit, was_hit, missing),
-        probability(shut, missing),
-        difference(shut, was_shut, missing),
-        _risk(after, plan.places, missing),
-    )
-
-
-def _best_at_wall(
-    question: _Question,
-    body: int,
-    wall: str,
-    middles: list[tuple[float, float]],
-    as_it_is: _Answer,
-    ways: Ways,
-) -> tuple[Change, dict[int, Sequence[Track]]] | None:
-    """Return where along a wall a piece does least harm, and its tracks there.
-
-    It runs in the middle of those places; the tracks elsewhere are the same, shifted.
-    """
-    scenario, member = question.scenario, bare(question.whole.members[body])
-    heading = FACING[wall]
-    same = abs(math.remainder(heading - member.heading, 2.0 * math.pi)) < 1e-9
-    at = middles[len(middles) // 2]
-    if same:
-        tracks: Sequence[Track] = as_it_is.tracks[body]
-        origin = np.array(member.at[:2])
-    else:
-        part = placed_elsewhere(scenario, question.whole, body, at, heading)
-        tracks, origin = [run[0] for run in question.run([part])[0].tracks], np.array(at)
-    places = question.plan.places
-    others = _hits(as_it_is.events, but=body)
-    best, least = None, math.inf
-    for middle in middles:
-        shift = np.array(middle) - origin
-        if same and np.hypot(*shift) < 1e-3:
-            continue
-        moved = [track.moved(0.0, shift) for track in tracks]
-        over = swept(ways, moved)
-        hits = np.array(
-            [
-                own | (over & ways.covered([place.corners]).ravel()).any(axis=1)
-                for place, own in zip(places, others, strict=True)
-            ]
-        )
-        risk = _risk(hits, places, as_it_is.missing)
-        if risk < least - 1e-12:
-            best, least = (Change(scenario.names[body], at=middle, heading=heading), {body: moved}), risk
-    return best
-
-
-def _best_place(
-    number: int, others: list[Place], question: _Question, as_it_is: _Answer, ways: Ways
-) -> Place | None:
-    """Return where a place is hit least, the nearest of those that are alike."""
-    if not others:
-        return None
-    over = np.any([swept(ways, own) for own in as_it_is.tracks], axis=0)
-    here = question.plan.places[number]
-
-    def key(place: Place) -> tuple[float, float]:
-        share = (over & ways.covered([place.corners]).ravel()).any(axis=1).mean()
-        away = math.hypot(place.at[0] - here.at[0], place.at[1] - here.at[1])
-        return float(share), away + abs(math.remainder(place.heading - here.heading, math.pi))
-
-    return min(others, key=key)
+    return Answer(tracks, missing, events_of(ends, tracks))
 
 
 def _verdict(
-    question: _Question,
-    parts: Sequence[Part],
+    question: Question,
+    parts: Sequence[RoomPart],
     runs: Sequence[PartRuns],
-    as_it_is: _Answer,
+    as_it_is: Answer,
     ends: EndOfRuns,
     changes: tuple[ChangeVerdict, ...],
     intensity: float,
@@ -404,23 +181,23 @@ def _verdict(
     scenario, plan = question.scenario, question.plan
     events, missing = as_it_is.events, as_it_is.missing
     shape = missing.shape
-    hits = _hits(events)
-    risk = _risk(hits, plan.places, missing)
-    pieces: list[PieceInRoom] = []
+    hits = hits_but(events)
+    risk = risk_of(hits, plan.places, missing)
+    pieces: list[RoomPiece] = []
     masses: dict[int, float] = {}
     for part, own in zip(parts, runs, strict=True):
         for place, body in enumerate(part.bodies):
             outcomes, tracks = own.of_body(place), as_it_is.tracks[body]
             masses[body] = bare(question.whole.members[body]).solid.mass
             pieces.append(
-                PieceInRoom(
+                RoomPiece(
                     scenario.names[body],
                     part.in_plane,
                     outcomes.probabilities(slide_limit),
                     Quantiles.of(outcomes.slide, outcomes.overturned),
                     np.mean([ends.covered_by(track) for track in tracks], axis=0),
                     tracks[0].outline(0),
-                    risk - _risk(_hits(events, but=body), plan.places, missing),
+                    risk - risk_of(hits_but(events, but=body), plan.places, missing),
                 )
             )
     pieces.sort(key=lambda piece: (-round(piece.share, 9), -piece.probabilities["overturned"].estimate))
@@ -430,8 +207,8 @@ def _verdict(
         scenario=scenario,
         plan=plan,
         intensity=intensity,
-        hit=probability(_anybody(hits, shape), missing),
-        shut_in=probability(_anybody(events.shut_in, shape), missing),
+        hit=probability(anybody(hits, shape), missing),
+        shut_in=probability(anybody(events.shut_in, shape), missing),
         risk=risk,
         places=tuple(_place(number, question, masses, as_it_is) for number in range(len(plan.places))),
         doors=tuple(
@@ -453,7 +230,7 @@ def _verdict(
     )
 
 
-def _place(number: int, question: _Question, masses: dict[int, float], as_it_is: _Answer) -> PlaceVerdict:
+def _place(number: int, question: Question, masses: dict[int, float], as_it_is: Answer) -> PlaceVerdict:
     events, missing = as_it_is.events, as_it_is.missing
     shape, names = missing.shape, question.scenario.names
     by = [

@@ -8,23 +8,29 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.ndimage import distance_transform_edt, label
+from scipy import ndimage
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from numpy.typing import NDArray
 
-    from stayput.model.floor_plan import Door, FloorPlan, Place
+    from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
+
+_images: Any = ndimage  # its results depend on its arguments, which its types do not tell
 
 CELL = 0.05
 """Side of a cell [m]."""
 
 PASSAGE = 0.5
 """Width that a person needs to walk through, or out of a door [m]: about that of the shoulders."""
+
+
+def _middles(side: float) -> NDArray[np.float64]:
+    return CELL * (np.arange(max(1, round(side / CELL)), dtype=np.float64) + 0.5)
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,12 +48,12 @@ class Ways:
     @cached_property
     def x(self) -> NDArray[np.float64]:
         """Middles of the cells along x [m], shape (nx,)."""
-        return CELL * (np.arange(max(1, round(self.plan.width / CELL))) + 0.5)
+        return _middles(self.plan.width)
 
     @cached_property
     def y(self) -> NDArray[np.float64]:
         """Middles of the cells along y [m], shape (ny,)."""
-        return CELL * (np.arange(max(1, round(self.plan.length / CELL))) + 0.5)
+        return _middles(self.plan.length)
 
     def covered(self, outlines: Iterable[NDArray[np.float64]]) -> NDArray[np.bool_]:
         """Return which cells have their middles in one of convex outlines, shape (nx, ny).
@@ -107,9 +113,8 @@ class Ways:
         """Return to which of the connected parts of the walkable floor cells belong, 0 for none."""
         # a frame of one cell stands for the walls, whose faces are half a cell from the first middles
         obstacles = np.pad(covered | self._taken, 1, constant_values=True)
-        clear = CELL * (distance_transform_edt(~obstacles)[1:-1, 1:-1] - 0.5)
-        parts, _ = label(clear >= 0.5 * PASSAGE - 0.5 * CELL, structure=np.ones((3, 3)))
-        return parts
+        clear: NDArray[np.float64] = CELL * (_images.distance_transform_edt(~obstacles)[1:-1, 1:-1] - 0.5)
+        return _images.label(clear >= 0.5 * PASSAGE - 0.5 * CELL, structure=np.ones((3, 3)))[0]
 
     def _beside(self, parts: NDArray[np.int64], reach: NDArray[np.bool_]) -> set[int]:
         return set(np.unique(parts[reach]).tolist()) - {0}
@@ -120,7 +125,7 @@ class Ways:
         apart = np.hypot(self.x[:, np.newaxis] - middle[0], self.y[np.newaxis] - middle[1])
         return apart <= PASSAGE
 
-    def _at_place(self, place: Place) -> NDArray[np.bool_]:
+    def _at_place(self, place: PersonPlace) -> NDArray[np.bool_]:
         """Return the cells onto which one steps from a place: in it, or up to a passage's width beside it."""
         cos, sin = math.cos(place.heading), math.sin(place.heading)
         x, y = self.x[:, np.newaxis] - place.at[0], self.y[np.newaxis] - place.at[1]

@@ -19,13 +19,13 @@ from stayput.model.floor_plan import (
     PLACES,
     Door,
     FloorPlan,
-    Place,
+    PersonPlace,
     Window,
 )
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
 from stayput.scenario.assembly import AssemblyScenario
 from stayput.scenario.assembly_options import AssemblyUncertaintyTable
-from stayput.scenario.fields import Table, Text, between, checked, named, of, one_of
+from stayput.scenario.fields import Table, Text, between, named, of, one_of
 from stayput.scenario.tables import (
     CeilingTable,  # noqa: TC001 - pydantic reads the annotations
     FloorChoice,  # noqa: TC001 - pydantic reads the annotations
@@ -89,18 +89,18 @@ class PlaceTable(Table):
         default="bed", description="What gives the sizes, heights and shares that are not given."
     )
     at: PointInPlan = Field(description="Its middle, along x and y.")
-    heading: float = of(Place, "heading")
-    width: float | None = of(Place, "width", default=None)
-    length: float | None = of(Place, "length", default=None)
-    low: float | None = of(Place, "low", default=None)
-    high: float | None = of(Place, "high", default=None)
-    day: float | None = of(Place, "day", default=None)
-    night: float | None = of(Place, "night", default=None)
+    heading: float = of(PersonPlace, "heading")
+    width: float | None = of(PersonPlace, "width", default=None)
+    length: float | None = of(PersonPlace, "length", default=None)
+    low: float | None = of(PersonPlace, "low", default=None)
+    high: float | None = of(PersonPlace, "high", default=None)
+    day: float | None = of(PersonPlace, "day", default=None)
+    night: float | None = of(PersonPlace, "night", default=None)
 
-    def place(self) -> Place:
+    def place(self) -> PersonPlace:
         """Make the place."""
         given = self.model_dump(exclude={"name", "kind", "at", "heading"}, exclude_none=True)
-        made = Place.of(self.kind, (self.at[0], self.at[1]), self.heading, self.name)
+        made = PersonPlace.of(self.kind, (self.at[0], self.at[1]), self.heading, self.name)
         return replace(made, **given)
 
 
@@ -144,13 +144,16 @@ class RoomScenario(AssemblyScenario):
     room: RoomSurfacesTable = Field(  # pyright: ignore[reportIncompatibleVariableOverride]
         default_factory=RoomSurfacesTable, description="Floor, walls and ceiling."
     )
-    uncertainty: RoomUncertaintyTable = Field(
+    uncertainty: RoomUncertaintyTable = Field(  # pyright: ignore[reportIncompatibleVariableOverride]
         default_factory=RoomUncertaintyTable, description="How much of what is not known is tried out."
     )
 
     @model_validator(mode="after")
     def _in_the_room(self) -> Self:
-        checked("plan", self.floor_plan)
+        try:
+            self.floor_plan()
+        except InputError as error:
+            raise error.at(error.field or "plan", error.field) from None
         for number, piece in enumerate(self.furniture):
             if piece.against is not None and piece.along is None:
                 name = f"furniture[{number}].along"

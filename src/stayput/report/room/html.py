@@ -14,7 +14,7 @@ from stayput.files import check_target, draft
 from stayput.report.embedding import inks_css
 from stayput.report.room.assumptions import assumptions_of_room
 from stayput.report.room.drawing import change_plan, legend, room_plan
-from stayput.report.room.tables import (
+from stayput.report.room.rows import (
     change_rows,
     collision_rows,
     door_rows,
@@ -22,12 +22,12 @@ from stayput.report.room.tables import (
     piece_rows,
     place_rows,
 )
+from stayput.report.room.tables import sentences, simulations_of_room
 from stayput.report.verdict import numbers
 from stayput.report.verdict.html import SUFFIXES, rendered
 from stayput.report.verdict.words import word
 from stayput.rooms.verdict import DAY_HOURS
 from stayput.rooms.ways import PASSAGE
-from stayput.rooms.words import best_sentence, sentence_of_room
 from stayput.verification.words import class_label
 from stayput.wording import check_language
 
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from stayput.rooms.verdict import RoomVerdict
 
 
-def write_report(verdict: RoomVerdict, path: str | Path, language: str = "en") -> Path:
+def write_room_report(verdict: RoomVerdict, path: str | Path, language: str = "en") -> Path:
     """Write the report of a verdict on a room: one HTML file that loads nothing from elsewhere.
 
     Parameters
@@ -61,19 +61,20 @@ def write_report(verdict: RoomVerdict, path: str | Path, language: str = "en") -
     """
     check_language(language)
     target = check_target(path, SUFFIXES)
-    page = report_html(verdict, language)
+    page = room_html(verdict, language)
     with draft(target) as unfinished:
         unfinished.write_text(page, encoding="utf-8")
     return target
 
 
-def report_html(verdict: RoomVerdict, language: str = "en") -> str:
-    """Return the text of a report; see `write_report`."""
+def room_html(verdict: RoomVerdict, language: str = "en") -> str:
+    """Return the text of a report; see `write_room_report`."""
     return rendered("room/room.html", _content(verdict, language))
 
 
 def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
     text = partial(word, language=language)
+    headline, *others = sentences(verdict, language)
     moved = change_plan(verdict, language)
 
     def own(key: str, **values: object) -> str:
@@ -81,27 +82,22 @@ def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
 
     return {
         "language": language,
+        "kind": say("rooms.report", language),
         "text": text,
         "own": own,
         "numbers": numbers,
         "verdict": verdict,
-        "title": verdict.scenario.title or own("report"),
-        "headline": sentence_of_room(verdict, language),
-        "best": best_sentence(verdict, language),
+        "title": verdict.scenario.title or say("rooms.report", language),
+        "headline": headline,
+        "others": others,
         "version": stayput.__version__,
         "strength": text(
             "instrumental",
             **{"class": class_label(verdict.intensity, language), "value": f"{verdict.intensity:.2f}"},
         ),
-        "simulations": own(
-            "simulations",
-            runs=f"{verdict.runs:,}",
-            motions=verdict.motions,
-            samples=verdict.samples,
-            changes=own("with_changes") if verdict.changes else "",
-        ),
+        "simulations": simulations_of_room(verdict, language),
         "plan": Markup(room_plan(verdict, language)),
-        "legend": [(Markup(swatch), name) for swatch, name in legend(verdict)],
+        "legend": [(Markup(swatch), name) for swatch, name in legend(verdict, language)],
         "hours": {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS},
         "passage": PASSAGE,
         "ways_out": any(one.door.way_out for one in verdict.doors),
@@ -110,7 +106,7 @@ def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
         "hits": hit_rows(verdict, language),
         "doors": door_rows(verdict, language),
         "pieces": piece_rows(verdict, language),
-        "collisions": collision_rows(verdict),
+        "collisions": collision_rows(verdict, language),
         "changes": change_rows(verdict, language),
         "moved": None if moved is None else (Markup(moved[0]), moved[1]),
         "assumptions": [

@@ -15,21 +15,21 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.model.floor_plan import Place
+    from stayput.model.floor_plan import PersonPlace
     from stayput.report.room.sheet import PlanSheet
 
-Shape = tuple["NDArray[np.float64]", str]
+PlaceShape = tuple["NDArray[np.float64]", str]
 """Points in the frame of a place [m], and the class of what is drawn through them."""
 
 
-def place_svg(sheet: PlanSheet, place: Place, kind: str, title: str) -> str:
+def place_svg(sheet: PlanSheet, place: PersonPlace, kind: str, title: str) -> str:
     """Return a place, drawn as what a person of its kind lies or sits on.
 
     Parameters
     ----------
     sheet : PlanSheet
         Where it is drawn.
-    place : Place
+    place : PersonPlace
         The place.
     kind : str
         Of `stayput.model.floor_plan.PLACES`.
@@ -45,7 +45,7 @@ def place_svg(sheet: PlanSheet, place: Place, kind: str, title: str) -> str:
     return titled(title, *parts)
 
 
-def _lying(width: float, length: float) -> list[Shape]:
+def _lying(width: float, length: float) -> list[PlaceShape]:
     """Return a pillow at the head, which is at −y, and the edge of the blanket."""
     head = -0.5 * length
     pillow = rectangle((0.0, head + 0.12 * length), 0.62 * width, 0.14 * length)
@@ -53,7 +53,7 @@ def _lying(width: float, length: float) -> list[Shape]:
     return [(pillow, "soft"), (edge, "fold")]
 
 
-def _cot(width: float, length: float) -> list[Shape]:
+def _cot(width: float, length: float) -> list[PlaceShape]:
     """Return a pillow, and bars on both sides."""
     bars = [
         (np.array([[side * 0.5 * width, y], [side * 0.4 * width, y]]), "fold")
@@ -63,7 +63,7 @@ def _cot(width: float, length: float) -> list[Shape]:
     return [(rectangle((0.0, -0.36 * length), 0.5 * width, 0.14 * length), "soft"), *bars]
 
 
-def _chair(width: float, length: float) -> list[Shape]:
+def _chair(width: float, length: float) -> list[PlaceShape]:
     """Return a chair with its back at −x."""
     return [
         (rectangle((0.04 * width, 0.0), 0.6 * width, 0.62 * length), "soft"),
@@ -71,7 +71,7 @@ def _chair(width: float, length: float) -> list[Shape]:
     ]
 
 
-def _sofa(width: float, length: float) -> list[Shape]:
+def _sofa(width: float, length: float) -> list[PlaceShape]:
     """Return a back at −x, and arms."""
     arms = [
         (rectangle((0.1 * width, side * 0.45 * length), 0.8 * width, 0.1 * length), "soft")
@@ -80,7 +80,7 @@ def _sofa(width: float, length: float) -> list[Shape]:
     return [(rectangle((-0.39 * width, 0.0), 0.22 * width, length), "soft"), *arms]
 
 
-def _ball(width: float, length: float) -> list[Shape]:
+def _ball(width: float, length: float) -> list[PlaceShape]:
     """Return a ball."""
     angle = np.linspace(0.0, 2.0 * math.pi, 24, endpoint=False)
     radius = 0.12 * min(width, length)
@@ -88,7 +88,7 @@ def _ball(width: float, length: float) -> list[Shape]:
     return [(middle + radius * np.column_stack([np.cos(angle), np.sin(angle)]), "soft")]
 
 
-_INSIDE: dict[str, Callable[[float, float], list[Shape]]] = {
+_INSIDE: dict[str, Callable[[float, float], list[PlaceShape]]] = {
     "bed": _lying,
     "futon": _lying,
     "cot": _cot,

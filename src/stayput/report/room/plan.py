@@ -15,7 +15,7 @@ from stayput.report.room.sheet import PlanSheet, titled
 from stayput.report.room.walls import door_svg, scale_svg, walls_svg, window_svg
 from stayput.report.verdict import svg
 from stayput.rooms.ways import CELL
-from stayput.rooms.words import door_name, place_name
+from stayput.rooms.words import door_name, piece_name, place_name
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -86,6 +86,7 @@ def plan_svg(
     sheet, told = PlanSheet(plan), notes or {}
     places = [say(place_name(place), language) for place in plan.places]
     doors = [say(door_name(door), language) for door in plan.doors]
+    called = [say(piece_name(piece.name), language) for piece in pieces]
     colon = say("common.colon", language)
 
     def title(name: str, key: str) -> str:
@@ -97,13 +98,13 @@ def plan_svg(
         content.append(place_svg(sheet, place, kind, title(name, place.name)))
         labels.append(PlanLabel(_lines(name, place.name, told), sheet.box_of(place.corners)))
     content += [
-        titled(title(piece.name, piece.name), covers_svg(sheet, piece.covers, piece.look))
-        for piece in pieces
+        titled(title(name, piece.name), covers_svg(sheet, piece.covers, piece.look))
+        for piece, name in zip(pieces, called, strict=True)
         if piece.covers is not None
     ]
-    for piece in pieces:
-        content.append(titled(title(piece.name, piece.name), _piece_svg(sheet, piece)))
-        labels.append(PlanLabel(_lines(piece.name, piece.name, told), sheet.box_of(piece.outline)))
+    for piece, name in zip(pieces, called, strict=True):
+        content.append(titled(title(name, piece.name), _piece_svg(sheet, piece)))
+        labels.append(PlanLabel(_lines(name, piece.name, told), sheet.box_of(piece.outline)))
     content += [window_svg(sheet, window, language) for window in plan.windows]
     for door, name in zip(plan.doors, doors, strict=True):
         opens = say(f"room_report.{door.opens}", language)
@@ -116,7 +117,7 @@ def plan_svg(
     if moved is not None:
         content.append(_moved_svg(sheet, *moved))
     content += [scale_svg(sheet, language), names_svg(labels, things, sheet.floor)]
-    listed = say("common.listed", language).join((*places, *(piece.name for piece in pieces), *doors))
+    listed = say("common.listed", language).join((*places, *called, *doors))
     name = say("room_report.plan_alt", language, width=plan.width, length=plan.length, content=listed)
     return svg.drawing(*sheet.size, content, name, "plan-room")
 

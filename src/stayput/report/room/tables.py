@@ -1,198 +1,97 @@
-"""A verdict on a room as rows of texts and probabilities."""
+"""A verdict on a room as tables of texts, for terminal and Markdown."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from stayput.catalogue import say
-from stayput.fragility.probabilities import percent
-from stayput.montecarlo.counting import OVERTURNED, SLID
+from stayput.catalogue import phrase, say
 from stayput.report.verdict import numbers
-from stayput.rooms.words import change_label, door_name, place_name
+from stayput.rooms.words import (
+    best_sentence,
+    change_label,
+    door_name,
+    piece_name,
+    place_name,
+    sentence_of_room,
+)
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from stayput.fragility import Probability
-    from stayput.montecarlo.counting import Quantiles
-    from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
+    from stayput.rooms.verdict import RoomVerdict
 
 
-class PlaceRow(NamedTuple):
-    """A place of a person as it is read.
+@dataclass(frozen=True, slots=True)
+class TextTable:
+    """A table of texts, with what is said below it; without rows it is left out."""
 
-    Parameters
-    ----------
-    name : str
-        What it is called.
-    hit : Probability
-        That any piece hits who is there.
-    times : tuple of (str, str)
-        By day and at night: how often somebody is there and hit, and how often somebody is there.
-    shut_in : Probability
-        That no way leads out from there.
-    """
-
-    name: str
-    hit: Probability
-    times: tuple[tuple[str, str], ...]
-    shut_in: Probability
+    headings: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    below: str = ""
 
 
-class HitRow(NamedTuple):
-    """What hits a place, as it is read: the median and the 90 % quantile of its speed and energy."""
-
-    place: str
-    piece: str
-    chance: Probability
-    speed: tuple[str, str]
-    energy: tuple[str, str]
-    mass: str
+def sentences(verdict: RoomVerdict, language: str) -> tuple[str, ...]:
+    """Return what is said above the tables."""
+    best = best_sentence(verdict, language)
+    return (sentence_of_room(verdict, language), *([best] if best else []))
 
 
-class DoorRow(NamedTuple):
-    """A door as it is read."""
+def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
+    """Return who is hit by what, which ways out are blocked, and what single changes bring."""
 
-    name: str
-    wall: str
-    opens: str
-    leads_out: str
-    blocked: Probability
-    at_rest: bool
+    def texts(*keys: str) -> tuple[str, ...]:
+        return tuple(say(f"rooms.{key}", language) for key in keys)
 
-
-class PieceRow(NamedTuple):
-    """A piece as it is read: its slide is the median and the 90 % quantile of the peak."""
-
-    name: str
-    overturned: Probability
-    slid: Probability
-    slide: tuple[str, str]
-    contribution: str
-    engine: str
-
-
-class ChangeRow(NamedTuple):
-    """A single change as it is read.
-
-    Parameters
-    ----------
-    label : str
-        What it consists of.
-    kind : str
-        Key of what can be said of it: "better", "worse" or "chance".
-    hit, shut_in : Probability
-        That a place is hit, and that no way leads out from one.
-    hit_change, shut_in_change : str
-        Their differences from the room as it is.
-    risk : str
-        How often somebody is hit, by the hours that people are at each place.
-    """
-
-    label: str
-    kind: str
-    hit: Probability
-    hit_change: str
-    shut_in: Probability
-    shut_in_change: str
-    risk: str
-
-
-def place_rows(verdict: RoomVerdict, language: str) -> list[PlaceRow]:
-    """Return the places in the order of the file."""
-    return [
-        PlaceRow(
-            say(place_name(one.place), language),
-            one.hit,
-            tuple(
-                (numbers.share(chance, language), _own("presence", language, numbers.share(there, language)))
-                for chance, there in ((one.by_day, one.place.day), (one.by_night, one.place.night))
-            ),
-            one.shut_in,
+    hits: list[tuple[str, ...]] = []
+    for place in verdict.places:
+        shares = (numbers.share(one, language) for one in (place.by_day, place.by_night))
+        name = say(place_name(place.place), language)
+        hits.append(
+            (name, *texts("any_piece"), numbers.with_interval(place.hit, language), *shares, "", "", "")
         )
-        for one in verdict.places
-    ]
-
-
-def _own(key: str, language: str, share: str) -> str:
-    return say(f"room_report.{key}", language, share=share)
-
-
-def hit_rows(verdict: RoomVerdict, language: str) -> list[HitRow]:
-    """Return what hits each place, the most frequent first."""
-    return [
-        HitRow(
-            say(place_name(place.place), language),
-            hit.piece,
-            hit.probability,
-            _two(hit.speed, numbers.speed),
-            _two(hit.energy, numbers.energy),
-            numbers.mass(hit.mass),
-        )
-        for place in verdict.places
-        for hit in place.by
-    ]
-
-
-def _two(quantiles: Quantiles, show: Callable[[float], str]) -> tuple[str, str]:
-    return show(quantiles.median), show(quantiles.p90)
-
-
-def door_rows(verdict: RoomVerdict, language: str) -> list[DoorRow]:
-    """Return the doors in the order of the file."""
-    return [
-        DoorRow(
-            say(door_name(one.door), language),
-            say(f"rooms.{one.door.wall}", language),
-            say(f"room_report.{one.door.opens}", language),
-            say(f"room_report.{'yes' if one.door.way_out else 'no'}", language),
-            one.blocked,
-            one.at_rest,
-        )
-        for one in verdict.doors
-    ]
-
-
-def piece_rows(verdict: RoomVerdict, language: str) -> list[PieceRow]:
-    """Return the pieces, those that contribute most first."""
-    room = verdict.scenario.surroundings()
-    return [
-        PieceRow(
-            one.name,
-            one.probabilities[OVERTURNED],
-            one.probabilities[SLID],
-            numbers.slides(one.slide, room, language),
-            say("room_report.points", language, value=percent(one.share)),
-            say(f"room_report.{'in_plane' if one.in_plane else 'in_space'}", language),
-        )
-        for one in verdict.pieces
-    ]
-
-
-def collision_rows(verdict: RoomVerdict) -> list[tuple[str, str, Probability]]:
-    """Return the pairs of pieces that meet, the most frequent first."""
-    rows = [(first, second, chance) for (first, second), chance in verdict.collisions.items() if chance.fell]
-    return sorted(rows, key=lambda row: -row[2].estimate)
-
-
-def change_rows(verdict: RoomVerdict, language: str) -> list[ChangeRow]:
-    """Return the single changes, the best first."""
-    return [
-        ChangeRow(
+        for one in place.by:
+            values = f"{one.speed.median:.1f} m/s", f"{one.energy.median:.3g} J", f"{one.mass:.4g} kg"
+            hits.append(
+                (
+                    "",
+                    say(piece_name(one.piece), language),
+                    numbers.with_interval(one.probability, language),
+                    "",
+                    "",
+                    *values,
+                )
+            )
+    ways = [(phrase("rooms.door_blocked", door=door_name(door.door)), door.blocked) for door in verdict.doors]
+    if any(door.door.way_out for door in verdict.doors):
+        ways += [
+            (phrase("rooms.place_shut_in", place=place_name(place.place)), place.shut_in)
+            for place in verdict.places
+        ]
+    changes = [
+        (
             change_label(one.change, verdict, language),
-            _kind(one),
-            one.hit,
+            numbers.with_interval(one.hit, language),
             numbers.change(one.hit_change, language),
-            one.shut_in,
-            numbers.change(one.shut_in_change, language),
-            numbers.share(one.risk, language),
+            numbers.with_interval(one.shut_in, language),
         )
         for one in verdict.changes
     ]
+    stuck = any(door.at_rest for door in verdict.doors)
+    return (
+        TextTable(
+            texts("who", "by", "chance", "day", "night", "speed", "energy", "mass"),
+            tuple(hits),
+            *texts("upper_bounds"),
+        ),
+        TextTable(
+            texts("way", "chance"),
+            tuple((say(label, language), numbers.with_interval(chance, language)) for label, chance in ways),
+            *(texts("blocked_at_rest") if stuck else ()),
+        ),
+        TextTable(texts("change", "hit_then", "hit_less", "shut_in_then"), tuple(changes)),
+    )
 
 
-def _kind(one: ChangeVerdict) -> str:
-    if one.helps:
-        return "better"
-    worse = any(change.clear and change.estimate > 0.0 for change in (one.hit_change, one.shut_in_change))
-    return "worse" if worse else "chance"
+def simulations_of_room(verdict: RoomVerdict, language: str) -> str:
+    """Return how many runs the verdict rests on."""
+    values = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "samples": verdict.samples}
+    return say("rooms.simulations", language, **values)
