@@ -144,7 +144,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "better": ("clearly better", "明らかに良くなる"),
     "worse": ("something gets worse", "悪くなる点がある"),
     "chance": ("may be chance", "偶然の差かもしれない"),
-    "no_changes": ("No changes were tried.", "変更は試していません。"),
+    "no_changes": ("No changes were compared.", "比較した変更はありません。"),
     "moved_alt": ("Plan of the room with this change: {change}", "変更後の平面図：{change}"),
     "moved_text": (
         "{change}. The dashed outline is where it stands now.",

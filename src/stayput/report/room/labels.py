@@ -35,16 +35,25 @@ class PlanLabel(NamedTuple):
     ----------
     lines : tuple of str
         Its lines.
+    note : str
+        What is told below it; empty for nothing.
     box : tuple of float
         The rectangle of what it names [px].
     """
 
     lines: tuple[str, ...]
+    note: str
     box: Box
 
+    @property
+    def texts(self) -> list[tuple[str, str]]:
+        """All lines with their classes."""
+        lines = [(line, "name halo") for line in self.lines]
+        return [*lines, (self.note, "note halo")] if self.note else lines
 
-def wrapped(name: str, *more: str) -> tuple[str, ...]:
-    """Return a name as at most two lines, cut where it is longer, and lines that follow as they are."""
+
+def wrapped(name: str) -> tuple[str, ...]:
+    """Return a name as at most two lines, cut where it is longer."""
     words, lines = name.split(), [""]
     for word in words:
         joined = f"{lines[-1]} {word}".strip()
@@ -55,7 +64,7 @@ def wrapped(name: str, *more: str) -> tuple[str, ...]:
     kept = lines[:2]
     if len(lines) > 2:
         kept[-1] += "…"
-    return (*(_cut(line) for line in kept), *more)
+    return tuple(_cut(line) for line in kept)
 
 
 def _cut(line: str) -> str:
@@ -92,8 +101,8 @@ def names_svg(labels: Sequence[PlanLabel], things: Sequence[Box], floor: Box) ->
         taken.append(box)
         middle, top = 0.5 * (box[0] + box[2]), box[1]
         found += [
-            svg.label(middle, top + LINE * (row + 0.78), line, "name halo" if row == 0 else "name halo more")
-            for row, line in enumerate(label.lines)
+            svg.label(middle, top + LINE * (row + 0.78), line, class_)
+            for row, (line, class_) in enumerate(label.texts)
         ]
     return "".join(found)
 
@@ -101,7 +110,8 @@ def names_svg(labels: Sequence[PlanLabel], things: Sequence[Box], floor: Box) ->
 def _candidates(label: PlanLabel) -> list[Box]:
     """Return rectangles for a name: in the middle of what it names, then at its sides."""
     x0, y0, x1, y1 = label.box
-    wide, high = FONT * max(map(_width, label.lines)) + 4.0, LINE * len(label.lines)
+    wide = FONT * max(_width(line) for line, _ in label.texts) + 4.0
+    high = LINE * len(label.texts)
     x, y = 0.5 * (x0 + x1), 0.5 * (y0 + y1)
     dx, dy, gap = 0.5 * wide, 0.5 * high, 3.0
     middles = [

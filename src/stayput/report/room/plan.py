@@ -96,7 +96,7 @@ def plan_svg(
     content = [walls_svg(sheet)]
     for place, kind, name in zip(plan.places, kinds, places, strict=True):
         content.append(place_svg(sheet, place, kind, title(name, place.name)))
-        labels.append(PlanLabel(_lines(name, place.name, told), sheet.box_of(place.corners)))
+        labels.append(PlanLabel(wrapped(name), told.get(place.name, ""), sheet.box_of(place.corners)))
     content += [
         titled(title(name, piece.name), covers_svg(sheet, piece.covers, piece.look))
         for piece, name in zip(pieces, called, strict=True)
@@ -104,14 +104,16 @@ def plan_svg(
     ]
     for piece, name in zip(pieces, called, strict=True):
         content.append(titled(title(name, piece.name), _piece_svg(sheet, piece)))
-        labels.append(PlanLabel(_lines(name, piece.name, told), sheet.box_of(piece.outline)))
+        labels.append(PlanLabel(wrapped(name), told.get(piece.name, ""), sheet.box_of(piece.outline)))
     content += [window_svg(sheet, window, language) for window in plan.windows]
     for door, name in zip(plan.doors, doors, strict=True):
         opens = say(f"room_report.{door.opens}", language)
         name_of = say("common.aside", language, content=opens)
         content.append(door_svg(sheet, door, title(name + name_of, door.name)))
         labels.append(
-            PlanLabel(_lines(name, door.name, told), _before(sheet, door.wall, door.start, door.width))
+            PlanLabel(
+                wrapped(name), told.get(door.name, ""), _before(sheet, door.wall, door.start, door.width)
+            )
         )
     things = [label.box for label in labels[: len(plan.places) + len(pieces)]]
     if moved is not None:
@@ -120,10 +122,6 @@ def plan_svg(
     listed = say("common.listed", language).join((*places, *called, *doors))
     name = say("room_report.plan_alt", language, width=plan.width, length=plan.length, content=listed)
     return svg.drawing(*sheet.size, content, name, "plan-room")
-
-
-def _lines(name: str, key: str, told: Mapping[str, str]) -> tuple[str, ...]:
-    return wrapped(name, *([told[key]] if key in told else []))
 
 
 def _before(sheet: PlanSheet, wall: str, start: float, width: float) -> Box:

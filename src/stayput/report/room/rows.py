@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
 
 
+KINDS = ("better", "chance", "worse")
+"""What can be said of a change: that it clearly helps, nothing, or that something clearly gets worse."""
+
+
 class PlaceRow(NamedTuple):
     """A place of a person as it is read.
 
@@ -80,7 +84,7 @@ class ChangeRow(NamedTuple):
     label : str
         What it consists of.
     kind : str
-        Key of what can be said of it: "better", "worse" or "chance".
+        What can be said of it, of `KINDS`.
     hit, shut_in : Probability
         That a place is hit, and that no way leads out from one.
     hit_change, shut_in_change : str
@@ -162,7 +166,9 @@ def piece_rows(verdict: RoomVerdict, language: str) -> list[PieceRow]:
             one.probabilities[OVERTURNED],
             one.probabilities[SLID],
             numbers.slides(one.slide, room, language),
-            say("room_report.points", language, value=percent(one.share)),
+            say("room_report.points", language, value=percent(one.share))
+            if verdict.places
+            else numbers.NO_NUMBER,
             say(f"room_report.{'in_plane' if one.in_plane else 'in_space'}", language),
         )
         for one in verdict.pieces
@@ -180,8 +186,8 @@ def collision_rows(verdict: RoomVerdict, language: str) -> list[tuple[str, str, 
 
 
 def change_rows(verdict: RoomVerdict, language: str) -> list[ChangeRow]:
-    """Return the single changes, the best first."""
-    return [
+    """Return the single changes: those that clearly help, the best first, then the others."""
+    rows = [
         ChangeRow(
             change_label(one.change, verdict, language),
             _kind(one),
@@ -193,6 +199,7 @@ def change_rows(verdict: RoomVerdict, language: str) -> list[ChangeRow]:
         )
         for one in verdict.changes
     ]
+    return sorted(rows, key=lambda row: KINDS.index(row.kind))
 
 
 def _kind(one: ChangeVerdict) -> str:
