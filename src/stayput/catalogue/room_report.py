@@ -116,8 +116,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "転倒した場合は数値を示しません。"
         ),
     ),
-    "share": ("Contribution", "寄与"),
-    "points": ("{value} points", "{value}ポイント"),
+    "share": ("Contribution, points", "寄与（ポイント）"),
     "engine": ("Simulated", "計算"),
     "in_plane": ("in the plane across its length", "断面（奥行き方向の平面）"),
     "in_space": ("in space", "三次元"),
@@ -145,7 +144,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "worse": ("something gets worse", "悪くなる点がある"),
     "chance": ("may be chance", "偶然の差かもしれない"),
     "no_changes": ("No changes were compared.", "比較した変更はありません。"),
-    "moved_alt": ("Plan of the room with this change: {change}", "変更後の平面図：{change}"),
     "moved_text": (
         "{change}. The dashed outline is where it stands now.",
         "{change}。破線は現在の位置です。",

@@ -166,9 +166,7 @@ def piece_rows(verdict: RoomVerdict, language: str) -> list[PieceRow]:
             one.probabilities[OVERTURNED],
             one.probabilities[SLID],
             numbers.slides(one.slide, room, language),
-            say("room_report.points", language, value=percent(one.share))
-            if verdict.places
-            else numbers.NO_NUMBER,
+            percent(one.share) if verdict.places else numbers.NO_NUMBER,
             say(f"room_report.{'in_plane' if one.in_plane else 'in_space'}", language),
         )
         for one in verdict.pieces
