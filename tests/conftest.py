@@ -13,6 +13,8 @@ from typing import Any
 
 import pytest
 
+from stayput.execution import cores
+
 APP = Path(__file__).parent / "app"
 
 compiling = pytest.StashKey[subprocess.Popen[bytes]]()
@@ -23,7 +25,7 @@ def load_solvers() -> None:
     """Run each compiled entry point of the mechanics once: from the cache on disk, or compiled into it."""
     import numpy as np
 
-    from stayput import Body, Room, State
+    from stayput import Body, Motion, Room, State, simulate
     from stayput.mechanics.devices.runner import no_elements, trace_with_devices
     from stayput.mechanics.runner import shaking, trace
     from stayput.simulation.flat_fields import case_columns
@@ -32,6 +34,7 @@ def load_solvers() -> None:
     motion = shaking(np.zeros(2), None, 0.01, 0)
     trace(case, motion)
     trace_with_devices(case, no_elements(1), motion)
+    simulate(Body(0.4, 1.6, length=0.8), Room(), Motion(dt=0.01, x=np.zeros(2)), dimensions=3)
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -49,6 +52,13 @@ def pytest_sessionstart(session: pytest.Session) -> None:
     config = session.config
     if config.pluginmanager.hasplugin("dsession") and not config.option.collectonly:
         config.stash[compiling] = subprocess.Popen([sys.executable, __file__])
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
+    """Start one worker more than there are cores: tests of pages wait for Chromium much of the time."""
+    del config
+    return cores() + 1
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -29,7 +29,7 @@ WAIT = 60_000
 COMPILING = 300_000
 """How long what is compiled first may take [ms]."""
 
-FEW = 8
+FEW = 4
 
 
 @pytest.fixture(scope="module")

@@ -134,6 +134,13 @@ def test_the_reply_is_small(client: httpx.Client) -> None:
     assert len(gzip.compress(answer.content)) < 250_000  # 30 s, twice
 
 
+def test_both_runs_are_drawn_to_one_scale(client: httpx.Client) -> None:
+    answer = simulated(client, SPACE, BELT)
+    one, other = (answer[which]["scene"]["view"] for which in ("without", "with"))
+    assert one == other
+    assert answer["with"]["pieces"][0]["peak_tilt_rad"] != answer["without"]["pieces"][0]["peak_tilt_rad"]
+
+
 def test_a_verification_in_space(client: httpx.Client) -> None:
     suite = {"suite": {"count": 4}, "intensity": 6.5}
     scene = {**SPACE, "shaking": suite, "uncertainty": {"samples": 4}}
@@ -229,7 +236,7 @@ def test_a_scenario_file_of_several_pieces_is_read(client: httpx.Client) -> None
             '[[furniture]]\nname = "stone"\nmesh = "/etc/passwd"\nunit = "m"\nmass = 3.0',
             "scene.furniture[0].mesh",
         ),
-        ('[[furniture]]\nname = "box"\nwidth = 0.4\nmass = 3.0', "scene.furniture"),
+        ('[[furniture]]\nname = "box"\nwidth = 0.4\nmass = 3.0', "scene.furniture[0]"),
         ('[furniture]\npreset = "chest"\n[shaking]\nrecord = "kobe.csv"', "scene.shaking.record"),
     ],
     ids=["no TOML", "a mesh", "half a box", "a record's file"],

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import pytest
-from browsing import WAIT, browser  # noqa: F401
+from browsing import DESK, PHONE, WAIT, browser  # noqa: F401
 from playwright.sync_api import expect
 
 import stayput as sp
@@ -61,6 +61,35 @@ def test_the_report_draws_its_scenes_under_any_name(browser: Browser, tmp_path: 
     for state in page.locator(".pair .state").all():
         expect(state).to_contain_text("°", timeout=WAIT)
     assert page.locator(".pair canvas").count() >= 1
+    assert not said
+    page.close()
+
+
+@pytest.mark.parametrize("size", [PHONE, DESK])
+def test_players_in_a_report_are_shown_whole(
+    browser: Browser,  # noqa: F811
+    tmp_path: Path,
+    size: dict[str, int],
+) -> None:
+    scenario = sp.Scenario.parse(
+        {
+            "furniture": {"preset": "bookcase"},
+            "dimensions": 3,
+            "shaking": {"sine": {"amplitude": 4.0, "frequency": 1.0, "duration": 1.0}},
+            "measures": [{"type": "anti_slip_sheet"}],
+            "uncertainty": {"samples": 1},
+        }
+    )
+    verify(scenario, levels=[], threads=1, progress=False).report(tmp_path / "report.html")
+    page, said = opened(browser, tmp_path / "report.html")
+    page.set_viewport_size(size)  # type: ignore[arg-type]
+    player = page.locator("iframe").first
+    player.scroll_into_view_if_needed()
+    page.wait_for_function("document.querySelector('iframe').style.height !== ''")
+    frame = page.frames[1]
+    frame.wait_for_function("document.documentElement.scrollHeight <= innerHeight")
+    frame.wait_for_function("document.documentElement.scrollWidth <= innerWidth")
+    assert page.evaluate("document.documentElement.scrollWidth") <= size["width"]
     assert not said
     page.close()
 

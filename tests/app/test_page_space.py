@@ -13,13 +13,14 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe
 from browsing import COMPILING, DESK, PHONE, browser, opened  # noqa: F401
 from PIL import Image
+from playwright.sync_api import expect
 from test_space_in_browser import NO_WEBGL, coloured, differ
 
 from stayput.scenario import Scenario
 
 if TYPE_CHECKING:
     from browsing import Opened
-    from playwright.sync_api import Browser, FilePayload
+    from playwright.sync_api import Browser, FilePayload, Route
     from serving import Running
 
 LINK = (
@@ -46,8 +47,9 @@ sine = { amplitude = 6.0, frequency = 1.0, duration = 4.0 }
 """
 
 
-def scenario_file(text: str, name: str = "dresser.toml") -> FilePayload:
-    return {"name": name, "mimeType": "application/toml", "buffer": text.encode()}
+def scenario_file(text: str | bytes, name: str = "dresser.toml") -> FilePayload:
+    content = text if isinstance(text, bytes) else text.encode()
+    return {"name": name, "mimeType": "application/toml", "buffer": content}
 
 
 def drop(it: Opened, text: str) -> None:
@@ -155,6 +157,17 @@ def test_a_new_scene_is_seen_from_where_the_one_before_was(browser: Browser, ser
         assert differ(picture(it), seen) > 0.1
 
 
+def test_no_number_is_a_negative_zero(browser: Browser, server: Running) -> None:
+    with opened(browser, server, LINK) as it:
+        shown = it.page.evaluate(
+            """([given]) => Promise.all([import("/canvas/digits.js"), import("/words.js")]).then(
+              ([{ digits }, { number }]) => given.map((one) => [digits(one, 1), number(one, 1)]))""",
+            [[-0.0, -0.04, -0.05, 0.04, -1.25, 12.345]],
+        )
+        assert [one for one, _ in shown] == ["0.0", "0.0", "−0.1", "0.0", "−1.3", "12.3"]
+        assert [one for _, one in shown] == ["0.0", "0.0", "-0.1", "0.0", "-1.3", "12.3"]
+
+
 def test_histories_and_sentences_are_those_of_space(browser: Browser, server: Running) -> None:
     with opened(browser, server, BELTED) as it:
         it.page.locator("#time").fill("1000")
@@ -223,6 +236,33 @@ def test_the_scene_and_its_films_can_be_kept(browser: Browser, server: Running) 
         assert "webgl2" in Path(found.value.path()).read_text(encoding="utf-8")
 
 
+def test_a_film_that_is_being_drawn_says_so_and_so_does_one_that_failed(
+    browser: Browser, server: Running
+) -> None:
+    with opened(browser, server, LINK, allowed=("status of 503",)) as it:
+        held: list[Route] = []
+        it.page.route("**/simulate/film*", lambda route: held.append(route))
+        button, other = it.page.locator("#gif-without"), it.page.locator("#html-without")
+        it.go("keep")
+        button.click()
+        expect(button).to_have_text("Drawing …")
+        expect(button).to_be_disabled()
+        expect(other).to_be_enabled()
+        it.page.click("#languages button[lang=ja]")
+        expect(button).to_have_text("作成中…")
+        it.page.click("#languages button[lang=en]")
+        held.pop().fulfill(status=503, json={"message": "busy", "message_ja": "busy", "field": None})
+        expect(button).to_have_text("Animation without measures (GIF)")
+        expect(button).to_be_enabled()
+        expect(it.page.locator("#kept")).to_contain_text("busy")
+        with it.page.expect_download():
+            button.click()
+            expect(button).to_have_text("Drawing …")
+            held.pop().fulfill(body=b"GIF89a", content_type="image/gif")
+        expect(button).to_be_enabled()
+        assert it.text("#kept") == ""
+
+
 def test_a_file_of_several_pieces_is_shown_until_the_scene_changes(browser: Browser, server: Running) -> None:
     with opened(browser, server) as it:
         drop(it, PIECES)
@@ -232,7 +272,15 @@ def test_a_file_of_several_pieces_is_shown_until_the_scene_changes(browser: Brow
         it.page.locator("#time").fill("500")
         assert min(coloured(picture(it))) > 0.01  # blue below, orange above
         assert "upper part: " in it.text("#story")
-        assert it.page.locator("#toml").is_disabled()
+        assert it.text("#pieces-key").split("\n") == ["lower part", "upper part"]
+        stage, pieces = (it.page.locator(one).bounding_box() for one in ("#space-without", "#pieces"))
+        assert stage
+        assert pieces
+        assert stage["y"] < pieces["y"]  # a long list does not push the picture away
+        with it.page.expect_download() as found:
+            it.page.click("#toml")
+        assert found.value.suggested_filename == "dresser.toml"
+        assert Path(found.value.path()).read_text(encoding="utf-8") == PIECES
         it.page.wait_for_selector("#understand[data-state=pieces]")
         assert "for one piece" in it.text("#state")
         it.page.click("#languages button[lang=ja]")
@@ -249,14 +297,95 @@ def test_a_file_of_several_pieces_is_shown_until_the_scene_changes(browser: Brow
         assert it.page.locator("#pieces").is_hidden()
 
 
-def test_scenario_files_that_are_not_shown_say_why(browser: Browser, server: Running) -> None:
-    with opened(browser, server, allowed=("status of 422",)) as it:
-        it.page.set_input_files("#file", scenario_file('[furniture]\npreset = "chest"'))
-        it.page.wait_for_selector("#uploaded :text('This scenario has one piece')")
-        stone = '[[furniture]]\nname = "stone"\nmesh = "stone.stl"\nunit = "m"\nmass = 3.0'
-        it.page.set_input_files("#file", scenario_file(stone))
-        it.page.wait_for_selector("#uploaded :text('stone')")
+def test_a_file_of_several_pieces_is_kept_by_reload_link_and_history(
+    browser: Browser, server: Running
+) -> None:
+    with opened(browser, server, LINK) as it:
+        drop(it, PIECES)
+        it.kept("file=dresser.toml", "piece=refrigerator", "heading=30")
+        link = it.page.input_value("#address")
+        it.page.reload()
+        it.settle()
+        assert "The pieces in “dresser.toml”" in it.text("#pieces")
+        assert it.page.locator("#says-without").inner_text() != ""
+        it.simulated(lambda: it.page.click("#pieces button"))
         assert it.page.locator("#pieces").is_hidden()
+        it.wait("() => !location.hash.includes('pieces=')")
+        it.page.go_back()
+        it.page.wait_for_selector("#pieces:not([hidden])", state="attached")
+        it.page.go_back()
+        it.page.wait_for_selector("#pieces", state="hidden")
+        assert it.page.locator("#sizes input").first.is_visible()
+        it.page.go_forward()
+        it.page.wait_for_selector("#pieces:not([hidden])", state="attached")
+        assert it.page.input_value("#address") == link
+    with opened(browser, server, link.partition("/#")[2].join(["#", ""])) as it:
+        assert "upper part: " in it.text("#story")
+        asked, _ = it.simulated(lambda: it.page.click("#pieces button"))
+        assert asked["scene"]["furniture"]["preset"] == "refrigerator"
+
+
+def test_a_file_too_long_for_a_link_says_so(browser: Browser, server: Running) -> None:
+    noise = "".join(np.random.default_rng(1).choice(list("abcdefghijklmnopqrstuvwxyz0123456789"), 20_000))
+    with opened(browser, server) as it:
+        drop(it, f"{PIECES}# {noise}\n")
+        it.go("keep")
+        it.page.wait_for_selector("#link-long:text('too large for a link')")
+        assert it.page.locator("#address").is_hidden()
+        assert "pieces=" not in it.page.url
+        it.simulated(lambda: it.page.locator("#pieces button").dispatch_event("click"))
+        it.page.wait_for_selector("#address", state="visible")
+
+
+@pytest.mark.parametrize(
+    ("letters", "said"),
+    [
+        ("AAAA", "The link is damaged: it does not hold all of the file “a.toml”"),
+        ("y0jNyclXKM8vyklRBAA", "The scenario file is 'a.toml'; it must be TOML"),
+    ],
+)
+def test_links_whose_pieces_cannot_be_shown_say_why(
+    browser: Browser, server: Running, letters: str, said: str
+) -> None:
+    link = f"{LINK}&file=a.toml&pieces={letters}"
+    with opened(browser, server, link, allowed=("status of 422",)) as it:
+        assert said in it.text("#notices")
+        assert it.page.locator("#pieces").is_hidden()
+        it.page.click("#notices button")
+        assert it.page.locator("#notices").is_hidden()
+
+
+ONE = '[furniture]\npreset = "chest"'
+INSIDE = PIECES.replace('on = "lower part"', "at = [0.1, 0.0]")
+WRONG = {
+    "one piece": (ONE, "This scenario has one piece"),
+    "one piece, wrong": (ONE.replace("chest", "ches"), "did you mean 'chest'?"),
+    "no TOML": ("[furniture", "'wrong.toml'"),
+    "no text": (b"\xff\xfe[", "not text in UTF-8"),
+    "a mesh": ('[[furniture]]\nname = "stone"\nmesh = "a.stl"\nunit = "m"\nmass = 3.0', "stone"),
+    "a record": (f'{ONE}\n[shaking]\nrecord = "knet.EW"', "it names a record's file"),
+    "inside each other": (INSIDE, "inside each other; they must begin apart"),
+}
+"""Files that are not shown, and what of that is said."""
+
+
+@pytest.mark.parametrize("before", ["the page's own piece", "a file"])
+def test_files_that_are_not_shown_say_why_and_change_nothing(
+    browser: Browser, server: Running, before: str
+) -> None:
+    with opened(browser, server, LINK, allowed=("status of 422",)) as it:
+        if before == "a file":
+            drop(it, PIECES)
+            it.kept("file=dresser.toml")
+        address, seen, story = it.page.url, picture(it), it.text("#story")
+        for text, said in WRONG.values():
+            it.page.set_input_files("#file", scenario_file(text, "wrong.toml"))
+            it.page.wait_for_selector(f'#uploaded .refusal:has-text("{said}")')
+            assert it.page.locator("#problem").is_hidden()
+        assert it.page.url == address
+        assert it.text("#story") == story
+        assert differ(picture(it), seen) == 0.0
+        assert it.page.locator("#pieces").is_visible() == (before == "a file")
 
 
 @pytest.mark.parametrize(

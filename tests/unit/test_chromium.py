@@ -42,6 +42,7 @@ class Machine:
             "PLAYWRIGHT_BROWSERS_PATH": str(self.folder / "browsers"),
             "PLAYWRIGHT_DOWNLOAD_HOST": "http://127.0.0.1:9",
             "NO_PROXY": "127.0.0.1",
+            "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",  # they take longer to load than the tests take
         }
         if ci:
             environment["CI"] = "true"

@@ -331,7 +331,7 @@ def test_a_real_process_refuses_with_2_and_leaves_nothing(tmp_path):
     result = process("simulate", "room.toml", "--plot", "a.png", "--animate", "a.gif", cwd=tmp_path)
     assert result.returncode == 2
     assert result.stdout == ""
-    assert result.stderr.startswith("furniture.preset is 'bokcase' (did you mean 'bookcase'?)")
+    assert result.stderr.startswith("room.toml: furniture.preset is 'bokcase' (did you mean 'bookcase'?)")
     assert "Traceback" not in result.stderr
     assert [path.name for path in tmp_path.iterdir()] == ["room.toml"]
 

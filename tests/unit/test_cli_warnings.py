@@ -49,3 +49,12 @@ def test_a_floor_under_a_building_is_told_once(run):
 def test_a_floor_by_itself_and_the_ground_under_a_building(run):
     assert len(told(run("simulate", "--motion", "{}/floor42.txt"))) == 1
     assert told(run("simulate", "--motion", "{}/plain.txt", "--building", "4,RC", "--storey", "3")) == []
+
+
+def test_a_length_in_the_plane_is_told_to_change_nothing(run):
+    flags = ("--length", "0.9", "--scale", "0.1", "--json")
+    planar = run("simulate", *flags)
+    (said,) = told(planar)
+    assert said.startswith("Warning: --length is 0.9 m, which changes nothing in the plane of the depth;")
+    assert planar.stdout == run("simulate", *flags[2:]).stdout
+    assert not told(run("simulate", *flags, "--dimensions", "3"))

@@ -36,20 +36,29 @@ COARSE = {
 }
 """A grid for ``study wall-gap``; its own takes ten seconds, and is run as the documentation is built."""
 
+FEW_MOTIONS = {"motions": 2, "samples": 1}
+"""Runs of ``study baseline``; its own take a minute, and are run as the documentation is built."""
 
-FEWER = {"count = 20": "count = 6", "samples = 40": "samples = 6"}
-"""Runs of the bookcase, which take four seconds as they are."""
+FEWER = {
+    "bookcase.toml": {"count = 20": "count = 6", "samples = 40": "samples = 6"},
+    "kitchen.toml": {
+        'intensity = "6-lower"': 'intensity = "6-lower"\nsuite = { count = 6 }',
+        "samples = 200": "samples = 6",
+    },
+}
+"""Fewer runs of the examples: as they are, the bookcase takes four seconds and the kitchen thirty."""
 
 
 @pytest.fixture
 def beside_examples(tmp_path, monkeypatch):
     shutil.copytree(ROOT / "examples", tmp_path / "examples")
-    bookcase = tmp_path / "examples" / "bookcase.toml"
-    text = bookcase.read_text(encoding="utf-8")
-    for usual, fewer in FEWER.items():
-        assert usual in text
-        text = text.replace(usual, fewer)
-    bookcase.write_text(text, encoding="utf-8")
+    for name, changes in FEWER.items():
+        file = tmp_path / "examples" / name
+        text = file.read_text(encoding="utf-8")
+        for usual, fewer in changes.items():
+            assert usual in text
+            text = text.replace(usual, fewer)
+        file.write_text(text, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
@@ -62,6 +71,7 @@ def test_the_commands_are_found():
 @pytest.mark.parametrize("words", [words for words in TOLD if words not in SERVES], ids=" ".join)
 def test_a_command_of_the_readme_runs(words, beside_examples, monkeypatch):
     monkeypatch.setattr(studies, "wall_gap", partial(studies.wall_gap, **COARSE))
+    monkeypatch.setattr(studies, "baseline", partial(studies.baseline, **FEW_MOTIONS))
     result = CliRunner().invoke(app, words)
     assert result.exit_code == 0, result.output
     assert result.output.strip()

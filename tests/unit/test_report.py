@@ -16,6 +16,7 @@ from report_runs import BODY, SHAKE, falling, made, rocking
 import stayput as sp
 from stayput.report.animation import animate_run
 from stayput.report.film import film_of
+from stayput.report.fonts import font, wrapped
 from stayput.report.frames import Painter
 from stayput.report.history import history
 from stayput.report.palette import ALARM, MODE_COLOURS, rgb
@@ -261,3 +262,31 @@ def test_the_view_holds_every_pose_the_near_wall_and_the_ceiling():
     assert view.grid == 0.5
     high = dataclasses.replace(falling(), room=sp.Room(ceiling=sp.Ceiling(9.0)))
     assert scene_of([high]).view.high < 2.5
+
+
+def test_texts_are_wrapped_between_words_and_between_japanese_letters():
+    face = font(11)
+    room = face.getlength("floor's grid is 0.5")
+    lines = wrapped("The floor's grid is 0.5 m wide; what is lighter is the front.", face, room).split("\n")
+    assert " ".join(lines) == "The floor's grid is 0.5 m wide; what is lighter is the front."
+    assert len(lines) > 2
+    assert all(face.getlength(line) <= room for line in lines)
+    japanese = "床の格子の間隔は0.5 mです。明るい面または縞のある側が（正面）です。"
+    for letters in range(6, 20):
+        room = letters * face.getlength("床")
+        lines = wrapped(japanese, face, room).split("\n")
+        assert "".join(lines).replace(" ", "") == japanese.replace(" ", "")
+        assert len(lines) > 1
+        assert not any(line.startswith(tuple("。、）」")) or line.endswith(tuple("（「")) for line in lines)
+        assert all(face.getlength(line.rstrip("。）")) <= room for line in lines)
+    name = "x" * 90
+    lines = wrapped(name, face, 100.0).split("\n")
+    assert "".join(lines) == name
+    assert all(face.getlength(line) <= 100.0 for line in lines)
+
+
+def test_a_film_names_its_motion_in_its_language():
+    run = dataclasses.replace(falling(), motion=dataclasses.replace(SHAKE, name="synthetic mixed 3"))
+    assert "synthetic mixed 3" in film_of(run).strip_title
+    assert "模擬地震動（" in film_of(run, language="ja").strip_title
+    assert "synthetic" not in film_of(run, language="ja").strip_title

@@ -115,11 +115,11 @@ def test_names_that_are_not_given_are_the_types():
         ),
         (
             {"type": "tension_pole", "preload": 900.0, "strength": 500.0},
-            r"^In \[measures\]: “Tension poles” preload is 900 N",
+            r"^In \[measures\[0\]\]: “Tension poles” preload is 900 N",
         ),
         (
             {"combine": [{"type": "gel_mats"}, {"type": "felt_glides"}]},
-            r"^In \[measures\]: Adhesive gel mats and Felt glides are given together",
+            r"^In \[measures\[0\]\]: Adhesive gel mats and Felt glides are given together",
         ),
     ],
 )

@@ -72,7 +72,7 @@ def test_a_body_with_a_length_under_two_components_is_simulated_in_space() -> No
     with pytest.raises(sp.InputError, match="length"):
         sp.simulate(body, room, motion, dimensions=3)
     solid = sp.Solid.of(long)
-    with pytest.raises(sp.InputError, match="only a Body has"):
+    with pytest.raises(sp.InputError, match="is of a Body alone"):
         sp.simulate(solid, room, motion, [sp.MEASURES["belt"]()], dimensions=3)
 
 
@@ -180,8 +180,17 @@ def test_flags_beside_a_file_of_several_pieces() -> None:
         assert f"{flags[0]} is of one piece" in said.output
 
 
-def test_a_joint_is_called_by_the_pieces_that_it_joins() -> None:
-    assert "Joint upper part – lower part" in run("simulate", str(DRESSER))
+def test_the_table_of_several_pieces() -> None:
+    """A joint is called by the pieces that it joins; it says which peak it means, and what rolls."""
+    said = " ".join(run("simulate", str(DRESSER)).split())
+    assert "Joint upper part – lower part" in said
+    components = list(sp.near_fault().components.values())
+    peak = np.sqrt(np.sum(np.square(components), axis=0)).max()
+    assert f"peak of all components {peak:.2f} m/s²" in said
+    assert said.count("Peak slide, rolling included") == 1  # of the vase
+    assert said.count("Peak slide") == 4
+    planar = " ".join(run("simulate", "--scale", "0.1").split())
+    assert f"peak along the depth {0.1 * sp.near_fault().pga:.2f} m/s²" in planar
 
 
 def test_the_file_of_several_pieces() -> None:

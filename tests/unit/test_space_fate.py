@@ -127,6 +127,21 @@ def test_pieces_side_by_side_do_not_lean_while_they_stand() -> None:
 def test_what_flies_has_fallen_off_nothing() -> None:
     run = became(sp.Standing(TALL), sp.Standing(BOX(0.2, 0.2, 0.2, 5.0), (1.0, 0.0, 0.5)))
     assert not run.fell_off.any()
+    assert run.outcomes == (sp.Outcome.RESTED, sp.Outcome.ROCKED)
+
+
+def test_what_is_in_the_air_has_not_rested_as_in_the_plane() -> None:
+    """Released above the floor, before and after it lands; thrown up by the floor, as the plane says."""
+    for samples in (20, 200):
+        still = sp.Motion(dt=0.01, x=np.zeros(samples))
+        assert sp.simulate(sp.Standing(CHEST, (0.0, 0.0, 1.0)), ROUGH, still).outcome is sp.Outcome.ROCKED
+    up = np.zeros(200)
+    up[20:30] = -15.0
+    thrown = sp.Motion(dt=0.01, x=np.zeros(200), z=up)
+    body = sp.Body(0.5, 0.8, 60.0, length=0.8)
+    planar = sp.simulate(body, ROUGH, thrown, dimensions=2)
+    assert planar.outcome is sp.simulate(body, ROUGH, thrown, dimensions=3).outcome is sp.Outcome.ROCKED
+    assert max(planar.peak_tilt, planar.peak_slide) < 1e-6
 
 
 @pytest.mark.parametrize("turned", [0.0, math.pi / 32])

@@ -18,6 +18,7 @@ import stayput as sp
 from stayput.report.embedding import script_module
 from stayput.report.palette import BODY_COLOURS, rgb
 from stayput.report.space.animation import animate_space_run, space_player_page
+from stayput.report.space.camera import Camera
 from stayput.report.space.film import space_film
 from stayput.report.space.frames import SpacePainter
 from stayput.report.space.plot import plot_space_run
@@ -113,6 +114,32 @@ def test_the_picture_holds_every_pose_near_the_start() -> None:
         assert (seen < [1280, 622]).all()
     far = dataclasses.replace(run, place=run.place + 50.0 * TIME[:, np.newaxis])
     assert np.ptp(space_scene(far, ("box",)).points, axis=0).max() < 15.0
+
+
+def test_runs_beside_each_other_are_drawn_to_one_scale() -> None:
+    fallen = falling()
+    still = part(fallen, samples=slice(None))
+    still = dataclasses.replace(still, place=np.repeat(fallen.place[:, :1], len(fallen.time), axis=1))
+    runs = (fallen, still)
+    views = [space_scene(run, ("box",), runs).data()["view"] for run in runs]
+    for key in ("low_m", "high_m", "grid_m"):
+        assert views[0][key] == views[1][key]
+    assert views[0]["high_m"] != space_scene(still, ("box",)).data()["view"]["high_m"]
+    cameras = [SpacePainter(space_film(run, None, "en", runs), 640, 480)._camera for run in runs]
+    assert cameras[0].place == pytest.approx(cameras[1].place)
+
+
+def test_lines_that_go_behind_the_camera_are_cut_and_the_others_are_whole() -> None:
+    camera = Camera(np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 2.0]]), 640, 480)
+    behind = camera.place + 5.0 * (camera.place - [0.5, 0.5, 1.0])
+    points = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], behind, behind + 1.0])
+    lines = [(0, 1), (1, 2), (2, 3), (2, 1)]
+    outlines = camera.outlines(points, lines)
+    assert [len(outline) for outline in outlines] == [2, 3, 0, 3]  # a line that is cut goes there and back
+    for line, outline in zip(lines, outlines, strict=True):
+        assert outline == camera.seen(points[list(line)])
+    assert outlines[1][0] == outlines[0][1]
+    assert outlines[0][1] in outlines[3]
 
 
 def test_a_large_ground_displacement_is_drawn_smaller_and_said_so() -> None:
@@ -232,6 +259,8 @@ def test_what_became_of_the_bodies() -> None:
     )
     still = part(other, bodies=slice(1))
     assert became(still, ["box"])[0] == "The box stayed put: it neither slid nor rocked."
+    landed = sp.simulate(sp.Standing(BOX, (0.0, 0.0, 0.1)), sp.Room(), sp.Motion(dt=0.01, x=np.zeros(100)))
+    assert became(landed, ["box"])[0].startswith("The box did not overturn; it tilted by less than 0.1°")
 
 
 @pytest.mark.parametrize(
@@ -287,7 +316,29 @@ def test_a_still_run_of_several_bodies_is_plotted_in_japanese() -> None:
     figure = plot_space_run(spinning(), names=NAMES, language="ja")
     assert figure.axes[3].get_xlabel() == "x、正面側 [m]"
     assert figure.axes[1].get_ylim() == (-0.1, 0.1)
-    assert len(figure.axes[3].get_legend().get_texts()) == 3
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == NAMES
+
+
+def test_bodies_of_one_colour_have_other_dashes_and_long_titles_are_wrapped() -> None:
+    one = falling()
+    count = len(BODY_COLOURS) + 1
+    repeated = {
+        name: np.repeat(getattr(one, name), count, axis=0)
+        for name in ("place", "attitude", "velocity", "rotation_rate", "peak_tilt")
+    }
+    apart_by = (apart(count), apart(count))
+    run = dataclasses.replace(one, standing=count * one.standing, gaps=apart_by, **repeated)
+    figure = plot_space_run(run, names=[f"a piece with a long name, number {b}" for b in range(count)])
+    first, *_, last = figure.legends[0].get_lines()[:count]
+    assert first.get_color() == last.get_color()
+    assert first.get_linestyle() != last.get_linestyle()
+    figure.draw_without_rendering()
+    wide = figure.bbox.width
+    for text in (figure._suptitle, figure.legends[0]):
+        box = text.get_window_extent()
+        assert box.x0 >= 0.0
+        assert box.x1 <= wide
+    assert figure.axes[1].get_legend() is None
 
 
 def test_devices_are_drawn_from_the_body_to_where_they_hold() -> None:

@@ -1,6 +1,7 @@
 """The study of AC156's test beside floors: that its numbers are those of single runs, and what comes out."""
 
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -8,10 +9,19 @@ import pytest
 import xarray as xr
 
 import stayput as sp
+from stayput.studies import ac156_runs
 from stayput.studies.ac156 import ac156, passing
 from stayput.studies.ac156_runs import BUILDINGS, HEIGHTS, ROOMS, TESTS, bodies, earthquakes
 
 RECORDS = Path(__file__).parents[3] / "shared" / "motions"
+
+
+@pytest.fixture(scope="module", autouse=True)
+def motions_made_once():
+    """Make each motion of a test once for all studies here; they are most of the time of each."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(ac156_runs, "ac156_motion", cache(ac156_runs.ac156_motion))
+        yield
 
 
 @pytest.fixture(scope="module")

@@ -228,5 +228,6 @@ def test_a_share_is_never_all_or_nothing_where_it_is_not():
         "0", "<0.1", "<0.1", "0.1", "50", "99.9", ">99.9", "100",
     ]  # fmt: skip
     assert percent(-1e-5) == "−<0.1"
+    assert percent(-0.0) == percent(0.0)
     found = probability(np.arange(40_000).reshape(4000, 10) < 1)
     assert found.text.startswith("<0.1 % (")

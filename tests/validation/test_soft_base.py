@@ -118,32 +118,44 @@ def test_one_number_has_the_bits_of_a_column() -> None:
     assert rigid_half_base(a, z, w).tolist() == alone
 
 
+@numba.njit(fastmath=True)
+def rates_on_springs(a, z, inertia, k, c, strips, ground, up, tilt, rate, omega):  # pragma: no cover
+    """The accelerations of a body on a row of springs that only push: of the height of G, and of the tilt."""
+    s, co = np.sin(tilt), np.cos(tilt)
+    push = turning = 0.0
+    for j in range(strips):
+        at = ((j + 0.5) / strips * 2.0 - 1.0) * a
+        below = up - z * co - at * s
+        force = -k * below - c * (rate + z * s * omega - at * co * omega)
+        if below < 0.0 and force > 0.0:
+            push += force
+            turning -= force * (at * co - z * s)
+    spin = (turning + z * co * (z * s * omega**2 - ground)) / (inertia + (z * co) ** 2)
+    return push - GRAVITY, spin
+
+
 @numba.njit
 def falls_on_springs(a, z, inertia, settlement, ratio, strips, x, dt, parts, scale):  # pragma: no cover
     """Whether a body on a row of springs that only push turns over; the middle of its base does not slip."""
     k, c = GRAVITY / (settlement * strips), 2.0 * ratio * np.sqrt(GRAVITY / settlement) / strips
-    state = np.array([z - settlement, 0.0, 0.0, 0.0])  # height of G, tilt, and their rates
+    up, tilt, rate, omega = z - settlement, 0.0, 0.0, 0.0  # height of G, tilt, and their rates
     h = dt / parts
     for n in range(len(x) - 1):
         for part in range(parts):
-            total, slope = np.zeros(4), np.zeros(4)
+            u1 = u2 = u3 = u4 = d1 = d2 = d3 = d4 = 0.0  # sums of the slopes, and the last of them
             for stage in range(4):
                 f = 0.0 if stage == 0 else (1.0 if stage == 3 else 0.5)
-                up, tilt, rate, omega = state + f * h * slope
+                weight = 1.0 if stage in (0, 3) else 2.0
                 ground = scale * (x[n] + (x[n + 1] - x[n]) * (part + f) / parts)
-                s, co = np.sin(tilt), np.cos(tilt)
-                push = turning = 0.0
-                for j in range(strips):
-                    at = ((j + 0.5) / strips * 2.0 - 1.0) * a
-                    force = -k * (up - z * co - at * s) - c * (rate + z * s * omega - at * co * omega)
-                    if up - z * co - at * s < 0.0 and force > 0.0:
-                        push += force
-                        turning -= force * (at * co - z * s)
-                spin = (turning + z * co * (z * s * omega**2 - ground)) / (inertia + (z * co) ** 2)
-                slope = np.array([rate, omega, push - GRAVITY, spin])
-                total += (1.0 if stage in (0, 3) else 2.0) * slope
-            state = state + h / 6.0 * total
-            if abs(state[1]) > 1.3:
+                v, w = rate + f * h * d3, omega + f * h * d4
+                rise, spin = rates_on_springs(
+                    a, z, inertia, k, c, strips, ground, up + f * h * d1, tilt + f * h * d2, v, w
+                )
+                d1, d2, d3, d4 = v, w, rise, spin
+                u1, u2, u3, u4 = u1 + weight * d1, u2 + weight * d2, u3 + weight * d3, u4 + weight * d4
+            up, tilt = up + h / 6.0 * u1, tilt + h / 6.0 * u2
+            rate, omega = rate + h / 6.0 * u3, omega + h / 6.0 * u4
+            if abs(tilt) > 1.3:
                 return True
     return False
 

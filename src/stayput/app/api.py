@@ -129,7 +129,7 @@ def _add_general(router: APIRouter, service: Service) -> None:
         """Return a scenario file as a scene."""
 
         def work() -> Response:
-            scene = table_of_toml(body.toml, Path("scenario.toml"))
+            scene = table_of_toml(body.toml, Path(body.name))
             checked = service.shaken(scene, [])
             pieces = checked.names if isinstance(checked, AssemblyScenario) else ()
             return json_response(SceneReply(scene=scene, pieces=list(pieces)))

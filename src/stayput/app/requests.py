@@ -76,6 +76,7 @@ class ReadRequest(Request):
     """A scenario file to be read as a scene."""
 
     toml: str = Field(description="The file's text.")
+    name: str = Field(default="scenario.toml", max_length=255, description="What a refusal calls the file.")
 
 
 class TomlRequest(Request):

@@ -89,7 +89,7 @@ def simulated_in_space(scenario: Scenario) -> SpaceSimulateReply:
     piece, names = scenario.furniture, (name_in(scenario, "en"),)
     runs = [space_run_of(scenario, motion, in_place) for in_place in ([(), measures] if measures else [()])]
     told = [piece_became(run, piece.preset, piece.name) for run in runs]
-    return _reply(scenario, [space_scene(run, names) for run in runs], told, ground)
+    return _reply(scenario, [space_scene(run, names, runs) for run in runs], told, ground)
 
 
 def simulated_pieces(scenario: AssemblyScenario) -> SpaceSimulateReply:

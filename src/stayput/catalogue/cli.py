@@ -1,4 +1,4 @@
-"""The command line's refusals. Flags stand as they are typed."""
+"""The command line's refusals and warnings. Flags stand as they are typed."""
 
 TEXTS: dict[str, tuple[str, str]] = {
     "one_of_two": (
@@ -8,6 +8,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "written_like": (
         "{flag} is {value}; it must be written like {example}.",
         "{flag}が{value}になっています。{example}のように書いてください。",
+    ),
+    "length_in_the_plane": (
+        "--length is {value:g} m, which changes nothing in the plane of the depth; with --dimensions 3 it does.",
+        "--lengthが{value:g} mになっていますが、奥行き方向の平面の解析では結果に影響しません。--dimensions 3では影響します。",
     ),
     "no_row": (
         "No row of the inventory could be assessed; {rejects} says why, row by row.",

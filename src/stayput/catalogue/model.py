@@ -85,11 +85,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "論文の接触の法則は平面だけのものです。三次元では'coulomb'を指定してください。",
     ),
     "of_a_body": (
-        "A {kind} was given with {name}, which only a Body has.",
+        "{name} is of a Body alone; with {kind} it must be left out.",
         "{kind}に{name}が指定されています。これはBodyだけに指定できます。",
     ),
     "solid_in_the_plane": (
-        "A {kind} cannot be simulated in 2 dimensions; leave them out, or give a Body.",
+        "{kind} cannot be simulated in 2 dimensions; leave them out, or give a Body.",
         "{kind}は2次元では計算できません。次元の指定を省くか、Bodyを指定してください。",
     ),
     # Quick estimates

@@ -285,7 +285,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "地震動群に地震動がありません。1つ以上必要です。",
     ),
     "suite_item": (
-        "The suite holds a {kind}; it must hold motions only.",
+        "An item of the suite is of type {kind}; all must be motions.",
         "地震動群に{kind}が含まれています。地震動（Motion）だけを入れてください。",
     ),
     "suite_one_motion": (

@@ -136,6 +136,23 @@ TEXTS: dict[str, tuple[str, str]] = {
         "This scenario has one piece; set it with the fields here. Files of several pieces are shown as they are.",
         "この条件ファイルの家具は1つです。ここの欄で設定してください。そのまま表示できるのは、複数の家具の条件ファイルです。",
     ),
+    "shaking": ("Reading the file and shaking its pieces …", "ファイルを読み、家具を揺らしています…"),
+    "notText": (
+        "This file cannot be used: it is not text in UTF-8.",
+        "このファイルは使えません。文字コードをUTF-8にして保存してください。",
+    ),
+    "recordBeside": (
+        "This file cannot be used: it names a record's file, which the page cannot read. Built-in motions, suites and sines are possible.",
+        "このファイルは使えません。地震記録のファイルは、このページから読めません。組み込みの地震動、地震動の組、正弦波を使ってください。",
+    ),
+    "linkDamaged": (
+        "The link is damaged: it does not hold all of the file “{name}”.",
+        "リンクが壊れています。ファイル「{name}」の内容がそろっていません。",
+    ),
+    "linkLong": (
+        "This file is too large for a link, and for the page to show it again when it is loaded anew: keep the file itself.",
+        "このファイルは大きいため、リンクにはできません。ページを読み込み直したときも、もう一度ファイルを開いてください。",
+    ),
     "piecesTitle": ("The pieces in “{name}”", "「{name}」の家具"),
     "piecesNote": (
         "They are shown as the file says, in space. What is set under “Set the scene” is for a piece of your own.",
@@ -437,6 +454,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "htmlWith": ("Animation with the measures (HTML)", "対策ありの動画（HTML）"),
     "gifWithout": ("Animation without measures (GIF)", "対策なしの動画（GIF）"),
     "gifWith": ("Animation with the measures (GIF)", "対策ありの動画（GIF）"),
+    "drawingNow": ("Drawing …", "作成中…"),
     "drawing": (
         "Drawing the animation, which may take half a minute …",
         "動画を作っています。30秒ほどかかることがあります…",

@@ -206,22 +206,22 @@ TEXTS: dict[str, tuple[str, str]] = {
     "device_failure": ("device fails", "器具の破損・脱落"),
     "motion_in_space": (
         (
-            "Motion {number} of {count}: {name}; peak acceleration of a component of the floor {peak} m/s². "
+            "Motion {number} of {count}: {name}; peak acceleration of the floor, all components together, {peak:.2f} m/s². "
             "Shown from {start} to {end} s of {duration} s."
         ),
         (
-            "地震動 {number}/{count}：{name}、床の1方向の最大加速度 {peak} m/s²。全{duration}秒のう"
+            "地震動 {number}/{count}：{name}、床の全成分を合わせた最大加速度 {peak:.2f} m/s²。全{duration}秒のう"
             "ち{start}～{end}秒を表示。"
         ),
     ),
     "motion_shown": (
         (
-            "Motion {number} of {count}: {name}; peak acceleration of the floor {peak} m/s². "
+            "Motion {number} of {count}: {name}; peak acceleration of the floor along the depth {peak:.2f} m/s². "
             "Shown from {start} to {end} s of {duration} s; tilts are cut at three critical "
             "angles."
         ),
         (
-            "地震動 {number}/{count}：{name}、床の最大加速度 {peak} m/s²。全{duration}秒のう"
+            "地震動 {number}/{count}：{name}、床の奥行き方向の最大加速度 {peak:.2f} m/s²。全{duration}秒のう"
             "ち{start}～{end}秒を表示。傾きは限界角の3倍までを表示します。"
         ),
     ),

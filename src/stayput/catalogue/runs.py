@@ -55,14 +55,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     # The results of a run, a row each.
     "row_motion": ("Motion", "地震動"),
     "row_motion_value": (
-        "{name}, {duration:g} s, peak {peak:.2f} m/s²",
-        "{name}、{duration:g}秒、最大加速度 {peak:.2f} m/s²",
+        "{name}, {duration:g} s, peak along the depth {peak:.2f} m/s²",
+        "{name}、{duration:g}秒、奥行き方向の最大加速度 {peak:.2f} m/s²",
     ),
     "row_outcome": ("Outcome", "結果"),
     "row_overturned": ("Overturned at", "転倒した時刻"),
     "row_fell_off": ("Fell off at", "落下した時刻"),
     "row_tilt": ("Peak tilt", "最大傾き"),
     "row_slide": ("Peak slide", "最大移動量"),
+    "row_way": ("Peak slide, rolling included", "最大移動量（転がりを含む）"),
     "row_residual": ("Residual slide", "残留移動量"),
     "row_floor": ("Floor impacts", "床への衝突"),
     "row_yaw": ("Peak turn in plan", "水平面内の最大回転"),
@@ -86,7 +87,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "player_tilt_shown": ("Tilt, shown up to {angle}°", "傾き（{angle}°まで表示）"),
     "unnamed": ("a motion without a name", "名前のない地震動"),
-    "motion_title": ("{name}, peak {peak:.1f} m/s²", "{name}、最大加速度 {peak:.1f} m/s²"),
+    "motion_title": ("{name}, peak {peak:.2f} m/s²", "{name}、最大加速度 {peak:.2f} m/s²"),
     "caption": (
         (
             "The room moves with the ground: the record integrated twice, without its drift "

@@ -158,6 +158,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; it must not be that of {other}.",
         "{name}が{value}になっていますが、{other}と同じ名前です。別の名前にしてください。",
     ),
+    "option_of_nothing": ("the option without joints and measures", "接合・対策なしの案"),
     "not_a_measure": (
         "{name} is {value}; it must be a table with type.",
         "{name}が{value}になっています。typeのあるテーブルにしてください。",

@@ -1,10 +1,6 @@
 """Verdicts on several pieces: what happens with their joints and with measures, and why."""
 
 TEXTS: dict[str, tuple[str, str]] = {
-    "two_of_one_name": (
-        "Two options are named {name}; each must have a name of its own.",
-        "{name}という名前の案が2つあります。それぞれに異なる名前を付けてください。",
-    ),
     "levels": (
         "levels is given for several pieces, which have no fragility curves; it must be left out.",
         "複数の家具にlevelsが指定されています。フラジリティ曲線は求めないので、省いてください。",
@@ -124,6 +120,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "drawn_between_text": (
         "drawn by themselves, like friction and the strength of devices; masses, centres and feet of each piece too",
         "摩擦・器具の強さと同じ分布で別に与える。質量・重心・脚は家具ごとに与える",
+    ),
+    "rolling": ("Slide of round pieces", "丸い物の移動量"),
+    "rolling_text": (
+        "How far they are from where they stood, rolling included.",
+        "置かれていた位置からの距離で、転がりを含みます。",
     ),
     "limit_body": ("Rigid bodies in space", "三次元の剛体"),
     "limit_body_text": (

@@ -21,13 +21,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "物体間の動摩擦係数は{kinetic:g}です。静止摩擦係数（{static:g}）以下にしてください。",
     ),
     "floor": ("floor", "床"),
+    "the_body": ("The body", "物体"),
     "begins_inside": (
-        "members[{number}] begins {depth:.2g} m inside the {surface}; it must begin outside it.",
-        "members[{number}]は、初めに{surface}に{depth:.2g} mめり込んでいます。外に置いてください。",
+        "{body} begins {depth:.2g} m inside the {surface}; it must begin outside it.",
+        "{body}は、初めに{surface}に{depth:.2g} mめり込んでいます。外に置いてください。",
     ),
     "begin_in_each_other": (
-        "members[{first}] and members[{second}] begin {depth:.2g} m inside each other; they must begin apart.",
-        "members[{first}]とmembers[{second}]は、初めに互いに{depth:.2g} mめり込んでいます。離して置いてください。",
+        "{first} and {second} begin {depth:.2g} m inside each other; they must begin apart.",
+        "{first}と{second}は、初めに互いに{depth:.2g} mめり込んでいます。離して置いてください。",
     ),
     "heading": ("Heading", "向き"),
     "step": ("Step", "時間刻み"),
@@ -43,8 +44,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "joint_slack": ("Slack of a joint", "接合部のたるみ"),
     "joint_damping": ("Damping ratio of a joint", "接合部の減衰定数"),
     "joins_itself": (
-        "A joint joins member {number} to itself; it must join two.",
-        "接合部が物体{number}をそれ自身につないでいます。2つの物体を指定してください。",
+        "A joint joins {member} to itself; it must join two bodies.",
+        "接合部が{member}をそれ自身につないでいます。2つの物体を指定してください。",
     ),
     "slack_without_to": (
         "A joint at one point has a slack of {value} m; only one between two points (to) can have any.",
@@ -55,8 +56,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "接合部が物体{number}を指していますが、最後の物体は{last}です。",
     ),
     "joint_astray": (
-        "A joint holds member {number} at a point {apart:.3g} m from its centre of gravity; it must be no more than {most:.3g} m, twice its diagonal.",
-        "接合部の点が物体{number}の重心から{apart:.3g} m離れています。対角線の2倍の{most:.3g} m以内にしてください。",
+        "{name} holds {member} at a point {apart:.3g} m from its centre of gravity; it must be no more than {most:.3g} m, twice its diagonal.",
+        "{name}の点が{member}の重心から{apart:.3g} m離れています。対角線の2倍の{most:.3g} m以内にしてください。",
     ),
     "no_bodies": (
         "There is no body to simulate; give one at least.",

@@ -1,6 +1,15 @@
 """Pictures and animations of bodies in space."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    # The motion
+    "row_motion_value": (
+        "{name}, {duration:g} s, peak of all components {peak:.2f} m/s²",
+        "{name}、{duration:g}秒、全成分を合わせた最大加速度 {peak:.2f} m/s²",
+    ),
+    "motion_title": (
+        "{name}, peak of all components {peak:.2f} m/s²",
+        "{name}、全成分を合わせた最大加速度 {peak:.2f} m/s²",
+    ),
     # What became of them
     "numbered": ("body {number}", "物体{number}"),
     "upright": (

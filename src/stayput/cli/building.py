@@ -109,7 +109,7 @@ def _print_table(response: FloorResponse, written: list[Path]) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    from stayput.report.summary import motion_label
+    from stayput.report.names import motion_label
 
     console = Console(highlight=False, markup=False)
     model = response.model

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, cast
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias, TypeVar, cast
 
 import typer
 
@@ -15,7 +15,9 @@ if TYPE_CHECKING:
     from stayput.measures import Measure
     from stayput.motion import Motion
     from stayput.motion.suites import TargetSpectrum
-    from stayput.scenario import Scenario
+    from stayput.scenario import AssemblyScenario, Scenario
+
+    Given = TypeVar("Given", Scenario, AssemblyScenario)
 
 MotionArgument: TypeAlias = Annotated[
     str, typer.Argument(metavar="MOTION", help="A record's file; or near-fault, or sine:A,F[,T].")
@@ -150,6 +152,45 @@ def scenario_data(path: Path | None, body: str | None) -> dict[str, Any]:
 
         return read_toml(path)
     return EXAMPLE if body is None else {"shaking": EXAMPLE["shaking"]}
+
+
+def parsed(kind: type[Given], data: dict[str, Any], path: Path | None, motion: str | None) -> Given:
+    """Return the scenario of a file under the flags.
+
+    What the file by itself gets wrong is refused with its name, and what the flags do without.
+
+    Parameters
+    ----------
+    kind : type
+        `Scenario` or `AssemblyScenario`.
+    data : dict
+        The tables, from `overlaid`.
+    path : Path, optional
+        The file.
+    motion : str, optional
+        The flag, whose path begins in the working folder and not in the file's.
+
+    Raises
+    ------
+    InputError
+        A value that is not allowed.
+    """
+    folder, name = (Path(), "") if path is None or motion is not None else (path.parent, path.name)
+    try:
+        return kind.parse(data, folder, name)
+    except InputError as error:
+        if path is not None and _refused_alone(kind, path) == str(error):
+            raise error.at(path.name) from None
+        raise
+
+
+def _refused_alone(kind: type[Given], path: Path) -> str | None:
+    """Return the sentence by which a file is refused without flags, or None where it is not."""
+    try:
+        kind.parse(scenario_data(path, None))
+    except InputError as error:
+        return str(error)
+    return None
 
 
 def motion_of(text: str, **fields: str | float | None) -> Motion:

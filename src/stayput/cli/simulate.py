@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contextlib import contextmanager
-from pathlib import Path
+from pathlib import Path  # noqa: TC003 - Typer reads the annotations
 from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
@@ -16,10 +16,11 @@ from stayput.cli.flags import (
     chosen_measures,
     intensity_value,
     overlaid,
+    parsed,
     scenario_data,
 )
 from stayput.cli.messages import compiling, print_json
-from stayput.errors import InputError
+from stayput.errors import InputError, InputWarning, warn
 
 if TYPE_CHECKING:
     from collections.abc import Generator
@@ -147,19 +148,19 @@ def simulate(
         dimensions=dimensions,
         piece={"length": length, "heading": heading},
     )
-    here = Path() if scenario is None or motion is not None else scenario.parent
     if several:
         from stayput.scenario import AssemblyScenario
 
-        pieces = AssemblyScenario.parse(data, here)
+        pieces = parsed(AssemblyScenario, data, scenario, motion)
         with compiling():
             found = pieces.run()
         _show_in_space(found, pieces.names, _Wanted("", pieces.title, plot, animate, speed, fps, json))
         return
-    checked = Scenario.parse(data, here)
-    case = checked.case(chosen_measures(checked, measure or []))
-    with compiling():
-        run = case.run()
+    checked = parsed(Scenario, data, scenario, motion)
+    if length is not None and checked.dimensions == 2:
+        warn(InputWarning("cli.length_in_the_plane", "--length", value=length))
+    with checked.naming_file(), compiling():
+        run = checked.case(chosen_measures(checked, measure or [])).run()
     wanted = _Wanted(checked.furniture.title, checked.title, plot, animate, speed, fps, json)
     if isinstance(run, Run):
         _show_in_the_plane(run, wanted)

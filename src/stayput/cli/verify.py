@@ -78,14 +78,14 @@ def _verified(
         from stayput.rooms.verify import verify_room
 
         room = read_room(path)
-        with compiling():
+        with room.naming_file(), compiling():
             return verify_room(room, slide_limit=limit, threads=threads)
     several = isinstance(given.get("furniture"), list)
     scenario = read_assembly(path) if several else read_scenario(path)
 
     from stayput.verification import verify as compare
 
-    with compiling():
+    with scenario.naming_file(), compiling():
         return compare(scenario, slide_limit=limit, every_run=every_run, threads=threads)
 
 

@@ -97,7 +97,7 @@ def percent(share: float) -> str:
     # halves away from zero, as the page rounds: 62.5 is 63, where Python's own rounding gives 62
     steps = 10.0 if fine else 1.0
     rounded = math.copysign(math.floor(steps * abs(value) + 0.5) / steps, value)
-    return (f"{rounded:.1f}" if fine else f"{rounded:.0f}").replace("-", "−")
+    return (f"{rounded:.1f}" if fine else f"{rounded:z.0f}").replace("-", "−")
 
 
 def probability(fallen: ArrayLike, missing: ArrayLike | None = None) -> Probability:

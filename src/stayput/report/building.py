@@ -10,8 +10,8 @@ from stayput.catalogue import phrase, say
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
 from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
+from stayput.report.names import motion_label
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
-from stayput.report.summary import motion_label
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError
 from stayput.report.movie import frame_times
+from stayput.report.names import motion_label
 from stayput.report.scene import DRIFT_CORNER, Scene, scene_of
-from stayput.report.summary import motion_label, sentences
+from stayput.report.summary import sentences
 
 if TYPE_CHECKING:
     import numpy as np

@@ -22,6 +22,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _FILE = Path(mpl.get_data_path()) / "fonts/ttf/DejaVuSans.ttf"
+_JAPANESE = r"\u3000-\u9fff\uff00-\uffef"
+_PARTS = re.compile(rf"[（「]*(?:[{_JAPANESE}]|[^\s{_JAPANESE}]+)[、。」）：・ー]*\s*")
+"""What stays together on a line: a word, or a Japanese letter, with what opens and closes around it."""
+
 _LEFT_OUT = "\N{HORIZONTAL ELLIPSIS}"
 
 PREFERRED = (
@@ -73,6 +77,24 @@ def with_face(text: str, size: float) -> tuple[str, ImageFont.FreeTypeFont]:
     return _without(text, {c for c in drawable(text) if not c.isspace()} - _characters(other)), font(
         size, other
     )
+
+
+def wrapped(text: str, face: ImageFont.FreeTypeFont, room: float) -> str:
+    """Return a text in lines that are at most so wide [pixels].
+
+    Lines end at spaces and between Japanese letters; none begins with what closes a bracket or a sentence.
+    """
+    lines = [""]
+    parts = [
+        letters
+        for part in _PARTS.findall(text)
+        for letters in ([part] if face.getlength(part.rstrip()) <= room else part)
+    ]
+    for part in parts:
+        if lines[-1] and face.getlength((lines[-1] + part).rstrip()) > room:
+            lines.append("")
+        lines[-1] += part
+    return "\n".join(line.strip() for line in lines)
 
 
 def with_fallback(figure: Figure) -> None:

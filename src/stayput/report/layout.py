@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import TYPE_CHECKING
 
 import numpy as np
 from PIL import Image, ImageDraw
 
-from stayput.report.fonts import font, with_face
+from stayput.report.fonts import font, with_face, wrapped
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, FAINT, INK, MUTED, PAPER
 
 if TYPE_CHECKING:
@@ -78,11 +77,11 @@ class FrameLayout:
                 draw.text(beside, name, fill=COMPONENT_COLOURS[name], font=text, anchor="rs")
         for level in (peak, -peak):
             place = (left - 4, middle - half * level / peak)
-            draw.text(place, f"{level:.1f}", fill=MUTED, font=small, anchor="rm")
+            draw.text(place, f"{level:z.1f}", fill=MUTED, font=small, anchor="rm")
         draw.text((left - 4, middle), "m/s²", fill=MUTED, font=small, anchor="rm")
         words, face = with_face(caption, small.size)
-        lines = "\n".join(textwrap.wrap(words, int(1.08 * (right - 8) / face.getlength("e"))))
-        draw.multiline_text((8, bottom + 8), lines, fill=MUTED, font=face, spacing=3)
+        lines = wrapped(words, face, self._size[0] - 16.0)
+        draw.multiline_text((8, bottom + 6), lines, fill=MUTED, font=face, spacing=2)
         return image
 
     def frame(self, still: Image.Image, scene: Image.Image, time: float) -> Image.Image:
@@ -110,7 +109,7 @@ class FrameLayout:
         words, face = with_face(text, self._fonts[15].size)
         if face.getlength(words) > room:
             words, face = with_face(text, self._fonts[13].size)
-        lines = "\n".join(textwrap.wrap(words, max(20, int(1.08 * room / face.getlength("e")))))
+        lines = wrapped(words, face, room)
         draw.multiline_text((start, middle), lines, fill=INK, font=face, anchor="lm", spacing=2)
 
     def legend(self, image: Image.Image, entries: dict[str, str]) -> None:

@@ -1,5 +1,6 @@
 // Plays one run: its scene, its histories below it, and the time that they share.
 
+import { digits } from "./canvas/digits.js";
 import { drawScene } from "./canvas/painter.js";
 import { ink } from "./canvas/pen.js";
 import { playBar } from "./canvas/play_bar.js";
@@ -29,7 +30,7 @@ function drawStrip(now) {
       series: [{ times: floor.time_s, values: floor.acceleration_m_s2, colour: ink.record }],
     },
     {
-      label: texts.tilt_shown.replace("{angle}", ((peaks.tilt * 180) / Math.PI).toFixed(1)),
+      label: texts.tilt_shown.replace("{angle}", digits((peaks.tilt * 180) / Math.PI, 1)),
       unit: texts.tilt,
       peak: peaks.tilt,
       series: [{ times: run.time_s, values: run.tilt_rad, colour: ink.ink }],
@@ -48,8 +49,8 @@ function draw(now) {
   drawStrip(now);
   part("chip").style.background = modeColours[shown.mode];
   part("mode").textContent = looks[shown.mode].label;
-  part("tilt").textContent = `${((shown.tilt * 180) / Math.PI).toFixed(1)}°`;
-  part("slide").textContent = `${(shown.slide * 100).toFixed(1)} cm`;
+  part("tilt").textContent = `${digits((shown.tilt * 180) / Math.PI, 1)}°`;
+  part("slide").textContent = `${digits(shown.slide * 100, 1)} cm`;
 }
 
 const bar = playBar(film, { start, end }, draw);

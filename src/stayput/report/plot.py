@@ -14,8 +14,9 @@ from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.figures import FONT, new_figure, saved, style
 from stayput.report.fonts import drawable
 from stayput.report.history import history
+from stayput.report.names import motion_label
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, EVENT_MARKERS, INK, MODE_COLOURS, MUTED
-from stayput.report.summary import motion_label, sentence
+from stayput.report.summary import sentence
 from stayput.simulation.outcome import EventKind, Mode
 
 if TYPE_CHECKING:

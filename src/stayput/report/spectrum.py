@@ -12,8 +12,8 @@ from stayput.motion.intensity import LONG_PERIOD_BOUNDS, LONG_PERIODS
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
 from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
+from stayput.report.names import motion_label
 from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED
-from stayput.report.summary import motion_label
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -9,6 +9,7 @@ import numpy as np
 
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.catalogue.names import ANY_PIECE, PIECES
+from stayput.report.names import motion_label
 from stayput.simulation.outcome import Event, EventKind, Outcome
 from stayput.wording import FAR, inside
 
@@ -100,14 +101,6 @@ def with_first_failure(outcome: Phrase, devices: Iterable[DeviceResult]) -> Phra
     return phrase("runs.first_to_fail", outcome=outcome, device=device, time=failed.failure_time)
 
 
-def motion_label(motion: Motion, language: str = "en") -> str:
-    """Return a motion's label in pictures; a computed one is always labelled synthetic."""
-    if not motion.name:
-        return say("runs.unnamed", language)
-    plain = motion.synthetic and "synthetic" not in motion.name.lower()
-    return say("runs.synthetic", language, name=motion.name) if plain else motion.name
-
-
 def results(run: Run) -> dict[str, Any]:
     """Return the results of a run as plain values, in SI units that the keys name.
 
@@ -195,7 +188,7 @@ def rows(run: Run) -> list[tuple[str, str]]:
         "overturned": f"{run.overturn_time:.2f} s" if run.overturned else "-",
         "tilt": f"{math.degrees(run.peak_tilt):.2f}°",
         "slide": f"{100.0 * run.peak_slide:.2f} cm{say('runs.open_side') if slides_off(run) else ''}",
-        "residual": f"{100.0 * run.residual_slide:+.2f} cm",
+        "residual": f"{100.0 * run.residual_slide:+z.2f} cm",
         "floor": str(run.floor_impacts),
         "walls" if run.room.ceiling is None else "walls_and_ceiling": str(run.wall_impacts),
     }

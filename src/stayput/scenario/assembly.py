@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
-import math
-from functools import cache
+from contextlib import contextmanager
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import tomli_w
-from pydantic import Field, PrivateAttr, ValidationError, model_validator
+from pydantic import Field, ValidationError, model_validator
 
+from stayput.catalogue import phrase
 from stayput.errors import InputError
+from stayput.measures.measure import refuse_conflicts
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.scenario.assembly_options import (
+    NOTHING,
     AssemblyOption,
     AssemblyUncertaintyTable,
     OptionTable,
     in_place,
 )
-from stayput.scenario.fields import Table, Text, between, checked
+from stayput.scenario.fields import Text, between, checked
 from stayput.scenario.messages import refusal_of
+from stayput.scenario.origin import FromFile
 from stayput.scenario.pieces import (
     JointTable,  # noqa: TC001 - pydantic reads the annotations
     StandingTable,  # noqa: TC001 - pydantic reads the annotations
@@ -28,10 +32,10 @@ from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import RoomTable
 from stayput.scenario.toml import read_toml
 from stayput.simulation.run import simulate
-from stayput.simulation.standing import MOST_BODIES, Assembly, Joint, Piece, Standing
+from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, Standing, friction_between
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Generator, Mapping
     from os import PathLike
 
     import xarray as xr
@@ -41,9 +45,10 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
     from stayput.simulation.space_run import SpaceRun
+    from stayput.simulation.standing import Joint
 
 
-class AssemblyScenario(Table):
+class AssemblyScenario(FromFile):
     """Several pieces on, beside or joined to one another, and how they are shaken: in space.
 
     Make one with `read_assembly` or `AssemblyScenario.parse`.
@@ -78,8 +83,6 @@ class AssemblyScenario(Table):
         default_factory=AssemblyUncertaintyTable, description="How much of what is not known is tried out."
     )
 
-    _folder: Path = PrivateAttr(default=Path())
-
     @model_validator(mode="after")
     def _named_apart(self) -> Self:
         names = self.names
@@ -90,41 +93,52 @@ class AssemblyScenario(Table):
             if piece.on is not None and piece.on not in names[:number]:
                 name = f"furniture[{number}].on"
                 raise InputError("scenario.stands_on", name, name=name, value=repr(piece.on))
+        try:
+            friction_between((self.static_friction, self.kinetic_friction))
+        except InputError as error:
+            raise error.about("kinetic_friction") from None
         for number, joint in enumerate(self.joints):
             for key in ("first", "second"):
                 if getattr(joint, key) not in names:
                     name = f"joints[{number}].{key}"
                     value = repr(getattr(joint, key))
                     raise InputError("scenario.no_such_piece", name, name=name, value=value)
-        checked("joints", self._joints)
+        self._joints()
+        self._check_options()
+        return self
+
+    def _check_options(self) -> None:
+        names = self.names
+        taken = [NOTHING, *(option.name for option in self.option_tables or ())]
         for number, option in enumerate(self.option_tables or ()):
+            if option.name in taken[: number + 1]:
+                name = f"options[{number}].name"
+                first = taken.index(option.name) - 1
+                other = f"options[{first}]" if first >= 0 else phrase("scenario.option_of_nothing")
+                raise InputError("scenario.same_name", name, name=name, value=repr(option.name), other=other)
             for place, piece in enumerate(option.pieces):
                 name = f"options[{number}].pieces[{place}].name"
                 if piece.name not in names:
                     raise InputError("scenario.no_such_piece", name, name=name, value=repr(piece.name))
                 if not self.furniture[names.index(piece.name)].is_furniture:
                     raise InputError("scenario.measures_on_solid", name, name=piece.name)
-        return self
+            for name in names:
+                checked(f"options[{number}]", partial(refuse_conflicts, option.on(name)))
 
     @classmethod
-    def parse(cls, data: Mapping[str, Any], folder: Path = Path()) -> Self:
+    def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> Self:
         """Make a scenario from the keys and values of its file; see `Scenario.parse`."""
         try:
             scenario = cls.model_validate(dict(data))
         except ValidationError as error:
             raise refusal_of(error.errors(), _schema(cls)) from None
-        scenario._folder = folder
+        scenario._folder, scenario._file = folder, file
         return scenario
 
     @property
     def names(self) -> tuple[str, ...]:
         """What the pieces are called."""
         return tuple(piece.name for piece in self.furniture)
-
-    @property
-    def folder(self) -> Path:
-        """Where the relative path of a record or a mesh begins."""
-        return self._folder
 
     @property
     def counted(self) -> tuple[int, ...]:
@@ -145,12 +159,7 @@ class AssemblyScenario(Table):
             AssemblyOption(
                 table.name,
                 table.joined and bool(self.joints),
-                tuple(
-                    tuple(
-                        one for held in table.pieces if held.name == name for one in in_place(held.measures)
-                    )
-                    for name in self.names
-                ),
+                tuple(table.on(name) for name in self.names),
             )
             for table in self.option_tables or ()
         )
@@ -169,16 +178,32 @@ class AssemblyScenario(Table):
             A body that is not possible, or a mesh that cannot be read.
         """
         chosen = self.stated if option is None else option
-        members = [
-            Piece(piece.body(), at, heading, measures)
-            if measures or (option is not None and piece.is_furniture)
-            else Standing(solid, at, heading)
-            for piece, (solid, at, heading), measures in zip(
-                self.furniture, self._placed(), chosen.measures, strict=True
-            )
-        ]
-        joints = self._joints() if chosen.joined else []
-        return Assembly(members, (self.static_friction, self.kinetic_friction), joints)
+        with self.naming_pieces():
+            members = [
+                Piece(piece.body(), at, heading, measures)
+                if measures or (option is not None and piece.is_furniture)
+                else Standing(solid, at, heading)
+                for piece, (solid, at, heading), measures in zip(
+                    self.furniture, self._placed(), chosen.measures, strict=True
+                )
+            ]
+            joints = self._joints() if chosen.joined else []
+            return Assembly(members, (self.static_friction, self.kinetic_friction), joints)
+
+    def by_names(self, error: InputError) -> InputError:
+        """Return a refusal of its assembly with the names of the pieces in place of the members' numbers."""
+        for number, name in enumerate(self.names):
+            error = error.renamed(f"members[{number}]", repr(name))
+        return error
+
+    @contextmanager
+    def naming_pieces(self) -> Generator[None]:
+        """Refuse what is wrong with its assembly by the names of the pieces, and with the file's name."""
+        with self.naming_file():
+            try:
+                yield
+            except InputError as error:
+                raise self.by_names(error) from None
 
     def stands(self, piece: StandingTable, solid: Solid) -> tuple[tuple[float, float, float], float]:
         """Return where a piece stands, by its own table, and what it faces.
@@ -200,7 +225,7 @@ class AssemblyScenario(Table):
         """Return each body, where the middle of its base is [m], and what it faces."""
         placed: dict[str, tuple[Solid, tuple[float, float, float], float]] = {}
         for number, piece in enumerate(self.furniture):
-            solid = piece.solid(self._folder)
+            solid = checked(f"furniture[{number}]", partial(piece.solid, self._folder))
             (x, y, z), heading = self.stands(piece, solid)
             if piece.on is not None:
                 below, (x_below, y_below, z_below), faces = placed[piece.on]
@@ -223,21 +248,13 @@ class AssemblyScenario(Table):
         return list(placed.values())
 
     def _joints(self) -> list[Joint]:
-        names = self.names
-        return [
-            Joint(
-                names.index(one.first),
-                names.index(one.second),
-                (one.at[0], one.at[1], one.at[2]),
-                None if one.to is None else (one.to[0], one.to[1], one.to[2]),
-                one.stiffness,
-                math.inf if one.strength is None else one.strength,
-                math.inf if one.shear is None else one.shear,
-                one.slack,
-                one.damping,
-            )
-            for one in self.joints
-        ]
+        try:
+            return [
+                checked(f"joints[{number}]", partial(table.joint, self.names))
+                for number, table in enumerate(self.joints)
+            ]
+        except InputError as error:
+            raise self.by_names(error) from None
 
     def surroundings(self) -> Room:
         """Make the room; the gaps of its walls are from the outermost of all pieces."""
@@ -245,11 +262,13 @@ class AssemblyScenario(Table):
 
     def motion(self) -> Motion:
         """Make the motion of the floor: of a suite, that of its ``member``."""
-        return self.shaking.motion(self._folder)
+        with self.naming_file("shaking"):
+            return self.shaking.motion(self._folder)
 
     def ground(self) -> Suite:
         """Make the motions of the ground, not scaled, with all components."""
-        return self.shaking.ground(self._folder)
+        with self.naming_file("shaking"):
+            return self.shaking.ground(self._folder)
 
     def to_toml(self) -> str:
         """Return the scenario as a file's text; see `Scenario.to_toml`."""
@@ -259,7 +278,9 @@ class AssemblyScenario(Table):
 
     def run(self) -> SpaceRun:
         """Simulate the pieces as the file states them."""
-        return simulate(self.assembly(), self.surroundings(), self.motion(), gravity=self.gravity)
+        assembly, motion = self.assembly(), self.motion()
+        with self.naming_pieces():
+            return simulate(assembly, self.surroundings(), motion, gravity=self.gravity)
 
     def sweep(
         self, axes: Mapping[str, Any], *, threads: int | None = None, progress: bool | None = None
@@ -306,6 +327,6 @@ def read_assembly(path: str | PathLike[str]) -> AssemblyScenario:
     """
     file = Path(path)
     try:
-        return AssemblyScenario.parse(read_toml(file), file.parent)
+        return AssemblyScenario.parse(read_toml(file), file.parent, file.name)
     except InputError as error:
         raise error.at(file.name) from None

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 
     from stayput.measures import Measure
 
+NOTHING = "none"
+"""Name of the option without joints and measures, which every verification has."""
+
 if TYPE_CHECKING:
     MeasuresInPlace = list[SingleChoice]
 else:

@@ -126,7 +126,9 @@ def _run(scenario: AssemblyScenario) -> tuple[NDArray[np.void], int, float]:
     """Return what became of each piece, how many devices failed, and the largest utilisation."""
     motion = scenario.motion()
     shaking = SpaceShaking(acceleration_of(motion), motion.dt)
-    traced = trace_assembly(scenario.assembly(), scenario.surroundings(), shaking, scenario.gravity)
+    assembly = scenario.assembly()
+    with scenario.naming_pieces():
+        traced = trace_assembly(assembly, scenario.surroundings(), shaking, scenario.gravity)
     devices = traced.trace.devices
     failed = int((devices["failure"] != HOLDS).sum())
     standing = [one.standing for one in traced.bodies]

@@ -7,7 +7,7 @@ What a field of a table has in common with the field of the value that the table
 from __future__ import annotations
 
 from dataclasses import MISSING
-from typing import TYPE_CHECKING, Annotated, Any, cast
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, cast
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
@@ -18,6 +18,8 @@ from stayput.model.parameters import parameter_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection
+
+Made = TypeVar("Made")
 
 NAME, TABLE, NUMBER = "<name>", "<table>", "<number>"
 """Tags of a value that is a name, a table or a number; not part of a key's dotted name."""
@@ -99,8 +101,8 @@ def name_or_number(value: object) -> str:
     return NAME if isinstance(value, str) else NUMBER
 
 
-def checked(table: str, make: Callable[[], object]) -> None:
-    """Make what a table describes, so that what contradicts itself is refused with the table's name.
+def checked(table: str, make: Callable[[], Made]) -> Made:
+    """Return what a table describes; what contradicts itself is refused with the table's name.
 
     Raises
     ------
@@ -108,6 +110,6 @@ def checked(table: str, make: Callable[[], object]) -> None:
         With the table's name; pydantic carries it on.
     """
     try:
-        make()
+        return make()
     except InputError as error:
         raise error.at(phrase("scenario.in_table", table=table), table) from None

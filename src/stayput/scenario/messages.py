@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import LANGUAGES, phrase, say
@@ -36,13 +37,21 @@ def refusal_of(errors: Sequence[ErrorDetails], schema: dict[str, Any], within: s
     if error["type"] == "extra_forbidden":
         return _unknown_key(name, place, schema)
     raised = error.get("ctx", {}).get("error")
-    if isinstance(raised, InputError):  # by a table's own check
-        return raised
+    if isinstance(raised, InputError):  # by a table's own check, which does not know its place in a list
+        return _in_its_list(raised, name)
     allowed = _allowed(_node(place, schema), schema)
     if error["type"] == "missing":
         return InputError("scenario.missing", name, name=name, allowed=allowed)
     hint, value = _hint(error["input"], place, schema), _shown(error["input"])
     return InputError("scenario.not_allowed", name, name=name, value=value, hint=hint, allowed=allowed)
+
+
+def _in_its_list(error: InputError, place: str) -> InputError:
+    """Return a refusal of a table of a list, "furniture.mass", with its place there: "furniture[1].mass"."""
+    plain = re.sub(r"\[\d+\]", "", place)
+    beginning = re.compile(rf"\b{re.escape(plain)}(?=[.\[\]])")
+    found = error.rewritten(lambda text: beginning.sub(place, text))
+    return found.about(place) if error.field == plain else found
 
 
 def _unknown_key(name: str, place: Sequence[str | int], schema: dict[str, Any]) -> InputError:

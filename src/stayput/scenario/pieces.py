@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from pathlib import Path  # noqa: TC003 - pydantic reads the annotations
-from typing import Annotated, Self
+from typing import TYPE_CHECKING, Annotated, Self
 
 from pydantic import Field, field_validator, model_validator
 
 from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
-from stayput.model.body import Body
+from stayput.model.body import MASS_RANGE, SIZE_RANGE, Body
 from stayput.model.furniture import FURNITURE
 from stayput.model.room import WALLS_AROUND
 from stayput.model.solid import Solid
@@ -18,6 +18,10 @@ from stayput.scenario.assembly_options import MeasuresInPlace, in_place
 from stayput.scenario.fields import Table, Text, between, checked, named, one_of
 from stayput.scenario.measures import refuse_wrong_type
 from stayput.scenario.tables import Kind  # noqa: TC001 - pydantic reads the annotations
+from stayput.simulation.standing import Joint
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 _SIZES = ("width", "length", "height", "diameter", "bottom", "top")
 _SHAPES = {
@@ -30,7 +34,7 @@ _SHAPES = {
 BEHIND = 0.02
 """Usual gap between a piece and the wall at its back [m]."""
 
-Size = Annotated[float, between(1e-3, 100.0, "m")]
+Size = Annotated[float, between(*SIZE_RANGE, "m")]
 PlaceInPlan = Annotated[
     list[Annotated[float, between(-100.0, 100.0, "m")]], Field(min_length=2, max_length=3)
 ]
@@ -52,7 +56,7 @@ class StandingTable(Table):
     top: Size | None = Field(default=None, description="Upper diameter of a cone.")
     mesh: Text | None = Field(default=None, description="A mesh's file (STL, OBJ), relative to this one.")
     unit: Text | None = Field(default=None, description="Unit of the mesh's numbers: mm, cm, m, in or ft.")
-    mass: Annotated[float, between(1e-3, 1e7, "kg")] | None = Field(default=None, description="Mass.")
+    mass: Annotated[float, between(*MASS_RANGE, "kg")] | None = Field(default=None, description="Mass.")
     at: PlaceInPlan = Field(
         default=[0.0, 0.0],
         description="Where the middle of its base is, along x and y of the room, or of the piece that it "
@@ -154,3 +158,24 @@ class JointTable(Table):
     )
     slack: Annotated[float, between(0.0, 10.0, "m")] = Field(default=0.0, description="Slack of a belt.")
     damping: Annotated[float, between(0.0, 2.0)] = Field(default=0.1, description="Damping ratio.")
+
+    def joint(self, names: Sequence[str]) -> Joint:
+        """Make the joint of two of the pieces that are called so.
+
+        Raises
+        ------
+        InputError
+            One that is not possible.
+        """
+        x, y, z = self.at
+        return Joint(
+            names.index(self.first),
+            names.index(self.second),
+            (x, y, z),
+            None if self.to is None else (self.to[0], self.to[1], self.to[2]),
+            self.stiffness,
+            math.inf if self.strength is None else self.strength,
+            math.inf if self.shear is None else self.shear,
+            self.slack,
+            self.damping,
+        )

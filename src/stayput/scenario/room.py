@@ -219,6 +219,6 @@ def read_room(path: str | PathLike[str]) -> RoomScenario:
     """
     file = Path(path)
     try:
-        return RoomScenario.parse(read_toml(file), file.parent)
+        return RoomScenario.parse(read_toml(file), file.parent, file.name)
     except InputError as error:
         raise error.at(file.name) from None

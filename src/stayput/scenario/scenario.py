@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import tomli_w
-from pydantic import Field, PrivateAttr, ValidationError, field_validator, model_validator
+from pydantic import Field, ValidationError, field_validator, model_validator
 from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
 from stayput.contents.weight import emptied
@@ -17,9 +17,10 @@ from stayput.errors import InputError, instance_of
 from stayput.motion.suites import Suite
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.scenario.contents import ContentsTable  # noqa: TC001 - pydantic reads the annotation
-from stayput.scenario.fields import Table, Text, between
+from stayput.scenario.fields import Text, between
 from stayput.scenario.measures import MeasureChoice, NamedMeasures, UncertaintyTable, refuse_wrong_type
 from stayput.scenario.messages import refusal_of
+from stayput.scenario.origin import FromFile
 from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import EverydayTable, FurnitureTable, InitialTable, RoomTable
 from stayput.scenario.toml import read_toml
@@ -39,7 +40,7 @@ def _schema() -> dict[str, Any]:
     return Scenario.schema()
 
 
-class Scenario(Table):
+class Scenario(FromFile):
     """What stands where, and how it is shaken: the content of a scenario file.
 
     Make one with `read_scenario` or `Scenario.parse`; both refuse what is wrong with one sentence.
@@ -75,8 +76,6 @@ class Scenario(Table):
     uncertainty: UncertaintyTable = Field(
         default_factory=UncertaintyTable, description="How much of what is not known is tried out."
     )
-
-    _folder: Path = PrivateAttr(default=Path())
 
     @field_validator("measure_tables", mode="before")
     @classmethod
@@ -115,7 +114,7 @@ class Scenario(Table):
         return self
 
     @classmethod
-    def parse(cls, data: Mapping[str, Any], folder: Path = Path()) -> Scenario:
+    def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> Scenario:
         """Make a scenario from the keys and values of its file.
 
         Parameters
@@ -124,6 +123,8 @@ class Scenario(Table):
             As a TOML reader returns it.
         folder : Path
             Where the relative path of a record begins.
+        file : str
+            The file's name, for what is refused later: a record that cannot be read.
 
         Raises
         ------
@@ -136,7 +137,7 @@ class Scenario(Table):
             scenario = cls.model_validate(dict(data))
         except ValidationError as error:
             raise refusal_of(error.errors(), _schema()) from None
-        scenario._folder = folder
+        scenario._folder, scenario._file = folder, file
         return scenario
 
     @classmethod
@@ -159,11 +160,6 @@ class Scenario(Table):
         return tomli_w.dumps(
             self.model_dump(mode="json", exclude_unset=True, exclude_none=True, by_alias=True)
         )
-
-    @property
-    def folder(self) -> Path:
-        """Where the relative path of a record begins."""
-        return self._folder
 
     @property
     def contents(self) -> Contents | None:
@@ -208,7 +204,8 @@ class Scenario(Table):
         InputError
             The record cannot be read, or the suite has no such member.
         """
-        return self._turned(self.shaking.motion(self._folder))
+        with self.naming_file("shaking"):
+            return self._turned(self.shaking.motion(self._folder))
 
     def ground(self) -> Suite:
         """Make the motions of the ground along the axes of the furniture, not scaled, with all components.
@@ -218,7 +215,8 @@ class Scenario(Table):
         InputError
             A record cannot be read.
         """
-        given = self.shaking.ground(self._folder)
+        with self.naming_file("shaking"):
+            given = self.shaking.ground(self._folder)
         return Suite(tuple(self._turned(motion) for motion in given), given.name)
 
     def _turned(self, motion: Motion) -> Motion:
@@ -246,6 +244,6 @@ def read_scenario(path: str | Path) -> Scenario:
     instance_of("path", path, (str, PathLike))
     file = Path(path)
     try:
-        return Scenario.parse(read_toml(file), file.parent)
+        return Scenario.parse(read_toml(file), file.parent, file.name)
     except InputError as error:
         raise error.at(file.name) from None

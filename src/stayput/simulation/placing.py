@@ -96,7 +96,10 @@ def _springs(number: int, standing: Standing) -> NDArray[np.void]:
 
 
 def _placed(number: int, piece: Piece, room: Room, planes: NDArray[np.void], strength: float) -> Placed:
-    held = hold_piece(piece, room, planes)
+    try:
+        held = hold_piece(piece, room, planes)
+    except InputError as error:
+        raise error.at(f"members[{number}]") from None
     body, standing = held.body, standing_of(piece, held)
     base, facing = _base_of(piece, held), Standing(standing.solid, heading=piece.heading).turn
     upright = Standing(standing.solid, tilt=standing.tilt)

@@ -23,7 +23,10 @@ SLID = 1e-6
 """Way from which on a body has slid [m]."""
 
 ROCKED = 1e-4
-"""Tilt from which on a body has rocked [rad]."""
+"""Tilt from which on a body has rocked [rad]: about what contacts may be deep, over a narrow base."""
+
+LIFTED = 1e-4
+"""How far a body comes up or down when it has left what it stood on [m]."""
 
 LIES = math.pi / 4
 """Tilt from which on a body lies on what it touches: that pushes it up more than aside [rad]."""
@@ -94,6 +97,7 @@ def fates_of(
                     tilt,
                     bool((last.room[b, 1:] <= TOUCHES).any() or beside.any()),
                     float(way.max()),
+                    float(np.ptp(places[:, 2])),
                 ),
                 overturned,
                 fell_off,
@@ -123,15 +127,29 @@ def _chosen(poses: NDArray[np.float64], moved: NDArray[np.intp]) -> NDArray[np.f
     return np.moveaxis(np.take(np.moveaxis(poses, 0, -1), moved, axis=-1), -1, 0)
 
 
-def _outcome(overturned: bool, fell_off: bool, tilt: NDArray[np.float64], held: bool, way: float) -> Outcome:
-    """Return the worst that became of a body; ``held``: a wall, the ceiling or a body beside touches it."""
+def _outcome(
+    overturned: bool, fell_off: bool, tilt: NDArray[np.float64], held: bool, way: float, height: float
+) -> Outcome:
+    """Return the worst that became of a body, as in the plane, where one that was in the air has rocked too.
+
+    Parameters
+    ----------
+    overturned, fell_off : bool
+        Whether it did.
+    tilt : ndarray, shape (samples,)
+        Its tilts [rad].
+    held : bool
+        Whether a wall, the ceiling or a body beside touches it at the end.
+    way, height : float
+        How far it slid in plan, and came up or down [m].
+    """
     if fell_off:
         return Outcome.FELL_OFF
     if overturned:
         return Outcome.OVERTURNED
     if tilt[-1] > ROCKED and held:
         return Outcome.LEANING
-    if tilt.max() > ROCKED:
+    if tilt.max() > ROCKED or height > LIFTED:
         return Outcome.ROCKED
     return Outcome.SLID if way > SLID else Outcome.RESTED
 

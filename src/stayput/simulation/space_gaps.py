@@ -61,13 +61,20 @@ def gaps_of(world: tuple[Any, ...], noted: NDArray[np.float64]) -> Gaps:
 
 def refuse_overlaps(planes: NDArray[np.void], gaps: Gaps) -> None:
     """Raise `InputError` where a body begins inside the room or another."""
+    alone = len(gaps.room) == 1
     for j, plane in enumerate(planes):
         for number, least in enumerate(gaps.room[:, j].tolist()):
             if least < -DEEPEST:
+                body = phrase("simulation.the_body") if alone else f"members[{number}]"
                 surface = phrase(f"simulation.{surface_of(plane)}")
                 raise InputError(
-                    "simulation.begins_inside", "members", number=number, surface=surface, depth=-least
+                    "simulation.begins_inside", "members", body=body, surface=surface, depth=-least
                 )
     for second, first in np.argwhere(np.tril(gaps.bodies < -DEEPEST)).tolist():
-        depth = -float(gaps.bodies[second, first])
-        raise InputError("simulation.begin_in_each_other", "members", first=first, second=second, depth=depth)
+        raise InputError(
+            "simulation.begin_in_each_other",
+            "members",
+            first=f"members[{first}]",
+            second=f"members[{second}]",
+            depth=-float(gaps.bodies[second, first]),
+        )

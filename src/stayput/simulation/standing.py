@@ -225,7 +225,7 @@ class Joint:
         for name in ("first", "second"):
             whole_within(f"simulation.joint_{name}", getattr(self, name), 0, MOST_BODIES - 1, "", name)
         if self.first == self.second:
-            raise InputError("simulation.joins_itself", "second", number=self.first)
+            raise InputError("simulation.joins_itself", "second", member=f"members[{self.first}]")
         object.__setattr__(self, "at", _vector("at", self.at, 100.0, "m"))
         if self.to is not None:
             object.__setattr__(self, "to", _vector("to", self.to, 100.0, "m"))
@@ -299,15 +299,16 @@ class Assembly:
                 reach = 2.0 * float(np.linalg.norm(np.ptp(one.solid.vertices, axis=0)))
                 apart = float(np.linalg.norm(np.asarray(at) - one.place))
                 if apart > reach:
+                    name, holds = f"joints[{number}]", f"members[{member}]"
                     raise InputError(
-                        "simulation.joint_astray", f"joints[{number}]", number=member, apart=apart, most=reach
+                        "simulation.joint_astray", name, name=name, member=holds, apart=apart, most=reach
                     )
         object.__setattr__(self, "members", standing)
-        object.__setattr__(self, "friction", _friction(friction))
+        object.__setattr__(self, "friction", friction_between(friction))
         object.__setattr__(self, "joints", joined)
 
 
-def _friction(friction: object) -> tuple[float, float]:
+def friction_between(friction: object) -> tuple[float, float]:
     """Return the coefficients of friction between bodies, or raise `InputError`."""
     called = phrase("simulation.friction")
     values = numbers(called, friction, "friction")

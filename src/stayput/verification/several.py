@@ -89,7 +89,8 @@ def verify_several(
                 assemblies, room, drawn, floors, gravity, counted, threads=threads, progress=count
             )
 
-        runs, samples, precise = sample_until_precise(len(options), settings, run, together=True)
+        with scenario.naming_pieces():
+            runs, samples, precise = sample_until_precise(len(options), settings, run, together=True)
         made = len(options) * len(ground) * samples
         if made < total:  # samples beyond the asked precision
             count(total - made)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError
 from stayput.measures import MEASURES
-from stayput.scenario.assembly_options import AssemblyOption
+from stayput.scenario.assembly_options import NOTHING, AssemblyOption
 from stayput.simulation.placing import placed
 
 if TYPE_CHECKING:
@@ -80,26 +80,23 @@ def options_of_several(
     Raises
     ------
     InputError
-        Options of which none can be put in place, or two of one name.
+        Options of which none can be put in place.
     """
-    nothing = AssemblyOption("none", False, ((),) * len(scenario.names))
+    nothing = AssemblyOption(NOTHING, False, ((),) * len(scenario.names))
     named = scenario.options
     wanted = named or _usual(scenario)
-    names = [nothing.name, *(option.name for option in wanted)]
-    for name in names:
-        if names.count(name) > 1:
-            raise InputError("several.two_of_one_name", "options", name=repr(name))
     possible: list[AssemblyOption] = []
     rejected: list[RejectedOption] = []
     for option in wanted:
         try:
             _put_in_place(scenario, option)
         except InputError as error:  # no wall behind, no ceiling known, mats under a piece on another
-            rejected.append(RejectedOption(option, error.with_traceback(None)))
+            rejected.append(RejectedOption(option, scenario.by_names(error)))
         else:
             possible.append(option)
     if named and not possible:
-        raise rejected[0].error
+        with scenario.naming_file():
+            raise rejected[0].error
     return (nothing, *possible), tuple(rejected)
 
 

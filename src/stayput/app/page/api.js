@@ -44,7 +44,7 @@ export const runAsCsv = async (content, which) =>
   (await ask(`simulate/csv?which=${which}`, sent(content))).text();
 export const film = async (content, query) =>
   (await ask(`simulate/film?${new URLSearchParams(query)}`, sent(content))).blob();
-export const readScenario = (toml) => json("scenario/read", sent({ toml }));
+export const readScenario = (toml, name) => json("scenario/read", sent({ toml, name }));
 const chosen = (component) => (component ? `?component=${encodeURIComponent(component)}` : "");
 export const motion = (id, component) => json(`motions/${id}${chosen(component)}`);
 export const motionPreview = (id, component) => json(`motions/${id}/preview${chosen(component)}`);

@@ -9,8 +9,7 @@ const LEFT = 58,
   RIGHT = 12,
   BAND = 92,
   GAP = 26,
-  FOOT = 34,
-  TITLE = 150; // left free for a panel's title
+  FOOT = 34;
 const DEGREES = 180 / Math.PI;
 const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
 
@@ -44,13 +43,21 @@ const AXES = {
 /** What a run's lines look like: the second run's are dashed. */
 const lookOf = (i) => ({ dash: i === 0 ? [] : [7, 4], colour: i === 0 ? ink.alarm : ink.record });
 
-/** The lines of a history: of each run, or of each piece where there are several, with its name. */
+const dashOf = (k) => DASHES[k % DASHES.length];
+
+/** What the lines of several pieces are: {name, colour, dash} for each; none of one piece. */
+export const piecesKey = ({ runs, inSpace }) =>
+  inSpace && runs[0].scene.bodies.length > 1
+    ? runs[0].scene.bodies.map(({ name, colour }, k) => ({ name, colour, dash: dashOf(k).join(" ") }))
+    : [];
+
+/** The lines of a history: of each run, or of each piece where there are several. */
 function series({ runs, inSpace }, key, factor) {
   if (!inSpace) return runs.map((run, i) => ({ times: run.time_s, values: run[key], factor, ...lookOf(i) }));
   const several = runs[0].scene.bodies.length > 1;
   return runs.flatMap(({ time_s: times, scene }, i) =>
-    scene.bodies.map(({ name, colour, ...body }, k) => {
-      const look = several ? { dash: DASHES[k % DASHES.length], colour, name } : lookOf(i);
+    scene.bodies.map(({ colour, ...body }, k) => {
+      const look = several ? { dash: dashOf(k), colour } : lookOf(i);
       return { times, values: body[key], factor, ...look };
     }),
   );
@@ -195,7 +202,8 @@ function drawPanel(pen, { title, unit, lines, span: [low, high], beyond }, top, 
   const up = (value) => top + BAND - (BAND * (value - low)) / (high - low);
   pen.fillStyle = ink.ink;
   pen.textAlign = "left";
-  pen.fillText(`${title} [${unit}]`, LEFT, top - 8);
+  const heading = `${title} [${unit}]`;
+  pen.fillText(heading, LEFT, top - 8);
   pen.fillStyle = ink.muted;
   pen.textAlign = "right";
   for (const value of ticks(low, high, 4)) {
@@ -221,20 +229,23 @@ function drawPanel(pen, { title, unit, lines, span: [low, high], beyond }, top, 
     line(pen, colour, 1.6, points);
   }
   pen.restore();
-  drawNames(pen, lines, top, width);
+  drawNames(pen, heading, lines, top, width);
   drawBeyond(pen, beyond, unit, top, width);
 }
 
-/** Writes the names of the lines that have one above the panel, from its right end on, while there is room. */
-function drawNames(pen, lines, top, width) {
-  let right = width - RIGHT;
-  pen.textAlign = "right";
-  for (const { name, colour } of lines.filter((one) => one.name).reverse()) {
-    const wide = pen.measureText(name).width;
-    if (right - wide < LEFT + TITLE) break;
+/** Writes the names of lines at the panel's right end: beside its title, or below that where there is no room. */
+function drawNames(pen, title, lines, top, width) {
+  const names = lines
+    .filter((one) => one.name)
+    .map(({ name, colour }) => ({ name, colour, wide: pen.measureText(name).width + 10 }));
+  const room = width - LEFT - RIGHT - pen.measureText(title).width;
+  let left = width - RIGHT + 10 - names.reduce((sum, { wide }) => sum + wide, 0);
+  const up = width - RIGHT - left < room ? top - 8 : top + 8;
+  pen.textAlign = "left";
+  for (const { name, colour, wide } of names) {
     pen.fillStyle = colour;
-    pen.fillText(name, right, top - 8);
-    right -= wide + 10;
+    pen.fillText(name, left, up);
+    left += wide;
   }
 }
 

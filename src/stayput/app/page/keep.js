@@ -2,10 +2,38 @@
 
 import * as api from "./api.js";
 import { fill, offer, part } from "./dom.js";
+import * as pieces from "./pieces.js";
 import { worded } from "./refusals.js";
 import { spoken, t } from "./words.js";
 
+const drawn = new Set(); // the buttons whose films are being drawn
+let held = false; // whether there is a run with measures
+
 const say = (...content) => fill(part("kept"), content);
+
+/** Closes a button and says on it that a film is being drawn, for as long as that takes. */
+async function drawing(button, work) {
+  const usual = button.dataset.t;
+  const tell = (key) => {
+    button.dataset.t = key; // from which another language is written
+    button.textContent = t(key);
+  };
+  drawn.add(button);
+  button.disabled = true;
+  tell("drawingNow");
+  say(t("drawing"));
+  try {
+    await work();
+    say();
+  } finally {
+    drawn.delete(button);
+    button.disabled = shut(button);
+    tell(usual);
+  }
+}
+
+/** Whether a button of a run is closed: its film is being drawn, or there is no such run. */
+const shut = (button) => drawn.has(button) || (button.id.endsWith("-with") && !held);
 
 /** Wires the buttons; "request" gives the scene and its measures. */
 export function wire(request) {
@@ -32,7 +60,13 @@ export function wire(request) {
   part("address").addEventListener("focus", (event) => event.target.select());
   part("toml").addEventListener(
     "click",
-    attempt(async () => offer(await api.toml(request()), "scenario.toml", "application/toml")),
+    attempt(async () =>
+      offer(
+        pieces.shownText() ?? (await api.toml(request())),
+        pieces.shownName() ?? "scenario.toml",
+        "application/toml",
+      ),
+    ),
   );
   for (const which of ["without", "with"]) {
     part(`csv-${which}`).addEventListener(
@@ -42,12 +76,12 @@ export function wire(request) {
     for (const kind of ["html", "gif"])
       part(`${kind}-${which}`).addEventListener(
         "click",
-        attempt(async () => {
-          say(t("drawing"));
-          const made = await api.film(request(), { which, kind, lang: spoken() });
-          offer(made, `run_${which}.${kind}`, made.type);
-          say();
-        }),
+        attempt(() =>
+          drawing(part(`${kind}-${which}`), async () => {
+            const made = await api.film(request(), { which, kind, lang: spoken() });
+            offer(made, `run_${which}.${kind}`, made.type);
+          }),
+        ),
       );
   }
 }
@@ -66,9 +100,12 @@ export function point(job) {
   part("report-wait").hidden = Boolean(job);
 }
 
-/** Shows the address of the scene, whether there is a run with measures, and whether it is one of several pieces. */
-export function update(measured, several) {
-  part("toml").disabled = several;
+/** Shows the address of the scene, or that a file is too long for one, and whether there is a run with measures. */
+export function update(measured) {
+  const long = pieces.tooLong();
+  part("link").hidden = long;
+  part("link-long").hidden = !long;
   part("address").value = location.href;
-  for (const kind of ["csv", "html", "gif"]) part(`${kind}-with`).disabled = !measured;
+  held = measured && !pieces.asked();
+  for (const kind of ["csv", "html", "gif"]) part(`${kind}-with`).disabled = shut(part(`${kind}-with`));
 }

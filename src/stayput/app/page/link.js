@@ -25,8 +25,8 @@ const WORDS = ["wallConstruction", "ceilingConstruction"];
 const NAMES = ["piece", "floor", "structure", "family", "contents", "doors", ...WORDS];
 const FLAGS = ["inSpace", "wall", "scaled", "installed"];
 
-/** The scene as the part of an address after "#". */
-export function toHash(scene) {
+/** The scene as the part of an address after "#", and a file of several pieces {name, letters} that is shown instead. */
+export function toHash(scene, file = null) {
   const pairs = new URLSearchParams();
   for (const name of NAMES) pairs.set(name, scene[name]);
   for (const name of NUMBERS) pairs.set(name, round(scene[name]));
@@ -41,6 +41,10 @@ export function toHash(scene) {
     [type, ...Object.entries(settings).map(([name, value]) => `${name}:${value}`)].join(";"),
   );
   if (measures.length) pairs.set("measures", measures.join(","));
+  if (file) {
+    pairs.set("file", file.name);
+    pairs.set("pieces", file.letters);
+  }
   return pairs.toString();
 }
 
@@ -70,7 +74,7 @@ function measured(text, presets) {
   return measures;
 }
 
-/** The scene of an address; what is missing or makes no sense there is as in the scene given. */
+/** The scene, the record and the file of several pieces of an address; what is missing or makes no sense there is as in the scene given. */
 export function fromHash(hash, presets, start) {
   const within = (value, name) => clamp(value, limitsOf(presets, name));
   const pairs = new URLSearchParams(hash.replace(/^#/, ""));
@@ -84,7 +88,7 @@ export function fromHash(hash, presets, start) {
     doors: presets.doors,
     ...Object.fromEntries(WORDS.map((name) => [name, wordsOf(presets, name).map((id) => ({ id }))])),
   };
-  if (!pairs.has("piece")) return { scene, record: null };
+  if (!pairs.has("piece")) return { scene, record: null, file: null };
   for (const name of NAMES)
     if (lists[name].some((one) => one.id === pairs.get(name))) scene[name] = pairs.get(name);
   if (!pairs.has("length")) scene.length = presets.furniture.find((one) => one.id === scene.piece).length_m;
@@ -101,5 +105,10 @@ export function fromHash(hash, presets, start) {
   scene.measures = pairs.has("measures") ? measured(pairs.get("measures"), presets) : {};
   scene.record = null;
   const [record, name, component] = ["record", "name", "component"].map((key) => pairs.get(key));
-  return { scene, record: record ? { id: record, name, component } : null };
+  const [file, letters] = ["file", "pieces"].map((key) => pairs.get(key));
+  return {
+    scene,
+    record: record ? { id: record, name, component } : null,
+    file: letters ? { name: file ?? "", letters } : null,
+  };
 }

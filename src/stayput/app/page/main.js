@@ -55,7 +55,7 @@ async function simulate() {
   const scene = current(),
     file = pieces.shownName();
   try {
-    shown = { result: shake(await api.simulate(request())), scene, file };
+    shown = { result: shake(pieces.answer() ?? (await api.simulate(request()))), scene, file };
     tellProblem(null);
     display();
   } catch (error) {
@@ -123,14 +123,16 @@ function display() {
 
 /** Shows the pieces of a file that was read, in the place of the page's own scene. */
 function shakePieces() {
+  edited.place = true;
   understand.outdated();
-  keep.update(false, true);
+  address();
   simulate();
 }
 
 /** Goes back to the page's own scene. */
 function ownPiece() {
   pieces.leave();
+  edited.place = true;
   understand.outdated();
   address();
   simulate();
@@ -197,15 +199,17 @@ const changed = beforeNextFrame(() => {
  */
 const address = settled(250, () => {
   if (taking) return;
-  const hash = `#${toHash(current())}`,
+  const hash = hashNow(),
     state = { screen: document.body.dataset.screen };
   if (hash !== location.hash) {
     if (edited.place) history.pushState(state, "", hash);
     else history.replaceState(history.state ?? state, "", hash);
     edited.place = false;
   }
-  keep.update(measures.inPlace(current()).length > 0, pieces.asked() !== null);
+  keep.update(measures.inPlace(current()).length > 0);
 });
+
+const hashNow = () => `#${toHash(current(), pieces.linked())}`;
 
 /** Notes which fields change, and whether that begins another place in the browser's history. */
 function edit(keys) {
@@ -238,7 +242,7 @@ async function begin() {
   see.name(presets);
   understand.build(presets, request);
   watch((keys) => {
-    pieces.leave(); // what is set is set for the page's own piece
+    if (!taking) pieces.leave(); // what is set is set for the page's own piece
     edit(keys);
     for (const key of keys) touched.add(key);
     changed();
@@ -246,7 +250,7 @@ async function begin() {
   });
   addEventListener("popstate", async (event) => {
     screens.goBack(event.state);
-    if (location.hash === `#${toHash(current())}`) return;
+    if (location.hash === hashNow()) return;
     await take(location.hash);
     again();
     address();
@@ -256,15 +260,31 @@ async function begin() {
   understand.outdated();
 }
 
-/** Takes the scene of an address; a record of it is asked for on the server. */
+/** Takes the scene of an address; a record of it is asked for on the server, and a file's pieces are shaken there. */
 async function take(hash) {
-  const { scene, record } = fromHash(hash, presets, fromServer(presets));
+  const { scene, record, file } = fromHash(hash, presets, fromServer(presets));
+  const gone = file && (await takeFile(file));
+  if (hash !== location.hash) return; // the reader has gone on meanwhile
+  if (!file || gone) pieces.leave();
   taking = true;
-  change(scene);
   try {
+    change({ ...scene, gone });
     if (record) await takeRecord(record, scene.scaled);
   } finally {
     taking = false;
+  }
+}
+
+/** Takes a file of several pieces from a link; returns what is wrong with it, as the notices say it, or null. */
+async function takeFile(linked) {
+  const slow = setTimeout(() => tellWait(shown ? "outdated" : "warming"), SLOW);
+  try {
+    return (await pieces.takeLinked(linked)) ? null : { file: linked.name, error: null };
+  } catch (error) {
+    return { file: linked.name, error };
+  } finally {
+    clearTimeout(slow);
+    tellWait(null);
   }
 }
 

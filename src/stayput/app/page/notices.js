@@ -2,6 +2,7 @@
 
 import { el, fill, part } from "./dom.js";
 import { leftOut } from "./panel_measures.js";
+import { wordedOfScenario } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { length, t } from "./words.js";
 
@@ -25,6 +26,13 @@ const twiceUp = (scene) =>
     ? t("twiceUp", { name: scene.record.name })
     : null;
 
+/** Why what a link names is not shown: a record that the server has no more, or a file of several pieces. */
+function whyGone({ name, file, error }) {
+  if (!file)
+    return [t("recordGone", { name: name ? t("recordName", { name }) : "" }), t("space"), t("recordReplaced")];
+  return error ? [`${file}${t("colon")}`, ...wordedOfScenario(error)] : [t("linkDamaged", { name: file })];
+}
+
 /** Writes all of it above the picture. */
 export function update() {
   const scene = current();
@@ -35,9 +43,7 @@ export function update() {
     twiceUp(scene),
   ].filter(Boolean);
   const gone = scene.gone && [
-    t("recordGone", { name: scene.gone.name ? t("recordName", { name: scene.gone.name }) : "" }),
-    t("space"),
-    t("recordReplaced"),
+    ...whyGone(scene.gone),
     " ",
     el("button", { type: "button", text: t("understood"), onclick: () => change({ gone: null }) }),
   ];

@@ -1,29 +1,67 @@
 // A scenario file of several pieces: read by the server, shaken and shown as it is, until the scene changes.
 
 import * as api from "./api.js";
+import { patiently } from "./connection.js";
 import { el, fill, part } from "./dom.js";
+import { packed, unpacked } from "./packing.js";
 import { both, number, t } from "./words.js";
 
-let file = null; // {name, scene}
+const LONGEST = 8000; // letters of a file in a link: longer ones are cut by much that links are sent with
+
+let file = null, // {name, text, letters, asked, answer}
+  newest = 0;
 
 /** Whether a dropped file is a scenario, by its name. */
 export const isScenario = ({ name }) => /\.toml$/i.test(name);
 
 /** The file that is shown, as the server is asked about it; null: the page's own scene is. */
-export const asked = () => file && { scene: file.scene, measures: [] };
+export const asked = () => file?.asked ?? null;
+
+/** What the server answered about the file that is shown, or null. */
+export const answer = () => file?.answer ?? null;
 
 /** What the file is called. */
 export const shownName = () => file?.name ?? null;
 
-/** Reads a scenario file; where it is one of several pieces, it is shown from now on. Returns whether it is. */
-export async function take(given) {
-  const { scene, pieces } = await api.readScenario(await given.text());
-  if (pieces.length) file = { name: given.name, scene };
-  return pieces.length > 0;
+/** The file that is shown, as it came. */
+export const shownText = () => file?.text ?? null;
+
+/** What a link holds of the file that is shown: {name, letters}, or null where there is none or it is too long. */
+export const linked = () => (file && !tooLong() ? { name: file.name, letters: file.letters } : null);
+
+/** Whether the file that is shown is too long for a link. */
+export const tooLong = () => file !== null && file.letters.length > LONGEST;
+
+/**
+ * Reads a scenario file and shakes what stands there; where it is of several pieces, it is shown from now on. Returns
+ * whether it is; null where something else has been asked for since. What is refused changes nothing.
+ */
+export async function take(name, text) {
+  const mine = ++newest,
+    wanted = () => mine === newest;
+  const read = await patiently(() => api.readScenario(text, name), wanted);
+  if (!wanted()) return null;
+  if (!read.pieces.length) return false;
+  const given = { scene: read.scene, measures: [] };
+  const simulated = await patiently(() => api.simulate(given), wanted);
+  const letters = await packed(text);
+  if (!wanted()) return null;
+  file = { name, text, letters, asked: given, answer: simulated };
+  return true;
+}
+
+/** Shows the file of a link; returns false where the link does not hold all of one. */
+export async function takeLinked({ name, letters }) {
+  if (file?.letters === letters) return true;
+  const text = await unpacked(letters).catch(() => null);
+  return text !== null && (await take(name, text)) !== false;
 }
 
 /** Shows the page's own scene again. */
-export const leave = () => (file = null);
+export function leave() {
+  file = null;
+  newest++;
+}
 
 /** Lists the pieces and what became of each, with the button that leaves the file. */
 export function list(run, outcomes, back) {

@@ -17,6 +17,10 @@ const BY_STATUS = {
 /** Whether an error says that the server no longer has the record of the scene. */
 export const lacksRecord = (error) => error.field === "scene.shaking.record";
 
+/** What is wrong with a scenario file, as `worded`; a record is not beside it as on the reader's disk. */
+export const wordedOfScenario = (error) =>
+  lacksRecord(error) ? [t("recordBeside")] : worded(error, "unreadable");
+
 /**
  * An error as what is shown: a sentence in the reader's language; where there is only a general one, the server's
  * own words beside it.

@@ -3,7 +3,7 @@
 import { icon } from "./icons.js";
 import { el, fill, part, svg } from "./dom.js";
 import { drawBuilding } from "./building.js";
-import { deviceKey, drawHistories, setHistories, timeAt } from "./histories.js";
+import { deviceKey, drawHistories, piecesKey, setHistories, timeAt } from "./histories.js";
 import { recalled, remember } from "./memory.js";
 import { player } from "./canvas/clock.js";
 import { shownSpan, telling } from "./runs.js";
@@ -92,7 +92,7 @@ export function show(shaken, scene) {
       part(`${kind}-${which}`).setAttribute("aria-label", `${t(which)}${t("colon")}${both(run.sentence)}`);
   });
   setHistories(part("histories"), shaken, end);
-  showKey(deviceKey(shaken));
+  showKeys(deviceKey(shaken), piecesKey(shaken));
   part("histories").setAttribute(
     "aria-label",
     t("historiesAlt", {
@@ -118,20 +118,23 @@ function chooseStages({ inSpace, runs }) {
   else part("flat").hidden = true;
 }
 
-/** Says which line of the forces is of which device. */
-function showKey({ lines, more }) {
-  const swatch = (dash) =>
-    svg(
-      "svg",
-      { viewBox: "0 0 40 12", "aria-hidden": "true" },
-      svg("path", { class: "line-device", d: "M0 6H40", "stroke-dasharray": dash }),
-    );
+/** Says which line of the forces is of which device, and which of the others of which piece. */
+function showKeys({ lines, more }, pieces) {
   part("device-title").hidden = !lines.length;
   fill(
     part("device-key"),
-    lines.map(({ name, dash }) => el("li", {}, swatch(dash), el("span", { text: name }))),
+    lines.map(entry),
     more > 0 ? el("li", { text: t("moreDevices", { n: more }) }) : [],
   );
+  fill(part("pieces-key"), pieces.map(entry));
+}
+
+/** A line of a key: what it looks like and its name. */
+function entry({ name, dash, colour = null }) {
+  const path = svg("path", { class: "line-device", d: "M0 6H40", "stroke-dasharray": dash });
+  if (colour) path.style.stroke = colour;
+  const swatch = svg("svg", { viewBox: "0 0 40 12", "aria-hidden": "true" }, path);
+  return el("li", {}, swatch, el("span", { text: name }));
 }
 
 /** Brings the picture into sight, where something elsewhere has chosen its time. */

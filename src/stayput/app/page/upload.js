@@ -4,8 +4,9 @@ import * as api from "./api.js";
 import { choice } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { classOf } from "./panel_shaking.js";
+import { utf8 } from "./packing.js";
 import * as pieces from "./pieces.js";
-import { worded } from "./refusals.js";
+import { worded, wordedOfScenario } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { both, number, spoken, t } from "./words.js";
 
@@ -42,12 +43,17 @@ export function wire(shake) {
 }
 
 async function sendPieces(file, shake) {
+  waiting?.abort();
+  const text = await file.arrayBuffer().then(utf8).catch(() => null);
+  if (text === null) return tell(() => [refusal([t("notText")])]);
+  tell(() => [el("p", { role: "status", text: t("shaking") })]);
   try {
-    const several = await pieces.take(file);
+    const several = await pieces.take(file.name, text);
+    if (several === null) return;
     tell(several ? null : () => [refusal([t("onePieceFile")])]);
     if (several) shake();
   } catch (error) {
-    tell(() => [refusal(worded(error, "unreadable"))]);
+    tell(() => [refusal(wordedOfScenario(error))]);
   }
 }
 

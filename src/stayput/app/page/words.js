@@ -1,5 +1,6 @@
 // The page's language: one table of words for each, chosen at the start and switched at any time.
 
+import { rounded } from "./canvas/digits.js";
 import { TABLES } from "./words_table.js"; // made by the server from its catalogue
 
 let language = "en";
@@ -64,7 +65,10 @@ export function translate(root) {
 
 /** A number so many decimals long, as the language writes it. */
 export const number = (value, decimals = 0) =>
-  value.toLocaleString(language, { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
+  rounded(value, decimals).toLocaleString(language, {
+    minimumFractionDigits: decimals,
+    maximumFractionDigits: decimals,
+  });
 
 /** A length in the unit that people use for it. */
 export const length = (metres) =>

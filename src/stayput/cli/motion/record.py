@@ -92,7 +92,7 @@ def _print_info(
     from rich.console import Console
     from rich.table import Table
 
-    from stayput.report.summary import motion_label
+    from stayput.report.names import motion_label
 
     console = Console(highlight=False, markup=False)
     console.print(motion_label(motion), style="bold")
@@ -201,7 +201,7 @@ def _print_spectra(motion: Motion, spectra: dict[str, ResponseSpectrum]) -> None
     from rich.console import Console
     from rich.table import Table
 
-    from stayput.report.summary import motion_label
+    from stayput.report.names import motion_label
 
     console = Console(highlight=False, markup=False)
     damping = 100.0 * next(iter(spectra.values())).damping

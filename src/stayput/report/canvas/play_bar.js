@@ -1,5 +1,6 @@
 // What every player of a run in a page of its own has: play, time, speed, theme, keys, the time in the address.
 
+import { digits } from "./digits.js";
 import { player, prefersReducedMotion } from "./clock.js";
 import { readInks } from "./pen.js";
 
@@ -12,7 +13,7 @@ export function playBar(film, { start, end }, draw) {
   const { texts } = film;
   function drawAll(now) {
     draw(now);
-    part("clock").textContent = `${now.toFixed(2)} s`;
+    part("clock").textContent = `${digits(now, 2)} s`;
     part("time").value = (1000 * (now - start)) / (end - start);
   }
   const clock = player(

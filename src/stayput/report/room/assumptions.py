@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.model.parameters import GIVEN
-from stayput.report.several.tables import NOT_DRAWN, drawn_between, piece_assumptions
+from stayput.report.several.tables import NOT_DRAWN, drawn_between, piece_assumptions, rolling_assumptions
 from stayput.report.verdict.assumptions import (
     MODEL,
     Assumption,
@@ -35,6 +35,7 @@ def assumptions_of_room(verdict: RoomVerdict) -> list[Assumption]:
     walls = [] if room.left_wall is None else [fixed_to("wall_fixing", room.left_wall)]
     return [
         *_limits(verdict),
+        *rolling_assumptions(scenario),
         _direction(scenario.direction),
         *piece_assumptions(scenario),
         floor_assumption(scenario, room.floor),

@@ -15,7 +15,6 @@ from stayput.files import check_target, draft
 from stayput.report.embedding import inks_css
 from stayput.report.several.pairs import pairs_of_several
 from stayput.report.several.tables import (
-    DEVICE_OF_SEVERAL_COLUMNS,
     rejected_rows,
     several_assumptions,
     several_device_rows,
@@ -24,6 +23,7 @@ from stayput.report.several.tables import (
 )
 from stayput.report.verdict import numbers
 from stayput.report.verdict.html import SUFFIXES, rendered
+from stayput.report.verdict.tables import DEVICE_COLUMNS
 from stayput.report.verdict.words import word
 from stayput.verification.several_words import headline_of_several
 from stayput.verification.words import class_label
@@ -93,7 +93,7 @@ def _content(verdict: AssemblyVerdict, language: str) -> dict[str, Any]:
         "rows": several_rows(verdict, language),
         "rejected": rejected_rows(verdict, language),
         "pairs": pairs_of_several(verdict, language),
-        "device_columns": [own("holds"), *(text(key) for key in DEVICE_OF_SEVERAL_COLUMNS)],
+        "device_columns": [own("holds"), *(text(key) for key in DEVICE_COLUMNS)],
         "details": [
             (row, several_device_rows(row.result, language))
             for row in several_rows(verdict, language)

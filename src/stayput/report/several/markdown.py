@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import stayput
 from stayput.catalogue import say
 from stayput.report.several.tables import (
-    DEVICE_OF_SEVERAL_COLUMNS,
     rejected_rows,
     several_assumptions,
     several_device_rows,
@@ -17,6 +16,7 @@ from stayput.report.several.tables import (
 )
 from stayput.report.verdict.markdown import plain, table
 from stayput.report.verdict.numbers import NO_NUMBER, length, with_interval
+from stayput.report.verdict.tables import DEVICE_COLUMNS
 from stayput.report.verdict.words import word
 from stayput.verification.several_words import headline_of_several
 
@@ -74,7 +74,7 @@ def _lines(verdict: AssemblyVerdict, language: str) -> Iterator[str]:
     ]
     if devices:
         yield f"\n## {own('details')}\n"
-        heading = (own("option"), own("holds"), *(text(key) for key in DEVICE_OF_SEVERAL_COLUMNS))
+        heading = (own("option"), own("holds"), *(text(key) for key in DEVICE_COLUMNS))
         yield from table(heading, devices)
     yield f"\n## {text('assumptions')}\n"
     heading = (text("assumption"), text("value"), text("confidence"))

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from stayput.catalogue import say
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.several import draws_of_several, replay
@@ -14,9 +12,8 @@ from stayput.report.space.animation import space_player_page
 from stayput.report.space.film import space_film
 from stayput.report.space.plot import plot_space_run
 from stayput.report.space.said import became
-from stayput.report.summary import motion_label
-from stayput.report.verdict.in_space import cut_run, embedded, moving_window
-from stayput.report.verdict.words import motion_named, word
+from stayput.report.verdict.in_space import cut_run, embedded, motion_in_space, moving_window
+from stayput.report.verdict.words import word
 from stayput.verification.several_words import title_of_several
 
 if TYPE_CHECKING:
@@ -66,30 +63,21 @@ def _pair(kind: str, verdict: AssemblyVerdict, member: Member, language: str) ->
     names, heading = verdict.scenario.names, word("histories", language)
     drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
     sides: list[dict[str, Any]] = []
-    for option, run in zip(options, runs, strict=True):
-        shown = cut_run(run, start, end)
+    cut = [cut_run(run, start, end) for run in runs]
+    for option, run, shown in zip(options, runs, cut, strict=True):
+        film = space_film(shown, names, language, cut)
         sides.append(
             {
                 "label": title_of_several(option, verdict, language),
                 "outcome": say(became(run, names), language),
-                "player": space_player_page(space_film(shown, names, language), 1.0, 1.5, plays=False),
+                "player": space_player_page(film, 1.0, 1.5, plays=False),
                 "histories": embedded(plot_space_run(shown, names=names, language=drawn)),
             }
         )
-    about, shaken = f"{kind}_text" if len(runs) > 1 else f"{kind}_bare_text", runs[0].motion
+    about = f"{kind}_text" if len(runs) > 1 else f"{kind}_bare_text"
     return {
         "title": word(kind, language),
         "about": say(f"several.{about}", language),
         "sides": sides,
-        "motion": word(
-            "motion_in_space",
-            language,
-            number=member.motion + 1,
-            count=verdict.motions,
-            name=motion_named(motion_label(shaken), language),
-            peak=f"{max(float(np.abs(a).max()) for a in shaken.components.values()):.1f}",
-            start=f"{start:.1f}",
-            end=f"{end:.1f}",
-            duration=f"{shaken.duration:g}",
-        ),
+        "motion": motion_in_space(runs[0].motion, member.motion, verdict.motions, (start, end), language),
     }

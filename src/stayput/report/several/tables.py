@@ -18,12 +18,11 @@ from stayput.report.verdict.assumptions import (
     room_assumptions,
     shaking_assumptions,
 )
-from stayput.report.verdict.words import place_named, word
+from stayput.report.verdict.tables import device_cells
 from stayput.simulation.space_devices import JOINT, JOINT_LABEL
 from stayput.uncertainty import USUAL
 from stayput.verification.several_options import brief_label
 from stayput.verification.several_words import is_own, reason_of_several, title_of_several
-from stayput.wording import with_aside
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -33,7 +32,6 @@ if TYPE_CHECKING:
     from stayput.scenario import AssemblyScenario
     from stayput.scenario.pieces import StandingTable
     from stayput.verification import AssemblyOptionVerdict, AssemblyVerdict
-    from stayput.verification.several_verdict import DeviceOfSeveral
 
 NOT_DRAWN = ("settlement",)
 """Quantities of `USUAL` that several pieces do not have."""
@@ -95,32 +93,16 @@ def rejected_rows(verdict: AssemblyVerdict, language: str) -> list[tuple[str, st
     return [(title_of_several(one, verdict, language), one.why(language)) for one in verdict.rejected]
 
 
-DEVICE_OF_SEVERAL_COLUMNS = ("device", "failed", "failure_time", "weakest_link", "peak_force", "used")
-"""Keys of the headings of `several_device_rows`, after what a device holds."""
-
-
 def several_device_rows(result: AssemblyOptionVerdict, language: str) -> list[tuple[str, ...]]:
-    """Return what each device and joint holds, and its results, as texts."""
-    listed = word("listed", language)
+    """Return what each device and joint holds, and its results, as texts: see `device_cells`."""
+    labels = {JOINT: JOINT_LABEL} | {kind: measure.label for kind, measure in MEASURES.items()}
     return [
         (
             (" – " if language == "en" else "と").join(device.pieces),
-            _device_name(device, language),
-            numbers.with_interval(device.summary.failed, language),
-            numbers.moment(device.summary.failure_time, language),
-            numbers.NO_NUMBER if device.summary.weakest is None else say(device.summary.weakest, language),
-            listed.join(numbers.forces(device.summary.peak, language)),
-            listed.join(numbers.used(device.summary.used, language)) or numbers.NO_NUMBER,
+            *device_cells(device.summary, labels[device.summary.kind], language),
         )
         for device in result.devices
     ]
-
-
-def _device_name(device: DeviceOfSeveral, language: str) -> str:
-    kind = device.summary.kind
-    name = say(JOINT_LABEL if kind == JOINT else MEASURES[kind].label, language)
-    where = device.summary.name.removeprefix(kind).strip()
-    return with_aside(name, place_named(where, language), language) if where else name
 
 
 def simulations_of_several(verdict: AssemblyVerdict, language: str) -> str:
@@ -140,6 +122,7 @@ def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
         *drawn_assumptions(drawn, scenario.uncertainty.as_stated),
         drawn_between(),
         Assumption((phrase("several.limit_body"), phrase("several.limit_body_text")), MODEL),
+        *rolling_assumptions(scenario),
         *(
             Assumption((phrase(f"report.limit_{key}"), phrase(f"report.limit_{key}_text")), MODEL)
             for key in ("contacts", "devices")
@@ -160,6 +143,12 @@ def piece_assumptions(scenario: AssemblyScenario) -> Iterator[Assumption]:
 def drawn_between() -> Assumption:
     """Return how what is between the pieces is drawn."""
     return Assumption((phrase("several.drawn_between"), phrase("several.drawn_between_text")), "low")
+
+
+def rolling_assumptions(scenario: AssemblyScenario) -> Iterator[Assumption]:
+    """Yield how round pieces roll, where there are any."""
+    if any(len(piece.solid(scenario.folder).rims) for piece in scenario.furniture):
+        yield Assumption((phrase("several.rolling"), phrase("several.rolling_text")), MODEL)
 
 
 def _piece(piece: StandingTable, scenario: AssemblyScenario) -> Assumption:

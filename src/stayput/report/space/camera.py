@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import math
 from copy import copy
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
 from stayput.report.space.shape import cut
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
+
+Outline: TypeAlias = list[tuple[float, float]]
+"""Corners in a picture, right and down [pixels]."""
 
 _AZIMUTH, _HEIGHT = -1.02, 0.33  # direction from which the scene is seen, as on the page [rad]
 _TANGENT = math.tan(math.radians(14.0))  # of half the angle of the picture's height
@@ -58,13 +63,30 @@ class Camera:
         """Where it stands, shape (3,) [m]."""
         return self._place @ self._axes
 
-    def seen(self, points: NDArray[np.float64]) -> list[tuple[float, float]]:
+    def seen(self, points: NDArray[np.float64]) -> Outline:
         """Return where the corners of a convex polygon or the ends of a line lie in the picture [pixels].
 
         Right and down; what is behind the camera, or nearly so, is cut off.
         """
+        return self.outlines(points, [range(len(points))])[0]
+
+    def outlines(self, points: NDArray[np.float64], parts: Sequence[Sequence[int]]) -> list[Outline]:
+        """Return the same of several polygons or lines, whose corners are given by their numbers."""
         apart = points @ self._axes.T - self._place
-        across, up, back = cut(apart, -apart[:, 2] - self._nearest).T
+        inside = -apart[:, 2] - self._nearest
+        behind = inside < 0.0
+        hidden = set(np.flatnonzero(behind).tolist())
+        places = self._projected(np.where(behind[:, np.newaxis], [0.0, 0.0, -1.0], apart))
+        return [
+            [places[corner] for corner in part]
+            if hidden.isdisjoint(part)
+            else self._projected(cut(apart[list(part)], inside[list(part)]))
+            for part in parts
+        ]
+
+    def _projected(self, apart: NDArray[np.float64]) -> Outline:
+        """Return where points in front of the camera lie in the picture, from places along its axes."""
+        across, up, back = apart.T
         scale = self._focus / -back
-        places = np.column_stack((self._half[0] + scale * across, self._half[1] - scale * up))
-        return [(x, y) for x, y in places.tolist()]
+        right, down = self._half[0] + scale * across, self._half[1] - scale * up
+        return list(zip(right.tolist(), down.tolist(), strict=True))

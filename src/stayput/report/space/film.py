@@ -10,11 +10,11 @@ import numpy as np
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError
 from stayput.report.movie import frame_times
+from stayput.report.names import motion_label
 from stayput.report.scene import DRIFT_CORNER
-from stayput.report.space.histories import at_time, slid
+from stayput.report.space.histories import at_time, peak_of, slid
 from stayput.report.space.said import became, names_of
 from stayput.report.space.scene import SpaceScene, space_scene
-from stayput.report.summary import motion_label
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -71,7 +71,9 @@ class SpaceFilm:
         return frame_times(self.scene.start, self.scene.end, fps, speed, hold)
 
 
-def space_film(run: SpaceRun, names: Sequence[str] | None, language: str) -> SpaceFilm:
+def space_film(
+    run: SpaceRun, names: Sequence[str] | None, language: str, beside: Sequence[SpaceRun] = ()
+) -> SpaceFilm:
     """Make a run in space ready for an animation.
 
     Parameters
@@ -82,6 +84,8 @@ def space_film(run: SpaceRun, names: Sequence[str] | None, language: str) -> Spa
         What the bodies are called; by default by their numbers.
     language : str
         Language of the texts, "en" or "ja".
+    beside : sequence of SpaceRun
+        Runs that are shown beside each other, this one among them, to one scale.
 
     Raises
     ------
@@ -91,7 +95,7 @@ def space_film(run: SpaceRun, names: Sequence[str] | None, language: str) -> Spa
     if len(run.time) < 2:
         raise InputError("runs.too_short", samples=len(run.time))
     called = names_of(run, names, language)
-    peak = float(np.linalg.norm(list(run.motion.components.values()), axis=0).max())
-    motion = say("runs.motion_title", language, name=motion_label(run.motion, language), peak=peak)
+    name, peak = motion_label(run.motion, language), peak_of(run.motion)
+    motion = say("space.motion_title", language, name=name, peak=peak)
     strip = say("runs.floor_acceleration", language, motion=motion)
-    return SpaceFilm(space_scene(run, called), say(became(run, called), language), strip, language)
+    return SpaceFilm(space_scene(run, called, beside), say(became(run, called), language), strip, language)

@@ -16,6 +16,7 @@ from stayput.report.space.scene import body_colour
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from stayput.report.space.camera import Outline
     from stayput.report.space.film import SpaceFilm
     from stayput.report.space.shape import SolidShape
 
@@ -111,20 +112,20 @@ class SpacePainter:
         u, v = (axis + 1) % 3, (axis + 2) % 3
         low, high, grid = self._low, self._high, self._film.scene.grid
 
-        def point(a: float, b: float) -> NDArray[np.float64]:
-            place = np.empty(3)
-            place[[axis, u, v]] = at, a, b
-            return place
-
-        corners = [(low[u], low[v]), (high[u], low[v]), (high[u], high[v]), (low[u], high[v])]
-        _fill(draw, camera.seen(np.array([point(*corner) for corner in corners])), _mixed(PAPER, ROOM, tone))
-        colour = _mixed(PAPER, ROOM, tone + 0.22)
+        places = [(low[u], low[v]), (high[u], low[v]), (high[u], high[v]), (low[u], high[v])]
         for k in range(math.ceil(low[u] / grid), math.floor(high[u] / grid) + 1):
-            ends = np.array([point(k * grid, low[v]), point(k * grid, high[v])])
-            _stroke(draw, camera.seen(ends), colour, self._line)
+            places += [(k * grid, low[v]), (k * grid, high[v])]
         for k in range(math.ceil(low[v] / grid), math.floor(high[v] / grid) + 1):
-            ends = np.array([point(low[u], k * grid), point(high[u], k * grid)])
-            _stroke(draw, camera.seen(ends), colour, self._line)
+            places += [(low[u], k * grid), (high[u], k * grid)]
+        points = np.empty((len(places), 3))
+        points[:, axis] = at
+        points[:, [u, v]] = places
+        lines = [range(end, end + 2) for end in range(4, len(places), 2)]
+        face, *seen = camera.outlines(points, [range(4), *lines])
+        _fill(draw, face, _mixed(PAPER, ROOM, tone))
+        colour = _mixed(PAPER, ROOM, tone + 0.22)
+        for ends in seen:
+            _stroke(draw, ends, colour, self._line)
 
     def _draw_shadows(self, scene: Image.Image, camera: Camera, corners: list[NDArray[np.float64]]) -> None:
         """Darken the floor where the light does not reach it."""
@@ -133,9 +134,21 @@ class SpacePainter:
         for shape, points in zip(self._film.scene.shapes, corners, strict=True):
             fallen = points - points[:, 2:] / _LIGHT[2] * _LIGHT
             fallen = np.clip(fallen, self._low, self._high)  # none beyond a wall
-            for face in shape.solid.faces:
-                _fill(draw, camera.seen(fallen[face]), round(255 * _SHADOW))
-        scene.paste(INK, (0, 0), mask.filter(ImageFilter.BoxBlur(2.5 * self._line)))
+            for outline in camera.outlines(fallen, [face.tolist() for face in shape.solid.faces]):
+                _fill(draw, outline, round(255 * _SHADOW))
+        around = mask.getbbox()
+        if around is None:
+            return
+        left, top, right, bottom = around
+        soft = 2.5 * self._line
+        reach = math.ceil(soft) + 1
+        around = (  # only there is anything to soften
+            max(0, left - reach),
+            max(0, top - reach),
+            min(mask.width, right + reach),
+            min(mask.height, bottom + reach),
+        )
+        scene.paste(INK, around, mask.crop(around).filter(ImageFilter.BoxBlur(soft)))
 
     def _draw_ties(
         self,
@@ -180,7 +193,7 @@ class SpacePainter:
         return order
 
 
-def _fill(draw: ImageDraw.ImageDraw, outline: list[tuple[float, float]], colour: Colour) -> None:
+def _fill(draw: ImageDraw.ImageDraw, outline: Outline, colour: Colour) -> None:
     if len(outline) > 2:  # else it is behind the camera
         draw.polygon(outline, fill=colour)
 
@@ -192,7 +205,7 @@ def _cross(draw: ImageDraw.ImageDraw, middle: tuple[float, float], reach: float)
             draw.line([(x - reach, y - way), (x + reach, y + way)], fill=colour, width=width)
 
 
-def _stroke(draw: ImageDraw.ImageDraw, points: list[tuple[float, float]], colour: Colour, width: int) -> None:
+def _stroke(draw: ImageDraw.ImageDraw, points: Outline, colour: Colour, width: int) -> None:
     if len(points) > 1:
         draw.line(points, fill=colour, width=width)
 
@@ -211,10 +224,11 @@ def _draw_body(
     firsts = corners[[face[0] for face in solid.faces]]
     facing = np.einsum("fi,fi->f", normals, camera.place - firsts) > 0.0
     sides: dict[tuple[int, int], int] = {}
-    for number in np.flatnonzero(facing):
-        face = solid.faces[number]
-        _fill(draw, camera.seen(corners[face]), _shaded(colour, normals[number]))
-        for i, j in zip(face.tolist(), np.roll(face, -1).tolist(), strict=True):
+    seen = np.flatnonzero(facing).tolist()
+    faces = [solid.faces[number].tolist() for number in seen]
+    for number, face, outline in zip(seen, faces, camera.outlines(corners, faces), strict=True):
+        _fill(draw, outline, _shaded(colour, normals[number]))
+        for i, j in zip(face, [*face[1:], face[0]], strict=True):
             side = (min(i, j), max(i, j))
             sides[side] = sides.get(side, 0) + 1
     origin = corners[0] - turn @ solid.vertices[0]
@@ -224,9 +238,9 @@ def _draw_body(
             fill = _shaded("#{:02x}{:02x}{:02x}".format(*tone), normals[mark.face])
             _fill(draw, camera.seen(origin + mark.corners @ turn.T), fill)
     sharp = {(min(i, j), max(i, j)) for i, j in shape.edges.tolist()}
-    for side, count in sides.items():
-        if count == 1 or side in sharp:  # an outline, or an edge
-            _stroke(draw, camera.seen(corners[list(side)]), INK, line)
+    lines = [side for side, count in sides.items() if count == 1 or side in sharp]  # outlines and edges
+    for ends in camera.outlines(corners, lines):
+        _stroke(draw, ends, INK, line)
 
 
 def _shaded(colour: str, normal: NDArray[np.float64]) -> tuple[int, int, int]:

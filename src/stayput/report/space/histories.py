@@ -9,6 +9,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from stayput.motion import Motion
     from stayput.simulation.space_run import SpaceRun
 
 
@@ -16,6 +17,11 @@ def slid(run: SpaceRun) -> NDArray[np.float64]:
     """Return how far from where it stood each body is in plan, shape (bodies, samples) [m]."""
     slide = run.slide
     return np.hypot(slide[..., 0], slide[..., 1])
+
+
+def peak_of(motion: Motion) -> float:
+    """Return the largest acceleration of the floor, all components together [m/s²]."""
+    return float(np.linalg.norm(list(motion.components.values()), axis=0).max())
 
 
 def at_time(time: float, run: SpaceRun, history: NDArray[np.float64]) -> float:

@@ -2,6 +2,7 @@
 
 import { VIEWS, lead, orbit } from "./canvas/camera.js";
 import { beforeNextFrame, prefersReducedMotion } from "./canvas/clock.js";
+import { digits } from "./canvas/digits.js";
 import { ink } from "./canvas/pen.js";
 import { playBar } from "./canvas/play_bar.js";
 import { spacePainter } from "./canvas/space.js";
@@ -42,7 +43,7 @@ function drawStrip(now) {
     {
       label: texts.tilt_of
         .replace("{name}", () => name)
-        .replace("{angle}", degrees(peaks.tilts[chosen]).toFixed(1)),
+        .replace("{angle}", digits(degrees(peaks.tilts[chosen]), 1)),
       unit: texts.tilt,
       peak: Math.max(0.001, peaks.tilts[chosen]), // what is rounding is drawn as nothing
       positive: true,
@@ -60,9 +61,9 @@ function draw(now) {
   drawPicture(now);
   drawStrip(now);
   const { tilt, slide, yaw } = bodies[chosen].state(now);
-  part("tilt").textContent = `${degrees(tilt).toFixed(1)}°`;
-  part("slide").textContent = `${(100 * slide).toFixed(1)} cm`;
-  part("yaw").textContent = `${degrees(yaw).toFixed(1)}°`;
+  part("tilt").textContent = `${digits(degrees(tilt), 1)}°`;
+  part("slide").textContent = `${digits(100 * slide, 1)} cm`;
+  part("yaw").textContent = `${digits(degrees(yaw), 1)}°`;
 }
 
 const bar = playBar(film, scene, draw),
@@ -118,4 +119,9 @@ addEventListener("keydown", (event) => {
   go(views[place].value);
 });
 part("scene").addEventListener("webglcontextrestored", bar.again);
+if (frameElement) {
+  // in a report: the frame is as high as what is in it, so that nothing is cut
+  document.documentElement.dataset.framed = "";
+  new ResizeObserver(() => (frameElement.style.height = `${document.body.offsetHeight + 2}px`)).observe(document.body);
+}
 bar.begin(film.plays);

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
+from matplotlib.lines import Line2D
 from scipy.spatial import ConvexHull
 
 from stayput.catalogue import say
+from stayput.catalogue.names import OUTCOMES
 from stayput.report.figures import FONT, new_figure, saved, style
-from stayput.report.fonts import drawable
-from stayput.report.palette import COMPONENT_COLOURS, INK, MUTED, ROOM
+from stayput.report.fonts import drawable, with_face, wrapped
+from stayput.report.names import motion_label
+from stayput.report.palette import BODY_COLOURS, COMPONENT_COLOURS, INK, MUTED, ROOM
 from stayput.report.space.histories import at_time
 from stayput.report.space.said import became, names_of
 from stayput.report.space.scene import body_colour
-from stayput.report.summary import motion_label
 from stayput.simulation.space_records import matrices
 from stayput.wording import check_language
 
@@ -28,6 +30,12 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.simulation.space_run import SpaceRun
+
+_WIDTH = 12.0
+"""Width of the figure [inches]."""
+
+_OVERTURNED, _FELL_OFF = "X", "v"
+"""Marks of when a body overturned and fell off."""
 
 _SMALLEST = 0.1
 """Half the range of an axis on which nothing happens [°]."""
@@ -65,15 +73,16 @@ def plot_space_run(
     """
     check_language(language)
     called = names_of(run, names, language)
-    figure = new_figure(12.0, 6.6)
-    figure.suptitle(drawable(say(became(run, called), language)), fontsize=FONT + 2.0, color=INK)
+    figure, several = new_figure(_WIDTH, 6.6), len(called) > 1
+    title, face = with_face(say(became(run, called), language), FONT + 2.0)
+    figure.suptitle(wrapped(title, face, 0.96 * 72.0 * _WIDTH), fontsize=FONT + 2.0, color=INK)
     grid = figure.add_gridspec(3, 2, width_ratios=[1.35, 1.0], height_ratios=[1.0, 1.3, 1.0])
     acceleration = figure.add_subplot(grid[0, 0])
     tilt = figure.add_subplot(grid[1, 0], sharex=acceleration)
     turn = figure.add_subplot(grid[2, 0], sharex=acceleration)
     _draw_acceleration(acceleration, run, language)
     _draw_of_bodies(tilt, run, np.degrees(run.tilt), say("space.axis_tilt", language), language)
-    if run.overturned.any() or run.fell_off.any():
+    if not several and run.overturned.any():
         tilt.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
     _draw_of_bodies(turn, run, np.degrees(run.yaw), say("space.axis_yaw", language), language)
     turn.set_xlim(float(run.time[0]), float(run.time[-1]))
@@ -81,8 +90,47 @@ def plot_space_run(
     for axis in (acceleration, tilt):
         axis.tick_params(labelbottom=False)
     figure.align_ylabels([acceleration, tilt, turn])
-    _draw_plan(figure.add_subplot(grid[:, 1]), run, called, language)
+    plan = figure.add_subplot(grid[:, 1])
+    _draw_plan(plan, run, called, language)
+    if several:
+        _name_bodies(figure, run, called, language)
+    else:
+        plan.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85)
     return saved(figure, path)
+
+
+def _dashes(body: int) -> Literal["-", "--", ":"]:
+    """Return the line style of a body, which tells apart bodies of one colour."""
+    styles: tuple[Literal["-"], Literal["--"], Literal[":"]] = ("-", "--", ":")
+    return styles[body // len(BODY_COLOURS) % 3]
+
+
+def _name_bodies(figure: Figure, run: SpaceRun, names: Sequence[str], language: str) -> None:
+    """Write the names of several bodies below the figure, with what the marks on their lines mean."""
+    shown = [
+        Line2D([], [], color=body_colour(b), linestyle=_dashes(b), linewidth=2.0, label=drawable(name))
+        for b, name in enumerate(names)
+    ]
+    for happened, outcome, marker in (
+        (run.overturned, "overturned", _OVERTURNED),
+        (run.fell_off, "fell off", _FELL_OFF),
+    ):
+        if happened.any():
+            label = say(OUTCOMES[outcome], language)
+            mark = Line2D(
+                [], [], color="none", marker=marker, markersize=8.0, markeredgecolor=INK, label=label
+            )
+            shown.append(mark)
+    size = FONT - 0.5
+    widest = max(with_face(str(line.get_label()), size)[1].getlength(str(line.get_label())) for line in shown)
+    columns = int(72.0 * _WIDTH // (widest + 5.5 * size))  # with the line and the space around it
+    figure.legend(
+        handles=shown,
+        loc="outside lower center",
+        ncols=max(1, min(5, columns, len(shown))),
+        fontsize=size,
+        frameon=False,
+    )
 
 
 def _draw_acceleration(axis: Axes, run: SpaceRun, language: str) -> None:
@@ -102,10 +150,10 @@ def _draw_of_bodies(
     """Draw one history for each body, shape (bodies, samples), and when it overturned and fell off."""
     style(axis)
     for b, history in enumerate(values):
-        axis.plot(run.time, history, color=body_colour(b), linewidth=1.6)
+        axis.plot(run.time, history, linestyle=_dashes(b), color=body_colour(b), linewidth=1.6)
     for times, said, marker in (
-        (run.overturn_time, "plots.overturned", "X"),
-        (run.fall_time, "plots.fell_off", "v"),
+        (run.overturn_time, "plots.overturned", _OVERTURNED),
+        (run.fall_time, "plots.fell_off", _FELL_OFF),
     ):
         for b, time in enumerate(times.tolist()):
             if math.isnan(time):
@@ -142,7 +190,8 @@ def _draw_plan(axis: Axes, run: SpaceRun, names: Sequence[str], language: str) -
                 axis.fill(*outline.T, color=colour, alpha=0.3, linewidth=0.0, zorder=2)
             axis.plot(*closed.T, dashes, color=colour, linewidth=1.4, zorder=3)
         axis.plot(*run.place[b, :, :2].T, color=INK, linewidth=2.4, zorder=4)
-        axis.plot(*run.place[b, :, :2].T, color=colour, linewidth=1.4, zorder=4, label=drawable(name))
+        way = run.place[b, :, :2].T
+        axis.plot(*way, linestyle=_dashes(b), color=colour, linewidth=1.4, zorder=4, label=drawable(name))
         axis.plot(*run.place[b, -1, :2], "o", color=colour, markersize=6.0, markeredgecolor=INK, zorder=5)
     for plane in run.planes[1:]:
         nx, ny, offset = (float(plane[name]) for name in ("nx", "ny", "offset"))
@@ -153,4 +202,3 @@ def _draw_plan(axis: Axes, run: SpaceRun, names: Sequence[str], language: str) -
     axis.set_xlabel(say("space.axis_x", language), fontsize=FONT)
     axis.set_ylabel(say("space.axis_y", language), fontsize=FONT)
     axis.set_title(say("space.plan", language), fontsize=FONT - 0.5, color=MUTED, loc="left")
-    axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85)

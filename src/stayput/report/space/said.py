@@ -11,6 +11,7 @@ from stayput.catalogue import phrase, say
 from stayput.errors import InputError, list_of
 from stayput.report.space.histories import slid
 from stayput.report.summary import length, piece_name, with_first_failure
+from stayput.simulation.outcome import Outcome
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -74,7 +75,7 @@ def _of_one(run: SpaceRun, name: str) -> Phrase:
         return phrase("space.overturned", name=name, time=float(run.overturn_time[0]))
     angle = float(np.degrees(run.tilt.max()))
     way = float(slid(run).max())
-    if angle < 0.1 and way < 1e-3:
+    if run.outcome is Outcome.RESTED:
         return phrase("runs.rested", name=name)
     tilt = phrase("space.least_angle") if angle < 0.1 else phrase("space.up_to_angle", angle=angle)
     slide = phrase("runs.slid_least") if way < 1e-3 else phrase("runs.slid_up_to", length=length(way))

@@ -22,6 +22,8 @@ from stayput.report.space.shape import SolidShape, shape_of
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from stayput.simulation.space_run import SpaceRun
@@ -251,7 +253,7 @@ def packed(values: NDArray[np.float64]) -> str:
     return base64.b64encode(values.astype("<f4").tobytes()).decode("ascii")
 
 
-def space_scene(run: SpaceRun, names: tuple[str, ...]) -> SpaceScene:
+def space_scene(run: SpaceRun, names: tuple[str, ...], beside: Sequence[SpaceRun] = ()) -> SpaceScene:
     """Make a run in space ready to be drawn.
 
     Parameters
@@ -260,12 +262,17 @@ def space_scene(run: SpaceRun, names: tuple[str, ...]) -> SpaceScene:
         The run, of two samples at least.
     names : tuple of str
         What the bodies are called.
+    beside : sequence of SpaceRun
+        Runs that are shown beside each other, this one among them: each picture has room for all of them, so
+        that they are to one scale.
     """
     start, end = float(run.time[0]), float(run.time[-1])
     count = min(len(run.time), math.ceil((end - start) * RATE) + 1)
     times = np.linspace(start, end, count)
     place, attitude = _between(run.time, run.place, run.attitude, times)
-    points, size = _outermost(run)
+    found = [_outermost(one) for one in beside or (run,)]
+    points = _at_the_rim(np.concatenate([points for points, _ in found]))
+    size = max(size for _, size in found)
     ground = np.zeros((len(run.motion), 3))
     for axis, name in enumerate("xyz"):
         if name in run.motion.components:
@@ -337,7 +344,12 @@ def _outermost(run: SpaceRun) -> tuple[NDArray[np.float64], float]:
     reach = _FARTHEST * size
     points = np.concatenate([corners.reshape(-1, 3) for corners in found])
     points = np.clip(points, first.min(axis=0) - reach, first.max(axis=0) + reach)
-    return points[np.unique((points @ _directions().T).argmax(axis=0))], size
+    return _at_the_rim(points), size
+
+
+def _at_the_rim(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the outermost of some points in any direction."""
+    return points[np.unique((points @ _directions().T).argmax(axis=0))]
 
 
 def _directions() -> NDArray[np.float64]:

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import say
+from stayput.report.names import motion_label
+from stayput.report.space.histories import peak_of
 from stayput.report.space.said import names_of
-from stayput.report.summary import DEVICE_KEYS, device_results, device_rows, motion_data, motion_label, number
+from stayput.report.summary import DEVICE_KEYS, device_results, device_rows, motion_data, number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -28,8 +30,9 @@ def space_rows(run: SpaceRun, names: Sequence[str] | None = None) -> list[tuple[
         What the bodies are called; by default by their numbers.
     """
     motion = run.motion
-    peak = float(np.linalg.norm(list(motion.components.values()), axis=0).max())
-    shaken = say("runs.row_motion_value", name=motion_label(motion), duration=motion.duration, peak=peak)
+    shaken = say(
+        "space.row_motion_value", name=motion_label(motion), duration=motion.duration, peak=peak_of(motion)
+    )
     rows = [(say("runs.row_motion"), shaken)]
     times, falls, outcomes = run.overturn_time, run.fall_time, run.outcomes
     called = names_of(run, names, "en")
@@ -42,7 +45,7 @@ def space_rows(run: SpaceRun, names: Sequence[str] | None = None) -> list[tuple[
             "overturned": _seconds(times[b]),
             "fell_off": _seconds(falls[b]),
             "tilt": f"{math.degrees(tilts[b]):.2f}°",
-            "slide": f"{100.0 * slides[b]:.2f} cm",
+            "way" if len(run.standing[b].solid.rims) else "slide": f"{100.0 * slides[b]:.2f} cm",
             "yaw": f"{math.degrees(np.abs(yaws[b]).max()):.1f}°",
             "floor": str(run.hit_numbers[b, 0]),
             "walls" if run.room.ceiling is None else "walls_and_ceiling": str(run.hit_numbers[b, 1]),

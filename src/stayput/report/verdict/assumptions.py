@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase, say
 from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS
 from stayput.model.parameters import GIVEN, parameter_of
-from stayput.report.verdict.words import named
+from stayput.report.names import named
 from stayput.uncertainty import USUAL, Lognormal, Normal, Uniform
 from stayput.verification.grades import building_tag, floor_tag, furniture_tag
 

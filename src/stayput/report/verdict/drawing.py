@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 from stayput.measures import hold, shapes
 from stayput.measures.element import at_rest
 from stayput.model.state import State, standing_corners, wall_faces
+from stayput.report.names import named
 from stayput.report.verdict import svg
-from stayput.report.verdict.words import named, word
+from stayput.report.verdict.words import word
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -73,7 +73,7 @@ def _panel(
     for value in svg.ticks(-most, most, 5):  # one at least on each side of 0
         level = y.place(value)
         parts.append(svg.line(LEFT, level, RIGHT, level, "grid"))
-        parts.append(svg.label(LEFT - 7.0, level + 4.5, f"{value:.4g}".replace("-", "−"), anchor="end"))
+        parts.append(svg.label(LEFT - 7.0, level + 4.5, f"{value:z.4g}".replace("-", "−"), anchor="end"))
     inside: list[str] = []
     for time, values, number in reversed(shown):
         across, up = svg.thinned(time, np.clip(values, -2.0 * most, 2.0 * most))

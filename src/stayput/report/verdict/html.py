@@ -17,9 +17,9 @@ from stayput.files import check_target, draft
 from stayput.measures import parameters
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.embedding import inks_css, script_json, script_module
+from stayput.report.names import motion_label
 from stayput.report.palette import mode_looks
 from stayput.report.scene import DRIFT_CORNER
-from stayput.report.summary import motion_label
 from stayput.report.verdict import numbers
 from stayput.report.verdict.assumptions import assumptions
 from stayput.report.verdict.curves import curves_svg, legend, looks
@@ -38,7 +38,7 @@ from stayput.report.verdict.tables import (
     simulations,
     weakest_inputs,
 )
-from stayput.report.verdict.words import motion_named, word
+from stayput.report.verdict.words import word
 from stayput.verification.words import class_label, headline, title
 from stayput.wording import check_language
 
@@ -236,8 +236,8 @@ def _pair(verdict: Verdict, pair: RunPair, scene: Scene, count: int, language: s
             language,
             number=pair.member.motion + 1,
             count=count,
-            name=motion_named(motion_label(pair.motion), language),
-            peak=f"{pair.motion.pga:.1f}",
+            name=motion_label(pair.motion, language),
+            peak=pair.motion.pga,
             start=f"{pair.start:.1f}",
             end=f"{pair.end:.1f}",
             duration=f"{pair.motion.duration:g}",

@@ -13,18 +13,20 @@ import numpy as np
 from stayput.catalogue import say
 from stayput.catalogue.names import ANY_PIECE, PIECES
 from stayput.report.fonts import drawable
+from stayput.report.names import motion_label
 from stayput.report.space.animation import space_player_page
 from stayput.report.space.film import space_film
+from stayput.report.space.histories import peak_of
 from stayput.report.space.plot import plot_space_run
 from stayput.report.space.said import became
-from stayput.report.summary import motion_label
 from stayput.report.verdict.pairs import AFTER, BEFORE, LONGEST, floor_motion, replay_in_space, shown_options
-from stayput.report.verdict.words import motion_named, word
+from stayput.report.verdict.words import word
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from stayput.motion import Motion
     from stayput.motion.suites import Suite
     from stayput.simulation.space_run import SpaceRun
     from stayput.verification import Verdict
@@ -60,10 +62,11 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: 
     heading = word("histories", language)
     drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
     sides: list[dict[str, Any]] = []
-    for option, run in zip(options, runs, strict=True):
-        shown, label = cut_run(run, start, end), title(option, verdict, language)
+    cut = [cut_run(run, start, end) for run in runs]
+    for option, run, shown in zip(options, runs, cut, strict=True):
+        label = title(option, verdict, language)
         # several that play at once would be too much for a slow machine
-        player = space_player_page(space_film(shown, [name], language), 1.0, 1.5, plays=False)
+        player = space_player_page(space_film(shown, [name], language, cut), 1.0, 1.5, plays=False)
         figure = plot_space_run(shown, names=[name], language=drawn)
         sides.append(
             {
@@ -74,23 +77,41 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: 
             }
         )
     about = f"{kind}_text" if len(runs) > 1 else f"{kind}_bare_text"
-    shaken = motion.scaled(scale)
     return {
         "title": word(kind, language),
         "about": word(about, language),
         "sides": sides,
-        "motion": word(
-            "motion_in_space",
-            language,
-            number=member.motion + 1,
-            count=len(ground),
-            name=motion_named(motion_label(shaken), language),
-            peak=f"{max(float(np.abs(a).max()) for a in shaken.components.values()):.1f}",
-            start=f"{start:.1f}",
-            end=f"{end:.1f}",
-            duration=f"{shaken.duration:g}",
-        ),
+        "motion": motion_in_space(motion.scaled(scale), member.motion, len(ground), (start, end), language),
     }
+
+
+def motion_in_space(
+    motion: Motion, number: int, count: int, window: tuple[float, float], language: str
+) -> str:
+    """Return what is said of the motion of a pair of runs.
+
+    Parameters
+    ----------
+    motion : Motion
+        Of the floor.
+    number, count : int
+        Which it is, from 0, and of how many.
+    window : tuple of float
+        From when to when it is shown [s].
+    language : str
+        "en" or "ja".
+    """
+    return word(
+        "motion_in_space",
+        language,
+        number=number + 1,
+        count=count,
+        name=motion_label(motion, language),
+        peak=peak_of(motion),
+        start=f"{window[0]:.1f}",
+        end=f"{window[1]:.1f}",
+        duration=f"{motion.duration:g}",
+    )
 
 
 def moving_window(runs: list[SpaceRun]) -> tuple[float, float]:

@@ -1,19 +1,13 @@
 // Plays the pairs of runs: two scenes of one clock, and the time in the histories below them.
 
 import { player } from "./canvas/clock.js";
+import { digits } from "./canvas/digits.js";
 import { drawScene } from "./canvas/painter.js";
 import { readInks } from "./canvas/pen.js";
 
 const EDGES = [62, 890]; // left and right edge of the histories, in their own units
 const { modes: looks, pairs } = JSON.parse(document.getElementById("scenes").textContent);
 const modeColours = Object.fromEntries(Object.entries(looks).map(([mode, { colour }]) => [mode, colour]));
-
-/** A number with one digit; nothing is not negative. */
-const digits = (value) =>
-  value
-    .toFixed(1)
-    .replace(/^-(?=0\.0$)/, "")
-    .replace("-", "−");
 
 function show(article, pair) {
   const find = (name) => article.querySelector(name);
@@ -30,15 +24,15 @@ function show(article, pair) {
     pair.runs.forEach((run, i) => {
       const look = { kind: pair.kind, loads: pair.loads_kg, colours: modeColours };
       const shown = drawScene(canvases[i], pair, run, time, look);
-      const degrees = digits((shown.tilt * 180) / Math.PI);
-      states[i].textContent = `${looks[shown.mode].label} · ${degrees}° · ${digits(100 * shown.slide)} cm`;
+      const degrees = digits((shown.tilt * 180) / Math.PI, 1);
+      states[i].textContent = `${looks[shown.mode].label} · ${degrees}° · ${digits(100 * shown.slide, 1)} cm`;
     });
     const share = (time - pair.start_s) / span;
     for (const end of ["x1", "x2"])
       find(".now").setAttribute(end, EDGES[0] + (EDGES[1] - EDGES[0]) * share);
     slider.value = 1000 * share;
-    slider.setAttribute("aria-valuetext", `${time.toFixed(1)} s`);
-    find(".clock").textContent = `${time.toFixed(2)} s`;
+    slider.setAttribute("aria-valuetext", `${digits(time, 1)} s`);
+    find(".clock").textContent = `${digits(time, 2)} s`;
   }
   const label = (playing) => (play.textContent = playing ? play.dataset.pause : play.dataset.play);
   const clock = player(draw, label, Infinity);

@@ -12,9 +12,10 @@ from stayput.catalogue import say
 from stayput.fragility import JMA_INTENSITY
 from stayput.measures.parameters import MEANINGS
 from stayput.montecarlo.counting import DEVICE_FAILED, OVERTURNED
+from stayput.report.names import place_named
 from stayput.report.summary import number
 from stayput.report.verdict import numbers
-from stayput.report.verdict.words import place_named, word
+from stayput.report.verdict.words import word
 from stayput.spreadsheets import text_cell
 from stayput.verification import EVENTS
 from stayput.verification.grades import weakest
@@ -22,6 +23,7 @@ from stayput.verification.words import length, reason, title
 from stayput.wording import with_aside
 
 if TYPE_CHECKING:
+    from stayput.catalogue import Phrase
     from stayput.fragility import Probability
     from stayput.verification import DeviceSummary, OptionVerdict, Verdict
     from stayput.verification.contents import ContentsVerdict
@@ -151,28 +153,25 @@ def device_rows(result: OptionVerdict, language: str) -> list[tuple[str, ...]]:
         Name, share of failures with its interval, median time of failure, weakest link, and median and 90 %
         of the peak force and of the part of the strength that was used.
     """
-    names = {measure.kind: say(measure.label, language) for measure in result.option.measures}
-    listed = word("listed", language)
+    labels = {measure.kind: measure.label for measure in result.option.measures}
     return [
-        (
-            _device_name(device, names, language),
-            numbers.with_interval(device.failed, language),
-            numbers.moment(device.failure_time, language),
-            numbers.NO_NUMBER if device.weakest is None else say(device.weakest, language),
-            listed.join(numbers.forces(device.peak, language)),
-            listed.join(numbers.used(device.used, language)) or numbers.NO_NUMBER,
-        )
+        device_cells(device, labels.get(device.kind, (device.kind, device.kind)), language)
         for device in result.devices
     ]
 
 
-def _device_name(device: DeviceSummary, names: dict[str, str], language: str) -> str:
-    """Return the name of a device, with its place where its measure has several."""
-    name = names.get(device.kind, device.kind)
-    if device.name in ("", device.kind):
-        return name
-    where = device.name.removeprefix(device.kind).strip()
-    return with_aside(name, place_named(where, language), language)
+def device_cells(device: DeviceSummary, label: Phrase, language: str) -> tuple[str, ...]:
+    """Return the results of a device as texts; its name has its place where its measure has several."""
+    name, where = say(label, language), device.name.removeprefix(device.kind).strip()
+    listed = word("listed", language)
+    return (
+        with_aside(name, place_named(where, language), language) if where else name,
+        numbers.with_interval(device.failed, language),
+        numbers.moment(device.failure_time, language),
+        numbers.NO_NUMBER if device.weakest is None else say(device.weakest, language),
+        listed.join(numbers.forces(device.peak, language)),
+        listed.join(numbers.used(device.used, language)) or numbers.NO_NUMBER,
+    )
 
 
 def simulations(verdict: Verdict, language: str) -> str:

@@ -1,0 +1,117 @@
+"""Refusals of scenario files: each says the file and the key, and of several pieces their names."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import pytest
+import tomli_w
+from typer.testing import CliRunner
+
+import stayput as sp
+from stayput.cli import app
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+BOX = {"width": 0.4, "length": 0.6, "height": 0.5, "mass": 20.0}
+STILL = {"sine": {"amplitude": 0.1, "frequency": 1.0, "duration": 1.0}}
+PIECES: dict[str, Any] = {
+    "furniture": [
+        {"name": "chest", **BOX},
+        {"name": "shelf", **BOX, "on": "chest"},
+        {"name": "vase", "diameter": 0.1, "height": 0.3, "mass": 1.0, "at": [2.0, 0.0]},
+    ],
+    "shaking": STILL,
+}
+ONE: dict[str, Any] = {"furniture": {"preset": "chest"}, "shaking": STILL}
+
+
+def joint(**given: Any) -> dict[str, Any]:
+    return {"joints": [{"first": "chest", "second": "shelf", "at": [0.0, 0.0, 0.5], **given}]}
+
+
+def piece(number: int, **given: Any) -> dict[str, Any]:
+    pieces = [dict(each) for each in PIECES["furniture"]]
+    pieces[number] |= given
+    return {"furniture": pieces}
+
+
+def written(folder: Path, data: dict[str, Any]) -> Path:
+    file = folder / "room.toml"
+    file.write_text(tomli_w.dumps(data), encoding="utf-8")
+    return file
+
+
+def printed(file: Path, *flags: str, command: str = "simulate") -> str:
+    found = CliRunner().invoke(app, [command, str(file), *flags])
+    assert found.exit_code == 2, found.output
+    return found.stderr
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        (piece(1, on="chest", at=[0.3, 0.0]), "furniture[1].at = [0.3, 0.0] must be a place on 'chest'"),
+        (
+            piece(0, mass=2e6),
+            "furniture[0].mass is 2000000.0; it must be a number between 0.001 and 1e+06",
+        ),
+        (piece(2, measures=[{"type": "belt"}]), "The piece 'vase' has measures"),
+        (piece(1, measures=[{"type": "glue"}]), "furniture[1].measures[0].type is 'glue'"),
+        (
+            piece(1, measures=[{"type": "belt"}, {"type": "belt"}]),
+            "In [furniture[1]]: Belts is given twice",
+        ),
+        (
+            {"options": [{"name": "x", "pieces": [{"name": "chest", "measures": [{"type": "belt"}]}] * 2}]},
+            "In [options[0]]: Belts is given twice",
+        ),
+        (
+            {"furniture": [{"name": "stone", "mesh": "stone.stl", "unit": "furlong", "mass": 5.0}]},
+            "In [furniture[0]]: The unit is 'furlong'; it must be one of",
+        ),
+        (joint(slack=0.1), "In [joints[0]]: A joint at one point has a slack of 0.1 m"),
+        (joint(second="chest"), "In [joints[0]]: A joint joins 'chest' to itself"),
+        (joint(at=[0.0, 0.0, 9.0]), "joints[0] holds 'chest' at a point 8.75 m from its centre of gravity"),
+        ({"static_friction": 0.1}, "Kinetic friction between bodies is 0.3; it must not be above"),
+        ({"shaking": {"record": "none.csv"}}, "In [shaking]: The motion file"),
+        (piece(2, at=[0.1, 0.0]), "'chest' and 'vase' begin 0.15 m inside each other"),
+        (piece(2, at=[2.0, 0.0, -0.1]), "'vase' begins 0.1 m inside the floor"),
+        ({"room": {"floor": {}, "ceiling": {"height": 0.9}}}, "'shelf' begins 0.1 m inside the ceiling"),
+        (piece(1, measures=[{"type": "gel_mats"}]), "'shelf': Adhesive gel mats belong on the floor"),
+    ],
+)
+def test_a_file_of_several_pieces(tmp_path: Path, changed: dict[str, Any], said: str) -> None:
+    assert printed(written(tmp_path, PIECES | changed)).startswith(f"room.toml: {said}")
+
+
+def test_a_verification_names_the_pieces_too(tmp_path: Path) -> None:
+    file = written(tmp_path, PIECES | piece(2, at=[0.1, 0.0]) | joint())
+    assert printed(file, command="verify").startswith("room.toml: 'chest' and 'vase' begin")
+    with pytest.raises(sp.InputError, match="'chest' and 'vase' begin") as caught:
+        sp.read_assembly(file).sweep({"gravity": [9.8]}, progress=False)
+    assert "「" not in caught.value.told("ja")
+    assert "'chest'と'vase'" in caught.value.told("ja")
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"room": {"floor": {"static_friction": 0.1}}}, "In [room.floor]: Floor kinetic friction is 0.3"),
+        ({"furniture": {"preset": "chest", "unit": "furlong"}}, "furniture.unit is unknown"),
+        ({"shaking": {"record": "none.csv", "unit": "furlong"}}, "In [shaking]: The unit of acceleration"),
+        ({"shaking": {"suite": "none"}}, "In [shaking]: The suite"),
+        ({"room": {"ceiling": {"height": 0.5}}}, "The body stands"),
+        ({"room": {"ceiling": {"height": 0.5}}, "dimensions": 3}, "The body begins"),
+    ],
+)
+def test_a_file_of_one_piece(tmp_path: Path, changed: dict[str, Any], said: str) -> None:
+    assert printed(written(tmp_path, ONE | changed)).startswith(f"room.toml: {said}")
+
+
+def test_what_a_flag_gets_wrong_is_not_the_files(tmp_path: Path) -> None:
+    file = written(tmp_path, ONE)
+    assert printed(file, "--wall", "-1").startswith("room.left_wall.gap is -1.0")
+    damaged = written(tmp_path, ONE | {"gravity": 0.0})
+    assert printed(damaged, "--scale", "2").startswith("room.toml: gravity is 0.0")
