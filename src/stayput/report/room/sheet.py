@@ -23,7 +23,7 @@ LARGEST = 460.0
 WALL = 8.0
 """Thickness of a wall [px]."""
 
-MARGIN = {"left_wall": 68.0, "right_wall": 30.0, "near_side_wall": 50.0, "far_side_wall": 30.0}
+MARGIN = {"left_wall": 82.0, "right_wall": 30.0, "near_side_wall": 50.0, "far_side_wall": 30.0}
 """Space beyond each wall, for its name and the scale [px]."""
 
 Box = tuple[float, float, float, float]
