@@ -131,7 +131,7 @@ class Tilts:
 
 
 def ours(boxes: list[FreeBox], motion: sp.Motion, step: float) -> Tilts:
-    """Run the boxes here, on this thread; after the first step size their solids are made, as MuJoCo's models."""
+    """Run the boxes here, on this thread; after the first step size solids are made, as MuJoCo's models."""
     shaking, none = SpaceShaking(acceleration_of(motion), motion.dt), no_elements(0, 1)[0]
     rows = [box.row()[0] for box in boxes]
     trace_case(rows[0], none, shaking, step)

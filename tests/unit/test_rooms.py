@@ -122,7 +122,7 @@ def test_the_verdict_hangs_together(verdict: RoomVerdict):
     assert verdict.risk == pytest.approx(place.hit.estimate * 8.0 / 24.0)
     bookcase = next(one for one in verdict.pieces if one.name == "bookcase")
     assert verdict.pieces[0] is bookcase
-    assert bookcase.share == pytest.approx(verdict.risk)
+    assert bookcase.risk == pytest.approx(verdict.places[0].by[0].probability.estimate * 8.0 / 24.0)
     assert bookcase.in_plane
     # where it ends is in the room; a piece that overturns covers more of the floor
     area = bookcase.covers.sum() * 0.05**2
@@ -230,6 +230,17 @@ def test_the_command_line_verifies_a_room(tmp_path: Path):
     assert json.loads(told.stdout)["places"][0]["name"] == "bed"
     told = CliRunner().invoke(app, ["verify", str(file), "--lang", "ja"])
     assert "ベッドにいる人" in told.stdout
+
+
+def test_a_room_is_simulated_with_all_its_pieces_together(tmp_path: Path):
+    run = changed().run()
+    assert len(run.standing) == 2
+    file = tmp_path / "room.toml"
+    file.write_text(changed().to_toml(), "utf-8")
+    told = CliRunner().invoke(app, ["simulate", str(file), "--json"])
+    assert told.exit_code == 0, told.output
+    with pytest.raises(sp.InputError, match="must go to verify_room"):
+        sp.verify(changed())
 
 
 def test_free_floor_keeps_off_walls_doors_windows_pieces_and_people():

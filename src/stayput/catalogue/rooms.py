@@ -45,6 +45,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} reaches {depth:.3g} m into {other}; it must stand beside it.",
         "{name}が{other}に{depth:.3g} m入り込んでいます。重ならないように置いてください。",
     ),
+    "use_verify_room": (
+        "A room with a plan was given; it must go to verify_room.",
+        "部屋（[plan]）が渡されました。verify_roomを使ってください。",
+    ),
     "against_without_along": (
         "{name} is missing; it must say where along the {wall} the piece stands.",
         "{name}がありません。{wall}のどこに置くかを指定してください。",

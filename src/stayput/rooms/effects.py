@@ -63,12 +63,12 @@ def anybody(flags: NDArray[np.bool_], shape: tuple[int, ...]) -> NDArray[np.bool
     return found.reshape(shape)
 
 
-def hits_but(events: Events, but: int | None = None) -> NDArray[np.bool_]:
-    """Return which places are hit by any piece but one, shape (places, runs)."""
+def hits_by(events: Events, *, but: int | None = None, only: int | None = None) -> NDArray[np.bool_]:
+    """Return which places are hit by any piece, by any but one, or by one only, shape (places, runs)."""
     found = np.zeros((len(events.hits), events.runs), np.bool_)
     for row, hits in zip(found, events.hits, strict=True):
         for body, one in enumerate(hits):
-            if body != but:
+            if body != but and only in (None, body):
                 row |= one.happened
     return found
 
@@ -132,12 +132,12 @@ def changes_of(
 def _harmful(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
     """Return the pieces without which less would happen."""
     events, missing = as_it_is.events, as_it_is.missing
-    risk = risk_of(hits_but(events), plan.places, missing)
+    risk = risk_of(hits_by(events), plan.places, missing)
     found: set[int] = set()
     blocked = events.blocked.sum() + events.shut_in.sum()
     for body in range(len(as_it_is.tracks)):
         others = [own for number, own in enumerate(as_it_is.tracks) if number != body]
-        less = risk_of(hits_but(events, but=body), plan.places, missing) < risk
+        less = risk_of(hits_by(events, but=body), plan.places, missing) < risk
         if not less and blocked and others:
             left = [ends.of(run) for run in zip(*others, strict=True)]
             less = sum(map(sum, (flags for both in left for flags in both))) < blocked
@@ -190,7 +190,7 @@ def replace_places(plan: FloorPlan, places: tuple[PersonPlace, ...]) -> FloorPla
 
 def _compared(change: Change, events: Events, plan: FloorPlan, as_it_is: Answer) -> ChangeVerdict:
     missing, shape = as_it_is.missing, as_it_is.missing.shape
-    before, after = hits_but(as_it_is.events), hits_but(events)
+    before, after = hits_by(as_it_is.events), hits_by(events)
     hit, was_hit = anybody(after, shape), anybody(before, shape)
     shut, was_shut = anybody(events.shut_in, shape), anybody(as_it_is.events.shut_in, shape)
     return ChangeVerdict(
@@ -226,7 +226,7 @@ def _best_at_wall(
         part = placed_elsewhere(scenario, question.whole, body, at, heading)
         tracks, origin = [run[0] for run in question.run([part])[0].tracks], np.array(at)
     places = question.plan.places
-    others = hits_but(as_it_is.events, but=body)
+    others = hits_by(as_it_is.events, but=body)
     best: tuple[Change, dict[int, Sequence[Track]]] | None = None
     least = math.inf
     for middle in middles:

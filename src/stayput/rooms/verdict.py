@@ -117,8 +117,8 @@ class RoomPiece:
         `RoomVerdict.cell_x` and `cell_y`.
     outline : ndarray, shape (n, 2)
         Its outline in plan as it stands [m].
-    share : float
-        By how much the presence-weighted chance that anybody is hit would be less without it.
+    risk : float
+        Chance that it hits a person, weighted by how long somebody is at each place.
     """
 
     name: str
@@ -127,7 +127,7 @@ class RoomPiece:
     slide: Quantiles
     covers: NDArray[np.float64]
     outline: NDArray[np.float64]
-    share: float
+    risk: float
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.several import draws_of_several
 from stayput.progress import bar
 from stayput.rooms.contact import inside_each_other
-from stayput.rooms.effects import Answer, Question, anybody, changes_of, hits_but, risk_of
+from stayput.rooms.effects import Answer, Question, anybody, changes_of, hits_by, risk_of
 from stayput.rooms.events import EndOfRuns, collisions, events_of
 from stayput.rooms.runs import groups_of, part_with
 from stayput.rooms.verdict import (
@@ -181,7 +181,7 @@ def _verdict(
     scenario, plan = question.scenario, question.plan
     events, missing = as_it_is.events, as_it_is.missing
     shape = missing.shape
-    hits = hits_but(events)
+    hits = hits_by(events)
     risk = risk_of(hits, plan.places, missing)
     pieces: list[RoomPiece] = []
     masses: dict[int, float] = {}
@@ -197,10 +197,10 @@ def _verdict(
                     Quantiles.of(outcomes.slide, outcomes.overturned),
                     np.mean([ends.covered_by(track) for track in tracks], axis=0),
                     tracks[0].outline(0),
-                    risk - risk_of(hits_but(events, but=body), plan.places, missing),
+                    risk_of(hits_by(events, only=body), plan.places, missing),
                 )
             )
-    pieces.sort(key=lambda piece: (-round(piece.share, 9), -piece.probabilities["overturned"].estimate))
+    pieces.sort(key=lambda piece: (-round(piece.risk, 9), -piece.probabilities["overturned"].estimate))
     at_rest = ends.of([own[0].at_first for own in as_it_is.tracks])[0]
     motions, samples = shape
     return RoomVerdict(
@@ -238,8 +238,8 @@ def _place(number: int, question: Question, masses: dict[int, float], as_it_is: 
             names[body],
             masses[body],
             probability(one.happened.reshape(shape), missing),
-            Quantiles.of(one.speed[one.happened], np.zeros(one.happened.sum(), np.bool_)),
-            Quantiles.of(one.energy[one.happened], np.zeros(one.happened.sum(), np.bool_)),
+            _quantiles(one.speed[one.happened]),
+            _quantiles(one.energy[one.happened]),
         )
         for body, one in enumerate(events.hits[number])
         if one.happened.any()
@@ -251,3 +251,7 @@ def _place(number: int, question: Question, masses: dict[int, float], as_it_is: 
         tuple(by),
         probability(events.shut_in[number].reshape(shape), missing),
     )
+
+
+def _quantiles(values: NDArray[np.float64]) -> Quantiles:
+    return Quantiles.of(values, np.zeros(values.shape, np.bool_))

@@ -75,7 +75,7 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
                 "engine": "plane" if piece.in_plane else "space",
                 "probabilities": {event: _chance(one) for event, one in piece.probabilities.items()},
                 "peak_slide_m": _quantiles(piece.slide),
-                "risk_share": number(piece.share),
+                "risk": number(piece.risk),
                 "outline_m": piece.outline.tolist(),
             }
             for piece in verdict.pieces
