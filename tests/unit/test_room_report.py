@@ -12,7 +12,6 @@ from html_pages import Page
 from stayput.catalogue import say
 from stayput.errors import InputError
 from stayput.fragility import difference, probability
-from stayput.fragility.probabilities import percent
 from stayput.measures import Belt
 from stayput.model.floor_plan import rectangle
 from stayput.montecarlo.counting import EVENTS, Quantiles
@@ -86,7 +85,7 @@ def made(**changed):
                 slide=Quantiles(0.021 + number, 0.043 + number),
                 covers=covers,
                 outline=rectangle(standing.at[:2], 0.3, 0.8, standing.heading),
-                share=0.123 - 0.1 * number,
+                risk=0.123 - 0.1 * number,
             )
         )
     by = tuple(
@@ -176,7 +175,7 @@ def test_the_tables_hold_the_numbers_of_their_rows():
         (("2.1 m/s", "3.2 m/s"), ("32 J", "1.8 kJ")),
     ]
     pieces = piece_rows(verdict, "en")
-    assert [row.contribution for row in pieces] == [percent(0.123), percent(0.023)]
+    assert [row.risk for row in pieces] == ["12 %", "2 %"]
     assert pieces[0].slide == ("2.1 cm", "4.3 cm")
     assert [row.engine for row in pieces] == ["in the plane across its length", "in space"]
 

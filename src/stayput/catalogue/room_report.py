@@ -108,15 +108,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     "pieces": ("What the pieces do", "各家具の動き"),
     "pieces_text": (
         (
-            "Contribution: by how many points the chance that somebody is hit, by the hours that people are "
-            "there, would be lower without the piece. Slide: peak, with no number if it overturns."
+            "A piece contributes to the risk by how often it hits somebody, counting the hours that people are at each "
+            "place. Slide: peak, with no number if it overturns."
         ),
         (
-            "寄与：その家具がなければ、人がいる時間を考慮した「誰かに当たる割合」が何ポイント下がるか。移動量は最大値で、"
-            "転倒した場合は数値を示しません。"
+            "危険への寄与は、人がいる時間を考慮して、その家具が誰かに当たる割合です。移動量は最大値で、転倒した場合は"
+            "数値を示しません。"
         ),
     ),
-    "share": ("Contribution, points", "寄与（ポイント）"),
+    "piece_risk": ("Hits somebody, by the hours", "人に当たる割合（在室時間を考慮）"),
     "engine": ("Simulated", "計算"),
     "in_plane": ("in the plane across its length", "断面（奥行き方向の平面）"),
     "in_space": ("in space", "三次元"),

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import say
-from stayput.fragility.probabilities import percent
 from stayput.montecarlo.counting import OVERTURNED, SLID
 from stayput.report.verdict import numbers
 from stayput.rooms.words import change_label, door_name, piece_name, place_name
@@ -72,7 +71,7 @@ class PieceRow(NamedTuple):
     overturned: Probability
     slid: Probability
     slide: tuple[str, str]
-    contribution: str
+    risk: str
     engine: str
 
 
@@ -166,7 +165,7 @@ def piece_rows(verdict: RoomVerdict, language: str) -> list[PieceRow]:
             one.probabilities[OVERTURNED],
             one.probabilities[SLID],
             numbers.slides(one.slide, room, language),
-            percent(one.share) if verdict.places else numbers.NO_NUMBER,
+            numbers.share(one.risk, language) if verdict.places else numbers.NO_NUMBER,
             say(f"room_report.{'in_plane' if one.in_plane else 'in_space'}", language),
         )
         for one in verdict.pieces
