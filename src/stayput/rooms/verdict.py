@@ -194,6 +194,8 @@ class RoomVerdict:
         Single changes, the best first; none where they were not asked for.
     motions, samples, runs : int
         Motions, samples of each, and runs of pieces that were made.
+    slide_limit : float
+        Slide that counts as too far [m].
     seed : int
         Seed of the draws.
     seconds : float
@@ -214,6 +216,7 @@ class RoomVerdict:
     motions: int
     samples: int
     runs: int
+    slide_limit: float
     seed: int
     seconds: float
 

@@ -226,6 +226,7 @@ def _verdict(
         motions=motions,
         samples=samples,
         runs=made,
+        slide_limit=slide_limit,
         seed=scenario.uncertainty.seed,
         seconds=time.perf_counter() - began,
     )
