@@ -102,6 +102,11 @@ def test_a_toppling_box_hits_a_bed_with_the_speed_and_energy_of_the_fall(heading
     # it moves on as if nobody were there: later it is faster
     assert contact.energy >= fallen * 0.99
     assert contact.speed >= 0.98 * rate * math.hypot(away, top)
+    # at the floor, of the farthest point of the face within the place
+    landed = STANDARD_GRAVITY * R * (math.cos(tilt0 - alpha) - math.cos(math.pi / 2 - alpha))
+    last = math.sqrt(2.0 * landed / (4.0 / 3.0 * R * R))
+    reached = math.hypot(1.0 + away, 0.3)
+    assert 0.8 * last * reached < contact.speed < 1.02 * last * math.hypot(1.0 + away, top)
     # the time, by quadrature of the energy
     angles = np.linspace(tilt0, tilt, 200_001)[1:]
     mid = angles - 0.5 * (angles[1] - angles[0])

@@ -59,12 +59,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     "what_hits": ("What hits, and how hard", "当たる家具とその強さ"),
     "what_hits_text": (
         (
-            "Largest closing speed, and largest kinetic energy of the piece while it touches: median and 90 % "
+            "Largest speed of the part that comes there, and largest kinetic energy of the piece: median and 90 % "
             "of the runs in which it hits. They are upper bounds, because in the model nobody and no bed "
             "holds the piece up; injuries are not predicted."
         ),
         (
-            "当たった計算での最大の接近速度と、触れている間の家具の最大の運動エネルギーです（中央値、90%値）。"
+            "当たった計算での、その場所に入る部分の最大の速さと、家具の最大の運動エネルギーです（中央値、90%値）。"
             "モデルでは人もベッドも家具を受け止めないため、上限を示す値です。けがの程度は予測しません。"
         ),
     ),

@@ -7,6 +7,7 @@ distance, and below 0 exactly where they overlap; its rate just before they touc
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -22,6 +23,9 @@ if TYPE_CHECKING:
     from stayput.rooms.tracks import Track
     from stayput.simulation.standing import Standing
 
+SPACING = 0.1
+"""Distance between the points of a place at which the speed of a piece is looked at [m]."""
+
 SLIGHT = 1e-6
 """Length of a cross product of two unit vectors up to which they are parallel."""
 
@@ -29,16 +33,17 @@ SLIGHT = 1e-6
 class RoomContact(NamedTuple):
     """A contact of a piece with the place of a person, or with another piece.
 
-    The piece moves on as if nobody were there: speed and energy are upper bounds.
-
     Parameters
     ----------
     time : float
         When they first touch [s].
     speed : float
-        The largest speed at which they close in before they touch, and while they do [m/s].
+        Of a piece and a place: the largest of the part of the piece that is within the place; the piece moves
+        on as if nobody were there, so it is an upper bound. Of two pieces: at which they close in as they
+        first touch [m/s].
     energy : float
-        The largest kinetic energy of the piece, of two together, while they touch [J].
+        Kinetic energy: the largest of a piece while it touches a place, also an upper bound, and that of two
+        pieces together as they first touch [J].
     """
 
     time: float
@@ -110,13 +115,43 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     own = rectangle(place.at, place.width, place.length, place.heading)
     least, most = (*own.min(axis=0), place.low), (*own.max(axis=0), place.high)
     near = ((low <= most) & (high >= least)).all(axis=1)
-    return _first(
-        track.sample,
-        near,
-        track.dt,
-        lambda chosen: separation(_body_at(track, chosen), _box_of(place, len(chosen))),
-        lambda chosen: track.energy[chosen],
+    touching = _touching(
+        track.sample, near, track.dt, lambda k: separation(_body_at(track, k), _box_of(place, len(k)))
     )
+    if touching is None:
+        return None
+    speed = max(touching.closing, _speed_within(track, place, touching.places))
+    return RoomContact(touching.time, speed, float(track.energy[touching.places].max()))
+
+
+def _speed_within(track: Track, place: PersonPlace, touching: NDArray[np.intp]) -> float:
+    """Return the largest speed of those points of a piece that are within a place, of some samples [m/s].
+
+    Points of the place, `SPACING` apart, that are in the piece; none where it is all between them.
+    """
+    x, y, z = (
+        np.linspace(low, high, max(2, math.ceil((high - low) / SPACING) + 1))
+        for low, high in (
+            (-0.5 * place.width, 0.5 * place.width),
+            (-0.5 * place.length, 0.5 * place.length),
+            (place.low, place.high),
+        )
+    )
+    own = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1).reshape(-1, 3)
+    cos, sin = math.cos(place.heading), math.sin(place.heading)
+    points = own @ np.array([[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]]) + [*place.at, 0.0]
+    shape = track.shape
+    reach = shape.corners @ shape.normals.T
+    low, high = reach.min(axis=0), reach.max(axis=0)
+    fastest = 0.0
+    for k in touching.tolist():
+        seen = (points - track.place[k]) @ track.turn[k]
+        along = seen @ shape.normals.T
+        inside = ((along >= low) & (along <= high)).all(axis=1)
+        if inside.any():
+            before = seen[inside] @ track.turn[k - 1].T + track.place[k - 1]
+            fastest = max(fastest, float(np.linalg.norm(points[inside] - before, axis=1).max()))
+    return fastest / track.dt
 
 
 def contact_between(one: Track, other: Track) -> RoomContact | None:
@@ -127,23 +162,33 @@ def contact_between(one: Track, other: Track) -> RoomContact | None:
     first, second = (np.searchsorted(track.sample, sample, side="right") - 1 for track in (one, other))
     a, b = one.corners()[first], other.corners()[second]
     near = ((a.min(axis=1) <= b.max(axis=1)) & (a.max(axis=1) >= b.min(axis=1))).all(axis=1)
-    return _first(
+    touching = _touching(
         sample,
         near,
         one.dt,
-        lambda chosen: separation(_body_at(one, first[chosen]), _body_at(other, second[chosen])),
-        lambda chosen: one.energy[first[chosen]] + other.energy[second[chosen]],
+        lambda k: separation(_body_at(one, first[k]), _body_at(other, second[k])),
     )
+    if touching is None:
+        return None
+    k = int(touching.places[0])
+    return RoomContact(touching.time, touching.closing, float(one.energy[first[k]] + other.energy[second[k]]))
 
 
-def _first(
+class _Touching(NamedTuple):
+    """When two bodies first touch [s], how fast they close in then [m/s], and at which samples they touch."""
+
+    time: float
+    closing: float
+    places: NDArray[np.intp]
+
+
+def _touching(
     sample: NDArray[np.intp],
     near: NDArray[np.bool_],
     dt: float,
     gap_at: Callable[[NDArray[np.intp]], NDArray[np.float64]],
-    energy_at: Callable[[NDArray[np.intp]], NDArray[np.float64]],
-) -> RoomContact | None:
-    """Return the contact from the first overlap after a gap on; ``near``: where two bodies may overlap."""
+) -> _Touching | None:
+    """Return how two bodies touch from their first overlap after a gap on; ``near``: where they may."""
     close = np.flatnonzero(near)
     if not len(close):
         return None
@@ -157,7 +202,5 @@ def _first(
     gap, overlap = float(gaps[first]), -float(gaps[first + 1])
     # a piece that stood still until then has moved in the last step alone
     time = dt * (float(sample[chosen[first + 1]]) - overlap / (gap + overlap))
-    steps = np.diff(gaps)
-    together = (gaps[1:] <= 0.0) & (np.diff(chosen) == 1) & (np.arange(len(steps)) >= first)
-    touching = chosen[1:][together]
-    return RoomContact(time, float(-steps[together].min()) / dt, float(energy_at(touching).max()))
+    together = (gaps[1:] <= 0.0) & (np.arange(1, len(gaps)) > first)
+    return _Touching(time, (gap + overlap) / dt, chosen[1:][together])

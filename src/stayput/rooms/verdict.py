@@ -35,7 +35,7 @@ class HitVerdict:
     probability : Probability
         That it touches the person who is there.
     speed : Quantiles
-        Largest speed at which it closes in, of the runs in which it does [m/s].
+        Largest speed of the part that is within the place, of the runs in which it hits [m/s].
     energy : Quantiles
         Its largest kinetic energy while it touches, of the same runs [J].
     """
@@ -113,8 +113,7 @@ class RoomPiece:
     slide : Quantiles
         Peak slide [m].
     covers : ndarray, shape (nx, ny)
-        Share of the runs in which it ends on each cell of the floor; the cells are those of
-        `RoomVerdict.cell_x` and `cell_y`.
+        Share of the runs in which it ends on each cell of the floor; see `stayput.rooms.ways.Ways`.
     outline : ndarray, shape (n, 2)
         Its outline in plan as it stands [m].
     risk : float
