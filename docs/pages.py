@@ -128,6 +128,12 @@ def assembly() -> str:
     return "\n".join(_table("", schema, schema))
 
 
+def room() -> str:
+    """Return the reference of the file of a room."""
+    schema = sp.RoomScenario.model_json_schema()
+    return "\n".join(_table("", schema, schema))
+
+
 def examples() -> str:
     """Run the example programs; return each with what it printed."""
     parts = []
@@ -173,7 +179,7 @@ def quantities() -> str:
 def write(folder: Path) -> None:
     """Write every generated part into a folder."""
     folder.mkdir(parents=True, exist_ok=True)
-    for make in (formats, surfaces, furniture, scenario, assembly, examples, tolerances, quantities):
+    for make in (formats, surfaces, furniture, scenario, assembly, room, examples, tolerances, quantities):
         (folder / f"{make.__name__}.md").write_text(make(), encoding="utf-8")
     validation_run.write(folder)
     study_pages.write(folder)

@@ -25,6 +25,10 @@ from .measures import Measure as Measure
 from .measures import hold as hold
 from .model.body import Body as Body
 from .model.body import Part as Part
+from .model.floor_plan import Door as Door
+from .model.floor_plan import FloorPlan as FloorPlan
+from .model.floor_plan import PersonPlace as PersonPlace
+from .model.floor_plan import Window as Window
 from .model.room import SURFACES as SURFACES
 from .model.room import Ceiling as Ceiling
 from .model.room import Floor as Floor
@@ -46,9 +50,13 @@ from .motion.suites import japanese_design as japanese_design
 from .motion.suites import read_suite as read_suite
 from .motion.suites import read_target as read_target
 from .motion.suites import synthetic_suite as synthetic_suite
+from .rooms import RoomVerdict as RoomVerdict
+from .rooms import verify_room as verify_room
 from .scenario import AssemblyScenario as AssemblyScenario
+from .scenario import RoomScenario as RoomScenario
 from .scenario import Scenario as Scenario
 from .scenario import read_assembly as read_assembly
+from .scenario import read_room as read_room
 from .scenario import read_scenario as read_scenario
 from .simulation.boundary import overturning_map as overturning_map
 from .simulation.boundary import trace_boundary as trace_boundary

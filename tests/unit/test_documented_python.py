@@ -1,4 +1,4 @@
-"""The Python of the documentation's pages runs as it is told, each page by itself, in an empty folder."""
+"""The Python of the documentation's pages runs as it is told, each page by itself, beside the examples."""
 
 import re
 from pathlib import Path
@@ -32,6 +32,7 @@ def test_the_pages_are_found():
 @pytest.mark.parametrize("name", RUN)
 def test_the_python_of_a_page_runs(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
+    (tmp_path / "examples").symlink_to(PAGES.parent / "examples")
     told = {}
     for block in BLOCKS[name]:
         exec(block, told)

@@ -23,6 +23,7 @@ LAYERS = (
     {"contents"},
     {"montecarlo", "scenario"},
     {"verification", "fallen"},
+    {"rooms"},
     {"report"},
     {"studies", "inventory"},
     {"app"},

@@ -41,6 +41,7 @@ FEW_MOTIONS = {"motions": 2, "samples": 1}
 
 FEWER = {
     "bookcase.toml": {"count = 20": "count = 6", "samples = 40": "samples = 6"},
+    "bedroom.toml": {"count = 20": "count = 6", "samples = 40": "samples = 6"},
     "kitchen.toml": {
         'intensity = "6-lower"': 'intensity = "6-lower"\nsuite = { count = 6 }',
         "samples = 200": "samples = 6",

@@ -40,6 +40,8 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "page",
         "plots",
         "report",
+        "room_report",
+        "rooms",
         "runs",
         "scenario",
         "several",

@@ -155,9 +155,9 @@ def simulate(
         piece={"length": length, "heading": heading},
     )
     if several:
-        from stayput.scenario import AssemblyScenario
+        from stayput.scenario import AssemblyScenario, RoomScenario
 
-        pieces = parsed(AssemblyScenario, data, scenario, motion)
+        pieces = parsed(RoomScenario if "plan" in given else AssemblyScenario, data, scenario, motion)
         with compiling():
             found = pieces.run()
         _show_in_space(found, pieces.names, _Wanted("", pieces.title, plot, animate, speed, fps, json))

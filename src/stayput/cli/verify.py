@@ -11,9 +11,11 @@ import typer
 
 from stayput.cli.flags import EveryRunOption, ThreadsOption  # noqa: TC001 - Typer reads the annotations
 from stayput.cli.messages import compiling, folded
+from stayput.cli.verify_room import print_room
 from stayput.cli.verify_several import print_several
 
 if TYPE_CHECKING:
+    from stayput.rooms.verdict import RoomVerdict
     from stayput.verification import AssemblyVerdict, Verdict
 
 
@@ -34,7 +36,8 @@ def verify(
     """Compare what a scenario's measures do, over its motions and over what is not known.
 
     Without measures in the file the usual ones are compared, those that can be applied there. Of several
-    pieces ([[furniture]]) joints and measures on each are compared.
+    pieces ([[furniture]]) joints and measures on each are compared. Of a room with a [plan] it is said who is
+    hit, which door stays shut, and which single change helps most.
     """
     from stayput.errors import within
     from stayput.files import check_target
@@ -49,10 +52,13 @@ def verify(
     verdict = _verified(scenario, slide_limit, every_run, threads)
     written = _write(verdict, report, markdown, csv, lang)
 
+    from stayput.rooms.verdict import RoomVerdict
     from stayput.verification import AssemblyVerdict
 
     if json:
         typer.echo(verdict.to_json(), nl=False)
+    elif isinstance(verdict, RoomVerdict):
+        print_room(verdict, lang, written)
     elif isinstance(verdict, AssemblyVerdict):
         print_several(verdict, lang, written)
     else:
@@ -61,23 +67,30 @@ def verify(
 
 def _verified(
     path: Path, slide_limit: float | None, every_run: bool, threads: int | None
-) -> Verdict | AssemblyVerdict:
+) -> Verdict | AssemblyVerdict | RoomVerdict:
     from stayput.cli.flags import scenario_data
-    from stayput.scenario import read_assembly, read_scenario
+    from stayput.scenario import read_assembly, read_room, read_scenario
+    from stayput.verification import SLIDE_LIMIT
 
-    several = isinstance(scenario_data(path, None).get("furniture"), list)
+    given = scenario_data(path, None)
+    limit = SLIDE_LIMIT if slide_limit is None else slide_limit
+    if "plan" in given:
+        from stayput.rooms.verify import verify_room
+
+        room = read_room(path)
+        with room.naming_file(), compiling():
+            return verify_room(room, slide_limit=limit, threads=threads)
+    several = isinstance(given.get("furniture"), list)
     scenario = read_assembly(path) if several else read_scenario(path)
 
-    from stayput.verification import SLIDE_LIMIT
     from stayput.verification import verify as compare
 
-    limit = SLIDE_LIMIT if slide_limit is None else slide_limit
     with scenario.naming_file(), compiling():
         return compare(scenario, slide_limit=limit, every_run=every_run, threads=threads)
 
 
 def _write(
-    verdict: Verdict | AssemblyVerdict,
+    verdict: Verdict | AssemblyVerdict | RoomVerdict,
     report: Path | None,
     markdown: Path | None,
     csv: Path | None,

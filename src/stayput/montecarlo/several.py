@@ -21,7 +21,7 @@ from stayput.simulation.placing import planes_around, room_seen
 from stayput.simulation.space import run_of_assembly, trace_assembly
 from stayput.simulation.space_case import SpaceShaking, acceleration_of, results_of
 from stayput.simulation.standing import Assembly, Piece, Standing
-from stayput.uncertainty import USUAL, Uncertainty
+from stayput.uncertainty import USUAL, Uncertainty, Uniform
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Sequence
@@ -52,20 +52,34 @@ class DrawOfSeveral(NamedTuple):
         Factor on the friction between pieces.
     joints : float
         Factor on the strengths of the joints.
+    direction : float
+        Where the motion's x points in plan, from x towards y [rad].
     """
 
     pieces: tuple[Draw, ...]
     between: float
     joints: float
+    direction: float = 0.0
 
     @property
     def room(self) -> Draw:
         """What is drawn of the room."""
         return self.pieces[0]
 
+    def of(self, bodies: Sequence[int]) -> DrawOfSeveral:
+        """Return the draw of some of the pieces by themselves."""
+        return self._replace(pieces=tuple(self.pieces[body] for body in bodies))
+
 
 def draws_of_several(
-    bodies: int, motions: int, samples: int, seed: int, start: int = 0, *, as_stated: Collection[str] = ()
+    bodies: int,
+    motions: int,
+    samples: int,
+    seed: int,
+    start: int = 0,
+    *,
+    as_stated: Collection[str] = (),
+    any_direction: bool = False,
 ) -> list[list[DrawOfSeveral]]:
     """Return the draws of every motion.
 
@@ -75,10 +89,15 @@ def draws_of_several(
         Pieces.
     motions, samples, seed, start, as_stated
         As for `stayput.montecarlo.sampling.draws`.
+    any_direction : bool
+        Whether the direction of the motion is drawn too.
     """
     own = {f"{name} {body}": USUAL[name] for body in range(1, bodies) for name in OWN}
     like = {name: USUAL[other] for name, other in LIKE.items()}
-    drawn = Uncertainty({**USUAL, **like, **own}).sample(samples, seed, motions=motions, start=start)
+    turned = {"direction": Uniform(0.0, 2.0 * math.pi)} if any_direction else {}
+    drawn = Uncertainty({**USUAL, **like, **own, **turned}).sample(
+        samples, seed, motions=motions, start=start
+    )
     for name in drawn:
         quantity = LIKE.get(name, name.partition(" ")[0])
         if quantity in as_stated:
@@ -90,7 +109,7 @@ def draws_of_several(
         others = (
             replace(first, **{name: values[f"{name} {body}"] for name in OWN}) for body in range(1, bodies)
         )
-        return DrawOfSeveral((first, *others), *(values[name] for name in LIKE))
+        return DrawOfSeveral((first, *others), *(values[name] for name in (*LIKE, *turned)))
 
     return [[one(motion, sample) for sample in range(samples)] for motion in range(motions)]
 
@@ -216,7 +235,7 @@ def run_several(
     def run(place: tuple[int, int, int]) -> None:
         option, motion, sample = place
         draw = drawn[motion][sample]
-        shaking = _shaking(floors.motions[motion], float(floors.scales[motion]), draw.room.lean, gravity)
+        shaking = shaking_of(floors.motions[motion], float(floors.scales[motion]), draw, gravity)
         results[place], found[place] = run_draw(assemblies[option], room, draw, shaking, gravity)
 
     with ThreadExecutor(threads) as executor:
@@ -230,11 +249,39 @@ def _places(option: int, motions: int, samples: int) -> list[tuple[int, int, int
     return [(option, motion, sample) for motion in range(motions) for sample in range(samples)]
 
 
-def _shaking(motion: Motion, scale: float, lean: float, gravity: float) -> SpaceShaking:
-    """Return the motion of a floor that leans to the front: it is shaken by −g sin(lean) along x as well."""
+def shaking_of(motion: Motion, scale: float, draw: DrawOfSeveral, gravity: float) -> SpaceShaking:
+    """Return the motion of a floor under one draw, which leans along x; see `turned` and `leaning`."""
+    return leaning(turned(motion, scale, draw.direction), draw.room.lean, 0.0, gravity)
+
+
+def turned(motion: Motion, scale: float, direction: float) -> SpaceShaking:
+    """Return the motion of a floor times a scale, its x turned in plan from x towards y [rad]."""
     acceleration = scale * acceleration_of(motion)
-    acceleration[:, 0] -= gravity * math.sin(lean)
+    if direction:
+        cos, sin = math.cos(direction), math.sin(direction)
+        x, y = acceleration[:, 0].copy(), acceleration[:, 1].copy()
+        acceleration[:, 0], acceleration[:, 1] = cos * x - sin * y, sin * x + cos * y
     return SpaceShaking(acceleration, motion.dt)
+
+
+def leaning(shaking: SpaceShaking, lean: float, towards: float, gravity: float) -> SpaceShaking:
+    """Return the motion of a floor that leans: by a small angle it is shaken by −g sin(lean) as well.
+
+    Parameters
+    ----------
+    shaking : SpaceShaking
+        Of the level floor.
+    lean : float
+        How much it leans [rad].
+    towards : float
+        The direction in plan in which it goes down, from x towards y [rad].
+    gravity : float
+        g [m/s²].
+    """
+    acceleration = shaking.acceleration.copy()
+    acceleration[:, 0] -= gravity * math.sin(lean) * math.cos(towards)
+    acceleration[:, 1] -= gravity * math.sin(lean) * math.sin(towards)
+    return SpaceShaking(acceleration, shaking.dt)
 
 
 def run_draw(
@@ -247,7 +294,7 @@ def run_draw(
     tuple
         RESULT, shape (bodies,); and the devices with their utilisation.
     """
-    traced = _traced(assembly, room, draw, shaking, gravity)
+    traced = trace_draw(assembly, room, draw, shaking, gravity)
     devices = traced.trace.devices
     standing = [one.standing for one in traced.bodies]
     return results_of(standing, traced.trace, shaking.times), (
@@ -256,9 +303,10 @@ def run_draw(
     )
 
 
-def _traced(
+def trace_draw(
     assembly: Assembly, room: Room, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
 ) -> AssemblyTrace:
+    """Run an assembly as drawn; see `run_draw`."""
     return trace_assembly(
         drawn_assembly(assembly, draw),
         drawn_room(assembly, room, draw.room),
@@ -281,7 +329,7 @@ def replay(
     motion, scale
         The floor's motion, and the factor on it.
     """
-    traced = _traced(assembly, room, draw, _shaking(motion, scale, draw.room.lean, gravity), gravity)
+    traced = trace_draw(assembly, room, draw, shaking_of(motion, scale, draw, gravity), gravity)
     return run_of_assembly(traced, assembly.joints, room, motion.scaled(scale))
 
 

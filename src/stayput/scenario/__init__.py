@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from stayput.scenario.assembly import AssemblyScenario, read_assembly
+from stayput.scenario.room import RoomScenario, read_room
 from stayput.scenario.scenario import Scenario, read_scenario
 
-__all__ = ["AssemblyScenario", "Scenario", "read_assembly", "read_scenario"]
+__all__ = ["AssemblyScenario", "RoomScenario", "Scenario", "read_assembly", "read_room", "read_scenario"]

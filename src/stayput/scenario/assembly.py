@@ -40,6 +40,7 @@ if TYPE_CHECKING:
 
     import xarray as xr
 
+    from stayput.model.room import Room
     from stayput.model.solid import Solid
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
@@ -125,12 +126,12 @@ class AssemblyScenario(FromFile):
                 checked(f"options[{number}]", partial(refuse_conflicts, option.on(name)))
 
     @classmethod
-    def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> AssemblyScenario:
+    def parse(cls, data: Mapping[str, Any], folder: Path = Path(), file: str = "") -> Self:
         """Make a scenario from the keys and values of its file; see `Scenario.parse`."""
         try:
             scenario = cls.model_validate(dict(data))
         except ValidationError as error:
-            raise refusal_of(error.errors(), _schema()) from None
+            raise refusal_of(error.errors(), _schema(cls)) from None
         scenario._folder, scenario._file = folder, file
         return scenario
 
@@ -179,10 +180,10 @@ class AssemblyScenario(FromFile):
         chosen = self.stated if option is None else option
         with self.naming_pieces():
             members = [
-                Piece(piece.body(), (x, y, z), piece.heading, measures)
+                Piece(piece.body(), at, heading, measures)
                 if measures or (option is not None and piece.is_furniture)
-                else Standing(solid, (x, y, z), piece.heading)
-                for piece, (solid, x, y, z), measures in zip(
+                else Standing(solid, at, heading)
+                for piece, (solid, at, heading), measures in zip(
                     self.furniture, self._placed(), chosen.measures, strict=True
                 )
             ]
@@ -204,17 +205,31 @@ class AssemblyScenario(FromFile):
             except InputError as error:
                 raise self.by_names(error) from None
 
-    def _placed(self) -> list[tuple[Solid, float, float, float]]:
-        """Return each body, and where the middle of its base is [m]."""
-        placed: dict[str, tuple[Solid, float, float, float]] = {}
-        headings = {piece.name: piece.heading for piece in self.furniture}
+    def stands(self, piece: StandingTable, solid: Solid) -> tuple[tuple[float, float, float], float]:
+        """Return where a piece stands, by its own table, and what it faces.
+
+        Parameters
+        ----------
+        piece : StandingTable
+            The piece.
+        solid : Solid
+            Its body.
+        """
+        if piece.against is not None:
+            name = f"furniture[{self.names.index(piece.name)}].against"
+            raise InputError("rooms.against_without_plan", name, name=name, value=repr(piece.against))
+        x, y, *up = piece.at
+        return (x, y, up[0] if up else 0.0), piece.heading
+
+    def _placed(self) -> list[tuple[Solid, tuple[float, float, float], float]]:
+        """Return each body, where the middle of its base is [m], and what it faces."""
+        placed: dict[str, tuple[Solid, tuple[float, float, float], float]] = {}
         for number, piece in enumerate(self.furniture):
             solid = checked(f"furniture[{number}]", partial(piece.solid, self._folder))
-            x, y, *up = piece.at
-            z = up[0] if up else 0.0
+            (x, y, z), heading = self.stands(piece, solid)
             if piece.on is not None:
-                below, x_below, y_below, z_below = placed[piece.on]
-                plan = Standing(below, heading=headings[piece.on])
+                below, (x_below, y_below, z_below), faces = placed[piece.on]
+                plan = Standing(below, heading=faces)
                 (low_x, high_x), (low_y, high_y) = plan.along((1.0, 0.0, 0.0)), plan.along((0.0, 1.0, 0.0))
                 if not (low_x <= x <= high_x and low_y <= y <= high_y):
                     raise InputError(
@@ -229,7 +244,7 @@ class AssemblyScenario(FromFile):
                         high_y=high_y,
                     )
                 x, y, z = x + x_below, y + y_below, z_below + float(below.vertices[:, 2].max())
-            placed[piece.name] = solid, x, y, z
+            placed[piece.name] = solid, (x, y, z), heading
         return list(placed.values())
 
     def _joints(self) -> list[Joint]:
@@ -240,6 +255,10 @@ class AssemblyScenario(FromFile):
             ]
         except InputError as error:
             raise self.by_names(error) from None
+
+    def surroundings(self) -> Room:
+        """Make the room; the gaps of its walls are from the outermost of all pieces."""
+        return self.room.room()
 
     def motion(self) -> Motion:
         """Make the motion of the floor: of a suite, that of its ``member``."""
@@ -261,7 +280,7 @@ class AssemblyScenario(FromFile):
         """Simulate the pieces as the file states them."""
         assembly, motion = self.assembly(), self.motion()
         with self.naming_pieces():
-            return simulate(assembly, self.room.room(), motion, gravity=self.gravity)
+            return simulate(assembly, self.surroundings(), motion, gravity=self.gravity)
 
     def sweep(
         self, axes: Mapping[str, Any], *, threads: int | None = None, progress: bool | None = None
@@ -289,8 +308,8 @@ class AssemblyScenario(FromFile):
 
 
 @cache
-def _schema() -> dict[str, Any]:
-    return AssemblyScenario.model_json_schema()
+def _schema(kind: type[AssemblyScenario]) -> dict[str, Any]:
+    return kind.model_json_schema()
 
 
 def read_assembly(path: str | PathLike[str]) -> AssemblyScenario:

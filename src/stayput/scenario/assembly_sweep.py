@@ -128,7 +128,7 @@ def _run(scenario: AssemblyScenario) -> tuple[NDArray[np.void], int, float]:
     shaking = SpaceShaking(acceleration_of(motion), motion.dt)
     assembly = scenario.assembly()
     with scenario.naming_pieces():
-        traced = trace_assembly(assembly, scenario.room.room(), shaking, scenario.gravity)
+        traced = trace_assembly(assembly, scenario.surroundings(), shaking, scenario.gravity)
     devices = traced.trace.devices
     failed = int((devices["failure"] != HOLDS).sum())
     standing = [one.standing for one in traced.bodies]

@@ -12,9 +12,10 @@ from stayput.errors import InputError
 from stayput.measures.measure import refuse_conflicts
 from stayput.model.body import MASS_RANGE, SIZE_RANGE, Body
 from stayput.model.furniture import FURNITURE
+from stayput.model.room import WALLS_AROUND
 from stayput.model.solid import Solid
 from stayput.scenario.assembly_options import MeasuresInPlace, in_place
-from stayput.scenario.fields import Table, Text, between, checked
+from stayput.scenario.fields import Table, Text, between, checked, named, one_of
 from stayput.scenario.measures import refuse_wrong_type
 from stayput.scenario.tables import Kind  # noqa: TC001 - pydantic reads the annotations
 from stayput.simulation.standing import Joint
@@ -29,6 +30,9 @@ _SHAPES = {
     "cone": {"bottom", "top", "height"},
 }
 """Sizes of each shape."""
+
+BEHIND = 0.02
+"""Usual gap between a piece and the wall at its back [m]."""
 
 Size = Annotated[float, between(*SIZE_RANGE, "m")]
 PlaceInPlan = Annotated[
@@ -61,6 +65,15 @@ class StandingTable(Table):
     on: Text | None = Field(default=None, description="The piece on whose top it stands.")
     heading: Annotated[float, between(-2.0 * math.pi, 2.0 * math.pi, "rad")] = Field(
         default=0.0, description="Direction in which it faces: from x towards y."
+    )
+    against: Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)] | None = Field(
+        default=None, description="In a room with a plan: the wall to which its back stands."
+    )
+    along: Annotated[float, between(0.0, 100.0, "m")] | None = Field(
+        default=None, description="Where its middle is along that wall, from the lower x or y."
+    )
+    gap: Annotated[float, between(0.0, 100.0, "m")] = Field(
+        default=BEHIND, description="Between its back and that wall."
     )
     measures: MeasuresInPlace | None = Field(
         default=None,

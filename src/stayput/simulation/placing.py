@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -99,16 +100,11 @@ def _placed(number: int, piece: Piece, room: Room, planes: NDArray[np.void], str
         held = hold_piece(piece, room, planes)
     except InputError as error:
         raise error.at(f"members[{number}]") from None
-    body = held.body
+    body, standing = held.body, standing_of(piece, held)
+    base, facing = _base_of(piece, held), Standing(standing.solid, heading=piece.heading).turn
+    upright = Standing(standing.solid, tilt=standing.tilt)
     x, z = at_rest(body, body.centre_of_gravity)
-    place, tilt = np.array([x, 0.0, z]), (0.0, body.resting_tilt, 0.0)
-    upright = Standing(Solid.of(body), tilt=tilt)
-    facing = Standing(upright.solid, heading=piece.heading).turn
-    # what makes it lean leaves its back edge where it is
-    moved = np.array([_back_edge(piece.body) - _back_edge(body), 0.0, 0.0])
-    base = np.asarray(piece.at) + facing @ moved
-    origin = base + facing @ (place - upright.turn @ upright.solid.centre_of_gravity)
-    standing = Standing(upright.solid, (origin[0], origin[1], origin[2]), piece.heading, tilt)
+    place = np.array([x, 0.0, z])
     rows = element_rows(held, strength)
     springs = springs_of(rows, upright.turn, place, upright.solid.principal[1], number)
     for names, shift in ((("ax", "ay", "az"), base), (("nx", "ny", "nz"), np.zeros(3))):
@@ -118,6 +114,25 @@ def _placed(number: int, piece: Piece, room: Room, planes: NDArray[np.void], str
     for name in IN_NEWTONS:
         springs[name] *= body.mass
     return Placed(standing, held, springs)
+
+
+def standing_of(piece: Piece, held: Held) -> Standing:
+    """Return a piece as it stands with what its measures change of it."""
+    body, solid = held.body, Solid.of(held.body)
+    upright, facing = (
+        Standing(solid, tilt=(0.0, body.resting_tilt, 0.0)),
+        Standing(solid, heading=piece.heading),
+    )
+    x, z = at_rest(body, body.centre_of_gravity)
+    place = np.array([x, 0.0, z]) - upright.turn @ solid.centre_of_gravity
+    origin = _base_of(piece, held) + facing.turn @ place
+    return Standing(solid, (origin[0], origin[1], origin[2]), piece.heading, upright.tilt)
+
+
+def _base_of(piece: Piece, held: Held) -> NDArray[np.float64]:
+    """Return where the middle of a piece's base is: what makes it lean leaves its back edge where it is."""
+    moved = _back_edge(piece.body) - _back_edge(held.body)
+    return np.asarray(piece.at) + moved * np.array([math.cos(piece.heading), math.sin(piece.heading), 0.0])
 
 
 def _back_edge(body: Body) -> float:

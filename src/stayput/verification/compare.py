@@ -20,7 +20,7 @@ from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
 from stayput.progress import bar
-from stayput.scenario import AssemblyScenario, Scenario
+from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
 from stayput.verification.contents import contents_verdicts
 from stayput.verification.options import compared_options, require_coulomb
 from stayput.verification.ranking import members, severity
@@ -146,6 +146,8 @@ def verify(
     began = time.perf_counter()
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
     given = instance_of("scenario", scenario, (Scenario, AssemblyScenario))
+    if isinstance(given, RoomScenario):
+        raise InputError("rooms.use_verify_room", "scenario")
     if isinstance(given, AssemblyScenario):
         if levels is not None and len(levels):
             raise InputError("several.levels", "levels")

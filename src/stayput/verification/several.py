@@ -55,7 +55,7 @@ def verify_several(
         Options of which none can be put in place, or a record that cannot be read.
     """
     began = time.perf_counter()
-    room, gravity, shaking = scenario.room.room(), scenario.gravity, scenario.shaking
+    room, gravity, shaking = scenario.surroundings(), scenario.gravity, scenario.shaking
     warn_of_settlement(room)
     options, rejected = options_of_several(scenario)
     ground = scenario.ground()
@@ -164,7 +164,7 @@ def _devices(
     scenario: AssemblyScenario, assembly: Assembly, runs: RunsOfSeveral
 ) -> tuple[DeviceOfSeveral, ...]:
     """Return a summary of each device and joint, in the order of the runs'."""
-    room, names = scenario.room.room(), scenario.names
+    room, names = scenario.surroundings(), scenario.names
     bodies = placed(assembly.members, room)
     devices = [
         _Device((name,), element.kind, element.place, element)

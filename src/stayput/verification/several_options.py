@@ -102,7 +102,7 @@ def options_of_several(
 
 def _put_in_place(scenario: AssemblyScenario, option: AssemblyOption) -> None:
     """Raise `InputError` where an option cannot be put in place."""
-    members, room = scenario.assembly(option).members, scenario.room.room()
+    members, room = scenario.assembly(option).members, scenario.surroundings()
     placed(members, room)
 
 

@@ -48,7 +48,7 @@ def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, m
     )
     return replay(
         scenario.assembly(result.option),
-        scenario.room.room(),
+        scenario.surroundings(),
         drawn[member.motion][member.sample],
         floors.motions[member.motion],
         float(floors.scales[member.motion]),

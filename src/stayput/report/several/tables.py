@@ -25,6 +25,8 @@ from stayput.verification.several_options import brief_label
 from stayput.verification.several_words import is_own, reason_of_several, title_of_several
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from stayput.catalogue import Phrase
     from stayput.fragility import Probability
     from stayput.scenario import AssemblyScenario
@@ -67,7 +69,7 @@ class SeveralRow:
 
 def several_rows(verdict: AssemblyVerdict, language: str) -> list[SeveralRow]:
     """Return the options as they are read, the best first."""
-    room = verdict.scenario.room.room()
+    room = verdict.scenario.surroundings()
     return [
         SeveralRow(
             result,
@@ -112,29 +114,41 @@ def simulations_of_several(verdict: AssemblyVerdict, language: str) -> str:
 def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
     """Return the assumptions of a verdict on several pieces."""
     scenario = verdict.scenario
-    measured = scenario.uncertainty.as_stated
     drawn = [name for name in USUAL if name not in NOT_DRAWN]
-    like = phrase("several.drawn_between"), phrase("several.drawn_between_text")
-    friction = phrase(
-        "report.frictions", surface="", static=scenario.static_friction, kinetic=scenario.kinetic_friction
-    )
-    rolling: list[Assumption] = []
-    if any(len(piece.solid(scenario.folder).rims) for piece in scenario.furniture):
-        rolling = [Assumption((phrase("several.rolling"), phrase("several.rolling_text")), MODEL)]
     return [
-        *(_piece(piece, scenario) for piece in scenario.furniture),
-        Assumption((phrase("several.between"), friction), GIVEN),
+        *piece_assumptions(scenario),
         *room_assumptions(scenario),
         *shaking_assumptions(scenario, verdict.motions),
-        *drawn_assumptions(drawn, measured),
-        Assumption(like, "low"),
+        *drawn_assumptions(drawn, scenario.uncertainty.as_stated),
+        drawn_between(),
         Assumption((phrase("several.limit_body"), phrase("several.limit_body_text")), MODEL),
-        *rolling,
+        *rolling_assumptions(scenario),
         *(
             Assumption((phrase(f"report.limit_{key}"), phrase(f"report.limit_{key}_text")), MODEL)
             for key in ("contacts", "devices")
         ),
     ]
+
+
+def piece_assumptions(scenario: AssemblyScenario) -> Iterator[Assumption]:
+    """Yield the pieces and the friction between them."""
+    for piece in scenario.furniture:
+        yield _piece(piece, scenario)
+    friction = phrase(
+        "report.frictions", surface="", static=scenario.static_friction, kinetic=scenario.kinetic_friction
+    )
+    yield Assumption((phrase("several.between"), friction), GIVEN)
+
+
+def drawn_between() -> Assumption:
+    """Return how what is between the pieces is drawn."""
+    return Assumption((phrase("several.drawn_between"), phrase("several.drawn_between_text")), "low")
+
+
+def rolling_assumptions(scenario: AssemblyScenario) -> Iterator[Assumption]:
+    """Yield how round pieces roll, where there are any."""
+    if any(len(piece.solid(scenario.folder).rims) for piece in scenario.furniture):
+        yield Assumption((phrase("several.rolling"), phrase("several.rolling_text")), MODEL)
 
 
 def _piece(piece: StandingTable, scenario: AssemblyScenario) -> Assumption:

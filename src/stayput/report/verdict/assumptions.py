@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Iterator
 
     from stayput.catalogue import Phrase
-    from stayput.model.room import Ceiling, Wall
+    from stayput.model.room import Ceiling, Floor, Wall
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.uncertainty import Marginal
     from stayput.verification import Verdict
@@ -101,12 +101,13 @@ def _furniture(scenario: Scenario) -> Assumption:
 
 def room_assumptions(scenario: Scenario | AssemblyScenario) -> Iterator[Assumption]:
     """Yield the floor, the walls and the ceiling."""
-    yield _floor(scenario)
+    yield floor_assumption(scenario, scenario.room.room().floor)
     yield from _walls(scenario)
 
 
-def _floor(scenario: Scenario | AssemblyScenario) -> Assumption:
-    floor, table = scenario.room.room().floor, scenario.room.floor
+def floor_assumption(scenario: Scenario | AssemblyScenario, floor: Floor) -> Assumption:
+    """Return the floor that a scenario's room has."""
+    table = scenario.room.floor
     name = table if isinstance(table, str) else table.surface
     surface = "" if name is None else _text("surface", name=_in_both(name))
     value = _text("frictions", surface=surface, static=floor.static_friction, kinetic=floor.kinetic_friction)
@@ -124,13 +125,18 @@ def _walls(scenario: Scenario | AssemblyScenario) -> Iterator[Assumption]:
         if wall is not None:
             yield Assumption((_text(key), _text("gap_text", gap=100.0 * wall.gap)), GIVEN)
     if room.left_wall is not None:
-        yield _fixed_to("wall_fixing", room.left_wall)
+        yield fixed_to("wall_fixing", room.left_wall)
     if room.ceiling is not None:
-        yield Assumption((_text("ceiling"), _text("height_text", height=room.ceiling.height)), GIVEN)
-        yield _fixed_to("ceiling_fixing", room.ceiling)
+        yield from ceiling_assumptions(room.ceiling)
 
 
-def _fixed_to(key: str, surface: Wall | Ceiling) -> Assumption:
+def ceiling_assumptions(ceiling: Ceiling) -> Iterator[Assumption]:
+    """Yield the height of a ceiling, and what poles push against in it."""
+    yield Assumption((_text("ceiling"), _text("height_text", height=ceiling.height)), GIVEN)
+    yield fixed_to("ceiling_fixing", ceiling)
+
+
+def fixed_to(key: str, surface: Wall | Ceiling) -> Assumption:
     """Return what devices meet in a wall or a ceiling; its default is taken, not known."""
     tag = parameter_of(type(surface), "construction").tag(surface.construction)
     return Assumption((_text(key), phrase(f"page.choice_{surface.construction}")), tag)

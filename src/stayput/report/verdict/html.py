@@ -51,7 +51,7 @@ if TYPE_CHECKING:
     from stayput.report.verdict.pairs import RunPair
     from stayput.verification import OptionVerdict, Verdict
 
-_BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:%|[ck]?m|kg|k?N|Hz|s|m/s²|cm/s|秒)(?![\w/]))")
+_BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:%|[ck]?m|kg|k?[NJ]|Hz|s|m/s²?|cm/s|秒)(?![\w/]))")
 
 SUFFIXES = (".html",)
 """The kind of file that a report is written as."""

@@ -94,6 +94,25 @@ def force(newtons: float, language: str) -> str:
     return f"{newtons / 1000.0:.1f} kN" if newtons >= 995.0 else f"{newtons:.3g} N"
 
 
+def mass(kilograms: float) -> str:
+    """Return a mass: "4.5 kg", "120 kg"."""
+    return f"{kilograms:.0f} kg" if kilograms >= 9.95 else f"{kilograms:.2g} kg"
+
+
+def speed(metres_a_second: float) -> str:
+    """Return a speed: "1.8 m/s"."""
+    return f"{metres_a_second:.1f} m/s" if math.isfinite(metres_a_second) else NO_NUMBER
+
+
+def energy(joules: float) -> str:
+    """Return an energy: "0.8 J", "230 J", "1.4 kJ"."""
+    if not math.isfinite(joules):
+        return NO_NUMBER
+    if joules >= 995.0:
+        return f"{joules / 1000.0:.1f} kJ"
+    return f"{joules:.0f} J" if joules >= 9.95 else f"{joules:.1f} J"
+
+
 def used(quantiles: Quantiles, language: str) -> tuple[str, ...]:
     """Return median and 90 % quantile of a utilisation; nothing where there is no strength to reach."""
     return (

@@ -1,0 +1,203 @@
+"""The report of a verdict on a room, and its plan."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    # The page, from its top to its foot
+    "skip": ("Skip to the plan", "平面図へ移動"),
+    "any_hit": (
+        "At least one of the places where people are is hit",
+        "人のいる場所の少なくとも一つに家具が当たる割合",
+    ),
+    "any_shut_in": ("From at least one place no way leads out", "少なくとも一つの場所から外に出られない割合"),
+    "risk": (
+        "Somebody is hit, by the hours that people are at each place",
+        "人がいる時間を考慮した、誰かに家具が当たる割合",
+    ),
+    "missing": (
+        "{missing} of {all} runs of the room could not be followed to the end, and are not in the shares.",
+        "部屋の計算{all}回のうち{missing}回は最後まで計算できず、割合に含めていません。",
+    ),
+    # The plan
+    "plan": ("The room, and where the pieces come to lie", "部屋と、家具が行き着く場所"),
+    "plan_alt": (
+        "Plan to scale of a room {width:g} m wide and {length:g} m long: {content}",
+        "幅{width:g} m、奥行き{length:g} mの部屋の平面図（縮尺どおり）：{content}",
+    ),
+    "plan_text": (
+        (
+            "Outlines show the pieces as they stand, with a thick side at the front. The coloured cells show "
+            "where each lies or stands after the shaking: from the lightest, in up to 10 % of the runs, to the "
+            "darkest, in over 90 %."
+        ),
+        (
+            "輪郭は地震前の家具で、太い辺が前面です。色の付いた範囲は揺れの後に各家具がある場所で、最も薄い色は計算の"
+            "10%以下、最も濃い色は90%を超える割合を示します。"
+        ),
+    ),
+    "metres": ("{value:g} m", "{value:g} m"),
+    "window": ("Window, {width:g} m wide", "窓、幅{width:g} m"),
+    "is_hit": ("hit: {share}", "当たる：{share}"),
+    "is_blocked": ("blocked: {share}", "ふさがる：{share}"),
+    "overturns": ("overturns: {share}", "転倒：{share}"),
+    # Places
+    "places": ("Who is hit, and how often", "人に当たる割合"),
+    "places_text": (
+        (
+            "Share of the runs in which a piece touches the person who is there, with its 95 % interval. By day "
+            "({day:g} hours) and at night ({night:g} hours) it is multiplied by the share of the time in which "
+            "somebody is there."
+        ),
+        (
+            "そこにいる人に家具が触れた計算の割合と95%区間です。昼（{day:g}時間）と夜（{night:g}時間）の値は、"
+            "これに人がいる時間の割合を掛けたものです。"
+        ),
+    ),
+    "place": ("Place", "場所"),
+    "hit": ("Hit by any piece", "いずれかの家具が当たる"),
+    "by_day": ("By day", "昼"),
+    "by_night": ("At night", "夜"),
+    "presence": ("there {share} of the time", "人がいる時間 {share}"),
+    "what_hits": ("What hits, and how hard", "当たる家具とその強さ"),
+    "what_hits_text": (
+        (
+            "Largest speed of the part that comes there, and largest kinetic energy of the piece: median and 90 % "
+            "of the runs in which it hits. They are upper bounds, because in the model nobody and no bed "
+            "holds the piece up; injuries are not predicted."
+        ),
+        (
+            "当たった計算での、その場所に入る部分の最大の速さと、家具の最大の運動エネルギーです（中央値、90%値）。"
+            "モデルでは人もベッドも家具を受け止めないため、上限を示す値です。けがの程度は予測しません。"
+        ),
+    ),
+    "piece": ("Piece", "家具"),
+    "how_often": ("Hits", "当たる割合"),
+    "hit_speed": ("Speed: median, 90 %", "速度：中央値、90%値"),
+    "hit_energy": ("Energy: median, 90 %", "エネルギー：中央値、90%値"),
+    "mass": ("Mass", "質量"),
+    "no_hit": ("No piece touched a person in any run.", "どの計算でも、人に触れた家具はありません。"),
+    "no_places": (
+        "No places of persons are given, so nothing is said about who is hit.",
+        "人のいる場所が指定されていないため、人に当たるかどうかは判定していません。",
+    ),
+    # Doors and ways out
+    "ways": ("Doors and ways out", "ドアと避難経路"),
+    "ways_text": (
+        (
+            "A door is blocked if it does not open far enough for a person, who needs {passage:g} m, or if nobody "
+            "gets to it across what lies on the floor."
+        ),
+        "人が通れる幅{passage:g} mまで開かないか、床にある家具のためにたどり着けないドアを「ふさがる」とします。",
+    ),
+    "door": ("Door", "ドア"),
+    "wall": ("Wall", "壁"),
+    "opens": ("Opens", "開き方"),
+    "inwards": ("inwards", "内開き"),
+    "outwards": ("outwards", "外開き"),
+    "sliding": ("sliding", "引き戸"),
+    "leads_out": ("Leads out", "外への出口"),
+    "yes": ("yes", "はい"),
+    "no": ("no", "いいえ"),
+    "blocked": ("Blocked", "ふさがる"),
+    "at_rest": ("blocked already as the furniture stands", "家具の現在の配置ですでにふさがっています"),
+    "shut_in": ("No way out", "外に出られない"),
+    "no_doors": ("No doors are given.", "ドアは指定されていません。"),
+    "no_way_out": (
+        "No door leads out, so nothing is said about who is shut in.",
+        "外へのドアが指定されていないため、出られなくなるかどうかは判定していません。",
+    ),
+    # Pieces
+    "pieces": ("What the pieces do", "各家具の動き"),
+    "pieces_text": (
+        (
+            "A piece contributes to the risk by how often it hits somebody, counting the hours that people are at each "
+            "place. Slide: peak, with no number if it overturns."
+        ),
+        (
+            "危険への寄与は、人がいる時間を考慮して、その家具が誰かに当たる割合です。移動量は最大値で、転倒した場合は"
+            "数値を示しません。"
+        ),
+    ),
+    "piece_risk": ("Hits somebody, by the hours", "人に当たる割合（在室時間を考慮）"),
+    "engine": ("Simulated", "計算"),
+    "in_plane": ("in the plane across its length", "断面（奥行き方向の平面）"),
+    "in_space": ("in space", "三次元"),
+    "collisions": ("Pieces that meet", "家具どうしの衝突"),
+    "collisions_text": (
+        "Share of the runs in which their paths meet. What they do after that is not followed.",
+        "動く範囲が重なった計算の割合です。衝突した後の動きは追っていません。",
+    ),
+    "meet": ("They meet", "接触する割合"),
+    "no_collision": ("No two pieces met in any run.", "どの計算でも、家具どうしは接触しませんでした。"),
+    # Changes
+    "changes": ("Single changes, best first", "変更の候補（効果の大きい順）"),
+    "changes_text": (
+        (
+            "Each is made alone, under the same motions and the same draws. Differences are from the room as it "
+            "is, in points, with their 95 % intervals."
+        ),
+        "それぞれを単独で行った場合です。地震動と標本は同じです。差は現状の部屋との差（ポイント）で、かっこ内は95%区間です。",
+    ),
+    "change": ("Change", "変更"),
+    "changed_hit": ("A place is hit", "いずれかの場所に当たる"),
+    "changed_shut_in": ("No way out from a place", "いずれかの場所から出られない"),
+    "changed_risk": ("Somebody is hit, by the hours", "在室時間を考慮した割合"),
+    "better": ("clearly better", "明らかに良くなる"),
+    "worse": ("something gets worse", "悪くなる点がある"),
+    "chance": ("may be chance", "偶然の差かもしれない"),
+    "no_changes": ("No changes were compared.", "比較した変更はありません。"),
+    "moved_text": (
+        "{change}. The dashed outline is where it stands now.",
+        "{change}。破線は現在の位置です。",
+    ),
+    # What it rests on
+    "limit_alone": ("Each piece by itself", "家具ごとの計算"),
+    "limit_alone_text": (
+        (
+            "Pieces that neither stand on nor hold each other are simulated one by one. Long pieces on the floor run "
+            "in the plane across their length, the others in space. Where two would meet is counted, but they do "
+            "not push each other."
+        ),
+        (
+            "積み重ねても連結してもいない家具は、1つずつ計算します。床に置いた長い家具は奥行き方向の平面内で、ほかは"
+            "三次元で計算します。動く範囲が重なることは数えますが、互いに押し合う効果は考慮しません。"
+        ),
+    ),
+    "limit_persons": ("Persons and beds", "人とベッド"),
+    "limit_persons_text": (
+        (
+            "They are boxes that stay where they are. A bed, a desk or a person does not stop a piece that falls "
+            "on it."
+        ),
+        "人のいる場所は動かない直方体とします。ベッド・机・人は、倒れてくる家具を受け止めません。",
+    ),
+    "direction": ("Direction of the shaking", "揺れの向き"),
+    "direction_drawn": (
+        "drawn: each direction in plan is as likely as any other",
+        "ばらつきとして与える（水平面内のどの向きも同じ確率）",
+    ),
+    "direction_given": (
+        "x of the motions points {degrees:g}° from the room's x towards its y",
+        "地震動のx方向は、部屋のx方向からy方向へ{degrees:g}°",
+    ),
+    "limit_passage": ("Walking and doors", "通行とドア"),
+    "limit_passage_text": (
+        (
+            "A person needs {passage:g} m to pass. Nobody climbs over a piece or pushes it away. The floor is "
+            "divided into squares of {cell:g} cm."
+        ),
+        (
+            "人が通るには幅{passage:g} mが必要とし、家具を乗り越えたり押しのけたりしないものとします。床は"
+            "{cell:g} cm四方に分けて調べます。"
+        ),
+    ),
+    "limit_settlement": ("Sinking into the floor", "床の沈み込み"),
+    "limit_settlement_text": (
+        "Left out for the pieces that are simulated in space.",
+        "三次元で計算する家具では考慮しません。",
+    ),
+    "inputs": ("The scenario as TOML", "シナリオ（TOML）"),
+    "again_text": (
+        "This is the scenario. With the same seed, stayput {version} gives the same numbers again.",
+        "計算に使ったシナリオです。同じ乱数のシードなら、stayput {version}で同じ数値になります。",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

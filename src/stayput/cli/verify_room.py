@@ -1,0 +1,54 @@
+"""A verdict on a room on the terminal."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from stayput.cli.messages import folded
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from stayput.rooms.verdict import RoomVerdict
+
+
+def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
+    """Print a verdict on a room: its sentences, who is hit by what, doors, and single changes.
+
+    Parameters
+    ----------
+    verdict : RoomVerdict
+        The verdict.
+    lang : str
+        "en" or "ja".
+    written : list of Path
+        Files that were written.
+    """
+    from rich.console import Console
+    from rich.table import Table
+
+    from stayput.report.room.tables import sentences, simulations_of_room, tables
+
+    console = Console(highlight=False, markup=False)
+
+    def paragraph(told: str) -> None:
+        console.print(folded(told, console.width) if lang == "ja" else told)
+
+    if verdict.scenario.title is not None:
+        console.print(verdict.scenario.title, style="bold")
+    for sentence in sentences(verdict, lang):
+        paragraph(sentence)
+    for each in tables(verdict, lang):
+        if not each.rows:
+            continue
+        table = Table(box=None, padding=(0, 1, 0, 0))
+        for number, heading in enumerate(each.headings):
+            table.add_column(heading, justify="left" if number == 0 else "right", overflow="fold")
+        for row in each.rows:
+            table.add_row(*row)
+        console.print(table)
+        if each.below:
+            paragraph(each.below)
+    paragraph(simulations_of_room(verdict, lang))
+    for path in written:
+        console.print(f"Wrote {path}", soft_wrap=True)

@@ -1,0 +1,324 @@
+"""`FloorPlan`: a room seen from above, with its doors and windows, and the places where people are.
+
+x goes from the left wall to the right one, y from the near wall to the far one, as in `stayput.Room`; the
+origin is the corner of the left and the near wall.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from stayput.errors import InputError, list_of, numbers, within, word_of
+from stayput.model.parameters import check_fields, parameter, quantity
+from stayput.model.room import WALLS_AROUND
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+ROOM_SIZE = (0.5, 100.0)
+"""Least and largest side of a room [m]."""
+
+HINGES = ("start", "end")
+"""At which end of a door, along its wall, the hinge is."""
+
+OPENS = ("inwards", "outwards", "sliding")
+"""How a door opens."""
+
+MOST_PLACES = 50
+"""Most doors, windows or places of a room."""
+
+
+class PlacePreset(NamedTuple):
+    """A common place of a person.
+
+    Parameters
+    ----------
+    width, length : float
+        Sides [m].
+    low, high : float
+        Heights above the floor between which the person is [m].
+    day, night : float
+        Shares of the day and of the night in which somebody is there.
+    blocks : bool
+        Whether what the person lies or sits on takes the floor, so that nobody walks there.
+    """
+
+    width: float
+    length: float
+    low: float
+    high: float
+    day: float
+    night: float
+    blocks: bool
+
+
+PLACES: dict[str, PlacePreset] = {
+    "bed": PlacePreset(1.0, 2.0, 0.45, 0.75, 0.0, 1.0, True),
+    "futon": PlacePreset(1.0, 2.0, 0.0, 0.3, 0.0, 1.0, False),
+    "cot": PlacePreset(0.7, 1.25, 0.4, 0.7, 0.5, 1.0, True),
+    "desk": PlacePreset(0.6, 0.6, 0.0, 1.25, 0.3, 0.0, False),
+    "sofa": PlacePreset(0.8, 1.5, 0.4, 1.2, 0.3, 0.0, True),
+    "play area": PlacePreset(1.5, 1.5, 0.0, 1.0, 0.3, 0.0, False),
+}
+"""Places by kind: conventions of this program, to be changed."""
+
+_ALONG = quantity(
+    "m", 0.0, ROOM_SIZE[1], ("start", "始まり"), "From the corner where the wall begins, at the lower x or y."
+)
+_OPENING = quantity("m", 0.1, 20.0, ("width", "幅"), "Clear width.")
+
+
+@dataclass(frozen=True, slots=True)
+class Door:
+    """A door in one of the walls.
+
+    Parameters
+    ----------
+    wall : str
+        Its wall, as a field of `stayput.Room`.
+    start, width : float
+        Where it begins along the wall, at the lower x or y, and how wide it is [m].
+    hinge : str
+        At which end its hinge is, of `HINGES`.
+    opens : str
+        Of `OPENS`.
+    way_out : bool
+        Whether it leads out.
+    name : str
+        What it is called.
+
+    Raises
+    ------
+    InputError
+        A number out of range, or a word that is not known.
+    """
+
+    wall: str
+    start: float = field(metadata=_ALONG)
+    width: float = field(metadata=_OPENING)
+    hinge: str = "start"
+    opens: str = "inwards"
+    way_out: bool = True
+    name: str = "door"
+
+    def __post_init__(self) -> None:
+        word_of("rooms.wall", self.wall, WALLS_AROUND, "wall")
+        word_of("rooms.hinge", self.hinge, HINGES, "hinge")
+        word_of("rooms.opens", self.opens, OPENS, "opens")
+        check_fields(self)
+
+
+@dataclass(frozen=True, slots=True)
+class Window:
+    """A window in one of the walls: nothing is fixed to it, and nothing is moved in front of it.
+
+    Parameters
+    ----------
+    wall : str
+        Its wall, as a field of `stayput.Room`.
+    start, width : float
+        Where it begins along the wall, at the lower x or y, and how wide it is [m].
+    sill : float
+        Height of its lower edge [m].
+
+    Raises
+    ------
+    InputError
+        A number out of range, or a wall that is not known.
+    """
+
+    wall: str
+    start: float = field(metadata=_ALONG)
+    width: float = field(metadata=_OPENING)
+    sill: float = parameter(0.8, "m", 0.0, 10.0, ("sill", "窓の下端の高さ"), "Height of its lower edge.")
+
+    def __post_init__(self) -> None:
+        word_of("rooms.wall", self.wall, WALLS_AROUND, "wall")
+        check_fields(self)
+
+
+_SIDE = quantity("m", 0.1, 20.0, ("side", "辺の長さ"), "Side.")
+_HEIGHT = quantity("m", 0.0, 10.0, ("height", "高さ"), "Height above the floor.")
+_SHARE = quantity("", 0.0, 1.0, ("share", "割合"), "Share of the time in which somebody is there.")
+
+
+@dataclass(frozen=True, slots=True)
+class PersonPlace:
+    """Where a person is: a box above a rectangle of the floor.
+
+    Parameters
+    ----------
+    name : str
+        What it is called.
+    at : tuple of float
+        The middle of the rectangle: x and y [m].
+    width, length : float
+        Its sides along its own x and y [m].
+    low, high : float
+        Heights above the floor between which the person is [m].
+    heading : float
+        By what it is turned, from x towards y [rad]. The head of a bed is at −y of its own frame.
+    day, night : float
+        Shares of the day and of the night in which somebody is there.
+    blocks : bool
+        Whether what the person lies or sits on takes the floor, so that nobody walks there.
+
+    Raises
+    ------
+    InputError
+        A number out of range, or heights in the wrong order.
+    """
+
+    name: str
+    at: tuple[float, float]
+    width: float = field(metadata=_SIDE)
+    length: float = field(metadata=_SIDE)
+    low: float = field(metadata=_HEIGHT)
+    high: float = field(metadata=_HEIGHT)
+    heading: float = parameter(
+        0.0, "rad", -2.0 * math.pi, 2.0 * math.pi, ("heading", "向き"), "Turn from x towards y."
+    )
+    day: float = field(default=1.0, metadata=_SHARE)
+    night: float = field(default=1.0, metadata=_SHARE)
+    blocks: bool = False
+
+    def __post_init__(self) -> None:
+        check_fields(self)
+        if not self.low < self.high:
+            raise InputError("rooms.heights_in_order", "high", low=self.low, high=self.high)
+        at = numbers("rooms.at", self.at, "at")
+        if at.shape != (2,):
+            raise InputError("simulation.not_two", "at", count=at.size)
+        x, y = (within("rooms.at", value, -ROOM_SIZE[1], ROOM_SIZE[1], "m", "at") for value in at.tolist())
+        object.__setattr__(self, "at", (x, y))
+
+    @classmethod
+    def of(
+        cls, kind: str, at: tuple[float, float], heading: float = 0.0, name: str | None = None
+    ) -> PersonPlace:
+        """Make a place of one of the kinds of `PLACES`, called by its kind unless it has a name."""
+        preset = PLACES[word_of("rooms.kind", kind, PLACES, "kind")]
+        return cls(name or kind, at, heading=heading, **preset._asdict())
+
+    @property
+    def corners(self) -> NDArray[np.float64]:
+        """Its corners in plan, counter-clockwise [m], shape (4, 2)."""
+        return rectangle(self.at, self.width, self.length, self.heading)
+
+
+def rectangle(
+    middle: tuple[float, float], width: float, length: float, heading: float = 0.0
+) -> NDArray[np.float64]:
+    """Return the corners of a turned rectangle, counter-clockwise [m], shape (4, 2)."""
+    half = 0.5 * np.array([[-width, -length], [width, -length], [width, length], [-width, length]])
+    cos, sin = math.cos(heading), math.sin(heading)
+    return half @ np.array([[cos, sin], [-sin, cos]]) + np.asarray(middle)
+
+
+@dataclass(frozen=True, slots=True)
+class FloorPlan:
+    """A rectangular room seen from above.
+
+    Parameters
+    ----------
+    width, length : float
+        Its sides along x and y [m].
+    doors : sequence of Door
+        Its doors.
+    windows : sequence of Window
+        Its windows.
+    places : sequence of PersonPlace
+        Where people are.
+
+    Raises
+    ------
+    InputError
+        A number out of range, an opening beyond its wall, a place outside, or two of one name.
+
+    Examples
+    --------
+    >>> plan = FloorPlan(3.6, 2.7, [Door("right_wall", 0.2, 0.8)], places=[PersonPlace.of("bed", (0.6, 1.2))])
+    >>> plan.places[0].high
+    0.75
+    """
+
+    width: float = field(metadata=quantity("m", *ROOM_SIZE, ("room width", "部屋の幅（x方向）")))
+    length: float = field(metadata=quantity("m", *ROOM_SIZE, ("room length", "部屋の奥行き（y方向）")))
+    doors: tuple[Door, ...] = ()
+    windows: tuple[Window, ...] = ()
+    places: tuple[PersonPlace, ...] = ()
+
+    def __init__(
+        self,
+        width: float,
+        length: float,
+        doors: Sequence[Door] = (),
+        windows: Sequence[Window] = (),
+        places: Sequence[PersonPlace] = (),
+    ) -> None:
+        object.__setattr__(self, "width", width)
+        object.__setattr__(self, "length", length)
+        object.__setattr__(self, "doors", list_of("doors", doors, Door))
+        object.__setattr__(self, "windows", list_of("windows", windows, Window))
+        object.__setattr__(self, "places", list_of("places", places, PersonPlace))
+        check_fields(self)
+        for kind, items in (("doors", self.doors), ("windows", self.windows), ("places", self.places)):
+            if len(items) > MOST_PLACES:
+                raise InputError("rooms.too_many", kind, count=len(items), most=MOST_PLACES)
+        for kind, items in (("doors", self.doors), ("windows", self.windows)):
+            for number, one in enumerate(items):
+                end, most = one.start + one.width, self.side(one.wall)
+                if end > most + 1e-9:
+                    raise InputError("rooms.beyond_wall", f"{kind}[{number}]", end=end, most=most)
+        for kind, items in (("doors", self.doors), ("places", self.places)):
+            names = [one.name for one in items]
+            for number, name in enumerate(names):
+                if name in names[:number]:
+                    raise InputError("rooms.same_name", f"{kind}[{number}].name", name=repr(name))
+        for number, place in enumerate(self.places):
+            low, high = place.corners.min(axis=0), place.corners.max(axis=0)
+            if (low < -1e-6).any() or (high > np.array([self.width, self.length]) + 1e-6).any():
+                raise InputError(
+                    "rooms.outside",
+                    f"places[{number}].at",
+                    name=repr(place.name),
+                    width=self.width,
+                    length=self.length,
+                )
+
+    def side(self, wall: str) -> float:
+        """Return how long a wall is [m]."""
+        return self.length if wall in ("left_wall", "right_wall") else self.width
+
+    def on_wall(self, wall: str, along: float, into: float = 0.0) -> tuple[float, float]:
+        """Return the point of the plan that is so far along a wall, and so far from it into the room [m]."""
+        return {
+            "left_wall": (into, along),
+            "right_wall": (self.width - into, along),
+            "near_side_wall": (along, into),
+            "far_side_wall": (along, self.length - into),
+        }[wall]
+
+    def distances(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> dict[str, float]:
+        """Return how far what reaches from ``low`` to ``high`` in plan is from each wall [m]."""
+        return {
+            "left_wall": float(low[0]),
+            "right_wall": float(self.width - high[0]),
+            "near_side_wall": float(low[1]),
+            "far_side_wall": float(self.length - high[1]),
+        }
+
+
+FACING = {
+    "left_wall": 0.0,
+    "near_side_wall": math.pi / 2.0,
+    "right_wall": math.pi,
+    "far_side_wall": -math.pi / 2.0,
+}
+"""Heading of a piece whose back is to a wall [rad]."""

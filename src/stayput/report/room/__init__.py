@@ -1,0 +1,1 @@
+"""The verdict on a room as a report and as plain values."""

@@ -1,0 +1,151 @@
+"""A verdict on a room as plain values: JSON and CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from typing import TYPE_CHECKING, Any
+
+import stayput
+from stayput.catalogue import LANGUAGES
+from stayput.motion.intensity import intensity_class
+from stayput.report.summary import number
+from stayput.rooms.ways import CELL
+from stayput.rooms.words import best_sentence, change_label, change_sentence, sentence_of_room
+from stayput.spreadsheets import text_cell
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from stayput.fragility import Difference, Probability
+    from stayput.montecarlo.counting import Quantiles
+    from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
+
+
+def room_json(verdict: RoomVerdict) -> str:
+    """Return a verdict as the text of a JSON file; see `room_data`."""
+    return json.dumps(room_data(verdict), allow_nan=False, ensure_ascii=False, indent=2) + "\n"
+
+
+def room_data(verdict: RoomVerdict) -> dict[str, Any]:
+    """Return a verdict as plain values, in SI units that the keys name; what is not finite is None."""
+    return {
+        "stayput": stayput.__version__,
+        "title": verdict.scenario.title,
+        "verdict": _both(lambda language: sentence_of_room(verdict, language)),
+        "best": _both(lambda language: best_sentence(verdict, language)),
+        "jma_intensity": number(verdict.intensity),
+        "intensity_class": intensity_class(verdict.intensity),
+        "motions": verdict.motions,
+        "samples": verdict.samples,
+        "runs": verdict.runs,
+        "seed": verdict.seed,
+        "seconds": number(verdict.seconds),
+        "hit": _chance(verdict.hit),
+        "shut_in": _chance(verdict.shut_in),
+        "risk": number(verdict.risk),
+        "places": [
+            {
+                "name": place.place.name,
+                "hit": _chance(place.hit),
+                "hit_by_day": number(place.by_day),
+                "hit_at_night": number(place.by_night),
+                "shut_in": _chance(place.shut_in),
+                "by": [
+                    {
+                        "piece": one.piece,
+                        "mass_kg": number(one.mass),
+                        "probability": _chance(one.probability),
+                        "speed_m_s": _quantiles(one.speed),
+                        "energy_J": _quantiles(one.energy),
+                    }
+                    for one in place.by
+                ],
+            }
+            for place in verdict.places
+        ],
+        "doors": [
+            {"name": door.door.name, "blocked": _chance(door.blocked), "blocked_at_rest": door.at_rest}
+            for door in verdict.doors
+        ],
+        "pieces": [
+            {
+                "name": piece.name,
+                "engine": "plane" if piece.in_plane else "space",
+                "probabilities": {event: _chance(one) for event, one in piece.probabilities.items()},
+                "peak_slide_m": _quantiles(piece.slide),
+                "risk": number(piece.risk),
+                "outline_m": piece.outline.tolist(),
+            }
+            for piece in verdict.pieces
+        ],
+        "cell_m": CELL,
+        "collisions": [
+            {"pieces": list(pair), "probability": _chance(one)} for pair, one in verdict.collisions.items()
+        ],
+        "changes": [_change(one, verdict) for one in verdict.changes],
+    }
+
+
+def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
+    change = result.change
+    return {
+        "what": change.what,
+        "label": _both(lambda language: change_label(change, verdict, language)),
+        "sentence": _both(lambda language: change_sentence(result, verdict, language)),
+        "measure": None if change.measure is None else change.measure.kind,
+        "at_m": None if change.at is None else list(change.at),
+        "heading_rad": change.heading,
+        "hit": _chance(result.hit),
+        "hit_change": _difference(result.hit_change),
+        "shut_in": _chance(result.shut_in),
+        "shut_in_change": _difference(result.shut_in_change),
+        "risk": number(result.risk),
+        "helps": result.helps,
+    }
+
+
+def _chance(chance: Probability) -> dict[str, float | None]:
+    return {"estimate": number(chance.estimate), "low": number(chance.low), "high": number(chance.high)}
+
+
+def _difference(change: Difference) -> dict[str, float | None]:
+    return {"estimate": number(change.estimate), "low": number(change.low), "high": number(change.high)}
+
+
+def _quantiles(peaks: Quantiles) -> dict[str, float | None]:
+    return {"median": number(peaks.median), "p90": number(peaks.p90)}
+
+
+def _both(told: Callable[[str], str]) -> dict[str, str]:
+    return {language: told(language) for language in LANGUAGES}
+
+
+def room_csv(verdict: RoomVerdict) -> str:
+    """Return the probabilities of a verdict as CSV: what happens to what, by what."""
+    lines = io.StringIO()
+    writer = csv.writer(lines, lineterminator="\r\n")
+    writer.writerow(("event", "of", "by", "probability", "low", "high"))
+    for event, of, by, chance in _rows(verdict):
+        ends = (number(value) for value in (chance.estimate, chance.low, chance.high))
+        writer.writerow((event, text_cell(of), text_cell(by), *("" if end is None else end for end in ends)))
+    return lines.getvalue()
+
+
+def _rows(verdict: RoomVerdict) -> Iterator[tuple[str, str, str, Probability]]:
+    for place in verdict.places:
+        yield "hit", place.place.name, "", place.hit
+        for one in place.by:
+            yield "hit", place.place.name, one.piece, one.probability
+        yield "shut_in", place.place.name, "", place.shut_in
+    for door in verdict.doors:
+        yield "blocked", door.door.name, "", door.blocked
+    for piece in verdict.pieces:
+        for event, chance in piece.probabilities.items():
+            yield event, piece.name, "", chance
+    for (first, second), chance in verdict.collisions.items():
+        yield "meet", first, second, chance
+    for one in verdict.changes:
+        yield "hit_with", change_label(one.change, verdict, "en"), "", one.hit
+        yield "shut_in_with", change_label(one.change, verdict, "en"), "", one.shut_in

@@ -1,0 +1,124 @@
+"""A verdict on a room as a self-contained HTML page."""
+
+from __future__ import annotations
+
+from functools import partial
+from importlib import resources
+from typing import TYPE_CHECKING, Any
+
+from markupsafe import Markup, escape
+
+import stayput
+from stayput.catalogue import say
+from stayput.files import check_target, draft
+from stayput.report.embedding import inks_css
+from stayput.report.room.assumptions import assumptions_of_room
+from stayput.report.room.drawing import change_plan, legend, room_plan
+from stayput.report.room.rows import (
+    change_rows,
+    collision_rows,
+    door_rows,
+    hit_rows,
+    piece_rows,
+    place_rows,
+)
+from stayput.report.room.tables import sentences, simulations_of_room
+from stayput.report.verdict import numbers
+from stayput.report.verdict.html import SUFFIXES, rendered
+from stayput.report.verdict.words import word
+from stayput.rooms.verdict import DAY_HOURS
+from stayput.rooms.ways import PASSAGE
+from stayput.verification.words import class_label
+from stayput.wording import check_language
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from stayput.rooms.verdict import RoomVerdict
+
+
+def write_room_report(verdict: RoomVerdict, path: str | Path, language: str = "en") -> Path:
+    """Write the report of a verdict on a room: one HTML file that loads nothing from elsewhere.
+
+    Parameters
+    ----------
+    verdict : RoomVerdict
+        The verdict.
+    path : str or Path
+        The file, whose name ends in .html.
+    language : str
+        "en" or "ja".
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    InputError
+        Another language, or a path that cannot be written.
+    """
+    check_language(language)
+    target = check_target(path, SUFFIXES)
+    page = room_html(verdict, language)
+    with draft(target) as unfinished:
+        unfinished.write_text(page, encoding="utf-8")
+    return target
+
+
+def room_html(verdict: RoomVerdict, language: str = "en") -> str:
+    """Return the text of a report; see `write_room_report`."""
+    return rendered("room/room.html", _content(verdict, language))
+
+
+def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
+    text = partial(word, language=language)
+    headline, *others = sentences(verdict, language)
+    moved = change_plan(verdict, language)
+
+    def own(key: str, **values: object) -> str:
+        return say(f"room_report.{key}", language, **values)
+
+    return {
+        "language": language,
+        "kind": say("rooms.report", language),
+        "text": text,
+        "own": own,
+        "numbers": numbers,
+        "verdict": verdict,
+        "title": verdict.scenario.title or say("rooms.report", language),
+        "headline": headline,
+        "others": others,
+        "version": stayput.__version__,
+        "strength": text(
+            "instrumental",
+            **{"class": class_label(verdict.intensity, language), "value": f"{verdict.intensity:.2f}"},
+        ),
+        "simulations": simulations_of_room(verdict, language),
+        "plan": Markup(room_plan(verdict, language)),
+        "legend": [(Markup(swatch), name) for swatch, name in legend(verdict, language)],
+        "hours": {"day": DAY_HOURS, "night": 24.0 - DAY_HOURS},
+        "passage": PASSAGE,
+        "ways_out": any(one.door.way_out for one in verdict.doors),
+        "limit": numbers.length(verdict.slide_limit, language),
+        "places": place_rows(verdict, language),
+        "hits": hit_rows(verdict, language),
+        "doors": door_rows(verdict, language),
+        "pieces": piece_rows(verdict, language),
+        "collisions": collision_rows(verdict, language),
+        "changes": change_rows(verdict, language),
+        "moved": None if moved is None else (Markup(moved[0]), moved[1]),
+        "assumptions": [
+            (entry.what(language), entry.value(language), entry.confidence)
+            for entry in assumptions_of_room(verdict)
+        ],
+        "toml": escape(verdict.scenario.to_toml()),
+        "style": Markup(
+            inks_css() + _file("verdict/report.css") + _file("room/plan.css") + _file("room/room.css")
+        ),
+    }
+
+
+def _file(name: str) -> str:
+    return resources.files("stayput.report").joinpath(name).read_text(encoding="utf-8")

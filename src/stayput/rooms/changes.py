@@ -1,0 +1,245 @@
+"""Single changes of a room that are tried: a measure on a piece, another place for it, the bed elsewhere.
+
+A piece that is moved along its wall moves in an earthquake as before, and its tracks move with it; one that
+stands to another wall faces another way, and runs anew.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.errors import InputError
+from stayput.measures import MEASURES
+from stayput.model.floor_plan import FACING, rectangle
+from stayput.rooms.runs import RoomPart, part_with
+from stayput.rooms.tracks import outline_of
+from stayput.scenario.pieces import BEHIND
+from stayput.simulation.placing import bare, placed
+from stayput.simulation.standing import Piece
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.measures import Measure
+    from stayput.model.floor_plan import FloorPlan, PersonPlace
+    from stayput.rooms.tracks import Track
+    from stayput.rooms.ways import Ways
+    from stayput.scenario.room import RoomScenario
+    from stayput.simulation.standing import Assembly, Standing
+
+TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
+"""Measures that are tried on each piece."""
+
+STRIDE = 0.2
+"""Distance between the places that are tried [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """A single change.
+
+    Parameters
+    ----------
+    what : str
+        The piece, or the place of a person.
+    measure : Measure, optional
+        What is put on the piece.
+    at : tuple of float, optional
+        Where it is moved to: its middle in plan [m].
+    heading : float, optional
+        What it faces there [rad].
+    """
+
+    what: str
+    measure: Measure | None = None
+    at: tuple[float, float] | None = None
+    heading: float | None = None
+
+    @property
+    def effort(self) -> int:
+        """How much it asks: moving what people lie and sit on or a piece least, then fixing."""
+        return 1 if self.measure is not None else 0
+
+
+@dataclass(frozen=True, eq=False)
+class FreeFloor:
+    """Where something may be put in a room as it is furnished.
+
+    Parameters
+    ----------
+    plan : FloorPlan
+        The room.
+    standing : sequence of Standing
+        The pieces as they stand.
+    """
+
+    plan: FloorPlan
+    standing: tuple[Standing, ...]
+
+    def fits(
+        self,
+        corners: NDArray[np.float64],
+        *,
+        height: float,
+        but_piece: int | None = None,
+        but_place: str = "",
+    ) -> bool:
+        """Return whether something with a convex outline may be put there.
+
+        It may not be in a wall, in a piece or a person's place, before a door, or before a window whose sill
+        it is higher than.
+
+        Parameters
+        ----------
+        corners : ndarray, shape (n, 2)
+            Its outline, counter-clockwise [m].
+        height : float
+            Its height [m].
+        but_piece : int, optional
+            A piece that does not count: that which is moved.
+        but_place : str
+            A place that does not count.
+        """
+        if (corners < -1e-9).any() or (corners > np.array([self.plan.width, self.plan.length]) + 1e-9).any():
+            return False
+        taken = [_outline(one) for number, one in enumerate(self.standing) if number != but_piece]
+        taken += [place.corners for place in self.plan.places if place.name != but_place]
+        taken += [
+            _before(self.plan, door.wall, door.start, door.width, door.width) for door in self.plan.doors
+        ]
+        taken += [
+            _before(self.plan, window.wall, window.start, window.width, BEHIND)
+            for window in self.plan.windows
+            if height > window.sill
+        ]
+        return not any(overlap(corners, other) for other in taken)
+
+
+def _outline(one: Standing) -> NDArray[np.float64]:
+    return outline_of((one.solid.vertices @ one.turn.T) + np.asarray(one.at))
+
+
+def _before(plan: FloorPlan, wall: str, start: float, width: float, depth: float) -> NDArray[np.float64]:
+    """Return the rectangle of the floor before an opening."""
+    ends = [plan.on_wall(wall, along, into) for along in (start, start + width) for into in (0.0, depth)]
+    (x_low, y_low), (x_high, y_high) = np.min(ends, axis=0), np.max(ends, axis=0)
+    return rectangle((0.5 * (x_low + x_high), 0.5 * (y_low + y_high)), x_high - x_low, y_high - y_low)
+
+
+def overlap(first: NDArray[np.float64], second: NDArray[np.float64]) -> bool:
+    """Return whether two convex outlines overlap by more than rounding."""
+    for corners in (first, second):
+        sides = np.roll(corners, -1, axis=0) - corners
+        outwards = np.column_stack((sides[:, 1], -sides[:, 0]))
+        outwards /= np.linalg.norm(outwards, axis=1)[:, np.newaxis]
+        other = second if corners is first else first
+        apart = (other @ outwards.T).min(axis=0) - np.einsum("ij,ij->i", corners, outwards)
+        if (apart >= -1e-6).any():
+            return False
+    return True
+
+
+def measures_tried(
+    scenario: RoomScenario, whole: Assembly, bodies: tuple[int, ...]
+) -> Iterator[tuple[Change, RoomPart]]:
+    """Yield the measures that can be put on pieces of a group, with the group as it is then held.
+
+    Parameters
+    ----------
+    scenario : RoomScenario
+        The room.
+    whole : Assembly
+        All pieces, as stated.
+    bodies : tuple of int
+        The group.
+    """
+    for body in bodies:
+        piece = whole.members[body]
+        if not isinstance(piece, Piece):
+            continue
+        for kind in TRIED:
+            measure = MEASURES[kind]()
+            try:
+                held = Piece(piece.body, piece.at, piece.heading, (*piece.measures, measure))
+                members = [held if number == body else one for number, one in enumerate(whole.members)]
+                part = part_with(scenario, bodies, replace(whole, members=members))
+                placed(part.assembly.members, part.room)
+            except InputError:  # no wall behind, no ceiling known, another measure at the same place
+                continue
+            yield Change(scenario.names[body], measure), part
+
+
+def places_at_walls(
+    scenario: RoomScenario, whole: Assembly, body: int, floor: FreeFloor
+) -> Iterator[tuple[str, list[tuple[float, float]]]]:
+    """Yield the walls to which a piece may stand, and where its middle may be.
+
+    Parameters
+    ----------
+    scenario : RoomScenario
+        The room.
+    whole : Assembly
+        All pieces, as stated.
+    body : int
+        The piece.
+    floor : FreeFloor
+        Where it may be put.
+    """
+    member, plan = bare(whole.members[body]), floor.plan
+    half_depth, half_length = (0.5 * np.ptp(member.solid.vertices[:, :2], axis=0)).tolist()
+    height = float(member.solid.vertices[:, 2].max())
+    for wall, heading in FACING.items():
+        if half_length > 0.5 * plan.side(wall):
+            continue
+        found: list[tuple[float, float]] = []
+        for along in _spread(half_length, plan.side(wall) - half_length):
+            at = plan.on_wall(wall, along, half_depth + BEHIND)
+            corners = rectangle(at, 2.0 * half_depth, 2.0 * half_length, heading)
+            if floor.fits(corners, height=height, but_piece=body):
+                found.append(at)
+        if found:
+            yield wall, found
+
+
+def _spread(low: float, high: float) -> list[float]:
+    """Return places from low to high, `STRIDE` apart at most; none where high is below low."""
+    if high < low:
+        return []
+    return np.linspace(low, high, max(1, math.ceil((high - low) / STRIDE)) + 1).tolist()
+
+
+def other_places(place: PersonPlace, floor: FreeFloor) -> list[PersonPlace]:
+    """Return where else the place of a person may be: at the same height, turned by 90° or not.
+
+    Parameters
+    ----------
+    place : PersonPlace
+        The place.
+    floor : FreeFloor
+        Where it may be put.
+    """
+    found: list[PersonPlace] = []
+    for heading in (place.heading, place.heading + math.pi / 2.0):
+        half_x, half_y = (
+            0.5 * np.ptp(rectangle((0.0, 0.0), place.width, place.length, heading), axis=0)
+        ).tolist()
+        for x in _spread(half_x, floor.plan.width - half_x):
+            for y in _spread(half_y, floor.plan.length - half_y):
+                corners = rectangle((x, y), place.width, place.length, heading)
+                if floor.fits(corners, height=place.high, but_place=place.name):
+                    found.append(replace(place, at=(x, y), heading=math.remainder(heading, 2.0 * math.pi)))
+    return found
+
+
+def swept(ways: Ways, tracks: Sequence[Track]) -> NDArray[np.bool_]:
+    """Return over which cells of the floor a piece moves in each run at most, shape (runs, nx · ny).
+
+    They are those between all that it reaches at any time and height: a place outside is not hit.
+    """
+    return np.array([ways.covered([outline_of(track.corners().reshape(-1, 3))]).ravel() for track in tracks])

@@ -1,0 +1,206 @@
+"""Where bodies come together: with the place of a person, and with each other.
+
+Two convex bodies are apart where an axis separates them: the normal of a face of one, or the cross product of
+an edge of each (Gottschalk, Lin and Manocha 1996). The largest gap along such an axis is never more than the
+distance, and below 0 exactly where they overlap; its rate just before they touch is how fast they close.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from stayput.model.floor_plan import PersonPlace, rectangle
+from stayput.rooms.tracks import at_rest
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    from stayput.rooms.tracks import Track
+    from stayput.simulation.standing import Standing
+
+SPACING = 0.1
+"""Distance between the points of a place at which the speed of a piece is looked at [m]."""
+
+SLIGHT = 1e-6
+"""Length of a cross product of two unit vectors up to which they are parallel."""
+
+
+class RoomContact(NamedTuple):
+    """A contact of a piece with the place of a person, or with another piece.
+
+    Parameters
+    ----------
+    time : float
+        When they first touch [s].
+    speed : float
+        Of a piece and a place: the largest of the part of the piece that is within the place; the piece moves
+        on as if nobody were there, so it is an upper bound. Of two pieces: at which they close in as they
+        first touch [m/s].
+    energy : float
+        Kinetic energy: the largest of a piece while it touches a place, also an upper bound, and that of two
+        pieces together as they first touch [J].
+    """
+
+    time: float
+    speed: float
+    energy: float
+
+
+class _Convex(NamedTuple):
+    """A convex body at k samples: corners (k, n, 3), directions of faces (k, f, 3) and of edges (k, e, 3)."""
+
+    corners: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    edges: NDArray[np.float64]
+
+
+def separation(one: _Convex, other: _Convex) -> NDArray[np.float64]:
+    """Return the largest gap along any axis that may separate two bodies [m], shape (k,)."""
+    crossed = np.cross(one.edges[:, :, np.newaxis], other.edges[:, np.newaxis])
+    crossed = crossed.reshape(len(crossed), -1, 3)
+    size = np.linalg.norm(crossed, axis=2)
+    slight = size <= SLIGHT
+    crossed = crossed / np.where(slight, 1.0, size)[..., np.newaxis]
+    axes = np.concatenate([one.normals, other.normals, crossed], axis=1)
+    first, second = (body.corners @ np.swapaxes(axes, 1, 2) for body in (one, other))
+    gaps = np.maximum(
+        first.min(axis=1) - second.max(axis=1),
+        second.min(axis=1) - first.max(axis=1),
+    )
+    faces = one.normals.shape[1] + other.normals.shape[1]
+    gaps[:, faces:][slight] = -np.inf  # parallel edges span no axis
+    return gaps.max(axis=1)
+
+
+def _body_at(track: Track, chosen: NDArray[np.intp]) -> _Convex:
+    back = np.swapaxes(track.turn[chosen], 1, 2)
+    return _Convex(track.corners(chosen), track.shape.normals @ back, track.shape.edges @ back)
+
+
+def _box_of(place: PersonPlace, count: int) -> _Convex:
+    plan = rectangle(place.at, place.width, place.length, place.heading)
+    corners = np.concatenate([np.column_stack((plan, np.full(4, z))) for z in (place.low, place.high)])
+    sides = np.diff(plan[:3], axis=0) / np.linalg.norm(np.diff(plan[:3], axis=0), axis=1)[:, np.newaxis]
+    axes = np.concatenate([np.column_stack((sides, np.zeros(2))), [[0.0, 0.0, 1.0]]])
+    corners, axes = (np.broadcast_to(values, (count, *values.shape)) for values in (corners, axes))
+    return _Convex(corners, axes, axes)
+
+
+def inside_each_other(one: Standing, other: Standing | PersonPlace) -> float:
+    """Return how deep a piece stands in another, or where a person is, at first [m]; 0 where it does not."""
+    first = np.zeros(1, np.intp)
+    box = _box_of(other, 1) if isinstance(other, PersonPlace) else _body_at(at_rest(other), first)
+    return max(0.0, -float(separation(_body_at(at_rest(one), first), box)[0]))
+
+
+def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
+    """Return the first contact of a piece with the place of a person, or None.
+
+    Parameters
+    ----------
+    track : Track
+        The piece's.
+    place : PersonPlace
+        The place; what stands in it from the beginning does not hit it by staying there.
+    """
+    if track.stays:
+        return None
+    corners = track.corners()
+    low, high = corners.min(axis=1), corners.max(axis=1)
+    own = rectangle(place.at, place.width, place.length, place.heading)
+    least, most = (*own.min(axis=0), place.low), (*own.max(axis=0), place.high)
+    near = ((low <= most) & (high >= least)).all(axis=1)
+    touching = _touching(
+        track.sample, near, track.dt, lambda k: separation(_body_at(track, k), _box_of(place, len(k)))
+    )
+    if touching is None:
+        return None
+    speed = max(touching.closing, _speed_within(track, place, touching.places))
+    return RoomContact(touching.time, speed, float(track.energy[touching.places].max()))
+
+
+def _speed_within(track: Track, place: PersonPlace, touching: NDArray[np.intp]) -> float:
+    """Return the largest speed of those points of a piece that are within a place, of some samples [m/s].
+
+    Points of the place, `SPACING` apart, that are in the piece; none where it is all between them.
+    """
+    x, y, z = (
+        np.linspace(low, high, max(2, math.ceil((high - low) / SPACING) + 1))
+        for low, high in (
+            (-0.5 * place.width, 0.5 * place.width),
+            (-0.5 * place.length, 0.5 * place.length),
+            (place.low, place.high),
+        )
+    )
+    own = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1).reshape(-1, 3)
+    cos, sin = math.cos(place.heading), math.sin(place.heading)
+    points = own @ np.array([[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]]) + [*place.at, 0.0]
+    shape = track.shape
+    reach = shape.corners @ shape.normals.T
+    low, high = reach.min(axis=0), reach.max(axis=0)
+    fastest = 0.0
+    for k in touching.tolist():
+        seen = (points - track.place[k]) @ track.turn[k]
+        along = seen @ shape.normals.T
+        inside = ((along >= low) & (along <= high)).all(axis=1)
+        if inside.any():
+            before = seen[inside] @ track.turn[k - 1].T + track.place[k - 1]
+            fastest = max(fastest, float(np.linalg.norm(points[inside] - before, axis=1).max()))
+    return fastest / track.dt
+
+
+def contact_between(one: Track, other: Track) -> RoomContact | None:
+    """Return the first contact of two pieces that were run each by itself under the same motion, or None."""
+    if one.stays and other.stays:
+        return None
+    sample = np.union1d(one.sample, other.sample)
+    first, second = (np.searchsorted(track.sample, sample, side="right") - 1 for track in (one, other))
+    a, b = one.corners()[first], other.corners()[second]
+    near = ((a.min(axis=1) <= b.max(axis=1)) & (a.max(axis=1) >= b.min(axis=1))).all(axis=1)
+    touching = _touching(
+        sample,
+        near,
+        one.dt,
+        lambda k: separation(_body_at(one, first[k]), _body_at(other, second[k])),
+    )
+    if touching is None:
+        return None
+    k = int(touching.places[0])
+    return RoomContact(touching.time, touching.closing, float(one.energy[first[k]] + other.energy[second[k]]))
+
+
+class _Touching(NamedTuple):
+    """When two bodies first touch [s], how fast they close in then [m/s], and at which samples they touch."""
+
+    time: float
+    closing: float
+    places: NDArray[np.intp]
+
+
+def _touching(
+    sample: NDArray[np.intp],
+    near: NDArray[np.bool_],
+    dt: float,
+    gap_at: Callable[[NDArray[np.intp]], NDArray[np.float64]],
+) -> _Touching | None:
+    """Return how two bodies touch from their first overlap after a gap on; ``near``: where they may."""
+    close = np.flatnonzero(near)
+    if not len(close):
+        return None
+    # the sample before each too: the gap there tells how fast it closes
+    chosen = np.unique(np.concatenate([close, np.maximum(close - 1, 0)]))
+    gaps = gap_at(chosen)
+    closes = np.flatnonzero((gaps[1:] <= 0.0) & (gaps[:-1] > 0.0) & (np.diff(chosen) == 1))
+    if not len(closes):
+        return None
+    first = int(closes[0])
+    gap, overlap = float(gaps[first]), -float(gaps[first + 1])
+    # a piece that stood still until then has moved in the last step alone
+    time = dt * (float(sample[chosen[first + 1]]) - overlap / (gap + overlap))
+    together = (gaps[1:] <= 0.0) & (np.arange(1, len(gaps)) > first)
+    return _Touching(time, (gap + overlap) / dt, chosen[1:][together])

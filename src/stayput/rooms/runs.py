@@ -1,0 +1,263 @@
+"""Monte Carlo runs of a room: pieces that neither stand on nor hold each other run each by themselves.
+
+All meet the same earthquakes from the same directions, so that what falls together is known. A long piece of
+furniture on the floor runs in the plane across its length, with the motion's part in that direction; all
+others in space.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from stayput.execution import Call, ThreadExecutor
+from stayput.measures import element_rows, hold
+from stayput.measures.bracket import REACH
+from stayput.mechanics.columns import H_TILT, H_X, H_Z, RESULT
+from stayput.mechanics.devices.columns import HOLDS
+from stayput.mechanics.runner import shaking as shaking_in_plane
+from stayput.model.room import SIDE_WALLS, WALLS_AROUND
+from stayput.model.state import State
+from stayput.montecarlo.counting import Outcomes
+from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces
+from stayput.montecarlo.several import drawn_assembly, drawn_room, leaning, turned
+from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
+from stayput.simulation.flat_fields import case_columns
+from stayput.simulation.placing import bare, planes_around, room_seen, standing_of
+from stayput.simulation.run import trace_held
+from stayput.simulation.space import trace_assembly
+from stayput.simulation.space_case import results_of
+from stayput.simulation.standing import Assembly, Piece
+from stayput.verification.notes import LONG
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.mechanics.runner import Traced
+    from stayput.model.room import Room
+    from stayput.montecarlo.hazard import FloorMotions
+    from stayput.montecarlo.several import DrawOfSeveral
+    from stayput.scenario.room import RoomScenario
+    from stayput.simulation.space_case import SpaceShaking
+    from stayput.simulation.standing import Standing
+
+
+class RoomPart(NamedTuple):
+    """Pieces of a room that are run together, as they stand and are held.
+
+    Parameters
+    ----------
+    bodies : tuple of int
+        Their numbers in the scenario.
+    assembly : Assembly
+        The pieces.
+    room : Room
+        Around them.
+    """
+
+    bodies: tuple[int, ...]
+    assembly: Assembly
+    room: Room
+
+    @property
+    def in_plane(self) -> bool:
+        """Whether the plane across its length tells how it falls; see `stayput.studies.three_dimensions`."""
+        only = self.assembly.members[0]
+        return (
+            len(self.bodies) == 1
+            and isinstance(only, Piece)
+            and only.at[2] == 0.0
+            and (only.body.length or 0.0) >= LONG * only.body.width
+        )
+
+
+def groups_of(scenario: RoomScenario) -> tuple[tuple[int, ...], ...]:
+    """Return which pieces stand on or are joined to one another, in the order of the first of each group."""
+    names, group = scenario.names, list(range(len(scenario.names)))
+    bonds = [(number, names.index(one.on)) for number, one in enumerate(scenario.furniture) if one.on]
+    bonds += [(names.index(one.first), names.index(one.second)) for one in scenario.joints]
+    for first, second in bonds:
+        kept, gone = sorted((group[first], group[second]))
+        group = [kept if number == gone else number for number in group]
+    return tuple(tuple(i for i, own in enumerate(group) if own == number) for number in sorted(set(group)))
+
+
+def part_with(scenario: RoomScenario, bodies: tuple[int, ...], whole: Assembly) -> RoomPart:
+    """Return some of the members of an assembly of all pieces."""
+    members = [whole.members[body] for body in bodies]
+    joints = [
+        replace(joint, first=bodies.index(joint.first), second=bodies.index(joint.second))
+        for joint in whole.joints
+        if joint.first in bodies
+    ]
+    return RoomPart(
+        bodies,
+        Assembly(members, whole.friction, joints),
+        scenario.around([bare(member) for member in members]),
+    )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PartRuns:
+    """What became of the pieces of a part, over motions and samples.
+
+    Parameters
+    ----------
+    results : ndarray of RESULT, shape (motions, samples, bodies)
+        What became of each.
+    device_failed : ndarray of bool, shape (motions, samples)
+        Whether a device or joint failed.
+    tracks : list, [run][body]
+        Where each was; runs by motion and by sample within it.
+    """
+
+    results: NDArray[np.void]
+    device_failed: NDArray[np.bool_]
+    tracks: list[list[Track]]
+
+    def of_body(self, place: int) -> Outcomes:
+        """Return the outcomes of one of the pieces, by its place in the part."""
+        return Outcomes.of(self.results[..., place], self.device_failed)
+
+
+def run_parts(
+    parts: Sequence[RoomPart],
+    drawn: Sequence[Sequence[DrawOfSeveral]],
+    floors: FloorMotions,
+    gravity: float,
+    *,
+    threads: int | None = None,
+    progress: Callable[[int], None] | None = None,
+) -> list[PartRuns]:
+    """Run parts of a room, all together, so that all threads are busy.
+
+    Parameters
+    ----------
+    parts : sequence of RoomPart
+        The pieces, as stated.
+    drawn : sequence of sequence of DrawOfSeveral
+        The draws of all pieces of the room, by motion and sample.
+    floors : FloorMotions
+        The motions.
+    gravity : float
+        Acceleration of gravity [m/s²].
+    threads : int, optional
+        As many as there are cores by default. The bits do not depend on them.
+    progress : callable, optional
+        Called with the number of runs just done; an exception that it raises stops the work.
+
+    Raises
+    ------
+    InputError
+        Measures that cannot be put in place, as stated or in one of the draws.
+    """
+    motions, samples = len(drawn), len(drawn[0])
+    found = [
+        PartRuns(
+            np.zeros((motions, samples, len(part.bodies)), RESULT),
+            np.zeros((motions, samples), np.bool_),
+            [[] for _ in range(motions * samples)],
+        )
+        for part in parts
+    ]
+
+    def run(number: int, motion: int, sample: int) -> None:
+        part, runs, draw = parts[number], found[number], drawn[motion][sample]
+        shaking = turned(floors.motions[motion], float(floors.scales[motion]), draw.direction)
+        act = _run_in_plane if part.in_plane else _run_in_space
+        results, failed, tracks = act(part, draw.of(part.bodies), shaking, gravity)
+        runs.results[motion, sample], runs.device_failed[motion, sample] = results, failed
+        runs.tracks[motion * samples + sample] = tracks
+
+    each = [(n, m, s) for m in range(motions) for s in range(samples) for n in range(len(parts))]
+    with ThreadExecutor(threads) as executor:
+        for _ in executor.as_completed(Call(run, *place) for place in each):
+            if progress is not None:
+                progress(1)
+    return found
+
+
+def _run_in_space(
+    part: RoomPart, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
+) -> tuple[NDArray[np.void], bool, list[Track]]:
+    """Return RESULT of the pieces of a part, whether a device or joint failed, and their tracks.
+
+    The floor leans to the front of the first of them, as in the plane.
+    """
+    shaking = leaning(shaking, draw.room.lean, part.assembly.members[0].heading, gravity)
+    traced = trace_assembly(
+        drawn_assembly(part.assembly, draw),
+        _drawn_room(part, draw),
+        shaking,
+        gravity,
+        strength=draw.room.strength,
+        friction=draw.room.friction,
+    )
+    results = results_of([one.standing for one in traced.bodies], traced.trace, shaking.times)
+    failed = bool((traced.trace.devices["failure"] != HOLDS).any())
+    return results, failed, tracks_of(traced, shaking.dt)
+
+
+def _run_in_plane(
+    part: RoomPart, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
+) -> tuple[NDArray[np.void], bool, list[Track]]:
+    """Return the same of the one piece of a part, run in the plane across its length."""
+    piece = part.assembly.members[0]
+    assert isinstance(piece, Piece)
+    seen = room_seen(piece, part.room, planes_around([piece], part.room))
+    body, place = drawn_body(piece.body, draw.room), drawn_place(seen, draw.room)
+    far = {name: getattr(seen, name) for name in WALLS_AROUND}
+    near = {name: wall for name, wall in far.items() if wall is not None and wall.gap <= REACH}
+    place = replace(place, **{**far, **{name: getattr(place, name) for name in near}})
+    place = replace(place, **dict.fromkeys(SIDE_WALLS))
+    stated = hold(body, place, [measure.fitted_to(piece.body) for measure in piece.measures])
+    held = replace(stated, room=drawn_surfaces(stated.room, draw.room))
+    elements = element_rows(stated, draw.room.strength)
+    row = case_columns(held.body, held.room, State(), gravity)
+    cos, sin = math.cos(piece.heading), math.sin(piece.heading)
+    along, up = shaking.acceleration[:, :2] @ [cos, sin], shaking.acceleration[:, 2]
+    traced, devices, _ = trace_held(row[0], elements, shaking_in_plane(along, up, shaking.dt, 0))
+    start = at_rest(standing_of(piece, held), shaking.dt)
+    history = traced.history
+    x, z, tilt = (history[:, column] for column in (H_X, H_Z, H_TILT))
+    track = track_in_plane(start, x - x[0], z - z[0], tilt)
+    return _result(traced), bool((devices["failure"] != HOLDS).any()), [track]
+
+
+def _drawn_room(part: RoomPart, draw: DrawOfSeveral) -> Room:
+    """Return the room as drawn: the gaps behind pieces are not known well, walls further away are."""
+    drawn = drawn_room(part.assembly, part.room, draw.room)
+    walls = {}
+    for name in WALLS_AROUND:
+        stated, wall = getattr(part.room, name), getattr(drawn, name)
+        walls[name] = replace(wall, gap=stated.gap) if stated.gap > REACH else wall
+    return replace(drawn, **walls)
+
+
+def _result(traced: Traced) -> NDArray[np.void]:
+    """Return the RESULT of a run in the plane."""
+    result = np.zeros(1, RESULT)
+    for name in ("outcome", "end", "peak_slide", "peak_tilt", "floor_impacts", "wall_impacts", "steps"):
+        result[name] = getattr(traced, name)
+    result["residual_slide"], result["residual_tilt"] = traced.slide, traced.tilt
+    return result
+
+
+def placed_elsewhere(
+    scenario: RoomScenario, whole: Assembly, body: int, at: tuple[float, float], heading: float
+) -> RoomPart:
+    """Return a piece by itself, moved to another place of the plan."""
+    member = whole.members[body]
+    moved = _moved(member, (at[0], at[1], member.at[2]), heading)
+    return RoomPart((body,), Assembly([moved]), scenario.around([bare(moved)]))
+
+
+def _moved(member: Piece | Standing, at: tuple[float, float, float], heading: float) -> Piece | Standing:
+    if isinstance(member, Piece):
+        return Piece(member.body, at, heading, member.measures)
+    return replace(member, at=at, heading=heading)

@@ -1,0 +1,225 @@
+"""Tracks: how bodies in space moved while they were away from where they stood, and as what they are there.
+
+A body that comes back to where it stood takes up no other part of the room, so that samples at which nothing
+changes, and tracks of bodies that move less than `STIRS`, are left out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.spatial import ConvexHull
+
+from stayput.simulation.space_records import frames_of, matrices
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from stayput.model.solid import Solid
+    from stayput.simulation.space import AssemblyTrace
+    from stayput.simulation.standing import Standing
+
+STIRS = 0.01
+"""Way of a body's corner up to which it stays where it stood [m]."""
+
+PARALLEL = 1e-9
+"""Largest difference of the parts of two unit vectors that count as parallel."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ConvexShape:
+    """A convex body for questions of where it is.
+
+    Parameters
+    ----------
+    corners : ndarray, shape (n, 3)
+        From its centre of gravity, along the axes of its frame [m].
+    normals, edges : ndarray, shape (f, 3) and (e, 3)
+        Directions of its faces and of its edges, no two of them parallel.
+    mass : float
+        Mass [kg].
+    inertia : ndarray, shape (3, 3)
+        About the centre of gravity [kg m²].
+    """
+
+    corners: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    edges: NDArray[np.float64]
+    mass: float
+    inertia: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, solid: Solid) -> ConvexShape:
+        """Return that of a solid."""
+        edges = np.concatenate(
+            [solid.vertices[np.roll(face, -1)] - solid.vertices[face] for face in solid.faces]
+        )
+        edges = edges / np.linalg.norm(edges, axis=1)[:, np.newaxis]
+        return cls(
+            solid.vertices - solid.centre_of_gravity,
+            _different(solid.normals),
+            _different(edges),
+            solid.mass,
+            solid.inertia,
+        )
+
+
+def _different(directions: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return unit vectors without those that are parallel to one before."""
+    found: list[NDArray[np.float64]] = []
+    for one in directions:
+        if not any(1.0 - abs(float(one @ other)) <= PARALLEL for other in found):
+            found.append(one)
+    return np.array(found)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Track:
+    """Where a body was in a run.
+
+    Parameters
+    ----------
+    shape : ConvexShape
+        The body.
+    sample : ndarray of int, shape (k,)
+        Samples of the motion at which it has just moved; the first is 0.
+    place : ndarray, shape (k, 3)
+        Of its centre of gravity in the room [m].
+    turn : ndarray, shape (k, 3, 3)
+        The rotation of its frame into the room's.
+    energy : ndarray, shape (k,)
+        Kinetic energy [J].
+    dt : float
+        Time between samples [s].
+    """
+
+    shape: ConvexShape
+    sample: NDArray[np.intp]
+    place: NDArray[np.float64]
+    turn: NDArray[np.float64]
+    energy: NDArray[np.float64]
+    dt: float
+
+    @property
+    def stays(self) -> bool:
+        """Whether it has not stirred."""
+        return len(self.sample) == 1
+
+    @property
+    def at_first(self) -> Track:
+        """As it stands at first, alone."""
+        chosen = slice(0, 1)
+        return replace(
+            self,
+            sample=self.sample[chosen],
+            place=self.place[chosen],
+            turn=self.turn[chosen],
+            energy=self.energy[chosen],
+        )
+
+    def corners(self, chosen: slice | NDArray[np.intp] = slice(None)) -> NDArray[np.float64]:
+        """Return where its corners are at some of the samples [m], shape (k, n, 3)."""
+        own = self.shape.corners @ np.swapaxes(self.turn[chosen], 1, 2)
+        return own + self.place[chosen][:, np.newaxis]
+
+    def outline(self, number: int) -> NDArray[np.float64]:
+        """Return what it covers in plan at the number-th of its samples: corners in order, shape (n, 2)."""
+        return outline_of(self.corners(np.array([number]))[0])
+
+    def moved(self, turn: float, shift: NDArray[np.float64]) -> Track:
+        """Return it with everything turned about the vertical through the origin, then shifted in plan."""
+        cos, sin = np.cos(turn), np.sin(turn)
+        about = np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
+        place = self.place @ about.T + np.array([shift[0], shift[1], 0.0])
+        return replace(self, place=place, turn=about @ self.turn)
+
+
+def at_rest(one: Standing, dt: float = 1.0) -> Track:
+    """Return the track of a piece that stays where it stands."""
+    chosen = np.zeros(1, np.intp)
+    shape = ConvexShape.of(one.solid)
+    return Track(shape, chosen, one.place[np.newaxis], one.turn[np.newaxis], np.zeros(1), dt)
+
+
+def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the convex outline in plan of points [m], counter-clockwise, shape (n, 2)."""
+    plan = corners[:, :2]
+    return plan[ConvexHull(plan).vertices]
+
+
+def tracks_of(traced: AssemblyTrace, dt: float) -> list[Track]:
+    """Return the tracks of the bodies of a run.
+
+    Parameters
+    ----------
+    traced : AssemblyTrace
+        The bodies and what the engine returned.
+    dt : float
+        Time between samples [s].
+    """
+    standing, trace = [one.standing for one in traced.bodies], traced.trace
+    turns = matrices(frames_of(standing, trace.attitude))
+    found: list[Track] = []
+    for b, one in enumerate(standing):
+        shape, place, turn = ConvexShape.of(one.solid), trace.place[b], turns[b]
+        moved = _stirring(shape, place, turn)
+        v, w = trace.velocity[b, moved], trace.rotation_rate[b, moved]
+        own = np.einsum("kji,kj->ki", turn[moved], w)
+        energy = 0.5 * (
+            shape.mass * np.sum(v * v, axis=1) + np.einsum("ki,ij,kj->k", own, shape.inertia, own)
+        )
+        found.append(Track(shape, moved, place[moved], np.ascontiguousarray(turn[moved]), energy, dt))
+    return found
+
+
+def track_in_plane(
+    pose: Track, x: NDArray[np.float64], z: NDArray[np.float64], tilt: NDArray[np.float64]
+) -> Track:
+    """Return the track of a piece that moves in the plane across its length.
+
+    Parameters
+    ----------
+    pose : Track
+        How it stands at first, alone.
+    x, z : ndarray, shape (samples,)
+        How far its centre of gravity has come to its front and up from there [m].
+    tilt : ndarray, shape (samples,)
+        By what it has tilted to its front from there [rad].
+    """
+    shape = pose.shape
+    facing = pose.turn[0] @ np.array([1.0, 0.0, 0.0])
+    front = np.array([facing[0], facing[1], 0.0]) / np.hypot(facing[0], facing[1])
+    place = pose.place[0] + x[:, np.newaxis] * front + z[:, np.newaxis] * [0.0, 0.0, 1.0]
+    cos, sin = np.cos(tilt), np.sin(tilt)
+    turn = np.zeros((len(tilt), 3, 3))
+    across = np.cross([0.0, 0.0, 1.0], front)
+    # a turn from up to the front is one about the axis across, by Rodrigues
+    outer, skew = np.outer(across, across), np.cross(np.eye(3), across)
+    turn = (
+        cos[:, np.newaxis, np.newaxis] * (np.eye(3) - outer) + outer + sin[:, np.newaxis, np.newaxis] * skew
+    )
+    turn = turn @ pose.turn[0]
+    moved = _stirring(shape, place, turn)
+    inertia = float(across @ (pose.turn[0] @ shape.inertia @ pose.turn[0].T) @ across)
+    rates = [np.gradient(values, pose.dt) if len(values) > 1 else np.zeros(1) for values in (x, z, tilt)]
+    energy = 0.5 * (shape.mass * (rates[0] ** 2 + rates[1] ** 2) + inertia * rates[2] ** 2)
+    return Track(shape, moved, place[moved], turn[moved], energy[moved], pose.dt)
+
+
+def _stirring(shape: ConvexShape, place: NDArray[np.float64], turn: NDArray[np.float64]) -> NDArray[np.intp]:
+    """Return the samples at which a body is elsewhere than at the sample before, and the first."""
+    if not np.isfinite(place).all():
+        return np.zeros(1, np.intp)
+    changes = np.zeros(len(place), np.bool_)
+    for numbers in (*place.T, *turn.reshape(len(turn), -1).T):
+        changes[1:] |= numbers[1:] != numbers[:-1]
+    changes[0] = True
+    moved = np.flatnonzero(changes)
+    reach = np.linalg.norm(shape.corners, axis=1).max()
+    way = np.linalg.norm(place[moved] - place[0], axis=1)
+    way += reach * np.linalg.norm(turn[moved] - turn[0], axis=(1, 2))
+    away = np.flatnonzero(way > STIRS)
+    # up to the sample after the last at which it is away: it may have come back
+    return moved[: away[-1] + 2] if len(away) else moved[:1]

@@ -1,0 +1,260 @@
+"""The verdict on a room: who is hit by what, which door stays shut, and what changes that most."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from stayput.fragility import Difference, Probability
+    from stayput.model.floor_plan import Door, FloorPlan, PersonPlace
+    from stayput.montecarlo.counting import Quantiles
+    from stayput.rooms.changes import Change
+    from stayput.scenario.room import RoomScenario
+
+DAY_HOURS = 16.0
+"""Hours of the day, those of the night being the rest of 24."""
+
+
+@dataclass(frozen=True, slots=True)
+class HitVerdict:
+    """How a piece hits the place of a person.
+
+    Parameters
+    ----------
+    piece : str
+        The piece.
+    mass : float
+        Its mass [kg].
+    probability : Probability
+        That it touches the person who is there.
+    speed : Quantiles
+        Largest speed of the part that is within the place, of the runs in which it hits [m/s].
+    energy : Quantiles
+        Its largest kinetic energy while it touches, of the same runs [J].
+    """
+
+    piece: str
+    mass: float
+    probability: Probability
+    speed: Quantiles
+    energy: Quantiles
+
+
+@dataclass(frozen=True, slots=True)
+class PlaceVerdict:
+    """What happens at the place of a person.
+
+    Parameters
+    ----------
+    place : PersonPlace
+        The place.
+    hit : Probability
+        That somebody who is there is hit by any piece.
+    by : tuple of HitVerdict
+        The pieces that hit it in some run, the most frequent first.
+    shut_in : Probability
+        That no way leads out from there.
+    """
+
+    place: PersonPlace
+    hit: Probability
+    by: tuple[HitVerdict, ...]
+    shut_in: Probability
+
+    @property
+    def by_day(self) -> float:
+        """Chance that somebody is there by day and is hit."""
+        return self.place.day * self.hit.estimate
+
+    @property
+    def by_night(self) -> float:
+        """Chance that somebody is there at night and is hit."""
+        return self.place.night * self.hit.estimate
+
+
+@dataclass(frozen=True, slots=True)
+class DoorVerdict:
+    """Whether a door can be used afterwards.
+
+    Parameters
+    ----------
+    door : Door
+        The door.
+    blocked : Probability
+        That it does not open far enough, or that nobody gets to it.
+    at_rest : bool
+        Whether it is blocked as the furniture stands.
+    """
+
+    door: Door
+    blocked: Probability
+    at_rest: bool
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RoomPiece:
+    """What becomes of a piece of a room.
+
+    Parameters
+    ----------
+    name : str
+        The piece.
+    in_plane : bool
+        Whether it ran in the plane across its length; in space if not.
+    probabilities : mapping of str to Probability
+        Of each of `stayput.montecarlo.counting.EVENTS`.
+    slide : Quantiles
+        Peak slide [m].
+    covers : ndarray, shape (nx, ny)
+        Share of the runs in which it ends on each cell of the floor; see `stayput.rooms.ways.Ways`.
+    outline : ndarray, shape (n, 2)
+        Its outline in plan as it stands [m].
+    risk : float
+        Chance that it hits a person, weighted by how long somebody is at each place.
+    """
+
+    name: str
+    in_plane: bool
+    probabilities: Mapping[str, Probability]
+    slide: Quantiles
+    covers: NDArray[np.float64]
+    outline: NDArray[np.float64]
+    risk: float
+
+
+@dataclass(frozen=True, slots=True)
+class ChangeVerdict:
+    """What a single change of the room brings.
+
+    Parameters
+    ----------
+    change : Change
+        The change.
+    hit : Probability
+        That anybody who is there is hit, with it.
+    hit_change : Difference
+        That less the same as the room is.
+    shut_in : Probability
+        That anybody is shut in, with it.
+    shut_in_change : Difference
+        That less the same as the room is.
+    risk : float
+        Chance that a person is hit, weighted by how long somebody is at each place, with it.
+    """
+
+    change: Change
+    hit: Probability
+    hit_change: Difference
+    shut_in: Probability
+    shut_in_change: Difference
+    risk: float
+
+    @property
+    def helps(self) -> bool:
+        """Whether it is clearly for the better, and nothing clearly for the worse."""
+        better = [one for one in (self.hit_change, self.shut_in_change) if one.clear]
+        return bool(better) and all(one.estimate < 0.0 for one in better)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RoomVerdict:
+    """Result of `stayput.verify_room`.
+
+    Parameters
+    ----------
+    scenario : RoomScenario
+        What was verified.
+    plan : FloorPlan
+        Its plan.
+    intensity : float
+        Median JMA intensity of the ground.
+    hit : Probability
+        That anybody who is there is hit.
+    shut_in : Probability
+        That anybody is shut in.
+    risk : float
+        Chance that a person is hit, weighted by how long somebody is at each place.
+    places : tuple of PlaceVerdict
+        In the order of the file.
+    doors : tuple of DoorVerdict
+        In the order of the file.
+    pieces : tuple of RoomPiece
+        Those that contribute most to the risk first.
+    collisions : mapping of pairs of str to Probability
+        Pieces that meet; what they do afterwards is not followed.
+    changes : tuple of ChangeVerdict
+        Single changes, the best first; none where they were not asked for.
+    motions, samples, runs : int
+        Motions, samples of each, and runs of pieces that were made.
+    slide_limit : float
+        Slide that counts as too far [m].
+    seed : int
+        Seed of the draws.
+    seconds : float
+        What it took.
+    """
+
+    scenario: RoomScenario
+    plan: FloorPlan
+    intensity: float
+    hit: Probability
+    shut_in: Probability
+    risk: float
+    places: tuple[PlaceVerdict, ...]
+    doors: tuple[DoorVerdict, ...]
+    pieces: tuple[RoomPiece, ...]
+    collisions: Mapping[tuple[str, str], Probability]
+    changes: tuple[ChangeVerdict, ...]
+    motions: int
+    samples: int
+    runs: int
+    slide_limit: float
+    seed: int
+    seconds: float
+
+    @property
+    def best(self) -> ChangeVerdict | None:
+        """The best single change, or None where none makes anything better."""
+        return next((one for one in self.changes if one.helps), None)
+
+    def sentence(self, language: str = "en") -> str:
+        """Return the verdict in one sentence, in "en" or "ja"."""
+        from stayput.rooms.words import sentence_of_room
+
+        return sentence_of_room(self, language)
+
+    def to_json(self) -> str:
+        """Return the verdict as JSON; keys carry their units."""
+        from stayput.report.room.data import room_json
+
+        return room_json(self)
+
+    def to_markdown(self, language: str = "en") -> str:
+        """Return the verdict as Markdown, in "en" or "ja"."""
+        from stayput.report.room.markdown import room_markdown
+
+        return room_markdown(self, language)
+
+    def to_csv(self) -> str:
+        """Return the probabilities as CSV."""
+        from stayput.report.room.data import room_csv
+
+        return room_csv(self)
+
+    def report(self, path: str | Path, language: str = "en") -> Path:
+        """Write the report, one HTML file with everything in it; see `stayput.report.room`."""
+        from stayput.report.room.html import write_room_report
+
+        return write_room_report(self, path, language)
+
+
+def presence(place: PersonPlace) -> float:
+    """Return in what share of the 24 hours somebody is at a place."""
+    return (DAY_HOURS * place.day + (24.0 - DAY_HOURS) * place.night) / 24.0

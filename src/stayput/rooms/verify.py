@@ -1,0 +1,259 @@
+"""`verify_room`: who is hit in a room by what, which door stays shut, and which single change helps most."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.errors import InputError, instance_of, within
+from stayput.fragility import JMA_INTENSITY, probability
+from stayput.mechanics.columns import FAILED_OUTCOME
+from stayput.montecarlo.counting import SLIDE_LIMIT, Quantiles
+from stayput.montecarlo.hazard import Hazard
+from stayput.montecarlo.sampling import Settings
+from stayput.montecarlo.several import draws_of_several
+from stayput.progress import bar
+from stayput.rooms.contact import inside_each_other
+from stayput.rooms.effects import Answer, Question, anybody, changes_of, hits_by, risk_of
+from stayput.rooms.events import EndOfRuns, collisions, events_of
+from stayput.rooms.runs import groups_of, part_with
+from stayput.rooms.verdict import (
+    ChangeVerdict,
+    DoorVerdict,
+    HitVerdict,
+    PlaceVerdict,
+    RoomPiece,
+    RoomVerdict,
+)
+from stayput.scenario.room import RoomScenario
+from stayput.simulation.placing import bare
+from stayput.simulation.space_gaps import DEEPEST
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.model.floor_plan import FloorPlan, PersonPlace
+    from stayput.montecarlo.hazard import FloorMotions
+    from stayput.rooms.runs import PartRuns, RoomPart
+    from stayput.rooms.tracks import Track
+    from stayput.simulation.standing import Assembly, Standing
+
+
+def verify_room(
+    scenario: RoomScenario,
+    *,
+    changes: bool = True,
+    slide_limit: float = SLIDE_LIMIT,
+    threads: int | None = None,
+    progress: bool | None = None,
+    on_progress: Callable[[int, int], None] | None = None,
+) -> RoomVerdict:
+    """Say who is hit in a room by what, which door stays shut, and which single change helps most.
+
+    Every piece meets the same motions from the same directions and the same draws. A long piece on the floor
+    runs in the plane across its length; short and round ones, and those that stand on each other, in space.
+    Each runs without the others: where two meet is counted (`RoomVerdict.collisions`), and not followed.
+
+    Parameters
+    ----------
+    scenario : RoomScenario
+        The room.
+    changes : bool
+        Whether single changes are tried: a measure on each piece that does harm, another place for it, and
+        for those whom it hits.
+    slide_limit : float
+        Slide that counts as too far [m].
+    threads : int, optional
+        As many as there are cores by default. The bits do not depend on them.
+    progress : bool, optional
+        Whether to draw a bar on standard error; default on a terminal.
+    on_progress : callable, optional
+        Called with the runs made and with all runs, as far as they are known; an exception that it raises
+        stops the work.
+
+    Raises
+    ------
+    InputError
+        A piece that stands in a wall, in another or where a person is; a record that cannot be read.
+    """
+    began = time.perf_counter()
+    limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
+    room = instance_of("scenario", scenario, RoomScenario)
+    plan, whole, shaking = room.floor_plan(), room.assembly(room.stated), room.shaking
+    refuse_what_stands_wrong(room, plan, whole)
+    ground = room.ground()
+    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
+    settings = Settings.of(room, len(ground), limit)
+    drawn = draws_of_several(
+        len(room.names),
+        settings.motions,
+        settings.samples,
+        settings.seed,
+        as_stated=settings.as_stated,
+        any_direction=room.direction is None,
+    )
+    if room.direction is not None:
+        drawn = [[draw._replace(direction=room.direction) for draw in row] for row in drawn]
+    floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
+    groups, each = groups_of(room), settings.motions * settings.samples
+    total, made = len(groups) * each, 0
+    with bar(total, "Verifying", progress) as advance:
+
+        def count(runs: int) -> None:
+            nonlocal made
+            made += runs
+            advance(runs)
+            if on_progress is not None:
+                on_progress(made, max(total, made))
+
+        question = Question(room, plan, whole, drawn, floors, threads, count)
+        parts = [part_with(room, group, whole) for group in groups]
+        runs = question.run(parts)
+        ends = EndOfRuns(plan)
+        as_it_is = _answer(ends, len(room.names), parts, runs)
+        tried = changes_of(question, parts, as_it_is, ends) if changes else ()
+    return _verdict(
+        question, parts, runs, as_it_is, ends, tried, ground_intensity(floors), limit, made, began
+    )
+
+
+def ground_intensity(floors: FloorMotions) -> float:
+    """Return the median JMA intensity of the ground."""
+    return float(np.median(floors.measures[JMA_INTENSITY]))
+
+
+def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Assembly) -> None:
+    """Raise `InputError` where a piece stands in a wall, in another piece, or where a person is."""
+    names, standing_all = scenario.names, [bare(member) for member in whole.members]
+    sides = np.array([plan.width, plan.length])
+    for number, standing in enumerate(standing_all):
+        corners = standing.solid.vertices @ standing.turn.T + np.asarray(standing.at)
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        name = f"furniture[{number}].at"
+        if (low[:2] < -1e-6).any() or (high[:2] > sides + 1e-6).any():
+            raise InputError(
+                "rooms.in_a_wall",
+                name,
+                name=repr(scenario.names[number]),
+                low_x=float(low[0]),
+                high_x=float(high[0]),
+                low_y=float(low[1]),
+                high_y=float(high[1]),
+                width=plan.width,
+                length=plan.length,
+            )
+        others: list[tuple[Standing | PersonPlace, str]] = [
+            (other, repr(names[before])) for before, other in enumerate(standing_all[:number])
+        ]
+        others += [(place, repr(place.name)) for place in plan.places]
+        for other, called in others:
+            depth = inside_each_other(standing, other)
+            if depth > DEEPEST:
+                raise InputError(
+                    "rooms.in_another", name, name=repr(names[number]), other=called, depth=depth
+                )
+
+
+def _answer(ends: EndOfRuns, bodies: int, parts: Sequence[RoomPart], runs: Sequence[PartRuns]) -> Answer:
+    tracks: list[list[Track]] = [[] for _ in range(bodies)]
+    missing = np.zeros(runs[0].results.shape[:2], np.bool_)
+    for part, own in zip(parts, runs, strict=True):
+        missing |= (own.results["outcome"] == FAILED_OUTCOME).any(axis=-1)
+        for place, body in enumerate(part.bodies):
+            tracks[body] = [run[place] for run in own.tracks]
+    return Answer(tracks, missing, events_of(ends, tracks))
+
+
+def _verdict(
+    question: Question,
+    parts: Sequence[RoomPart],
+    runs: Sequence[PartRuns],
+    as_it_is: Answer,
+    ends: EndOfRuns,
+    changes: tuple[ChangeVerdict, ...],
+    intensity: float,
+    slide_limit: float,
+    made: int,
+    began: float,
+) -> RoomVerdict:
+    scenario, plan = question.scenario, question.plan
+    events, missing = as_it_is.events, as_it_is.missing
+    shape = missing.shape
+    hits = hits_by(events)
+    risk = risk_of(hits, plan.places, missing)
+    pieces: list[RoomPiece] = []
+    masses: dict[int, float] = {}
+    for part, own in zip(parts, runs, strict=True):
+        for place, body in enumerate(part.bodies):
+            outcomes, tracks = own.of_body(place), as_it_is.tracks[body]
+            masses[body] = bare(question.whole.members[body]).solid.mass
+            pieces.append(
+                RoomPiece(
+                    scenario.names[body],
+                    part.in_plane,
+                    outcomes.probabilities(slide_limit),
+                    Quantiles.of(outcomes.slide, outcomes.overturned),
+                    np.mean([ends.covered_by(track) for track in tracks], axis=0),
+                    tracks[0].outline(0),
+                    risk_of(hits_by(events, only=body), plan.places, missing),
+                )
+            )
+    pieces.sort(key=lambda piece: (-round(piece.risk, 9), -piece.probabilities["overturned"].estimate))
+    at_rest = ends.of([own[0].at_first for own in as_it_is.tracks])[0]
+    motions, samples = shape
+    return RoomVerdict(
+        scenario=scenario,
+        plan=plan,
+        intensity=intensity,
+        hit=probability(anybody(hits, shape), missing),
+        shut_in=probability(anybody(events.shut_in, shape), missing),
+        risk=risk,
+        places=tuple(_place(number, question, masses, as_it_is) for number in range(len(plan.places))),
+        doors=tuple(
+            DoorVerdict(door, probability(flags.reshape(shape), missing), stuck)
+            for door, flags, stuck in zip(plan.doors, events.blocked, at_rest, strict=True)
+        ),
+        pieces=tuple(pieces),
+        collisions={
+            (scenario.names[a], scenario.names[b]): probability(met.reshape(shape), missing)
+            for (a, b), met in collisions(as_it_is.tracks).items()
+        },
+        changes=changes,
+        motions=motions,
+        samples=samples,
+        runs=made,
+        slide_limit=slide_limit,
+        seed=scenario.uncertainty.seed,
+        seconds=time.perf_counter() - began,
+    )
+
+
+def _place(number: int, question: Question, masses: dict[int, float], as_it_is: Answer) -> PlaceVerdict:
+    events, missing = as_it_is.events, as_it_is.missing
+    shape, names = missing.shape, question.scenario.names
+    by = [
+        HitVerdict(
+            names[body],
+            masses[body],
+            probability(one.happened.reshape(shape), missing),
+            _quantiles(one.speed[one.happened]),
+            _quantiles(one.energy[one.happened]),
+        )
+        for body, one in enumerate(events.hits[number])
+        if one.happened.any()
+    ]
+    by.sort(key=lambda one: -one.probability.estimate)
+    return PlaceVerdict(
+        question.plan.places[number],
+        probability(events.hit(number).reshape(shape), missing),
+        tuple(by),
+        probability(events.shut_in[number].reshape(shape), missing),
+    )
+
+
+def _quantiles(values: NDArray[np.float64]) -> Quantiles:
+    return Quantiles.of(values, np.zeros(values.shape, np.bool_))

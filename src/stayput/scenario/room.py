@@ -1,0 +1,224 @@
+"""A scenario of a room: a file with a ``[plan]``, pieces, doors, windows, and places where people are."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from stayput.errors import InputError
+from stayput.model.floor_plan import (
+    FACING,
+    HINGES,
+    MOST_PLACES,
+    OPENS,
+    PLACES,
+    Door,
+    FloorPlan,
+    PersonPlace,
+    Window,
+)
+from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
+from stayput.scenario.assembly import AssemblyScenario
+from stayput.scenario.assembly_options import AssemblyUncertaintyTable
+from stayput.scenario.fields import Table, Text, between, named, of, one_of
+from stayput.scenario.tables import (
+    CeilingTable,  # noqa: TC001 - pydantic reads the annotations
+    FloorChoice,  # noqa: TC001 - pydantic reads the annotations
+    WallConstruction,  # noqa: TC001 - pydantic reads the annotations
+)
+from stayput.scenario.toml import read_toml
+from stayput.simulation.placing import bare
+from stayput.simulation.standing import Standing
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from os import PathLike
+
+    from stayput.model.solid import Solid
+    from stayput.scenario.pieces import StandingTable
+
+OUTSIDE = 1e-6
+"""How far a piece may stand in a wall, by rounding [m]."""
+
+WallName = Annotated[str, one_of(WALLS_AROUND), named(WALLS_AROUND)]
+PointInPlan = Annotated[
+    list[Annotated[float, between(-100.0, 100.0, "m")]], Field(min_length=2, max_length=2)
+]
+
+
+class PlanTable(Table):
+    """The size of a room, which goes from the left wall to the right one and from the near to the far one."""
+
+    width: float = of(FloorPlan, "width")
+    length: float = of(FloorPlan, "length")
+
+
+class DoorTable(Table):
+    """A door."""
+
+    name: Text = Field(default="door", description="What it is called.")
+    wall: WallName = Field(description="The wall that it is in.")
+    start: float = of(Door, "start")
+    width: float = of(Door, "width", default=0.8)
+    hinge: Annotated[str, one_of(HINGES), named(HINGES)] = Field(
+        default="start", description="At which end of it, along the wall, the hinge is."
+    )
+    opens: Annotated[str, one_of(OPENS), named(OPENS)] = Field(default="inwards", description="How it opens.")
+    way_out: bool = Field(default=True, description="Whether it leads out.")
+
+
+class WindowTable(Table):
+    """A window: nothing is fixed to it, and nothing is moved in front of it."""
+
+    wall: WallName = Field(description="The wall that it is in.")
+    start: float = of(Window, "start")
+    width: float = of(Window, "width", default=1.6)
+    sill: float = of(Window, "sill")
+
+
+class PlaceTable(Table):
+    """Where a person is: a bed, a desk, or a box of one's own."""
+
+    name: Text | None = Field(default=None, description="What it is called; default its kind.")
+    kind: Annotated[str, one_of(PLACES), named(PLACES)] = Field(
+        default="bed", description="What gives the sizes, heights and shares that are not given."
+    )
+    at: PointInPlan = Field(description="Its middle, along x and y.")
+    heading: float = of(PersonPlace, "heading")
+    width: float | None = of(PersonPlace, "width", default=None)
+    length: float | None = of(PersonPlace, "length", default=None)
+    low: float | None = of(PersonPlace, "low", default=None)
+    high: float | None = of(PersonPlace, "high", default=None)
+    day: float | None = of(PersonPlace, "day", default=None)
+    night: float | None = of(PersonPlace, "night", default=None)
+
+    def place(self) -> PersonPlace:
+        """Make the place."""
+        given = self.model_dump(exclude={"name", "kind", "at", "heading"}, exclude_none=True)
+        made = PersonPlace.of(self.kind, (self.at[0], self.at[1]), self.heading, self.name)
+        return replace(made, **given)
+
+
+class RoomSurfacesTable(Table):
+    """Floor, walls and ceiling of a room with a plan, which says where its walls are."""
+
+    floor: FloorChoice = Field(
+        default="wood flooring", description="A surface preset or a table of coefficients."
+    )
+    walls: WallConstruction = Field(default="stud", description="What devices on the walls are fixed to.")
+    ceiling: CeilingTable | None = Field(default=None, description="The ceiling.")
+
+
+class RoomUncertaintyTable(AssemblyUncertaintyTable):
+    """How much of what is not known is tried out."""
+
+    samples: Annotated[int, between(1, 1_000_000)] = Field(default=60, description="Runs of the room.")
+
+
+class RoomScenario(AssemblyScenario):
+    """A room with furniture and people: `stayput.verify_room` says who is hit, and which door stays shut.
+
+    Make one with `read_room` or `RoomScenario.parse`. Places are from the corner of the left and the near
+    wall.
+    """
+
+    plan: PlanTable = Field(description="The size of the room.")
+    doors: Annotated[list[DoorTable], Field(max_length=MOST_PLACES)] = Field(
+        default=[], description="Its doors."
+    )
+    windows: Annotated[list[WindowTable], Field(max_length=MOST_PLACES)] = Field(
+        default=[], description="Its windows."
+    )
+    places: Annotated[list[PlaceTable], Field(max_length=MOST_PLACES)] = Field(
+        default=[], description="Where people are."
+    )
+    direction: Annotated[float, between(-2.0 * math.pi, 2.0 * math.pi, "rad")] | None = Field(
+        default=None,
+        description="Where the motion's x points in plan, from x towards y; by default it is drawn.",
+    )
+    room: RoomSurfacesTable = Field(  # pyright: ignore[reportIncompatibleVariableOverride]
+        default_factory=RoomSurfacesTable, description="Floor, walls and ceiling."
+    )
+    uncertainty: RoomUncertaintyTable = Field(  # pyright: ignore[reportIncompatibleVariableOverride]
+        default_factory=RoomUncertaintyTable, description="How much of what is not known is tried out."
+    )
+
+    @model_validator(mode="after")
+    def _in_the_room(self) -> Self:
+        try:
+            self.floor_plan()
+        except InputError as error:
+            raise error.at(error.field or "plan", error.field) from None
+        for number, piece in enumerate(self.furniture):
+            if piece.against is not None and piece.along is None:
+                name = f"furniture[{number}].along"
+                raise InputError("rooms.against_without_along", name, name=name, wall=piece.against)
+        return self
+
+    def floor_plan(self) -> FloorPlan:
+        """Make the plan: sides, doors, windows, places."""
+        doors = [Door(**door.model_dump()) for door in self.doors]
+        windows = [Window(**window.model_dump()) for window in self.windows]
+        places = [table.place() for table in self.places]
+        return FloorPlan(self.plan.width, self.plan.length, doors, windows, places)
+
+    def stands(self, piece: StandingTable, solid: Solid) -> tuple[tuple[float, float, float], float]:
+        """Return where a piece stands and what it faces: with its back to a wall where it says so."""
+        if piece.against is None or piece.along is None:
+            return super().stands(piece, solid)
+        heading = FACING[piece.against]
+        behind = -Standing(solid).along((1.0, 0.0, 0.0))[0]
+        x, y = self.floor_plan().on_wall(piece.against, piece.along, piece.gap + behind)
+        return (x, y, 0.0), heading
+
+    def surroundings(self) -> Room:
+        """Make the room around all pieces; the gaps of its walls are from the outermost of them."""
+        return self.around([bare(one) for one in self.assembly().members])
+
+    def around(self, standing: Sequence[Standing]) -> Room:
+        """Make the room as some of the pieces see it: the gaps of its walls are from the outermost of them.
+
+        Parameters
+        ----------
+        standing : sequence of Standing
+            The pieces.
+
+        Raises
+        ------
+        InputError
+            A piece that stands in a wall.
+        """
+        floor = Floor.of(self.room.floor) if isinstance(self.room.floor, str) else self.room.floor.floor()
+        ceiling = None if self.room.ceiling is None else Ceiling(**self.room.ceiling.model_dump())
+        x, y = (
+            np.array([one.along(axis) for one in standing]) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+        )
+        low, high = np.array([x[:, 0].min(), y[:, 0].min()]), np.array([x[:, 1].max(), y[:, 1].max()])
+        gaps = self.floor_plan().distances(low, high)
+        walls = {name: Wall(max(0.0, gap), construction=self.room.walls) for name, gap in gaps.items()}
+        return Room(floor, ceiling=ceiling, **walls)
+
+
+def read_room(path: str | PathLike[str]) -> RoomScenario:
+    """Read the scenario file of a room.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file, in TOML, with ``[plan]``.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, is not TOML, or says something that is not allowed.
+    """
+    file = Path(path)
+    try:
+        return RoomScenario.parse(read_toml(file), file.parent, file.name)
+    except InputError as error:
+        raise error.at(file.name) from None

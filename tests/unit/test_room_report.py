@@ -1,0 +1,455 @@
+"""The report of a room: its plan to scale, and every number of the verdict in both languages."""
+
+import html
+import math
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from html_pages import Page
+
+from stayput.catalogue import say
+from stayput.errors import InputError
+from stayput.fragility import difference, probability
+from stayput.measures import Belt
+from stayput.model.floor_plan import rectangle
+from stayput.montecarlo.counting import EVENTS, Quantiles
+from stayput.report.room.drawing import change_plan
+from stayput.report.room.html import room_html, write_room_report
+from stayput.report.room.labels import LONGEST, PlanLabel, names_svg, wrapped
+from stayput.report.room.plan import DrawnPiece, covers_svg, plan_svg
+from stayput.report.room.rows import change_rows, hit_rows, piece_rows
+from stayput.report.room.sheet import PlanSheet
+from stayput.report.verdict import numbers
+from stayput.rooms.changes import Change
+from stayput.rooms.verdict import (
+    ChangeVerdict,
+    DoorVerdict,
+    HitVerdict,
+    PlaceVerdict,
+    RoomPiece,
+    RoomVerdict,
+)
+from stayput.rooms.ways import CELL
+from stayput.rooms.words import change_label, sentence_of_room
+from stayput.scenario.room import RoomScenario
+from stayput.simulation.placing import bare
+
+HOSTILE = "<script>alert('&')</script>"
+SCENARIO = {
+    "title": "Bedroom <1>",
+    "plan": {"width": 4.0, "length": 3.0},
+    "furniture": [
+        {"name": HOSTILE, "preset": "bookcase", "against": "left_wall", "along": 1.0},
+        {"name": "vase", "diameter": 0.3, "height": 0.6, "mass": 8.0, "at": [3.5, 2.5]},
+    ],
+    "places": [
+        {"kind": "bed", "at": [2.0, 0.8], "heading": math.pi / 2.0},
+        {"kind": "cot", "name": HOSTILE, "at": [1.4, 2.3]},
+    ],
+    "doors": [
+        {"wall": "right_wall", "start": 0.5, "width": 0.8},
+        {"name": "hall & co", "wall": "far_side_wall", "start": 2.0, "opens": "outwards", "way_out": False},
+        {"name": "glass", "wall": "near_side_wall", "start": 3.0, "opens": "sliding"},
+    ],
+    "windows": [{"wall": "left_wall", "start": 2.0, "width": 0.9}],
+}
+MOTIONS, SAMPLES = 10, 8
+
+
+def shares(share, seed):
+    return np.random.default_rng(seed).random((MOTIONS, SAMPLES)) < share
+
+
+NEVER = probability(np.zeros((MOTIONS, SAMPLES), np.bool_))
+
+
+def made(**changed):
+    """Return a verdict made by hand, in which each number differs from the others."""
+    scenario = RoomScenario.parse({**SCENARIO, **changed})
+    plan = scenario.floor_plan()
+    seeds = iter(range(100))
+    chance = [probability(shares(0.05 + 0.04 * n, next(seeds))) for n in range(22)]
+    left = iter(chance)
+    pieces = []
+    for number, member in enumerate(scenario.assembly(scenario.stated).members):
+        covers = np.zeros((round(plan.width / CELL), round(plan.length / CELL)))
+        covers[10 * number : 10 * number + 5, 4:6] = 0.35
+        standing = bare(member)
+        pieces.append(
+            RoomPiece(
+                name=scenario.names[number],
+                in_plane=number == 0,
+                probabilities={event: next(left) for event in EVENTS},
+                slide=Quantiles(0.021 + number, 0.043 + number),
+                covers=covers,
+                outline=rectangle(standing.at[:2], 0.3, 0.8, standing.heading),
+                risk=0.123 - 0.1 * number,
+            )
+        )
+    by = tuple(
+        HitVerdict(
+            one.name, 13.0 + n, next(left), Quantiles(1.1 + n, 2.2 + n), Quantiles(31.0 + n, 1720.0 + 100 * n)
+        )
+        for n, one in enumerate(pieces)
+    )
+    moved = Change("bed" if plan.places else "vase", at=(2.5, 1.6), heading=0.0)
+    bare_runs, some = shares(0.7, 40), shares(0.2, 41)
+    return RoomVerdict(
+        scenario=scenario,
+        plan=plan,
+        intensity=6.27,
+        hit=next(left),
+        shut_in=next(left),
+        risk=0.317,
+        places=tuple(
+            PlaceVerdict(place, next(left) if n == 0 else NEVER, by if n == 0 else (), next(left))
+            for n, place in enumerate(plan.places)
+        ),
+        doors=tuple(DoorVerdict(door, next(left), n == 1) for n, door in enumerate(plan.doors)),
+        pieces=tuple(pieces),
+        collisions={(HOSTILE, "vase"): chance[21]},
+        changes=tuple(
+            ChangeVerdict(
+                change, chance[n], difference(after, bare_runs), chance[5 + n], shut, 0.21 + 0.01 * n
+            )
+            for n, (change, after, shut) in enumerate(
+                (
+                    (Change(HOSTILE, Belt()), bare_runs, difference(some, some)),
+                    (moved, some, difference(some, some)),
+                )
+            )
+        ),
+        motions=MOTIONS,
+        samples=SAMPLES,
+        runs=4321,
+        slide_limit=0.15,
+        seed=77,
+        seconds=12.3,
+    )
+
+
+@pytest.fixture(scope="module", params=["en", "ja"])
+def page(request):
+    verdict = made()
+    return verdict, request.param, room_html(verdict, request.param)
+
+
+def test_it_says_the_verdict_and_every_number_of_it(page):
+    verdict, language, text = page
+    told = Page(text).words
+    assert " ".join(sentence_of_room(verdict, language).split()) in told
+    for chance in (
+        verdict.hit,
+        verdict.shut_in,
+        *(one.hit for one in verdict.places),
+        *(one.shut_in for one in verdict.places),
+        *(one.probability for place in verdict.places for one in place.by),
+        *(one.blocked for one in verdict.doors),
+        *(one.probabilities[event] for one in verdict.pieces for event in ("overturned", "slid")),
+        *verdict.collisions.values(),
+        *(one.hit for one in verdict.changes),
+        *(one.shut_in for one in verdict.changes),
+    ):
+        assert numbers.share(chance.estimate, language) in told
+        assert numbers.interval(chance, language) in told
+    for one in verdict.changes:
+        assert change_label(one.change, verdict, language) in told
+        assert numbers.change(one.hit_change, language) in told
+    for number in ("6.27", "4,321", "77", "stayput"):
+        assert number in told
+    assert numbers.share(verdict.risk, language) in told
+    assert ("15 cm") in told
+
+
+def test_the_tables_hold_the_numbers_of_their_rows():
+    verdict = made()
+    hits = hit_rows(verdict, "en")
+    assert [(row.place, row.piece, row.mass) for row in hits] == [
+        ("bed", HOSTILE, "13 kg"),
+        ("bed", "vase", "14 kg"),
+    ]
+    assert [(row.speed, row.energy) for row in hits] == [
+        (("1.1 m/s", "2.2 m/s"), ("31 J", "1.7 kJ")),
+        (("2.1 m/s", "3.2 m/s"), ("32 J", "1.8 kJ")),
+    ]
+    pieces = piece_rows(verdict, "en")
+    assert [row.risk for row in pieces] == ["12 %", "2 %"]
+    assert pieces[0].slide == ("2.1 cm", "4.3 cm")
+    assert [row.engine for row in pieces] == ["in the plane across its length", "in space"]
+
+
+def test_changes_that_clearly_help_come_first():
+    verdict = made()
+    rows = change_rows(verdict, "en")
+    assert [row.kind for row in rows] == ["better", "chance"]
+    assert rows[0].label == change_label(verdict.changes[1].change, verdict, "en")
+    worse = replace(verdict.changes[0], hit_change=difference(shares(0.9, 1), shares(0.1, 2)))
+    rows = change_rows(replace(verdict, changes=(worse, *verdict.changes)), "en")
+    assert [row.kind for row in rows] == ["better", "chance", "worse"]
+
+
+def test_it_needs_no_network_and_no_script(page):
+    _, _, text = page
+    found = Page(text)
+    assert re.findall(r"https?://[^\s\"'<]*", text) == []
+    assert not any(tag in ("script", "link", "img", "iframe", "object") for tag, _ in found.elements)
+    assert not any("src" in attrs or "onclick" in attrs for _, attrs in found.elements)
+    assert "url(" not in text
+    assert "@import" not in text
+    assert HOSTILE in found.words  # as a text, since there is no such element
+
+
+def test_it_can_be_read_without_seeing_it(page):
+    _, language, text = page
+    found = Page(text)
+    assert ("html", {"lang": language}) in found.elements
+    ids = [attrs["id"] for _, attrs in found.elements if "id" in attrs]
+    assert len(ids) == len(set(ids))
+    for tag, attrs in found.elements:
+        if tag == "svg":
+            assert attrs.get("aria-label") or attrs.get("aria-hidden") == "true"
+        if tag == "th":
+            assert attrs["scope"] in ("col", "row")
+        if "aria-labelledby" in attrs:
+            assert attrs["aria-labelledby"] in ids
+    assert sum(tag == "title" for tag, _ in found.elements) > 8  # the page's, and those of the plan's parts
+
+
+def test_its_inputs_are_folded_into_it(page):
+    verdict, _, text = page
+    folded = text[text.index("<details>") : text.index("</details>")]
+    (toml,) = re.findall(r"<code>(.*?)</code>", folded, re.DOTALL)
+    assert html.unescape(toml) == verdict.scenario.to_toml()
+
+
+def test_each_bar_stands_with_its_number(page):
+    verdict, language, text = page
+    told = re.findall(r'<span class="value">([^<]*)</span>\s*<svg class="bar"', text)
+    changes = (verdict.changes[1], verdict.changes[0])  # the one that clearly helps comes first
+    wanted = [
+        *(one.hit for one in verdict.places),
+        *(one.probability for place in verdict.places for one in place.by),
+        *(one.blocked for one in verdict.doors),
+        *(one.shut_in for one in verdict.places),
+        *(one.probabilities[event] for one in verdict.pieces for event in ("overturned", "slid")),
+        *verdict.collisions.values(),
+        *(chance for one in changes for chance in (one.hit, one.shut_in)),
+    ]
+    shown = [numbers.share(one.estimate, language) for one in wanted]
+    assert [share.replace("\u00a0", " ") for share in told] == shown
+    widths = [float(width) for width in re.findall(r'class="part" width="([\d.]+)"', text)]
+    assert widths == [round(100.0 * one.estimate, 2) for one in wanted]
+
+
+def test_a_door_that_is_blocked_at_rest_is_marked(page):
+    verdict, language, text = page
+    mark = say("room_report.at_rest", language)
+    assert Page(text).words.count(mark) == 1
+    opened = replace(verdict, doors=tuple(replace(one, at_rest=False) for one in verdict.doors))
+    assert mark not in Page(room_html(opened, language)).words
+
+
+def test_runs_that_were_given_up_are_told(page):
+    verdict, language, text = page
+    given_up = shares(0.1, 3)
+    missing = replace(verdict, hit=probability(shares(0.5, 4), given_up))
+    note = say("room_report.missing", language, missing=int(given_up.sum()), all=MOTIONS * SAMPLES)
+    assert note in Page(room_html(missing, language)).words
+    assert 'class="note"' not in text
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+@pytest.mark.parametrize(
+    ("without", "said"),
+    [("places", "no_places"), ("doors", "no_doors"), ("windows", None)],
+    ids=["places", "doors", "windows"],
+)
+def test_a_room_without(without, said, language):
+    words = Page(room_html(made(**{without: []}), language)).words
+    assert said is None or say(f"room_report.{said}", language) in words
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_a_room_without_changes_hits_or_collisions(language):
+    verdict = made()
+    places = tuple(replace(one, hit=NEVER, by=()) for one in verdict.places)
+    words = Page(room_html(replace(verdict, places=places, changes=(), collisions={}), language)).words
+    for key in ("no_hit", "no_collision", "no_changes"):
+        assert say(f"room_report.{key}", language) in words
+
+
+def test_where_no_door_leads_out_nothing_is_said_of_ways_out():
+    doors = [{**door, "way_out": False} for door in SCENARIO["doors"]]
+    words = Page(room_html(made(doors=doors), "en")).words
+    assert say("room_report.no_way_out", "en") in words
+    assert say("room_report.any_shut_in", "en") not in words
+
+
+def test_it_is_written_whole_and_refuses_other_names(tmp_path):
+    verdict = made()
+    assert verdict.report(tmp_path / "room.html").read_text(encoding="utf-8") == room_html(verdict)
+    with pytest.raises(InputError):
+        write_room_report(verdict, tmp_path / "room.pdf")
+    with pytest.raises(InputError):
+        write_room_report(verdict, tmp_path / "room.html", "fr")
+
+
+# The plan
+
+
+def drawn(**options):
+    verdict = made()
+    pieces = [
+        DrawnPiece(one.name, look, one.outline, 0.0, one.covers) for look, one in enumerate(verdict.pieces)
+    ]
+    return verdict.plan, plan_svg(verdict.plan, pieces, ["bed", "cot"], "en", **options)
+
+
+def polygons(picture, class_):
+    found = re.findall(rf'<polygon points="([^"]*)" class="{class_}"', picture)
+    return [np.array([[float(x) for x in point.split(",")] for point in each.split()]) for each in found]
+
+
+def test_the_plan_is_to_scale_with_y_upwards():
+    plan, picture = drawn()
+    sheet = PlanSheet(plan)
+    x0, y0, x1, y1 = sheet.floor
+    assert (x1 - x0) / (y1 - y0) == pytest.approx(plan.width / plan.length)
+    assert sheet.place(0.0, 0.0) == (x0, y1)
+    assert sheet.place(plan.width, plan.length) == (x1, y0)
+    (bed, _) = polygons(picture, "place")
+    wanted = [sheet.place(x, y) for x, y in plan.places[0].corners.tolist()]
+    assert bed == pytest.approx(np.array(wanted), abs=0.05)
+    assert np.ptp(bed[:, 0]) == pytest.approx(2.0 * sheet.scale, abs=0.11)  # a bed of 2 m, turned along x
+    standing = polygons(picture, "standing hue0")
+    assert standing[0][:, 1].mean() == pytest.approx(sheet.place(0.0, 1.0)[1], abs=0.1)
+
+
+def test_the_pillow_is_at_the_head_of_the_bed():
+    """Heading 90° turns −y, where the head is, to +x."""
+    plan, picture = drawn()
+    pillow = polygons(picture, "soft")[0].mean(axis=0)
+    assert pillow[0] > PlanSheet(plan).place(*plan.places[0].at)[0] + 40.0
+
+
+def test_cells_are_drawn_where_they_are_and_in_the_step_of_their_share():
+    plan = made().plan
+    sheet = PlanSheet(plan)
+    covers = np.zeros((80, 60))
+    covers[10:14, 20] = 0.35
+    covers[10, 50] = 1.0
+    covers[79, 59] = 0.001
+    found = {
+        int(step): [float(value) for value in re.findall(r"[\d.]+", path)]
+        for path, step in re.findall(
+            r'd="([^"]*)" class="cover hue0 step(\d+)"', covers_svg(sheet, covers, 0)
+        )
+    }
+    assert sorted(found) == [1, 4, 10]
+    x0, y0, x1, y1, _ = found[4]
+    assert (x0, y1) == pytest.approx(sheet.place(0.5, 1.0), abs=0.06)
+    assert (x1, y0) == pytest.approx(sheet.place(0.7, 1.05), abs=0.06)
+
+
+@pytest.mark.parametrize("look", [7, 14])
+def test_an_eighth_piece_has_the_first_colour_in_stripes(look):
+    sheet, covers = PlanSheet(made().plan), np.ones((80, 60))
+    plain, striped = covers_svg(sheet, covers, 0), covers_svg(sheet, covers, look)
+    assert "hue0 " in plain
+    assert "hue0 " in striped
+    assert plain != striped
+
+
+def test_the_front_is_marked():
+    plan, picture = drawn()
+    fronts = re.findall(r'<polyline points="([^"]*)" class="front"', picture)
+    sheet = PlanSheet(plan)
+    outline = made().pieces[0].outline
+    xs = [float(point.split(",")[0]) for point in fronts[0].split()]
+    assert xs == pytest.approx([sheet.place(outline[:, 0].max(), 0.0)[0] - 2.0] * 2, abs=0.1)
+
+
+def test_a_round_piece_has_no_front():
+    angle = np.linspace(0.0, 2.0 * math.pi, 32, endpoint=False)
+    round_one = np.column_stack([2.0 + np.cos(angle), 1.0 + np.sin(angle)])
+    picture = plan_svg(made().plan, [DrawnPiece("vase", 0, round_one, 0.0)], ["bed", "cot"], "en")
+    assert 'class="front"' not in picture
+
+
+def test_doors_swing_to_their_side():
+    plan, picture = drawn()
+    sheet = PlanSheet(plan)
+    x0, y0, x1, _ = sheet.floor
+    swings = [
+        np.array([[float(x) for x in point.split(",")] for point in arc.split()])
+        for arc in re.findall(r'<polyline points="([^"]*)" class="swing"', picture)
+    ]
+    inwards, outwards = swings  # the third door slides
+    assert inwards[:, 0].min() == pytest.approx(x1 - 0.8 * sheet.scale, abs=0.1)
+    assert inwards[:, 0].max() == pytest.approx(x1, abs=0.1)
+    assert outwards[:, 1].min() == pytest.approx(y0 - 0.8 * sheet.scale, abs=0.1)
+    assert outwards[:, 1].min() > 0.0  # within the picture
+    assert outwards[:, 0].min() > x0
+
+
+def test_names_on_the_plan_are_escaped_and_told_to_a_screen_reader():
+    plan, picture = drawn(notes={HOSTILE: "hit: <b>", "hall & co": "blocked"})
+    assert "<script" not in picture
+    assert "<b>" not in picture
+    assert "<title>hall &amp; co (outwards): blocked</title>" in picture
+    assert picture.count("<title>") >= 2 + 2 * 2 + 3 + 1
+    assert f"{plan.width:g} m wide" in picture
+
+
+def test_names_do_not_overlap_where_there_is_room():
+    labels = [PlanLabel(("wardrobe",), "overturns: 3 %", (100.0, 100.0, 130.0, 200.0)) for _ in range(3)]
+    texts = names_svg(labels, [], (0.0, 0.0, 460.0, 460.0))
+    places = {
+        (float(x), float(y)) for x, y in re.findall(r'<text x="([\d.]+)" y="([\d.]+)" class="name', texts)
+    }
+    assert len(places) == 3
+    found = sorted(places)
+    for n, (x, y) in enumerate(found):
+        assert all(abs(y - v) >= 30.0 or abs(x - u) >= 80.0 for u, v in found[n + 1 :])
+
+
+@pytest.mark.parametrize(
+    ("name", "lines"),
+    [
+        ("desk", ("desk",)),
+        ("second bookcase by the wall", ("second bookcase by", "the wall")),
+        ("本" * 40, ("本" * 10 + "…",)),
+        ("a " * 60, ("a a a a a a a a a a", "a a a a a a a a a…")),
+    ],
+)
+def test_long_names_are_wrapped_and_cut(name, lines):
+    found = wrapped(name)
+    assert len(found) == len(lines)
+    assert found[0] == lines[0]
+    assert all(len(line) <= LONGEST / 0.5 for line in found)
+
+
+def test_the_best_change_that_moves_something_is_drawn():
+    verdict = made()
+    picture, label = change_plan(verdict, "en")
+    sheet = PlanSheet(verdict.plan)
+    assert label == change_label(verdict.changes[1].change, verdict, "en")
+    (was,) = polygons(picture, "was")
+    assert was.mean(axis=0) == pytest.approx(sheet.place(2.0, 0.8), abs=0.1)
+    assert polygons(picture, "place")[0].mean(axis=0) == pytest.approx(sheet.place(2.5, 1.6), abs=0.1)
+    assert "cover" not in picture
+    assert change_plan(replace(verdict, changes=verdict.changes[:1]), "en") is None
+
+
+def test_a_piece_that_is_moved_is_turned_about_the_middle_of_its_base():
+    verdict = made()
+    change = Change(HOSTILE, at=(2.0, 2.8), heading=-math.pi / 2.0)
+    moved = replace(verdict, changes=(replace(verdict.changes[1], change=change),))
+    picture, _ = change_plan(moved, "en")
+    sheet = PlanSheet(verdict.plan)
+    standing = polygons(picture, "standing hue0")[0]
+    low, high = standing.min(axis=0), standing.max(axis=0)
+    assert 0.5 * (low + high) == pytest.approx(sheet.place(2.0, 2.8), abs=0.1)
+    assert high - low == pytest.approx(sheet.scale * np.array([0.8, 0.3]), abs=0.2)

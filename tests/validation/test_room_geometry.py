@@ -1,0 +1,202 @@
+"""Rooms against closed forms and independent computations.
+
+Separating axes of convex bodies: Gottschalk, Lin and Manocha (1996), here against linear programmes. A box
+that topples: energy of a rigid body about its edge. Ways out: floors on which one can count the cells.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.optimize import linprog
+
+import stayput as sp
+from stayput.model.floor_plan import rectangle
+from stayput.motion.units import STANDARD_GRAVITY
+from stayput.rooms.contact import contact_between, contact_with_place, inside_each_other
+from stayput.rooms.tracks import Track, at_rest, outline_of, track_in_plane
+from stayput.rooms.ways import CELL, PASSAGE, Ways
+from stayput.simulation.standing import Standing
+
+
+def placed(rng: np.random.Generator, reach: float) -> Standing:
+    solid = sp.Solid.box(*rng.uniform(0.2, 1.0, 3).tolist(), 10.0)
+    at, tilt = rng.uniform(-reach, reach, 3), rng.uniform(-2.0, 2.0, 3)
+    return Standing(solid, tuple(at.tolist()), float(rng.uniform(-3, 3)), tuple(tilt.tolist()))
+
+
+def corners_of(one: Standing) -> np.ndarray:
+    return one.solid.vertices @ one.turn.T + np.asarray(one.at)
+
+
+def linear_programme_overlaps(first: np.ndarray, second: np.ndarray) -> bool:
+    """Whether a point is a convex combination of the corners of both."""
+    n, m = len(first), len(second)
+    equal = np.zeros((5, n + m))
+    equal[:3, :n], equal[:3, n:] = first.T, -second.T
+    equal[3, :n] = equal[4, n:] = 1.0
+    found = linprog(np.zeros(n + m), A_eq=equal, b_eq=[0.0, 0.0, 0.0, 1.0, 1.0], bounds=(0.0, None))
+    return found.status == 0
+
+
+def test_separating_axes_agree_with_linear_programmes() -> None:
+    rng = np.random.default_rng(5)
+    met = 0
+    for _ in range(200):
+        one, other = placed(rng, 0.6), placed(rng, 0.6)
+        expected = linear_programme_overlaps(corners_of(one), corners_of(other))
+        assert (inside_each_other(one, other) > 0.0) == expected
+        met += expected
+    assert 40 < met < 160
+
+
+def test_separating_axes_of_cylinders_agree_with_linear_programmes() -> None:
+    rng = np.random.default_rng(6)
+    for _ in range(40):
+        tilt = tuple(rng.uniform(-2.0, 2.0, 3).tolist())
+        at = tuple(rng.uniform(-0.5, 0.5, 3).tolist())
+        one = Standing(sp.Solid.cone(0.4, 0.2, 0.8, 10.0), at, 0.0, tilt)
+        other = placed(rng, 0.4)
+        expected = linear_programme_overlaps(corners_of(one), corners_of(other))
+        assert (inside_each_other(one, other) > 0.0) == expected
+
+
+def toppling(body: sp.Body, heading: float, tilt: float, dt: float) -> tuple[Track, sp.Run]:
+    """Return the track of a box that topples to its front from a tilt beyond its balance."""
+    still = sp.Motion(dt=dt, x=np.zeros(int(4.0 / dt)))
+    run = sp.simulate(
+        body, sp.Room(sp.Floor(2.0, 2.0)), still, dimensions=2, initial=sp.State(tilt=tilt, tilt_rate=0.0)
+    )
+    upright = at_rest(Standing(sp.Solid.of(body), heading=heading), dt)
+    # relative to how it stands upright, with the middle of its base at the origin
+    return track_in_plane(upright, run.x, run.z - 0.5 * body.height, run.tilt), run
+
+
+@pytest.mark.parametrize("heading", [0.0, 0.7, -2.0])
+def test_a_toppling_box_hits_a_bed_with_the_speed_and_energy_of_the_fall(heading: float) -> None:
+    body = sp.Body(0.4, 1.8, 100.0, length=0.9)
+    b, h = 0.5 * body.width, 0.5 * body.height
+    R, alpha, tilt0 = math.hypot(b, h), math.atan2(b, h), math.atan2(b, h) + 0.02
+    track, _ = toppling(body, heading, tilt0, 1e-3)
+    # a person beyond its front edge, low enough that the front face comes down on the near upper edge
+    away, top = 0.8, 0.6
+    middle = b + away + 0.5
+    place = sp.PersonPlace(
+        "person",
+        (middle * math.cos(heading), middle * math.sin(heading)),
+        width=1.0,
+        length=2.0,
+        low=0.3,
+        high=top,
+        heading=heading,
+    )
+    contact = contact_with_place(track, place)
+    assert contact is not None
+    # the front face goes through the front edge: it meets (away, top) where tan(tilt) = away / top
+    tilt = math.atan2(away, top)
+    inertia = body.mass * 4.0 / 3.0 * R * R
+    fallen = body.mass * STANDARD_GRAVITY * R * (math.cos(tilt0 - alpha) - math.cos(tilt - alpha))
+    rate = math.sqrt(2.0 * fallen / inertia)
+    # it moves on as if nobody were there: later it is faster
+    assert contact.energy >= fallen * 0.99
+    assert contact.speed >= 0.98 * rate * math.hypot(away, top)
+    # at the floor, of the farthest point of the face within the place
+    landed = STANDARD_GRAVITY * R * (math.cos(tilt0 - alpha) - math.cos(math.pi / 2 - alpha))
+    last = math.sqrt(2.0 * landed / (4.0 / 3.0 * R * R))
+    reached = math.hypot(1.0 + away, 0.3)
+    assert 0.8 * last * reached < contact.speed < 1.02 * last * math.hypot(1.0 + away, top)
+    # the time, by quadrature of the energy
+    angles = np.linspace(tilt0, tilt, 200_001)[1:]
+    mid = angles - 0.5 * (angles[1] - angles[0])
+    rates = np.sqrt(
+        2.0 * body.mass * STANDARD_GRAVITY * R * (math.cos(tilt0 - alpha) - np.cos(mid - alpha)) / inertia
+    )
+    # at the start the rate is 0: the first part by the acceleration there
+    expected = float(np.sum((angles[1] - angles[0]) / rates))
+    assert contact.time == pytest.approx(expected, abs=0.01)
+
+
+def test_it_touches_first_with_the_rate_of_the_fall() -> None:
+    body = sp.Body(0.4, 1.8, 100.0, length=0.9)
+    b, h = 0.5 * body.width, 0.5 * body.height
+    R, alpha, tilt0 = math.hypot(b, h), math.atan2(b, h), math.atan2(b, h) + 0.02
+    track, run = toppling(body, 0.0, tilt0, 1e-3)
+    away, top = 0.8, 0.6
+    tilt = math.atan2(away, top)
+    fallen = STANDARD_GRAVITY * R * (math.cos(tilt0 - alpha) - math.cos(tilt - alpha))
+    rate = math.sqrt(2.0 * fallen / (4.0 / 3.0 * R * R))
+    k = int(np.searchsorted(run.tilt, tilt))
+    # a place that ends where it is touched first: the track is cut there
+    cut = Track(
+        track.shape,
+        track.sample[: k + 1],
+        track.place[: k + 1],
+        track.turn[: k + 1],
+        track.energy[: k + 1],
+        1e-3,
+    )
+    place = sp.PersonPlace("person", (b + away + 0.5, 0.0), 1.0, 2.0, 0.3, top)
+    contact = contact_with_place(cut, place)
+    assert contact is not None
+    # the point of the face moves across the face
+    assert contact.speed == pytest.approx(rate * math.hypot(away, top), rel=0.02)
+    assert contact.energy == pytest.approx(body.mass * fallen, rel=0.01)
+
+
+def test_two_pieces_meet_where_their_tracks_cross() -> None:
+    solid = sp.Solid.box(0.4, 0.4, 1.0, 20.0)
+    one = at_rest(Standing(solid), 0.01)
+    steps = np.arange(101)
+    x = 0.5 * 0.01 * steps  # 0.5 m/s
+    moves = track_in_plane(at_rest(Standing(solid, (-0.65, 0.0, 0.0)), 0.01), x, 0.0 * x, 0.0 * x)
+    contact = contact_between(moves, one)
+    assert contact is not None
+    assert contact.time == pytest.approx(0.25 / 0.5, abs=1e-6)
+    assert contact.speed == pytest.approx(0.5)
+    assert contact.energy == pytest.approx(0.5 * 20.0 * 0.25)
+
+
+def test_an_outline_is_the_hull_of_what_is_below_it() -> None:
+    rng = np.random.default_rng(2)
+    points = rng.normal(size=(40, 3))
+    outline = outline_of(points)
+    sides = np.roll(outline, -1, axis=0) - outline
+    arms = points[:, np.newaxis, :2] - outline
+    assert (sides[:, 0] * arms[..., 1] - sides[:, 1] * arms[..., 0] > -1e-12).all()
+
+
+@pytest.mark.parametrize(("gap", "free"), [(PASSAGE - 2 * CELL, False), (PASSAGE + CELL, True)])
+def test_one_walks_out_through_gaps_that_are_wide_enough(gap: float, free: bool) -> None:
+    door = sp.Door("right_wall", 1.0, 0.8, opens="outwards")
+    plan = sp.FloorPlan(4.0, 3.0, [door], places=[sp.PersonPlace.of("desk", (0.6, 1.5))])
+    wall = rectangle((2.0, 0.5 * (3.0 - gap)), 0.4, 3.0 - gap)
+    ways = Ways(plan)
+    blocked, shut_in = ways.shut_in(ways.covered([wall]))
+    assert shut_in == [not free]
+    assert blocked == [False] or not free
+
+
+def test_a_door_that_opens_inwards_needs_its_floor() -> None:
+    plan = sp.FloorPlan(4.0, 3.0, [sp.Door("near_side_wall", 1.0, 0.8)])
+    ways = Ways(plan)
+    # until its edge is a passage's width from the jamb: by 2 asin(0.5 · 0.5 / 0.8)
+    angle = 2.0 * math.asin(0.5 * PASSAGE / 0.8)
+    radius, beyond = 0.6, 0.15
+    for turn, opens in ((angle - beyond, False), (angle + beyond, True)):
+        at = (1.0 + radius * math.cos(turn), radius * math.sin(turn))
+        assert ways.opens(plan.doors[0], ways.covered([rectangle(at, 0.1, 0.1)])) == opens
+    outwards = sp.Door("near_side_wall", 1.0, 0.8, opens="outwards")
+    assert ways.opens(outwards, ways.covered([rectangle((1.4, 0.3), 0.3, 0.3)]))
+
+
+@pytest.mark.parametrize("wall", ["left_wall", "right_wall", "near_side_wall", "far_side_wall"])
+@pytest.mark.parametrize("hinge", ["start", "end"])
+def test_every_wall_and_hinge_sweeps_the_same_floor(wall: str, hinge: str) -> None:
+    plan = sp.FloorPlan(3.0, 3.0, [sp.Door(wall, 1.0, 0.8, hinge)])
+    ways = Ways(plan)
+    at_hinge = plan.on_wall(wall, 1.1 if hinge == "start" else 1.7, 0.05)
+    at_edge = plan.on_wall(wall, 1.7 if hinge == "start" else 1.1, 0.7)
+    assert not ways.opens(plan.doors[0], ways.covered([rectangle(at_hinge, 0.1, 0.1)]))
+    assert ways.opens(plan.doors[0], ways.covered([rectangle(at_edge, 0.1, 0.1)]))
