@@ -15,13 +15,18 @@ def test_script(script):
     runpy.run_path(str(script), run_name="__main__")
 
 
-SEVERAL = {"dresser", "television"}
-"""Files of several pieces."""
+SEVERAL, ROOMS = {"dresser", "television"}, {"bedroom"}
+"""Files of several pieces, and of rooms."""
 
 
 @pytest.mark.parametrize("file", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
 def test_scenario_file(file):
-    run = sp.read_assembly(file).run() if file.stem in SEVERAL else sp.read_scenario(file).case().run()
+    if file.stem in ROOMS:
+        run = sp.read_room(file).run()
+    elif file.stem in SEVERAL:
+        run = sp.read_assembly(file).run()
+    else:
+        run = sp.read_scenario(file).case().run()
     assert run.outcome is not sp.Outcome.FAILED
     assert run.motion.synthetic  # so it needs no other file
 
