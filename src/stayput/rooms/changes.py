@@ -15,7 +15,7 @@ import numpy as np
 from stayput.errors import InputError
 from stayput.measures import MEASURES
 from stayput.model.floor_plan import FACING, rectangle
-from stayput.rooms.runs import RoomPart, part_with
+from stayput.rooms.runs import RoomPart, part_with, with_member
 from stayput.rooms.tracks import outline_of
 from stayput.scenario.pieces import BEHIND
 from stayput.simulation.placing import bare, placed
@@ -146,9 +146,9 @@ def overlap(first: NDArray[np.float64], second: NDArray[np.float64]) -> bool:
 
 
 def measures_tried(
-    scenario: RoomScenario, whole: Assembly, bodies: tuple[int, ...]
+    scenario: RoomScenario, whole: Assembly, group: tuple[int, ...], body: int
 ) -> Iterator[tuple[Change, RoomPart]]:
-    """Yield the measures that can be put on pieces of a group, with the group as it is then held.
+    """Yield the measures that can be put on a piece of a group, with the group as it is then held.
 
     Parameters
     ----------
@@ -156,23 +156,23 @@ def measures_tried(
         The room.
     whole : Assembly
         All pieces, as stated.
-    bodies : tuple of int
-        The group.
+    group : tuple of int
+        The pieces that run together.
+    body : int
+        The piece; on one that is no furniture there are no measures.
     """
-    for body in bodies:
-        piece = whole.members[body]
-        if not isinstance(piece, Piece):
+    piece = whole.members[body]
+    if not isinstance(piece, Piece):
+        return
+    for kind in TRIED:
+        measure = MEASURES[kind]()
+        try:
+            held = replace(piece, measures=(*piece.measures, measure))
+            part = part_with(scenario, group, with_member(whole, body, held))
+            placed(part.assembly.members, part.room)
+        except InputError:  # no wall behind, no ceiling known, another measure at the same place
             continue
-        for kind in TRIED:
-            measure = MEASURES[kind]()
-            try:
-                held = Piece(piece.body, piece.at, piece.heading, (*piece.measures, measure))
-                members = [held if number == body else one for number, one in enumerate(whole.members)]
-                part = part_with(scenario, bodies, replace(whole, members=members))
-                placed(part.assembly.members, part.room)
-            except InputError:  # no wall behind, no ceiling known, another measure at the same place
-                continue
-            yield Change(scenario.names[body], measure), part
+        yield Change(scenario.names[body], measure), part
 
 
 def places_at_walls(

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from stayput.fragility import difference, probability
-from stayput.model.floor_plan import FACING, FloorPlan
+from stayput.model.floor_plan import FACING
 from stayput.rooms.changes import Change, FreeFloor, measures_tried, other_places, places_at_walls, swept
 from stayput.rooms.events import EndOfRuns, Events, hits_of
 from stayput.rooms.runs import placed_elsewhere, run_parts
 from stayput.rooms.verdict import ChangeVerdict, presence
-from stayput.rooms.ways import Ways
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
@@ -21,11 +21,12 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.model.floor_plan import PersonPlace
+    from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.montecarlo.several import DrawOfSeveral
     from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
+    from stayput.rooms.ways import Ways
     from stayput.scenario.room import RoomScenario
     from stayput.simulation.standing import Assembly
 
@@ -89,30 +90,21 @@ def changes_of(
 ) -> tuple[ChangeVerdict, ...]:
     """Return what single changes bring, the best first."""
     scenario, plan, whole = question.scenario, question.plan, question.whole
-    ways, floor = Ways(plan), FreeFloor(plan, tuple(bare(one) for one in whole.members))
+    ways, floor = ends.ways, FreeFloor(plan, tuple(bare(one) for one in whole.members))
     harmful = _harmful(as_it_is, plan, ends)
     found: list[ChangeVerdict] = []
     tried = [
-        (part, one)
+        one
         for part in parts
-        if set(part.bodies) & harmful
-        for one in measures_tried(scenario, whole, part.bodies)
+        for body in part.bodies
+        if body in harmful
+        for one in measures_tried(scenario, whole, part.bodies, body)
     ]
-    tried = [
-        (part, (change, held))
-        for part, (change, held) in tried
-        if scenario.names.index(change.what) in harmful
-    ]
-    for (part, (change, _)), own in zip(tried, question.run([held for _, (_, held) in tried]), strict=True):
-        found.append(
-            _effect(
-                change,
-                dict(zip(part.bodies, zip(*own.tracks, strict=True), strict=True)),
-                question,
-                as_it_is,
-                ends,
-            )
+    for (change, held), own in zip(tried, question.run([part for _, part in tried]), strict=True):
+        instead: dict[int, Sequence[Track]] = dict(
+            zip(held.bodies, zip(*own.tracks, strict=True), strict=True)
         )
+        found.append(_effect(change, instead, question, as_it_is, ends))
     for part in parts:
         (body, *others) = part.bodies
         if others or body not in harmful or not scenario.furniture[body].is_furniture:
@@ -139,8 +131,7 @@ def _harmful(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
         others = [own for number, own in enumerate(as_it_is.tracks) if number != body]
         less = risk_of(hits_by(events, but=body), plan.places, missing) < risk
         if not less and blocked and others:
-            left = [ends.of(run) for run in zip(*others, strict=True)]
-            less = sum(map(sum, (flags for both in left for flags in both))) < blocked
+            less = sum(flags.sum() for flags in ends.of_all(others)) < blocked
         if less or (blocked and not others):
             found.add(body)
     return found
@@ -159,33 +150,19 @@ def _effect(
         tuple(hits_of(place, instead[body]) if body in instead else one for body, one in enumerate(own))
         for place, own in zip(question.plan.places, as_it_is.events.hits, strict=True)
     )
-    found = [ends.of(run) for run in zip(*tracks, strict=True)]
-    blocked, shut = (
-        np.array([pair[i] for pair in found], np.bool_).reshape(len(found), -1).T for i in (0, 1)
-    )
-    return _compared(change, Events(hits, blocked, shut), question.plan, as_it_is)
+    return _compared(change, Events(hits, *ends.of_all(tracks)), question.plan, as_it_is)
 
 
 def _effect_of_place(number: int, place: PersonPlace, question: Question, as_it_is: Answer) -> ChangeVerdict:
     """Return what it brings that a place is elsewhere."""
     places = tuple(place if n == number else one for n, one in enumerate(question.plan.places))
-    plan = replace_places(question.plan, places)
+    plan = replace(question.plan, places=places)
     hits = tuple(
         tuple(hits_of(place, own) for own in as_it_is.tracks) if n == number else own
         for n, own in enumerate(as_it_is.events.hits)
     )
-    ends = EndOfRuns(plan)
-    found = [ends.of(run) for run in zip(*as_it_is.tracks, strict=True)]
-    blocked, shut = (
-        np.array([pair[i] for pair in found], np.bool_).reshape(len(found), -1).T for i in (0, 1)
-    )
     change = Change(place.name, at=place.at, heading=place.heading)
-    return _compared(change, Events(hits, blocked, shut), plan, as_it_is)
-
-
-def replace_places(plan: FloorPlan, places: tuple[PersonPlace, ...]) -> FloorPlan:
-    """Return a plan with other places."""
-    return type(plan)(plan.width, plan.length, plan.doors, plan.windows, places)
+    return _compared(change, Events(hits, *EndOfRuns(plan).of_all(as_it_is.tracks)), plan, as_it_is)
 
 
 def _compared(change: Change, events: Events, plan: FloorPlan, as_it_is: Answer) -> ChangeVerdict:
@@ -233,7 +210,7 @@ def _best_at_wall(
         shift = np.array(middle) - origin
         if same and np.hypot(*shift) < 1e-3:
             continue
-        moved: Sequence[Track] = tuple(track.moved(0.0, shift) for track in tracks)
+        moved: Sequence[Track] = tuple(track.shifted(shift) for track in tracks)
         over = swept(ways, moved)
         hits = np.array(
             [

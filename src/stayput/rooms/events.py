@@ -87,26 +87,34 @@ class EndOfRuns:
 
     def __init__(self, plan: FloorPlan) -> None:
         self.plan = plan
-        self._ways = Ways(plan)
+        self.ways = Ways(plan)
         self._known: dict[bytes, tuple[list[bool], list[bool]]] = {}
         self._covered: dict[int, tuple[Track, NDArray[np.bool_]]] = {}
 
     def of(self, tracks: Sequence[Track]) -> tuple[list[bool], list[bool]]:
         """Return which doors are blocked and who is shut in where the pieces of a run come to lie."""
-        covered = np.zeros((len(self._ways.x), len(self._ways.y)), np.bool_)
+        covered = np.zeros((len(self.ways.x), len(self.ways.y)), np.bool_)
         for track in tracks:
             covered |= self.covered_by(track)
         key = np.packbits(covered).tobytes()
         if key not in self._known:
-            self._known[key] = self._ways.shut_in(covered)
+            self._known[key] = self.ways.shut_in(covered)
         return self._known[key]
+
+    def of_all(self, tracks: Sequence[Sequence[Track]]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Return the same of all runs, shape (doors, runs) and (places, runs), from tracks [body][run]."""
+        found = [self.of(run) for run in zip(*tracks, strict=True)]
+        blocked, shut_in = (
+            np.array([pair[i] for pair in found], np.bool_).reshape(len(found), -1).T for i in (0, 1)
+        )
+        return blocked, shut_in
 
     def covered_by(self, track: Track) -> NDArray[np.bool_]:
         """Return which cells of the floor a piece covers at the end of a run, shape (nx, ny)."""
         # the track is kept with its floor, so that its identity is not another's
         known = self._covered.get(id(track))
         if known is None:
-            known = track, self._ways.covered([track.outline(len(track.sample) - 1)])
+            known = track, self.ways.covered([track.outline(len(track.sample) - 1)])
             self._covered[id(track)] = known
         return known[1]
 
@@ -121,13 +129,8 @@ def events_of(ends: EndOfRuns, tracks: Sequence[Sequence[Track]]) -> Events:
     tracks : sequence of sequence of Track, [body][run]
         Where the pieces were.
     """
-    plan = ends.plan
-    found = [ends.of(run) for run in zip(*tracks, strict=True)]
-    return Events(
-        tuple(tuple(hits_of(place, own) for own in tracks) for place in plan.places),
-        np.array([doors for doors, _ in found], np.bool_).reshape(len(found), -1).T,
-        np.array([places for _, places in found], np.bool_).reshape(len(found), -1).T,
-    )
+    hits = tuple(tuple(hits_of(place, own) for own in tracks) for place in ends.plan.places)
+    return Events(hits, *ends.of_all(tracks))
 
 
 def collisions(tracks: Sequence[Sequence[Track]]) -> dict[tuple[int, int], NDArray[np.bool_]]:

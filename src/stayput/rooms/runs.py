@@ -102,6 +102,20 @@ def part_with(scenario: RoomScenario, bodies: tuple[int, ...], whole: Assembly) 
     )
 
 
+def with_member(whole: Assembly, body: int, member: Piece | Standing) -> Assembly:
+    """Return an assembly with another member in the place of one."""
+    return replace(whole, members=[member if n == body else one for n, one in enumerate(whole.members)])
+
+
+def placed_elsewhere(
+    scenario: RoomScenario, whole: Assembly, body: int, at: tuple[float, float], heading: float
+) -> RoomPart:
+    """Return a piece by itself, moved to another place of the plan."""
+    member = whole.members[body]
+    moved = replace(member, at=(*at, member.at[2]), heading=heading)
+    return part_with(scenario, (body,), with_member(whole, body, moved))
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class PartRuns:
     """What became of the pieces of a part, over motions and samples.
@@ -192,7 +206,7 @@ def _run_in_space(
     shaking = leaning(shaking, draw.room.lean, part.assembly.members[0].heading, gravity)
     traced = trace_assembly(
         drawn_assembly(part.assembly, draw),
-        _drawn_room(part, draw),
+        _far_as_stated(part.room, drawn_room(part.assembly, part.room, draw.room)),
         shaking,
         gravity,
         strength=draw.room.strength,
@@ -210,11 +224,8 @@ def _run_in_plane(
     piece = part.assembly.members[0]
     assert isinstance(piece, Piece)
     seen = room_seen(piece, part.room, planes_around([piece], part.room))
-    body, place = drawn_body(piece.body, draw.room), drawn_place(seen, draw.room)
-    far = {name: getattr(seen, name) for name in WALLS_AROUND}
-    near = {name: wall for name, wall in far.items() if wall is not None and wall.gap <= REACH}
-    place = replace(place, **{**far, **{name: getattr(place, name) for name in near}})
-    place = replace(place, **dict.fromkeys(SIDE_WALLS))
+    body = drawn_body(piece.body, draw.room)
+    place = replace(_far_as_stated(seen, drawn_place(seen, draw.room)), **dict.fromkeys(SIDE_WALLS))
     stated = hold(body, place, [measure.fitted_to(piece.body) for measure in piece.measures])
     held = replace(stated, room=drawn_surfaces(stated.room, draw.room))
     elements = element_rows(stated, draw.room.strength)
@@ -229,13 +240,12 @@ def _run_in_plane(
     return _result(traced), bool((devices["failure"] != HOLDS).any()), [track]
 
 
-def _drawn_room(part: RoomPart, draw: DrawOfSeveral) -> Room:
-    """Return the room as drawn: the gaps behind pieces are not known well, walls further away are."""
-    drawn = drawn_room(part.assembly, part.room, draw.room)
+def _far_as_stated(stated: Room, drawn: Room) -> Room:
+    """Return a room as drawn: the gaps behind pieces are not known well, those of walls further away are."""
     walls = {}
     for name in WALLS_AROUND:
-        stated, wall = getattr(part.room, name), getattr(drawn, name)
-        walls[name] = replace(wall, gap=stated.gap) if stated.gap > REACH else wall
+        own, wall = getattr(stated, name), getattr(drawn, name)
+        walls[name] = replace(wall, gap=own.gap) if own is not None and own.gap > REACH else wall
     return replace(drawn, **walls)
 
 
@@ -246,18 +256,3 @@ def _result(traced: Traced) -> NDArray[np.void]:
         result[name] = getattr(traced, name)
     result["residual_slide"], result["residual_tilt"] = traced.slide, traced.tilt
     return result
-
-
-def placed_elsewhere(
-    scenario: RoomScenario, whole: Assembly, body: int, at: tuple[float, float], heading: float
-) -> RoomPart:
-    """Return a piece by itself, moved to another place of the plan."""
-    member = whole.members[body]
-    moved = _moved(member, (at[0], at[1], member.at[2]), heading)
-    return RoomPart((body,), Assembly([moved]), scenario.around([bare(moved)]))
-
-
-def _moved(member: Piece | Standing, at: tuple[float, float, float], heading: float) -> Piece | Standing:
-    if isinstance(member, Piece):
-        return Piece(member.body, at, heading, member.measures)
-    return replace(member, at=at, heading=heading)

@@ -128,12 +128,9 @@ class Track:
         """Return what it covers in plan at the number-th of its samples: corners in order, shape (n, 2)."""
         return outline_of(self.corners(np.array([number]))[0])
 
-    def moved(self, turn: float, shift: NDArray[np.float64]) -> Track:
-        """Return it with everything turned about the vertical through the origin, then shifted in plan."""
-        cos, sin = np.cos(turn), np.sin(turn)
-        about = np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
-        place = self.place @ about.T + np.array([shift[0], shift[1], 0.0])
-        return replace(self, place=place, turn=about @ self.turn)
+    def shifted(self, shift: NDArray[np.float64]) -> Track:
+        """Return it with everything shifted in plan."""
+        return replace(self, place=self.place + np.array([*shift, 0.0]))
 
 
 def at_rest(one: Standing, dt: float = 1.0) -> Track:

@@ -17,7 +17,7 @@ from stayput.montecarlo.several import draws_of_several
 from stayput.progress import bar
 from stayput.rooms.contact import inside_each_other
 from stayput.rooms.effects import Answer, Question, anybody, changes_of, hits_by, risk_of
-from stayput.rooms.events import EndOfRuns, collisions, events_of
+from stayput.rooms.events import EndOfRuns, collisions, events_of, shares_covered
 from stayput.rooms.runs import groups_of, part_with
 from stayput.rooms.verdict import (
     ChangeVerdict,
@@ -197,7 +197,7 @@ def _verdict(
                     part.in_plane,
                     outcomes.probabilities(slide_limit),
                     Quantiles.of(outcomes.slide, outcomes.overturned),
-                    np.mean([ends.covered_by(track) for track in tracks], axis=0),
+                    shares_covered(ends, tracks),
                     tracks[0].outline(0),
                     risk_of(hits_by(events, only=body), plan.places, missing),
                 )
