@@ -209,6 +209,11 @@ class FloorMotions:
     measures: dict[IntensityMeasure, NDArray[np.float64]]
     dimensions: int = 2
 
+    @property
+    def median_intensity(self) -> float:
+        """Median JMA intensity of the ground."""
+        return float(np.median(self.measures[JMA_INTENSITY]))
+
 
 @dataclass(frozen=True, eq=False)
 class Hazard:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.errors import InputError, instance_of, within
-from stayput.fragility import JMA_INTENSITY, probability
+from stayput.fragility import probability
 from stayput.mechanics.columns import FAILED_OUTCOME
 from stayput.montecarlo.counting import SLIDE_LIMIT, Quantiles
 from stayput.montecarlo.hazard import Hazard
@@ -37,7 +37,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import FloorPlan, PersonPlace
-    from stayput.montecarlo.hazard import FloorMotions
     from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
     from stayput.simulation.standing import Assembly, Standing
@@ -116,14 +115,7 @@ def verify_room(
         ends = EndOfRuns(plan)
         as_it_is = _answer(ends, len(room.names), parts, runs)
         tried = changes_of(question, parts, as_it_is, ends) if changes else ()
-    return _verdict(
-        question, parts, runs, as_it_is, ends, tried, ground_intensity(floors), limit, made, began
-    )
-
-
-def ground_intensity(floors: FloorMotions) -> float:
-    """Return the median JMA intensity of the ground."""
-    return float(np.median(floors.measures[JMA_INTENSITY]))
+    return _verdict(question, parts, runs, as_it_is, ends, tried, limit, made, began)
 
 
 def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Assembly) -> None:
@@ -175,7 +167,6 @@ def _verdict(
     as_it_is: Answer,
     ends: EndOfRuns,
     changes: tuple[ChangeVerdict, ...],
-    intensity: float,
     slide_limit: float,
     made: int,
     began: float,
@@ -208,7 +199,7 @@ def _verdict(
     return RoomVerdict(
         scenario=scenario,
         plan=plan,
-        intensity=intensity,
+        intensity=question.floors.median_intensity,
         hit=probability(anybody(hits, shape), missing),
         shut_in=probability(anybody(events.shut_in, shape), missing),
         risk=risk,

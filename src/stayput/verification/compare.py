@@ -213,7 +213,7 @@ def verify(
     verdicts = _verdicts(options, held, here, falls, measures, limit, installed, inside)
     return Verdict(
         scenario=scenario,
-        intensity=float(np.median(floors.measures[JMA_INTENSITY])),
+        intensity=floors.median_intensity,
         slide_limit=limit,
         options=verdicts,
         estimates=Estimates.of(body, floors, scenario, threads),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.fragility import JMA_INTENSITY, difference, probability
+from stayput.fragility import difference, probability
 from stayput.measures.results import weakest
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.montecarlo.counting import Quantiles
@@ -96,7 +96,7 @@ def verify_several(
             count(total - made)
     return AssemblyVerdict(
         scenario=scenario,
-        intensity=float(np.median(floors.measures[JMA_INTENSITY])),
+        intensity=floors.median_intensity,
         slide_limit=slide_limit,
         options=_verdicts(scenario, options, assemblies, runs, slide_limit),
         motions=len(ground),

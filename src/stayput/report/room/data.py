@@ -8,18 +8,18 @@ import json
 from typing import TYPE_CHECKING, Any
 
 import stayput
-from stayput.catalogue import LANGUAGES
 from stayput.motion.intensity import intensity_class
+from stayput.report.several.data import in_both
 from stayput.report.summary import number
+from stayput.report.verdict.data import quantiles_data
 from stayput.rooms.ways import CELL
 from stayput.rooms.words import best_sentence, change_label, change_sentence, sentence_of_room
 from stayput.spreadsheets import text_cell
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
     from stayput.fragility import Difference, Probability
-    from stayput.montecarlo.counting import Quantiles
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
 
 
@@ -33,8 +33,8 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
     return {
         "stayput": stayput.__version__,
         "title": verdict.scenario.title,
-        "verdict": _both(lambda language: sentence_of_room(verdict, language)),
-        "best": _both(lambda language: best_sentence(verdict, language)),
+        "verdict": in_both(lambda language: sentence_of_room(verdict, language)),
+        "best": in_both(lambda language: best_sentence(verdict, language)),
         "jma_intensity": number(verdict.intensity),
         "intensity_class": intensity_class(verdict.intensity),
         "motions": verdict.motions,
@@ -57,8 +57,8 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
                         "piece": one.piece,
                         "mass_kg": number(one.mass),
                         "probability": _chance(one.probability),
-                        "speed_m_s": _quantiles(one.speed),
-                        "energy_J": _quantiles(one.energy),
+                        "speed_m_s": quantiles_data(one.speed),
+                        "energy_J": quantiles_data(one.energy),
                     }
                     for one in place.by
                 ],
@@ -74,7 +74,7 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
                 "name": piece.name,
                 "engine": "plane" if piece.in_plane else "space",
                 "probabilities": {event: _chance(one) for event, one in piece.probabilities.items()},
-                "peak_slide_m": _quantiles(piece.slide),
+                "peak_slide_m": quantiles_data(piece.slide),
                 "risk": number(piece.risk),
                 "outline_m": piece.outline.tolist(),
             }
@@ -92,34 +92,22 @@ def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
     change = result.change
     return {
         "what": change.what,
-        "label": _both(lambda language: change_label(change, verdict, language)),
-        "sentence": _both(lambda language: change_sentence(result, verdict, language)),
+        "label": in_both(lambda language: change_label(change, verdict, language)),
+        "sentence": in_both(lambda language: change_sentence(result, verdict, language)),
         "measure": None if change.measure is None else change.measure.kind,
         "at_m": None if change.at is None else list(change.at),
         "heading_rad": change.heading,
         "hit": _chance(result.hit),
-        "hit_change": _difference(result.hit_change),
+        "hit_change": _chance(result.hit_change),
         "shut_in": _chance(result.shut_in),
-        "shut_in_change": _difference(result.shut_in_change),
+        "shut_in_change": _chance(result.shut_in_change),
         "risk": number(result.risk),
         "helps": result.helps,
     }
 
 
-def _chance(chance: Probability) -> dict[str, float | None]:
+def _chance(chance: Probability | Difference) -> dict[str, float | None]:
     return {"estimate": number(chance.estimate), "low": number(chance.low), "high": number(chance.high)}
-
-
-def _difference(change: Difference) -> dict[str, float | None]:
-    return {"estimate": number(change.estimate), "low": number(change.low), "high": number(change.high)}
-
-
-def _quantiles(peaks: Quantiles) -> dict[str, float | None]:
-    return {"median": number(peaks.median), "p90": number(peaks.p90)}
-
-
-def _both(told: Callable[[str], str]) -> dict[str, str]:
-    return {language: told(language) for language in LANGUAGES}
 
 
 def room_csv(verdict: RoomVerdict) -> str:

@@ -10,7 +10,6 @@ from markupsafe import Markup, escape
 
 import stayput
 from stayput.catalogue import say
-from stayput.files import check_target, draft
 from stayput.report.embedding import inks_css
 from stayput.report.room.assumptions import assumptions_of_room
 from stayput.report.room.drawing import change_plan, legend, room_plan
@@ -24,12 +23,11 @@ from stayput.report.room.rows import (
 )
 from stayput.report.room.tables import sentences, simulations_of_room
 from stayput.report.verdict import numbers
-from stayput.report.verdict.html import SUFFIXES, rendered
+from stayput.report.verdict.html import rendered, write_page
 from stayput.report.verdict.words import word
 from stayput.rooms.verdict import DAY_HOURS
 from stayput.rooms.ways import PASSAGE
 from stayput.verification.words import class_label
-from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -59,12 +57,7 @@ def write_room_report(verdict: RoomVerdict, path: str | Path, language: str = "e
     InputError
         Another language, or a path that cannot be written.
     """
-    check_language(language)
-    target = check_target(path, SUFFIXES)
-    page = room_html(verdict, language)
-    with draft(target) as unfinished:
-        unfinished.write_text(page, encoding="utf-8")
-    return target
+    return write_page(path, language, lambda: room_html(verdict, language))
 
 
 def room_html(verdict: RoomVerdict, language: str = "en") -> str:

@@ -49,7 +49,11 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
             (name, *texts("any_piece"), numbers.with_interval(place.hit, language), *shares, "", "", "")
         )
         for one in place.by:
-            values = f"{one.speed.median:.1f} m/s", f"{one.energy.median:.3g} J", f"{one.mass:.4g} kg"
+            values = (
+                numbers.speed(one.speed.median),
+                numbers.energy(one.energy.median),
+                numbers.mass(one.mass),
+            )
             hits.append(
                 (
                     "",

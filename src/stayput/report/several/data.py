@@ -35,7 +35,7 @@ def several_data(verdict: AssemblyVerdict) -> dict[str, Any]:
     return {
         "stayput": stayput.__version__,
         "title": verdict.scenario.title,
-        "verdict": _both(lambda language: headline_of_several(verdict, language)),
+        "verdict": in_both(lambda language: headline_of_several(verdict, language)),
         "best": verdict.best.option.name,
         "jma_intensity": number(verdict.intensity),
         "intensity_class": intensity_class(verdict.intensity),
@@ -50,8 +50,8 @@ def several_data(verdict: AssemblyVerdict) -> dict[str, Any]:
         "not_possible": [
             {
                 "name": one.option.name,
-                "label": _both(lambda language, one=one: title_of_several(one, verdict, language)),
-                "reason": _both(one.why),
+                "label": in_both(lambda language, one=one: title_of_several(one, verdict, language)),
+                "reason": in_both(one.why),
             }
             for one in verdict.rejected
         ],
@@ -63,7 +63,8 @@ def several_data(verdict: AssemblyVerdict) -> dict[str, Any]:
     }
 
 
-def _both(text: Callable[[str], str]) -> dict[str, str]:
+def in_both(text: Callable[[str], str]) -> dict[str, str]:
+    """Return a text by its languages."""
     return {language: text(language) for language in LANGUAGES}
 
 
@@ -72,8 +73,8 @@ def _option(result: AssemblyOptionVerdict, verdict: AssemblyVerdict) -> dict[str
     return {
         "name": result.option.name,
         "rank": result.rank,
-        "label": _both(lambda language: title_of_several(result, verdict, language)),
-        "reason": _both(lambda language: reason_of_several(result, verdict, language)),
+        "label": in_both(lambda language: title_of_several(result, verdict, language)),
+        "reason": in_both(lambda language: reason_of_several(result, verdict, language)),
         "joined": result.option.joined,
         "measures": {
             name: [measure.kind for measure in measures]

@@ -11,7 +11,6 @@ from markupsafe import Markup, escape
 
 import stayput
 from stayput.catalogue import say
-from stayput.files import check_target, draft
 from stayput.report.embedding import inks_css
 from stayput.report.several.pairs import pairs_of_several
 from stayput.report.several.tables import (
@@ -22,12 +21,11 @@ from stayput.report.several.tables import (
     simulations_of_several,
 )
 from stayput.report.verdict import numbers
-from stayput.report.verdict.html import SUFFIXES, rendered
+from stayput.report.verdict.html import rendered, write_page
 from stayput.report.verdict.tables import DEVICE_COLUMNS
 from stayput.report.verdict.words import word
 from stayput.verification.several_words import headline_of_several
 from stayput.verification.words import class_label
-from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -59,12 +57,7 @@ def write_several_report(verdict: AssemblyVerdict, path: str | Path, language: s
     InputError
         Another language, a path that cannot be written, or a record that cannot be read any more.
     """
-    check_language(language)
-    target = check_target(path, SUFFIXES)
-    page = rendered("several/several.html", _content(verdict, language))
-    with draft(target) as unfinished:
-        unfinished.write_text(page, encoding="utf-8")
-    return target
+    return write_page(path, language, lambda: rendered("several/several.html", _content(verdict, language)))
 
 
 def _content(verdict: AssemblyVerdict, language: str) -> dict[str, Any]:

@@ -137,16 +137,16 @@ def _option(result: OptionVerdict, verdict: Verdict) -> dict[str, Any]:
             "clear": change.clear,
             "pairs": change.pairs,
         },
-        "peak_slide_m": _quantiles(result.slide),
-        "peak_tilt_rad": _quantiles(result.tilt),
+        "peak_slide_m": quantiles_data(result.slide),
+        "peak_tilt_rad": quantiles_data(result.tilt),
         "devices": [
             {
                 "type": device.kind,
                 "name": device.name,
                 "failed": _probability(device.failed),
                 "failure_time_s": number(device.failure_time),
-                "peak_force_n": _quantiles(device.peak),
-                "utilisation": _quantiles(device.used),
+                "peak_force_n": quantiles_data(device.peak),
+                "utilisation": quantiles_data(device.used),
                 "weakest": None if device.weakest is None else _texts(device.weakest),
             }
             for device in result.devices
@@ -188,7 +188,8 @@ def _probability(probability: Probability) -> dict[str, Any]:
     }
 
 
-def _quantiles(quantiles: Quantiles) -> dict[str, float | None]:
+def quantiles_data(quantiles: Quantiles) -> dict[str, float | None]:
+    """Return quantiles as plain values."""
     return {"median": number(quantiles.median), "p90": number(quantiles.p90)}
 
 

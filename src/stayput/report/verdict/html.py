@@ -43,7 +43,7 @@ from stayput.verification.words import class_label, headline, title
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
     from pathlib import Path
 
     from stayput.measures import Measure
@@ -81,9 +81,14 @@ def write_report(verdict: Verdict, path: str | Path, language: str = "en") -> Pa
     InputError
         Another language, a path that cannot be written, or a record that cannot be read any more.
     """
+    return write_page(path, language, lambda: report_html(verdict, language))
+
+
+def write_page(path: str | Path, language: str, page: Callable[[], str]) -> Path:
+    """Write a page, which is made once language and path are known to be possible; see `write_report`."""
     check_language(language)
     target = check_target(path, SUFFIXES)
-    text = report_html(verdict, language)
+    text = page()
     with draft(target) as unfinished:
         unfinished.write_text(text, encoding="utf-8")
     return target
