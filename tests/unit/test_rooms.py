@@ -202,6 +202,13 @@ def test_a_room_without_doors_and_places_can_be_verified():
         assert empty.sentence(language)
 
 
+def test_nobody_is_shut_in_where_there_is_no_way_out():
+    inner = [{"wall": "right_wall", "start": 1.2, "way_out": False}]
+    for doors in ([], inner):
+        closed = sp.verify_room(changed(doors=doors), changes=False, progress=False)
+        assert closed.shut_in.estimate == 0.0
+
+
 def test_sentences_in_both_languages(verdict: RoomVerdict):
     english, japanese = (verdict.sentence(language) for language in LANGUAGES)
     assert "bookcase hits who is at the bed" in english

@@ -116,7 +116,7 @@ class Door:
 
 @dataclass(frozen=True, slots=True)
 class Window:
-    """A window in one of the walls: nothing is fixed to it, and nothing is moved in front of it.
+    """A window in one of the walls: nothing that is higher than its sill is moved in front of it.
 
     Parameters
     ----------

@@ -149,10 +149,11 @@ class Ways:
             self._beside(parts, self._at_door(door)) if self.opens(door, covered) else set[int]()
             for door in self.plan.doors
         ]
+        exits = any(door.way_out for door in self.plan.doors)  # else nobody is shut in by furniture
         ways = set[int]().union(
             *(near for door, near in zip(self.plan.doors, at_doors, strict=True) if door.way_out)
         )
         return (
             [not near & main for near in at_doors],
-            [not self._beside(parts, self._at_place(place)) & ways for place in self.plan.places],
+            [exits and not self._beside(parts, self._at_place(place)) & ways for place in self.plan.places],
         )

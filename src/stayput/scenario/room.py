@@ -73,7 +73,7 @@ class DoorTable(Table):
 
 
 class WindowTable(Table):
-    """A window: nothing is fixed to it, and nothing is moved in front of it."""
+    """A window: nothing that is higher than its sill is moved in front of it."""
 
     wall: WallName = Field(description="The wall that it is in.")
     start: float = of(Window, "start")
