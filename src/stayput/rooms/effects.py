@@ -17,7 +17,7 @@ from stayput.rooms.verdict import ChangeVerdict, presence
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -85,13 +85,30 @@ def risk_of(hits: NDArray[np.bool_], places: Sequence[PersonPlace], missing: NDA
     return float(np.mean(1.0 - spared))
 
 
+class Move(NamedTuple):
+    """A change that moves something, with what differs then.
+
+    Parameters
+    ----------
+    change : Change
+        The change.
+    plan : FloorPlan
+        The room's plan with it.
+    instead : dict of int to sequence of Track
+        The tracks of the piece that is moved.
+    """
+
+    change: Change
+    plan: FloorPlan
+    instead: dict[int, Sequence[Track]]
+
+
 def changes_of(
     question: Question, parts: Sequence[RoomPart], as_it_is: Answer, ends: EndOfRuns
 ) -> tuple[ChangeVerdict, ...]:
     """Return what single changes bring, the best first."""
     scenario, plan, whole = question.scenario, question.plan, question.whole
-    ways, floor = ends.ways, FreeFloor(plan, tuple(bare(one) for one in whole.members))
-    harmful = _harmful(as_it_is, plan, ends)
+    harmful = harmful_pieces(as_it_is, plan, ends)
     found: list[ChangeVerdict] = []
     tried = [
         one
@@ -101,10 +118,22 @@ def changes_of(
         for one in measures_tried(scenario, whole, part.bodies, body)
     ]
     for (change, held), own in zip(tried, question.run([part for _, part in tried]), strict=True):
-        instead: dict[int, Sequence[Track]] = dict(
-            zip(held.bodies, zip(*own.tracks, strict=True), strict=True)
-        )
-        found.append(_effect(change, instead, question, as_it_is, ends))
+        found.append(_compared(Move(change, plan, tracks_of_part(held, own)), as_it_is, ends))
+    found += [_compared(move, as_it_is, ends) for move in moves_of(question, parts, as_it_is, ends, harmful)]
+    return tuple(sorted(found, key=lambda one: (round(one.risk, 4), one.shut_in.estimate, one.change.effort)))
+
+
+def tracks_of_part(part: RoomPart, runs: PartRuns) -> dict[int, Sequence[Track]]:
+    """Return the tracks of the pieces of a part by their numbers in the room."""
+    return dict(zip(part.bodies, zip(*runs.tracks, strict=True), strict=True))
+
+
+def moves_of(
+    question: Question, parts: Sequence[RoomPart], as_it_is: Answer, ends: EndOfRuns, harmful: set[int]
+) -> Iterator[Move]:
+    """Yield the best place of each harmful piece at each wall, and of each place at which somebody is hit."""
+    scenario, plan, whole = question.scenario, question.plan, question.whole
+    ways, floor = ends.ways, FreeFloor(plan, tuple(bare(one) for one in whole.members))
     for part in parts:
         (body, *others) = part.bodies
         if others or body not in harmful or not scenario.furniture[body].is_furniture:
@@ -112,16 +141,17 @@ def changes_of(
         for wall, middles in places_at_walls(scenario, whole, body, floor):
             moved = _best_at_wall(question, body, wall, middles, as_it_is, ways)
             if moved is not None:
-                found.append(_effect(*moved, question, as_it_is, ends))
+                yield Move(moved[0], plan, moved[1])
     for number, place in enumerate(plan.places):
         if as_it_is.events.hit(number).any():
             other = _best_place(number, other_places(place, floor), question, as_it_is, ways)
             if other is not None:
-                found.append(_effect_of_place(number, other, question, as_it_is))
-    return tuple(sorted(found, key=lambda one: (round(one.risk, 4), one.shut_in.estimate, one.change.effort)))
+                places = (*plan.places[:number], other, *plan.places[number + 1 :])
+                change = Change(other.name, at=other.at, heading=other.heading)
+                yield Move(change, replace(plan, places=places), {})
 
 
-def _harmful(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
+def harmful_pieces(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
     """Return the pieces without which less would happen."""
     events, missing = as_it_is.events, as_it_is.missing
     risk = risk_of(hits_by(events), plan.places, missing)
@@ -137,46 +167,35 @@ def _harmful(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
     return found
 
 
-def _effect(
-    change: Change,
-    instead: dict[int, Sequence[Track]],
-    question: Question,
-    as_it_is: Answer,
-    ends: EndOfRuns,
-) -> ChangeVerdict:
-    """Return what it brings that some pieces have other tracks."""
+def events_with(
+    plan: FloorPlan, instead: Mapping[int, Sequence[Track]], as_it_is: Answer, ends: EndOfRuns
+) -> Events:
+    """Return what happens where some pieces have other tracks, and some places may be elsewhere."""
     tracks = [list(instead.get(body, own)) for body, own in enumerate(as_it_is.tracks)]
     hits = tuple(
-        tuple(hits_of(place, instead[body]) if body in instead else one for body, one in enumerate(own))
-        for place, own in zip(question.plan.places, as_it_is.events.hits, strict=True)
+        tuple(
+            hits_of(place, own) if body in instead or place != was else known[body]
+            for body, own in enumerate(tracks)
+        )
+        for place, was, known in zip(plan.places, ends.plan.places, as_it_is.events.hits, strict=True)
     )
-    return _compared(change, Events(hits, *ends.of_all(tracks)), question.plan, as_it_is)
+    return Events(hits, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
 
 
-def _effect_of_place(number: int, place: PersonPlace, question: Question, as_it_is: Answer) -> ChangeVerdict:
-    """Return what it brings that a place is elsewhere."""
-    places = tuple(place if n == number else one for n, one in enumerate(question.plan.places))
-    plan = replace(question.plan, places=places)
-    hits = tuple(
-        tuple(hits_of(place, own) for own in as_it_is.tracks) if n == number else own
-        for n, own in enumerate(as_it_is.events.hits)
-    )
-    change = Change(place.name, at=place.at, heading=place.heading)
-    return _compared(change, Events(hits, *EndOfRuns(plan).of_all(as_it_is.tracks)), plan, as_it_is)
-
-
-def _compared(change: Change, events: Events, plan: FloorPlan, as_it_is: Answer) -> ChangeVerdict:
+def _compared(move: Move, as_it_is: Answer, ends: EndOfRuns) -> ChangeVerdict:
+    """Return what a change brings, beside the room as it is."""
+    events = events_with(move.plan, move.instead, as_it_is, ends)
     missing, shape = as_it_is.missing, as_it_is.missing.shape
     before, after = hits_by(as_it_is.events), hits_by(events)
     hit, was_hit = anybody(after, shape), anybody(before, shape)
     shut, was_shut = anybody(events.shut_in, shape), anybody(as_it_is.events.shut_in, shape)
     return ChangeVerdict(
-        change,
+        move.change,
         probability(hit, missing),
         difference(hit, was_hit, missing),
         probability(shut, missing),
         difference(shut, was_shut, missing),
-        risk_of(after, plan.places, missing),
+        risk_of(after, move.plan.places, missing),
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -81,12 +81,59 @@ def verify_room(
     """
     began = time.perf_counter()
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
+    question = question_of(scenario, threads)
+    each = question.floors.scales.size * len(question.drawn[0])
+    total, made = len(groups_of(question.scenario)) * each, 0
+    with bar(total, "Verifying", progress) as advance:
+
+        def count(runs: int) -> None:
+            nonlocal made
+            made += runs
+            advance(runs)
+            if on_progress is not None:
+                on_progress(made, max(total, made))
+
+        question = question._replace(advance=count)
+        state = state_of(question)
+        tried = changes_of(question, state.parts, state.as_it_is, state.ends) if changes else ()
+    return verdict_of(question, state, tried, limit, made, began)
+
+
+class RoomState(NamedTuple):
+    """A room as it is, run under all draws.
+
+    Parameters
+    ----------
+    parts : list of RoomPart
+        The pieces that run together.
+    runs : list of PartRuns
+        What became of each part.
+    as_it_is : Answer
+        What happens in the room.
+    ends : EndOfRuns
+        Of its plan.
+    """
+
+    parts: list[RoomPart]
+    runs: list[PartRuns]
+    as_it_is: Answer
+    ends: EndOfRuns
+
+
+def question_of(scenario: RoomScenario, threads: int | None) -> Question:
+    """Return a room with its motions and draws; nothing has run yet, and nobody hears of progress.
+
+    Raises
+    ------
+    InputError
+        A piece that stands in a wall, in another or where a person is; a record that cannot be read.
+    """
     room = instance_of("scenario", scenario, RoomScenario)
     plan, whole, shaking = room.floor_plan(), room.assembly(room.stated), room.shaking
     refuse_what_stands_wrong(room, plan, whole)
     ground = room.ground()
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
-    settings = Settings.of(room, len(ground), limit)
+    settings = Settings.of(room, len(ground), SLIDE_LIMIT)  # which changes no run
     drawn = draws_of_several(
         len(room.names),
         settings.motions,
@@ -98,24 +145,15 @@ def verify_room(
     if room.direction is not None:
         drawn = [[draw._replace(direction=room.direction) for draw in row] for row in drawn]
     floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
-    groups, each = groups_of(room), settings.motions * settings.samples
-    total, made = len(groups) * each, 0
-    with bar(total, "Verifying", progress) as advance:
+    return Question(room, plan, whole, drawn, floors, threads, lambda _: None)
 
-        def count(runs: int) -> None:
-            nonlocal made
-            made += runs
-            advance(runs)
-            if on_progress is not None:
-                on_progress(made, max(total, made))
 
-        question = Question(room, plan, whole, drawn, floors, threads, count)
-        parts = [part_with(room, group, whole) for group in groups]
-        runs = question.run(parts)
-        ends = EndOfRuns(plan)
-        as_it_is = _answer(ends, len(room.names), parts, runs)
-        tried = changes_of(question, parts, as_it_is, ends) if changes else ()
-    return _verdict(question, parts, runs, as_it_is, ends, tried, limit, made, began)
+def state_of(question: Question) -> RoomState:
+    """Run a room as it is."""
+    parts = [part_with(question.scenario, group, question.whole) for group in groups_of(question.scenario)]
+    runs = question.run(parts)
+    ends = EndOfRuns(question.plan)
+    return RoomState(parts, runs, _answer(ends, len(question.scenario.names), parts, runs), ends)
 
 
 def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Assembly) -> None:
@@ -160,17 +198,16 @@ def _answer(ends: EndOfRuns, bodies: int, parts: Sequence[RoomPart], runs: Seque
     return Answer(tracks, missing, events_of(ends, tracks))
 
 
-def _verdict(
+def verdict_of(
     question: Question,
-    parts: Sequence[RoomPart],
-    runs: Sequence[PartRuns],
-    as_it_is: Answer,
-    ends: EndOfRuns,
+    state: RoomState,
     changes: tuple[ChangeVerdict, ...],
     slide_limit: float,
     made: int,
     began: float,
 ) -> RoomVerdict:
+    """Return the verdict on a room that has run."""
+    parts, runs, as_it_is, ends = state
     scenario, plan = question.scenario, question.plan
     events, missing = as_it_is.events, as_it_is.missing
     shape = missing.shape
