@@ -15,7 +15,7 @@ from stayput.catalogue import LANGUAGES
 from stayput.cli import app
 from stayput.report.room.data import room_data
 from stayput.rooms import effects
-from stayput.rooms.changes import FreeFloor, other_places, overlap, places_at_walls
+from stayput.rooms.changes import FreeFloor, measures_tried, other_places, overlap, places_at_walls
 from stayput.rooms.runs import groups_of, part_with
 from stayput.rooms.words import best_sentence, change_sentence
 from stayput.simulation.placing import bare
@@ -311,3 +311,23 @@ def test_free_floor_keeps_off_walls_doors_windows_pieces_and_people():
             overlap(place.corners, door)
             for door in [np.array([[2.9, 1.25], [3.6, 1.25], [3.6, 1.95], [2.9, 1.95]])]
         )
+
+
+@pytest.mark.parametrize(
+    ("openings", "kinds"),
+    [
+        ({"windows": []}, {"l_bracket", "belt"}),
+        ({"windows": [{"wall": "left_wall", "start": 1.6, "width": 0.8}]}, set()),
+        # the brackets are at 1.7 and 2.1 m: past the frame of one window, and above the other's sill
+        ({"windows": [{"wall": "left_wall", "start": 0.5, "width": 1.14}]}, {"l_bracket", "belt"}),
+        ({"windows": [{"wall": "left_wall", "start": 0.5, "width": 1.16}]}, set()),
+        ({"windows": [{"wall": "left_wall", "start": 1.6, "width": 0.8, "sill": 1.9}]}, {"l_bracket"}),
+        ({"windows": [{"wall": "far_side_wall", "start": 0.0, "width": 3.0}]}, {"l_bracket", "belt"}),
+        ({"furniture": piece(gap=0.3)}, set()),
+    ],
+)
+def test_nothing_is_screwed_to_a_window_or_a_wall_too_far_away(openings: dict[str, Any], kinds: set[str]):
+    room = changed(places=[], **openings)
+    whole = room.assembly(room.stated)
+    tried = measures_tried(room, whole, (0,), 0)
+    assert {"l_bracket", "belt"} & {one.measure.kind for one, _ in tried if one.measure} == kinds

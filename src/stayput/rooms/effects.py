@@ -26,7 +26,7 @@ from stayput.rooms.verdict import ChangeVerdict, presence
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+    from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -173,45 +173,88 @@ def risk_of(hits: NDArray[np.bool_], places: Sequence[PersonPlace], missing: NDA
     return float(np.mean(1.0 - spared))
 
 
+class Move(NamedTuple):
+    """A change that moves something, with what differs then.
+
+    Parameters
+    ----------
+    change : Change
+        The change.
+    plan : FloorPlan
+        The room's plan with it.
+    instead : mapping of int to sequence of Track
+        The tracks of the pieces that move otherwise.
+    missing : ndarray of bool, shape (motions, samples)
+        Which of their runs were given up.
+    """
+
+    change: Change
+    plan: FloorPlan
+    instead: Mapping[int, Sequence[Track]]
+    missing: NDArray[np.bool_]
+
+
 def in_order(changes: Iterable[ChangeVerdict]) -> tuple[ChangeVerdict, ...]:
     """Return changes, the best first."""
-    return tuple(
-        sorted(changes, key=lambda one: (round(one.risk, 4), one.shut_in.estimate, one.change.effort))
-    )
+
+    def key(one: ChangeVerdict) -> tuple[float, float, int]:
+        return round(one.risk, 4), one.shut_in.estimate, one.change.effort
+
+    return tuple(sorted(changes, key=key))
 
 
 def changes_of(
     question: Question, parts: Sequence[RoomPart], as_it_is: Answer, ends: EndOfRuns
 ) -> Iterator[ChangeVerdict]:
-    """Yield what single changes bring, those of the pieces that do most harm first."""
+    """Yield what single changes bring: another place first, then measures on the pieces that do most harm."""
+    scenario, plan, whole = question.scenario, question.plan, question.whole
+    harmful = harmful_pieces(as_it_is, plan, ends)
+    for move in moves_of(question, parts, as_it_is, ends, harmful):
+        yield compared(move, as_it_is, ends)
+
+    def harm(body: int) -> float:
+        return risk_of(hits_by(as_it_is.events, only=body), plan.places, as_it_is.missing)
+
+    part_of = {body: part for part in parts for body in part.bodies}
+    for body in sorted(harmful, key=harm, reverse=True):
+        for change, held in measures_tried(scenario, whole, part_of[body].bodies, body):
+            (runs,) = question.run([held])
+            yield compared(Move(change, plan, tracks_of_part(held, runs), runs.missing), as_it_is, ends)
+
+
+def tracks_of_part(part: RoomPart, runs: PartRuns) -> dict[int, Sequence[Track]]:
+    """Return the tracks of the pieces of a part by their numbers in the room."""
+    return {body: runs.of_tracks(place) for place, body in enumerate(part.bodies)}
+
+
+def moves_of(
+    question: Question,
+    parts: Sequence[RoomPart],
+    as_it_is: Answer,
+    ends: EndOfRuns,
+    harmful: Collection[int],
+) -> Iterator[Move]:
+    """Yield the best spot for each place at which somebody is hit, and for harmful pieces at each wall."""
     scenario, plan, whole = question.scenario, question.plan, question.whole
     floor = FreeFloor(plan, tuple(bare(one) for one in whole.members))
     for number, place in enumerate(plan.places):
         if as_it_is.events.hit(number).any():
             other = _best_place(number, other_places(place, floor), question, as_it_is, ends.ways)
             if other is not None:
-                yield _effect_of_place(number, other, question, as_it_is)
-    harmful = _harmful(as_it_is, plan, ends)
-    part_of = {body: part for part in parts for body in part.bodies}
-
-    def harm(body: int) -> float:
-        return risk_of(hits_by(as_it_is.events, only=body), plan.places, as_it_is.missing)
-
-    for body in sorted(harmful, key=harm, reverse=True):
-        group = part_of[body].bodies
-        for change, held in measures_tried(scenario, whole, group, body):
-            (own,) = question.run([held])
-            tracks = {number: own.of_tracks(place) for place, number in enumerate(group)}
-            yield _effect(change, tracks, own.missing, question, as_it_is, ends)
-        if len(group) > 1 or not scenario.furniture[body].is_furniture:
+                places = (*plan.places[:number], other, *plan.places[number + 1 :])
+                change = Change(other.name, at=other.at, heading=other.heading)
+                yield Move(change, replace(plan, places=places), {}, as_it_is.missing)
+    for part in parts:
+        (body, *others) = part.bodies
+        if others or body not in harmful or not scenario.furniture[body].is_furniture:
             continue
         for wall, middles in places_at_walls(scenario, whole, body, floor):
             moved = _best_at_wall(question, body, wall, middles, as_it_is, ends.ways)
             if moved is not None:
-                yield _effect(*moved, question, as_it_is, ends)
+                yield moved
 
 
-def _harmful(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
+def harmful_pieces(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
     """Return the pieces without which less would happen."""
     events, missing = as_it_is.events, as_it_is.missing
     risk = risk_of(hits_by(events), plan.places, missing)
@@ -227,51 +270,36 @@ def _harmful(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
     return found
 
 
-def _effect(
-    change: Change,
-    runs: Mapping[int, Sequence[Track]],
-    given_up: NDArray[np.bool_],
-    question: Question,
-    as_it_is: Answer,
-    ends: EndOfRuns,
-) -> ChangeVerdict:
-    """Return what it brings that some pieces run otherwise; some of their runs may have been given up."""
-    tracks = [list(runs.get(body, own)) for body, own in enumerate(as_it_is.tracks)]
+def events_with(
+    plan: FloorPlan, instead: Mapping[int, Sequence[Track]], as_it_is: Answer, ends: EndOfRuns
+) -> Events:
+    """Return what happens where some pieces have other tracks, and some places may be elsewhere."""
+    tracks = [list(instead.get(body, own)) for body, own in enumerate(as_it_is.tracks)]
     hits = tuple(
-        tuple(hits_of(place, runs[body]) if body in runs else one for body, one in enumerate(own))
-        for place, own in zip(question.plan.places, as_it_is.events.hits, strict=True)
+        tuple(
+            hits_of(place, own) if body in instead or place != was else known[body]
+            for body, own in enumerate(tracks)
+        )
+        for place, was, known in zip(plan.places, ends.plan.places, as_it_is.events.hits, strict=True)
     )
-    events = Events(hits, *ends.of_all(tracks))
-    return _compared(change, events, question.plan, as_it_is, as_it_is.missing | given_up)
+    return Events(hits, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
 
 
-def _effect_of_place(number: int, place: PersonPlace, question: Question, as_it_is: Answer) -> ChangeVerdict:
-    """Return what it brings that a place is elsewhere."""
-    places = tuple(place if n == number else one for n, one in enumerate(question.plan.places))
-    plan = replace(question.plan, places=places)
-    hits = tuple(
-        tuple(hits_of(place, own) for own in as_it_is.tracks) if n == number else own
-        for n, own in enumerate(as_it_is.events.hits)
-    )
-    change = Change(place.name, at=place.at, heading=place.heading)
-    events = Events(hits, *EndOfRuns(plan).of_all(as_it_is.tracks))
-    return _compared(change, events, plan, as_it_is, as_it_is.missing)
-
-
-def _compared(
-    change: Change, events: Events, plan: FloorPlan, as_it_is: Answer, missing: NDArray[np.bool_]
-) -> ChangeVerdict:
+def compared(move: Move, as_it_is: Answer, ends: EndOfRuns) -> ChangeVerdict:
+    """Return what a change brings, beside the room as it is, of the runs that neither gave up."""
+    events = events_with(move.plan, move.instead, as_it_is, ends)
+    missing = as_it_is.missing | move.missing
     shape = missing.shape
     before, after = hits_by(as_it_is.events), hits_by(events)
     hit, was_hit = anybody(after, shape), anybody(before, shape)
     shut, was_shut = anybody(events.shut_in, shape), anybody(as_it_is.events.shut_in, shape)
     return ChangeVerdict(
-        change,
+        move.change,
         probability(hit, missing),
         difference(hit, was_hit, missing),
         probability(shut, missing),
         difference(shut, was_shut, missing),
-        risk_of(after, plan.places, missing),
+        risk_of(after, move.plan.places, missing),
     )
 
 
@@ -282,8 +310,8 @@ def _best_at_wall(
     middles: list[tuple[float, float]],
     as_it_is: Answer,
     ways: Ways,
-) -> tuple[Change, Mapping[int, Sequence[Track]], NDArray[np.bool_]] | None:
-    """Return where along a wall a piece does least harm, its tracks there, and which runs were given up.
+) -> Move | None:
+    """Return where along a wall a piece does least harm.
 
     It runs in the middle of those places; the tracks elsewhere are the same, shifted.
     """
@@ -295,8 +323,8 @@ def _best_at_wall(
         tracks, missing = as_it_is.tracks[body], as_it_is.missing
         origin = np.array(member.at[:2])
     else:
-        (own,) = question.run([placed_elsewhere(scenario, question.whole, body, at, heading)])
-        tracks, missing = own.of_tracks(0), own.missing
+        (runs,) = question.run([placed_elsewhere(scenario, question.whole, body, at, heading)])
+        tracks, missing = runs.of_tracks(0), runs.missing
         origin = np.array(at)
     places, outlines = question.plan.places, [reach(track) for track in tracks]
     others = hits_by(as_it_is.events, but=body)
@@ -318,8 +346,8 @@ def _best_at_wall(
     if best is None:
         return None
     middle, shift = best
-    moved = [track.shifted(shift) for track in tracks]
-    return Change(scenario.names[body], at=middle, heading=heading), {body: moved}, missing
+    change = Change(scenario.names[body], at=middle, heading=heading)
+    return Move(change, question.plan, {body: [track.shifted(shift) for track in tracks]}, missing)
 
 
 def _best_place(

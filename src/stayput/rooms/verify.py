@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -84,12 +84,60 @@ def verify_room(
     """
     began = time.perf_counter()
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
+    question = question_of(scenario, threads)
+    each = len(question.drawn) * len(question.drawn[0])
+    total, made = len(groups_of(question.scenario)) * each, 0
+    with bar(total, "Verifying", progress) as advance:
+
+        def count(runs: int) -> None:
+            nonlocal made
+            made += runs
+            advance(runs)
+            if on_progress is not None:
+                on_progress(made, max(total, made))
+
+        def told(verdict: RoomVerdict) -> RoomVerdict:
+            so_far = replace(verdict, runs=made, seconds=time.perf_counter() - began)
+            if on_verdict is not None:
+                on_verdict(so_far)
+            return so_far
+
+        (*_, last) = map(told, _verdicts(question._replace(advance=count), limit, changes=changes))
+    return replace(last, complete=True)
+
+
+class RoomState(NamedTuple):
+    """A room as it is, run under some or all draws.
+
+    Parameters
+    ----------
+    parts : list of RoomPart
+        The pieces that run together.
+    as_it_is : Answer
+        What happens in the room.
+    ends : EndOfRuns
+        Of its plan.
+    """
+
+    parts: list[RoomPart]
+    as_it_is: Answer
+    ends: EndOfRuns
+
+
+def question_of(scenario: RoomScenario, threads: int | None) -> Question:
+    """Return a room with its motions and draws; nothing has run yet, and nobody hears of progress.
+
+    Raises
+    ------
+    InputError
+        A piece that stands in a wall, in another or where a person is; a record that cannot be read.
+    """
     room = instance_of("scenario", scenario, RoomScenario)
     plan, whole, shaking = room.floor_plan(), room.assembly(room.stated), room.shaking
     refuse_what_stands_wrong(room, plan, whole)
     ground = room.ground()
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
-    settings = Settings.of(room, len(ground), limit)
+    settings = Settings.of(room, len(ground), SLIDE_LIMIT)  # which changes no run
     drawn = draws_of_several(
         len(room.names),
         settings.motions,
@@ -101,28 +149,22 @@ def verify_room(
     if room.direction is not None:
         drawn = [[draw._replace(direction=room.direction) for draw in row] for row in drawn]
     floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
-    groups, each = groups_of(room), settings.motions * settings.samples
-    total, made = len(groups) * each, 0
-    with bar(total, "Verifying", progress) as advance:
+    return Question(room, plan, whole, drawn, floors, threads, _unheard)
 
-        def count(runs: int) -> None:
-            nonlocal made
-            made += runs
-            advance(runs)
-            if on_progress is not None:
-                on_progress(made, max(total, made))
 
-        question = Question(room, plan, whole, drawn, floors, threads, count)
-        parts = [part_with(room, group, whole) for group in groups]
+def _unheard(_runs: int) -> None:
+    """Nobody hears of progress."""
 
-        def told(verdict: RoomVerdict) -> RoomVerdict:
-            so_far = replace(verdict, runs=made, seconds=time.perf_counter() - began)
-            if on_verdict is not None:
-                on_verdict(so_far)
-            return so_far
 
-        (*_, last) = map(told, _verdicts(question, parts, limit, changes=changes))
-    return replace(last, complete=True)
+def states(question: Question) -> Iterator[RoomState]:
+    """Run a room as it is; yield what is known after a few runs, after more, and after all."""
+    scenario, ends = question.scenario, EndOfRuns(question.plan)
+    parts = [part_with(scenario, group, question.whole) for group in groups_of(scenario)]
+    as_it_is: Answer | None = None
+    for block in question.blocks():
+        more = Answer.of(ends, parts, question.with_samples(*block).run(parts))
+        as_it_is = more if as_it_is is None else as_it_is.joined(more)
+        yield RoomState(parts, as_it_is, ends)
 
 
 def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Assembly) -> None:
@@ -157,28 +199,21 @@ def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Ass
                 )
 
 
-def _verdicts(
-    question: Question, parts: Sequence[RoomPart], slide_limit: float, *, changes: bool
-) -> Iterator[RoomVerdict]:
+def _verdicts(question: Question, slide_limit: float, *, changes: bool) -> Iterator[RoomVerdict]:
     """Yield the verdict as it gets better: from some of the runs, from all, then change by change."""
-    ends = EndOfRuns(question.plan)
-    (first, *others) = question.blocks()
-    as_it_is = Answer.of(ends, parts, question.with_samples(*first).run(parts))
-    yield _verdict(question, parts, as_it_is, ends, slide_limit)
-    for block in others:
-        as_it_is = as_it_is.joined(Answer.of(ends, parts, question.with_samples(*block).run(parts)))
-        yield _verdict(question, parts, as_it_is, ends, slide_limit)
-    if changes:
-        verdict = _verdict(question, parts, as_it_is, ends, slide_limit)
-        found: list[ChangeVerdict] = []
-        for change in changes_of(question, parts, as_it_is, ends):
+    state: RoomState | None = None
+    for state in states(question):
+        yield verdict_of(question, state, slide_limit)
+    if changes and state is not None:
+        verdict, found = verdict_of(question, state, slide_limit), list[ChangeVerdict]()
+        for change in changes_of(question, state.parts, state.as_it_is, state.ends):
             found.append(change)
             yield replace(verdict, changes=in_order(found))
 
 
-def _verdict(
-    question: Question, parts: Sequence[RoomPart], as_it_is: Answer, ends: EndOfRuns, slide_limit: float
-) -> RoomVerdict:
+def verdict_of(question: Question, state: RoomState, slide_limit: float) -> RoomVerdict:
+    """Return the verdict on a room as it is, which has run."""
+    parts, as_it_is, ends = state
     scenario, plan, whole = question.scenario, question.plan, question.whole
     events, missing = as_it_is.events, as_it_is.missing
     shape = missing.shape
