@@ -64,7 +64,7 @@ class Limits:
     runs_of_room : int
         Most simulations of a room as it is, in a verification.
     pieces : int
-        Most pieces of a scene of several; they share `samples_of_motion` evenly.
+        Most pieces of a scene of several.
     seconds_of_pieces : float
         Longest motion of a scene of several, times their number [s].
     jobs_running, jobs_waiting, jobs_kept : int

@@ -98,8 +98,7 @@ def read_pieces(
         motion = scenario.motion()
     except InputError as error:
         raise refusal(error) from None
-    shared = min(limits.seconds_of_pieces, limits.samples_of_motion * motion.dt)
-    most = min(limits.duration, shared / count)
+    most = min(limits.duration, limits.samples_of_motion * motion.dt, limits.seconds_of_pieces / count)
     if motion.duration > most:
         raise refused(
             422, "app.long_for_pieces", "scene.shaking", value=motion.duration, count=count, most=most
