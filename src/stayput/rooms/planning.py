@@ -1,0 +1,380 @@
+"""`action_plan`: which moves and measures help most in a room, how strong they must be, and in which order.
+
+One thing at most is moved, what brings most. On each piece that does harm comes the set of measures that
+helps most by itself; a device on a wall comes in such a number that what it is screwed to bears it, as far as
+the studs behind the piece allow. All runs are under the same earthquakes and draws as the room as it is.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+from stayput.errors import InputError, instance_of
+from stayput.fragility import difference, probability
+from stayput.measures import MEASURES
+from stayput.measures.wall import WallDevice
+from stayput.progress import bar
+from stayput.rooms.action_plan import SETS, STUD_PITCH, ActionPlan, Fix, Home, PlanStep, RoomEffect
+from stayput.rooms.changes import can_be_held
+from stayput.rooms.effects import (
+    anybody,
+    events_with,
+    harmful_pieces,
+    hits_by,
+    moves_of,
+    risk_of,
+    tracks_of_part,
+)
+from stayput.rooms.forces import MARGIN, Purchase, more_than, quantile_of, strengths_of, unbreakable
+from stayput.rooms.runs import part_with, with_member
+from stayput.rooms.verdict import RoomVerdict
+from stayput.rooms.verify import question_of, state_of, verdict_of
+from stayput.simulation.placing import placed
+from stayput.simulation.standing import Piece
+from stayput.verification.grades import inputs_in_room
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Mapping, Sequence
+
+    from stayput.fragility import Probability
+    from stayput.measures import Measure
+    from stayput.model.floor_plan import FloorPlan
+    from stayput.rooms.effects import Move, Question
+    from stayput.rooms.runs import PartRuns, RoomPart
+    from stayput.rooms.tracks import Track
+    from stayput.rooms.verify import RoomState
+    from stayput.simulation.standing import Assembly
+
+ALIKE = 0.005
+"""Risks that differ by no more than this are equal in the order of steps: half a per cent."""
+
+
+def action_plan(
+    verdict: RoomVerdict,
+    *,
+    no_drilling: bool = False,
+    tatami: bool = False,
+    plasterboard: bool = False,
+    dropped_ceiling: bool = False,
+    threads: int | None = None,
+    progress: bool | None = None,
+    on_progress: Callable[[int], None] | None = None,
+) -> ActionPlan:
+    """Say what to move in a room, what to buy for which piece and how strong, and what each brings.
+
+    Parameters
+    ----------
+    verdict : RoomVerdict
+        The room. Its earthquakes and draws are used again; its single changes are not needed.
+    no_drilling : bool
+        Whether nothing may be screwed to a wall.
+    tatami, plasterboard, dropped_ceiling : bool
+        What floor, walls and ceiling are, whatever the scenario says: tatami; plasterboard without studs that
+        can be used; a ceiling on wires, against which no pole may push. The room is verified anew with them.
+    threads : int, optional
+        As many as there are cores by default. The bits do not depend on them.
+    progress : bool, optional
+        Whether to draw a bar on standard error; default on a terminal.
+    on_progress : callable, optional
+        Called with the number of runs just made; an exception that it raises stops the work.
+    """
+    began = time.perf_counter()
+    asked = instance_of("verdict", verdict, RoomVerdict)
+    home = Home(no_drilling, tatami, plasterboard, dropped_ceiling)
+    made = 0
+    with bar(None, "Planning", progress) as advance:
+
+        def count(runs: int) -> None:
+            nonlocal made
+            made += runs
+            advance(runs)
+            if on_progress is not None:
+                on_progress(runs)
+
+        question = question_of(home.of(asked.scenario), threads)._replace(advance=count)
+        state = state_of(question)
+        steps, unsolved = _Planner(question, state, home).steps()
+    return ActionPlan(verdict_of(question, state, (), asked.slide_limit, made, began), home, steps, unsolved)
+
+
+class _Tried(NamedTuple):
+    """Measures on a piece that have run where it stands."""
+
+    measures: tuple[Measure, ...]
+    tracks: dict[int, Sequence[Track]]
+    effect: RoomEffect
+    overturns: Probability
+
+
+class _Chosen(NamedTuple):
+    """A step before its place in the order is known, with the tracks of what it changes.
+
+    ``moved`` has those of a piece that has been moved and is held where it stands then.
+    """
+
+    step: PlanStep
+    plan: FloorPlan
+    tracks: Mapping[int, Sequence[Track]]
+    moved: Mapping[int, Sequence[Track]]
+
+
+class _Planner:
+    """The steps of a plan.
+
+    Parameters
+    ----------
+    question : Question
+        The room, its motions and draws.
+    state : RoomState
+        The room as it is.
+    home : Home
+        What the home is like.
+    """
+
+    def __init__(self, question: Question, state: RoomState, home: Home) -> None:
+        self.question, self.state, self.home = question, state, home
+        self.harmful = harmful_pieces(state.as_it_is, question.plan, state.ends)
+
+    def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
+        """Return the steps in their order, and the pieces on which nothing helps."""
+        names = self.question.scenario.names
+        move = self._best_move()
+        chosen = [] if move is None else [self._moving(move)]
+        whole = self.question.whole if move is None else self._after(move)
+        unsolved: list[str] = []
+        for body in sorted(self.harmful):
+            fixing = self._fixing(body, whole)
+            if fixing is None:
+                unsolved.append(names[body])
+            else:
+                chosen.append(fixing)
+        moved = {one.step.what for one in chosen if one.step.move is not None}
+        unsolved = [name for name in unsolved if name not in moved]
+        return tuple(self._in_order(chosen)), tuple(unsolved)
+
+    def _in_order(self, chosen: Iterable[_Chosen]) -> Iterable[PlanStep]:
+        """Yield the steps, those that bring most alone first, with what they bring together."""
+        plan, tracks = self.question.plan, dict[int, "Sequence[Track]"]()
+        held: dict[int, _Chosen] = {}
+        relocated = ""
+        for one in sorted(chosen, key=lambda one: (*_order(one.step.alone), one.step.cost_class)):
+            if one.step.move is not None:
+                plan, relocated = one.plan, one.step.what
+                tracks |= {body: own for body, own in one.tracks.items() if body not in held}
+                for other in held.values():
+                    tracks |= other.moved if other.step.what == relocated else {}
+            else:
+                tracks |= one.moved if one.step.what == relocated else one.tracks
+                held |= dict.fromkeys(one.tracks, one)
+            yield replace(one.step, together=self._effect(plan, tracks))
+
+    def _effect(self, plan: FloorPlan, instead: Mapping[int, Sequence[Track]]) -> RoomEffect:
+        as_it_is, shape = self.state.as_it_is, self.state.as_it_is.missing.shape
+        missing = as_it_is.missing
+        events, before = events_with(plan, instead, as_it_is, self.state.ends), as_it_is.events
+        hit, was_hit = (anybody(hits_by(one), shape) for one in (events, before))
+        shut, was_shut = (anybody(one.shut_in, shape) for one in (events, before))
+        blocked, was_blocked = (anybody(one.blocked, shape) for one in (events, before))
+        return RoomEffect(
+            probability(hit, missing),
+            difference(hit, was_hit, missing),
+            probability(shut, missing),
+            difference(shut, was_shut, missing),
+            probability(blocked, missing),
+            difference(blocked, was_blocked, missing),
+            risk_of(hits_by(events), plan.places, missing),
+        )
+
+    def _best_move(self) -> Move | None:
+        """Return the move that clearly helps and helps most."""
+        found: list[tuple[tuple[float, ...], Move]] = []
+        parts, as_it_is, ends = self.state.parts, self.state.as_it_is, self.state.ends
+        for move in moves_of(self.question, parts, as_it_is, ends, self.harmful):
+            effect = self._effect(move.plan, move.instead)
+            if effect.helps:
+                found.append((_order(effect), move))
+        return min(found, key=lambda pair: pair[0])[1] if found else None
+
+    def _moving(self, move: Move) -> _Chosen:
+        scenario, what = self.question.scenario, move.change.what
+        effect = self._effect(move.plan, move.instead)
+        bodies = list(move.instead) or sorted(self.harmful)
+        deciding = {one: None for body in bodies for one in inputs_in_room((), scenario, body)}
+        overturned = self._overturned(bodies[0]) if move.instead else None
+        step = PlanStep(what, move.change, None, effect, effect, overturned, None, tuple(deciding))
+        return _Chosen(step, move.plan, move.instead, {})
+
+    def _after(self, move: Move) -> Assembly:
+        """Return the pieces with one moved."""
+        whole, change = self.question.whole, move.change
+        for body in move.instead:
+            assert change.at is not None
+            assert change.heading is not None
+            member = whole.members[body]
+            elsewhere = replace(member, at=(*change.at, member.at[2]), heading=change.heading)
+            whole = with_member(whole, body, elsewhere)
+        return whole
+
+    def _overturned(self, body: int) -> Probability:
+        for part, runs in zip(self.state.parts, self.state.runs, strict=True):
+            if body in part.bodies:
+                return _overturns(runs, part.bodies.index(body))
+        raise AssertionError(body)
+
+    def _fixing(self, body: int, whole: Assembly) -> _Chosen | None:
+        """Return the best measures on a piece, which stands in ``whole`` as it is to stand."""
+        tried = [
+            one
+            for one in self._tried(body)
+            if _betters(one.effect) and self._held(body, one.measures, whole) is not None
+        ]
+        if not tried:
+            return None
+        best = min(tried, key=_merit)
+        fix, tracks, moved = self._fitted(best, body, whole)
+        undrilled = [one for one in tried if not any(measure.drilled for measure in one.measures)]
+        instead = None
+        if fix.drilled and undrilled:
+            instead = self._fitted(min(undrilled, key=_merit), body, whole)[0]
+        scenario = self.question.scenario
+        deciding = inputs_in_room(tuple(one.measure for one in fix.purchases), scenario, body)
+        step = PlanStep(
+            scenario.names[body],
+            None,
+            fix,
+            fix.alone,
+            fix.alone,
+            self._overturned(body),
+            instead,
+            deciding,
+        )
+        return _Chosen(step, self.question.plan, tracks, moved)
+
+    def _tried(self, body: int) -> list[_Tried]:
+        """Run every set of measures that may be put on a piece."""
+        parts: list[tuple[tuple[Measure, ...], RoomPart]] = []
+        for kinds in SETS:
+            measures = tuple(MEASURES[kind]() for kind in kinds)
+            if self.home.no_drilling and any(one.drilled for one in measures):
+                continue
+            part = self._held(body, measures, self.question.whole)
+            if part is not None:
+                parts.append((measures, part))
+        runs = self.question.run([part for _, part in parts])
+        return [
+            self._as_tried(measures, part, own, body)
+            for (measures, part), own in zip(parts, runs, strict=True)
+        ]
+
+    def _as_tried(self, measures: tuple[Measure, ...], part: RoomPart, runs: PartRuns, body: int) -> _Tried:
+        tracks = tracks_of_part(part, runs)
+        effect = self._effect(self.question.plan, tracks)
+        return _Tried(measures, tracks, effect, _overturns(runs, part.bodies.index(body)))
+
+    def _held(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart | None:
+        """Return the part of a piece with measures on it, or None where they cannot be put there."""
+        group = next(part.bodies for part in self.state.parts if body in part.bodies)
+        piece = whole.members[body]
+        if not isinstance(piece, Piece):
+            return None
+        try:
+            held = replace(piece, measures=(*piece.measures, *measures))
+            part = part_with(self.question.scenario, group, with_member(whole, body, held))
+        except InputError:  # another measure at the same place
+            return None
+        return part if can_be_held(part, group.index(body), self.question.plan) else None
+
+    def _fitted(
+        self, tried: _Tried, body: int, whole: Assembly
+    ) -> tuple[Fix, dict[int, Sequence[Track]], dict[int, Sequence[Track]]]:
+        """Return measures as they are bought, and the piece's tracks where it stands and where it will.
+
+        Where the studs allow it there are as many devices as what they are screwed to asks for.
+        """
+        measures, part = tried.measures, self._held(body, tried.measures, whole)
+        assert part is not None
+        purchases = self._purchases(part, measures, body)
+        fitted = tuple(_more(one, _length(whole, body)) for one in purchases)
+        more, here = self._held(body, fitted, whole), self._held(body, fitted, self.question.whole)
+        if fitted != measures and more is not None and here is not None:
+            measures, part = fitted, more
+            purchases = self._purchases(part, measures, body)
+            tried = self._as_tried(measures, here, self.question.run([here])[0], body)
+        moved = tried.tracks
+        if whole is not self.question.whole:
+            moved = tracks_of_part(part, self.question.run([part])[0])
+        place = part.bodies.index(body)
+        held = placed(part.assembly.members, part.room)[place].held
+        assert held is not None
+        cautions = tuple(
+            caution for measure in measures for caution in measure.cautions(held.body, held.room)
+        )
+        return Fix(part, place, purchases, tried.effect, tried.overturns, cautions), tried.tracks, moved
+
+    def _purchases(self, part: RoomPart, measures: tuple[Measure, ...], body: int) -> tuple[Purchase, ...]:
+        """Return what to buy: how strong one must be, and how strong what it is fixed to is."""
+        place = part.bodies.index(body)
+        piece = part.assembly.members[place]
+        held = placed(part.assembly.members, part.room)[place].held
+        assert isinstance(piece, Piece)
+        assert held is not None
+        kinds = {measure.kind for measure in measures}
+        strong = tuple(
+            unbreakable(measure.fitted_to(piece.body)) if measure.kind in kinds else measure
+            for measure in piece.measures
+        )
+        member = replace(piece, measures=strong)
+        runs = self.question.run([part._replace(assembly=with_member(part.assembly, place, member))])[0]
+        found: list[Purchase] = []
+        for measure in measures:
+            strengths = strengths_of(held, measure.kind)
+            if strengths is None:
+                found.append(Purchase(measure))
+                continue
+            holds, fails = strengths
+            needed = quantile_of(runs.peaks, (place, measure.kind)).times(MARGIN)
+            found.append(Purchase(measure, needed, holds, fails))
+        return tuple(found)
+
+
+def _overturns(runs: PartRuns, place: int) -> Probability:
+    return runs.of_body(place).probability_of_overturning()
+
+
+def _order(effect: RoomEffect) -> tuple[float, ...]:
+    """Return the sort key of what something brings, the best first."""
+    return (
+        round(effect.risk / ALIKE),
+        round(effect.shut_in.estimate / ALIKE),
+        round(effect.blocked.estimate / ALIKE),
+    )
+
+
+def _merit(tried: _Tried) -> tuple[float, ...]:
+    """Return the sort key of measures on a piece: of those that bring the same, what it falls with least."""
+    return (*_order(tried.effect), round(tried.overturns.estimate / ALIKE), len(tried.measures))
+
+
+def _betters(effect: RoomEffect) -> bool:
+    """Return whether less happens, clearly or not."""
+    changes = (effect.hit_change, effect.shut_in_change, effect.blocked_change)
+    return any(one.estimate < 0.0 for one in changes)
+
+
+def _length(whole: Assembly, body: int) -> float:
+    piece = whole.members[body]
+    assert isinstance(piece, Piece)
+    return piece.body.length or 0.0
+
+
+def _more(purchase: Purchase, length: float) -> Measure:
+    """Return a device on a wall in the number that its fixing needs, one on each stud at most."""
+    measure = purchase.measure
+    if not isinstance(measure, WallDevice) or purchase.needed is None or purchase.holds is None:
+        return measure
+    most = max(measure.count, math.floor(length / STUD_PITCH[0]) + 1)
+    needed = math.ceil(measure.count * more_than(purchase.needed, purchase.holds))
+    return replace(measure, count=min(most, max(measure.count, needed)))
