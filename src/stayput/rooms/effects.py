@@ -11,7 +11,7 @@ import numpy as np
 from stayput.fragility import difference, probability
 from stayput.model.floor_plan import FACING
 from stayput.rooms.changes import Change, FreeFloor, measures_tried, other_places, places_at_walls, swept
-from stayput.rooms.events import EndOfRuns, Events, hits_of
+from stayput.rooms.events import EndOfRuns, Events, Hits, hits_of
 from stayput.rooms.runs import placed_elsewhere, run_parts
 from stayput.rooms.verdict import ChangeVerdict, presence
 from stayput.simulation.placing import bare
@@ -168,18 +168,36 @@ def harmful_pieces(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[in
 
 
 def events_with(
-    plan: FloorPlan, instead: Mapping[int, Sequence[Track]], as_it_is: Answer, ends: EndOfRuns
+    plan: FloorPlan,
+    instead: Mapping[int, Sequence[Track]],
+    as_it_is: Answer,
+    ends: EndOfRuns,
+    hits: Callable[[PersonPlace, Sequence[Track]], Hits] = hits_of,
 ) -> Events:
-    """Return what happens where some pieces have other tracks, and some places may be elsewhere."""
-    tracks = [list(instead.get(body, own)) for body, own in enumerate(as_it_is.tracks)]
-    hits = tuple(
+    """Return what happens where some pieces have other tracks, and some places may be elsewhere.
+
+    Parameters
+    ----------
+    plan : FloorPlan
+        The room with the places where they are.
+    instead : mapping of int to sequence of Track
+        The tracks of the pieces that have others.
+    as_it_is : Answer
+        What happens otherwise.
+    ends : EndOfRuns
+        Of the plan as it is.
+    hits : callable
+        Returns the contacts of a piece with a place.
+    """
+    tracks = [instead.get(body, own) for body, own in enumerate(as_it_is.tracks)]
+    found = tuple(
         tuple(
-            hits_of(place, own) if body in instead or place != was else known[body]
+            hits(place, own) if body in instead or place != was else known[body]
             for body, own in enumerate(tracks)
         )
         for place, was, known in zip(plan.places, ends.plan.places, as_it_is.events.hits, strict=True)
     )
-    return Events(hits, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
+    return Events(found, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
 
 
 def _compared(move: Move, as_it_is: Answer, ends: EndOfRuns) -> ChangeVerdict:

@@ -12,6 +12,8 @@ import time
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
 from stayput.errors import InputError, instance_of
 from stayput.fragility import difference, probability
 from stayput.measures import MEASURES
@@ -28,6 +30,7 @@ from stayput.rooms.effects import (
     risk_of,
     tracks_of_part,
 )
+from stayput.rooms.events import hits_of
 from stayput.rooms.forces import MARGIN, Purchase, more_than, quantile_of, strengths_of, unbreakable
 from stayput.rooms.runs import part_with, with_member
 from stayput.rooms.verdict import RoomVerdict
@@ -41,8 +44,9 @@ if TYPE_CHECKING:
 
     from stayput.fragility import Probability
     from stayput.measures import Measure
-    from stayput.model.floor_plan import FloorPlan
+    from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.rooms.effects import Move, Question
+    from stayput.rooms.events import Hits
     from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
     from stayput.rooms.verify import RoomState
@@ -101,22 +105,24 @@ def action_plan(
 
 
 class _Tried(NamedTuple):
-    """Measures on a piece that have run where it stands."""
+    """Measures on a piece that have run where it stands; ``own`` is the risk from its part of the room."""
 
     measures: tuple[Measure, ...]
     tracks: dict[int, Sequence[Track]]
     effect: RoomEffect
+    own: float
     overturns: Probability
 
 
 class _Chosen(NamedTuple):
     """A step before its place in the order is known, with the tracks of what it changes.
 
-    ``moved`` has those of a piece that has been moved and is held where it stands then.
+    ``moved`` has those of a piece that has been moved and is held where it stands then; ``plan`` is that with
+    the place of a person moved, where one is.
     """
 
     step: PlanStep
-    plan: FloorPlan
+    plan: FloorPlan | None
     tracks: Mapping[int, Sequence[Track]]
     moved: Mapping[int, Sequence[Track]]
 
@@ -136,7 +142,10 @@ class _Planner:
 
     def __init__(self, question: Question, state: RoomState, home: Home) -> None:
         self.question, self.state, self.home = question, state, home
-        self.harmful = harmful_pieces(state.as_it_is, question.plan, state.ends)
+        hits = state.as_it_is.events.hits
+        struck = {body for own in hits for body, one in enumerate(own) if one.happened.any()}
+        self.harmful = struck | harmful_pieces(state.as_it_is, question.plan, state.ends)
+        self._known: dict[tuple[int, PersonPlace], tuple[Sequence[Track], Hits]] = {}
 
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
         """Return the steps in their order, and the pieces on which nothing helps."""
@@ -147,34 +156,52 @@ class _Planner:
         unsolved: list[str] = []
         for body in sorted(self.harmful):
             fixing = self._fixing(body, whole)
-            if fixing is None:
-                unsolved.append(names[body])
-            else:
+            if fixing is not None:
                 chosen.append(fixing)
-        moved = {one.step.what for one in chosen if one.step.move is not None}
-        unsolved = [name for name in unsolved if name not in moved]
+            elif move is None or move.change.what != names[body]:
+                unsolved.append(names[body])
         return tuple(self._in_order(chosen)), tuple(unsolved)
 
-    def _in_order(self, chosen: Iterable[_Chosen]) -> Iterable[PlanStep]:
-        """Yield the steps, those that bring most alone first, with what they bring together."""
-        plan, tracks = self.question.plan, dict[int, "Sequence[Track]"]()
-        held: dict[int, _Chosen] = {}
-        relocated = ""
-        for one in sorted(chosen, key=lambda one: (*_order(one.step.alone), one.step.cost_class)):
-            if one.step.move is not None:
-                plan, relocated = one.plan, one.step.what
-                tracks |= {body: own for body, own in one.tracks.items() if body not in held}
-                for other in held.values():
-                    tracks |= other.moved if other.step.what == relocated else {}
-            else:
-                tracks |= one.moved if one.step.what == relocated else one.tracks
-                held |= dict.fromkeys(one.tracks, one)
-            yield replace(one.step, together=self._effect(plan, tracks))
+    def _in_order(self, chosen: list[_Chosen]) -> Iterable[PlanStep]:
+        """Yield the steps, each time that which brings most with those before it."""
+        done: list[_Chosen] = []
+        reached = _order(self._together(done))
+        while chosen:
+            effects = [self._together([*done, one]) for one in chosen]
+            number = min(
+                range(len(chosen)),
+                key=lambda n: (_order(effects[n]), chosen[n].step.cost_class, _order(chosen[n].step.alone)),
+            )
+            one, effect = chosen.pop(number), effects[number]
+            if one.step.move is not None and not _order(effect) < reached:
+                continue  # what is fixed by then need not be moved
+            done.append(one)
+            reached = _order(effect)
+            yield replace(one.step, together=effect)
+
+    def _together(self, done: list[_Chosen]) -> RoomEffect:
+        """Return what some of the steps bring together."""
+        plan = next((one.plan for one in done if one.plan is not None), self.question.plan)
+        relocated = next((one for one in done if one.step.move is not None), None)
+        tracks = {} if relocated is None else dict(relocated.tracks)
+        for one in done:
+            if one is not relocated:
+                there = relocated is not None and one.step.what == relocated.step.what
+                tracks |= one.moved if there else one.tracks
+        return self._effect(plan, tracks)
+
+    def _hits(self, place: PersonPlace, tracks: Sequence[Track]) -> Hits:
+        """Return the contacts of a piece with a place, which are looked for once."""
+        key = id(tracks), place
+        if key not in self._known:
+            self._known[key] = tracks, hits_of(place, tracks)  # its tracks stay, so that the id is theirs
+        return self._known[key][1]
 
     def _effect(self, plan: FloorPlan, instead: Mapping[int, Sequence[Track]]) -> RoomEffect:
         as_it_is, shape = self.state.as_it_is, self.state.as_it_is.missing.shape
         missing = as_it_is.missing
-        events, before = events_with(plan, instead, as_it_is, self.state.ends), as_it_is.events
+        events = events_with(plan, instead, as_it_is, self.state.ends, self._hits)
+        before = as_it_is.events
         hit, was_hit = (anybody(hits_by(one), shape) for one in (events, before))
         shut, was_shut = (anybody(one.shut_in, shape) for one in (events, before))
         blocked, was_blocked = (anybody(one.blocked, shape) for one in (events, before))
@@ -205,7 +232,7 @@ class _Planner:
         deciding = {one: None for body in bodies for one in inputs_in_room((), scenario, body)}
         overturned = self._overturned(bodies[0]) if move.instead else None
         step = PlanStep(what, move.change, None, effect, effect, overturned, None, tuple(deciding))
-        return _Chosen(step, move.plan, move.instead, {})
+        return _Chosen(step, None if move.instead else move.plan, move.instead, {})
 
     def _after(self, move: Move) -> Assembly:
         """Return the pieces with one moved."""
@@ -226,10 +253,12 @@ class _Planner:
 
     def _fixing(self, body: int, whole: Assembly) -> _Chosen | None:
         """Return the best measures on a piece, which stands in ``whole`` as it is to stand."""
+        group = self._group(body)
+        bare = self._own_risk(dict(zip(group, (self.state.as_it_is.tracks[n] for n in group), strict=True)))
         tried = [
             one
             for one in self._tried(body)
-            if _betters(one.effect) and self._held(body, one.measures, whole) is not None
+            if (one.own < bare or _frees(one.effect)) and self._held(body, one.measures, whole) is not None
         ]
         if not tried:
             return None
@@ -251,7 +280,7 @@ class _Planner:
             instead,
             deciding,
         )
-        return _Chosen(step, self.question.plan, tracks, moved)
+        return _Chosen(step, None, tracks, moved)
 
     def _tried(self, body: int) -> list[_Tried]:
         """Run every set of measures that may be put on a piece."""
@@ -272,12 +301,21 @@ class _Planner:
     def _as_tried(self, measures: tuple[Measure, ...], part: RoomPart, runs: PartRuns, body: int) -> _Tried:
         tracks = tracks_of_part(part, runs)
         effect = self._effect(self.question.plan, tracks)
-        return _Tried(measures, tracks, effect, _overturns(runs, part.bodies.index(body)))
+        own = self._own_risk(tracks)
+        return _Tried(measures, tracks, effect, own, _overturns(runs, part.bodies.index(body)))
+
+    def _own_risk(self, tracks: Mapping[int, Sequence[Track]]) -> float:
+        """Return the chance that a person is hit by some pieces, whatever others do."""
+        places, missing = self.question.plan.places, self.state.as_it_is.missing
+        hits = [[self._hits(place, own).happened for own in tracks.values()] for place in places]
+        return risk_of(np.any(hits, axis=1), places, missing) if places else 0.0
+
+    def _group(self, body: int) -> tuple[int, ...]:
+        return next(part.bodies for part in self.state.parts if body in part.bodies)
 
     def _held(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart | None:
         """Return the part of a piece with measures on it, or None where they cannot be put there."""
-        group = next(part.bodies for part in self.state.parts if body in part.bodies)
-        piece = whole.members[body]
+        group, piece = self._group(body), whole.members[body]
         if not isinstance(piece, Piece):
             return None
         try:
@@ -355,13 +393,14 @@ def _order(effect: RoomEffect) -> tuple[float, ...]:
 
 def _merit(tried: _Tried) -> tuple[float, ...]:
     """Return the sort key of measures on a piece: of those that bring the same, what it falls with least."""
-    return (*_order(tried.effect), round(tried.overturns.estimate / ALIKE), len(tried.measures))
+    own, effect = round(tried.own / ALIKE), tried.effect
+    ways = round(effect.shut_in.estimate / ALIKE), round(effect.blocked.estimate / ALIKE)
+    return (own, *ways, round(tried.overturns.estimate / ALIKE), len(tried.measures))
 
 
-def _betters(effect: RoomEffect) -> bool:
-    """Return whether less happens, clearly or not."""
-    changes = (effect.hit_change, effect.shut_in_change, effect.blocked_change)
-    return any(one.estimate < 0.0 for one in changes)
+def _frees(effect: RoomEffect) -> bool:
+    """Return whether a way out is free more often, clearly or not."""
+    return any(one.estimate < 0.0 for one in (effect.shut_in_change, effect.blocked_change))
 
 
 def _length(whole: Assembly, body: int) -> float:
