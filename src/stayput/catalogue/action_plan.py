@@ -74,6 +74,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "shear": ("{force} sideways", "横向きの力{force}"),
     "and": (" and ", "、"),
     "plus": (" + ", "＋"),
+    "next": ("; ", "。"),
     "newtons": ("{newtons:,.0f} N ({kilograms:.0f} kgf)", "{newtons:,.0f} N（{kilograms:.0f} kgf）"),
     "mats": (
         "{product} of {side:.1f} × {side:.1f} cm, for furniture of {mass:.0f} kg",

@@ -19,7 +19,6 @@ from stayput.fragility import difference, probability
 from stayput.measures import MEASURES
 from stayput.measures.wall import WallDevice
 from stayput.progress import bar
-from stayput.rooms.action_plan import SETS, STUD_PITCH, ActionPlan, Fix, Home, PlanStep, RoomEffect
 from stayput.rooms.changes import can_be_held
 from stayput.rooms.effects import (
     anybody,
@@ -33,6 +32,7 @@ from stayput.rooms.effects import (
 from stayput.rooms.events import hits_of
 from stayput.rooms.forces import MARGIN, Purchase, more_than, quantile_of, strengths_of, unbreakable
 from stayput.rooms.runs import part_with, with_member
+from stayput.rooms.steps import SETS, STUD_PITCH, ActionPlan, Fix, Home, PlanStep, RoomEffect
 from stayput.rooms.verdict import RoomVerdict
 from stayput.rooms.verify import question_of, state_of, verdict_of
 from stayput.simulation.placing import placed

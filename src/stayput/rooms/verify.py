@@ -145,7 +145,11 @@ def question_of(scenario: RoomScenario, threads: int | None) -> Question:
     if room.direction is not None:
         drawn = [[draw._replace(direction=room.direction) for draw in row] for row in drawn]
     floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
-    return Question(room, plan, whole, drawn, floors, threads, lambda _: None)
+    return Question(room, plan, whole, drawn, floors, threads, _unheard)
+
+
+def _unheard(runs: int) -> None:
+    """Tell nobody of runs that were made."""
 
 
 def state_of(question: Question) -> RoomState:

@@ -9,11 +9,11 @@ import stayput
 from stayput.report.room.data import chance_data, room_data
 from stayput.report.several.data import in_both
 from stayput.report.summary import number
-from stayput.rooms.action_words import forces_asked, heading, where
 from stayput.rooms.forces import MARGIN, QUANTILE
+from stayput.rooms.step_words import forces_asked, heading, where
 
 if TYPE_CHECKING:
-    from stayput.rooms.action_plan import ActionPlan, Fix, PlanStep, RoomEffect
+    from stayput.rooms.steps import ActionPlan, Fix, PlanStep, RoomEffect
 
 
 def plan_json(plan: ActionPlan) -> str:

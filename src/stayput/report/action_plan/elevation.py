@@ -10,7 +10,7 @@ from stayput.measures.element import at_rest
 from stayput.measures.wall import WallDevice
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.verdict import svg
-from stayput.rooms.action_words import elements_of, held_by
+from stayput.rooms.step_words import elements_of, held_by
 from stayput.rooms.words import piece_name
 from stayput.simulation.placing import bare
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from stayput.measures import Element, Held
-    from stayput.rooms.action_plan import Fix
+    from stayput.rooms.steps import Fix
 
 SCALE = 75.0
 """Metres of the room in a metre of paper."""

@@ -16,8 +16,8 @@ from stayput.report.embedding import inks_css
 from stayput.report.room.drawing import plan_with
 from stayput.report.room.sheet import PlanSheet
 from stayput.report.verdict.html import rendered, write_page
-from stayput.rooms.action_plan import COST_BOUNDS
-from stayput.rooms.action_words import (
+from stayput.rooms.forces import MARGIN, QUANTILE
+from stayput.rooms.step_words import (
     cautions,
     checks,
     effects,
@@ -27,7 +27,7 @@ from stayput.rooms.action_words import (
     where,
     with_ends,
 )
-from stayput.rooms.forces import MARGIN, QUANTILE
+from stayput.rooms.steps import COST_BOUNDS
 from stayput.rooms.words import piece_name
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.words import class_phrase, share_text
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.catalogue import Phrase
-    from stayput.rooms.action_plan import ActionPlan, PlanStep, RoomEffect
+    from stayput.rooms.steps import ActionPlan, PlanStep, RoomEffect
 
 PLAN_SCALES = (25, 40, 50, 75, 100, 150, 200, 300, 500, 1000)
 """Scales that a plan is drawn to: metres of the room in a metre of paper."""
@@ -210,8 +210,8 @@ def _lines(step: PlanStep, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
         yield "check", phrase("action_plan.check_move" if is_piece else "action_plan.check_move_place")
     else:
         yield "buy", joined(to_buy(one, fix) for one in fix.purchases)
-        yield "where", joined(where(one, fix) for one in fix.purchases)
-        yield "check", joined(checks(fix))
+        yield "where", joined((where(one, fix) for one in fix.purchases), "action_plan.next")
+        yield "check", joined(checks(fix), "action_plan.next")
     told: list[Phrase] = []
     if fix is not None and step.overturned is not None:
         was = share_text(step.overturned.estimate)
@@ -221,10 +221,10 @@ def _lines(step: PlanStep, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
         told.append(phrase("action_plan.with_others", chance=effects(step.together, plan)))
     if not step.alone.helps:
         told.append(phrase("action_plan.may_be_chance"))
-    yield "effect", joined(told)
+    yield "effect", joined(told, "action_plan.next")
     warned = [] if fix is None else list(cautions(fix))
     if warned:
-        yield "caution", joined(warned)
+        yield "caution", joined(warned, "action_plan.next")
     if step.instead is not None:
         other = step.instead
         parts = [joined(to_buy(one, other) for one in other.purchases)]
@@ -232,7 +232,7 @@ def _lines(step: PlanStep, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
             was = share_text(step.overturned.estimate)
             parts.append(phrase("action_plan.overturns", was=was, now=with_ends(other.overturns)))
         parts += list(cautions(other))
-        yield "instead", joined(parts)
+        yield "instead", joined(parts, "action_plan.next")
 
 
 def _notes(plan: ActionPlan) -> Iterator[Phrase]:

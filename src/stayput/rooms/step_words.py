@@ -10,11 +10,12 @@ from stayput.fragility.probabilities import percent
 from stayput.measures import Belt, GelMats, TensionPole, WedgeStopper
 from stayput.measures.fixing import SCREW_IN_STUD
 from stayput.measures.wall import WallDevice
-from stayput.rooms.action_plan import STUD_PITCH
+from stayput.rooms.steps import STUD_PITCH
 from stayput.rooms.words import label_of, piece_name
 from stayput.simulation.placing import placed
 from stayput.simulation.standing import Piece
 from stayput.verification.words import share_text
+from stayput.wording import inside
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -22,8 +23,8 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility import Probability
     from stayput.measures import Element, Held
-    from stayput.rooms.action_plan import ActionPlan, Fix, PlanStep, RoomEffect
     from stayput.rooms.forces import DeviceForces, Purchase
+    from stayput.rooms.steps import ActionPlan, Fix, PlanStep, RoomEffect
 
 KILOGRAM = 9.80665
 """Weight of a kilogram, for people who read loads in kgf [N]."""
@@ -63,8 +64,9 @@ def product(purchase: Purchase) -> Phrase:
 
 
 def products(fix: Fix) -> Phrase:
-    """Return all that is put on a piece."""
-    return joined((product(one) for one in fix.purchases), "action_plan.plus")
+    """Return all that is put on a piece, as it stands within a sentence."""
+    english, japanese = joined((product(one) for one in fix.purchases), "action_plan.plus")
+    return inside(english), japanese
 
 
 def to_buy(purchase: Purchase, fix: Fix) -> Phrase:
