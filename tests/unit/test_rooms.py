@@ -14,6 +14,7 @@ import stayput as sp
 from stayput.catalogue import LANGUAGES
 from stayput.cli import app
 from stayput.report.room.data import room_data
+from stayput.rooms import effects
 from stayput.rooms.changes import FreeFloor, measures_tried, other_places, overlap, places_at_walls
 from stayput.rooms.runs import groups_of, part_with
 from stayput.rooms.words import best_sentence, change_sentence
@@ -163,6 +164,40 @@ def test_the_same_bits_for_any_number_of_threads(verdict: RoomVerdict):
         data = room_data(sp.verify_room(changed(), threads=threads, progress=False))
         found.append({**data, "seconds": None})
     assert found[0] == found[1] == {**room_data(verdict), "seconds": None}
+
+
+def test_the_verdict_is_told_as_it_gets_better_and_ends_the_same(
+    verdict: RoomVerdict, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(effects, "FIRST_RUNS", 3)
+    told: list[RoomVerdict] = []
+    last = sp.verify_room(changed(), progress=False, on_verdict=told.append)
+    first, second, *_ = told
+    assert (first.samples, second.samples) == (1, 2)
+    assert (first.hit.runs, last.hit.runs) == (3, 6)
+    assert [len(one.changes) for one in told if one.changes] == list(range(1, len(last.changes) + 1))
+    assert not any(one.complete for one in told)
+    assert last.complete
+    for name in ("fell", "stood"):
+        for one, other in zip(last.pieces, verdict.pieces, strict=True):
+            assert np.array_equal(getattr(one, name), getattr(other, name))
+    assert {**room_data(last), "seconds": None} == {**room_data(verdict), "seconds": None}
+
+
+def test_an_exception_of_who_is_told_stops_the_work():
+    def stop(_: RoomVerdict) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        sp.verify_room(changed(), progress=False, on_verdict=stop)
+
+
+def test_a_piece_lies_where_it_fell_and_stands_where_it_did_not(verdict: RoomVerdict):
+    for one in verdict.pieces:
+        fell = one.probabilities["overturned"].estimate
+        assert one.fell.max() <= fell + 1e-12
+        assert one.stood.max() <= 1.0 - fell + 1e-12
+        assert one.covers.max() <= 1.0 + 1e-12
 
 
 def test_a_room_turned_by_180_degrees_with_its_shaking_has_the_same_verdict():

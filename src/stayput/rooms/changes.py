@@ -299,9 +299,14 @@ def other_places(place: PersonPlace, floor: FreeFloor) -> list[PersonPlace]:
     return found
 
 
-def swept(ways: Ways, tracks: Sequence[Track]) -> NDArray[np.bool_]:
+def reach(track: Track) -> NDArray[np.float64]:
+    """Return the outline of all that a piece reaches at any time and height in a run [m], shape (n, 2)."""
+    return outline_of(track.corners().reshape(-1, 3))
+
+
+def swept(ways: Ways, outlines: Sequence[NDArray[np.float64]]) -> NDArray[np.bool_]:
     """Return over which cells of the floor a piece moves in each run at most, shape (runs, nx · ny).
 
-    They are those between all that it reaches at any time and height: a place outside is not hit.
+    They are those within its `reach`: a place outside is not hit.
     """
-    return np.array([ways.covered([outline_of(track.corners().reshape(-1, 3))]).ravel() for track in tracks])
+    return np.array([ways.covered([outline]).ravel() for outline in outlines])

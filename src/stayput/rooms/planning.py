@@ -34,13 +34,15 @@ from stayput.rooms.forces import MARGIN, Purchase, more_than, quantile_of, stren
 from stayput.rooms.runs import part_with, with_member
 from stayput.rooms.steps import SETS, STUD_PITCH, ActionPlan, Fix, Home, PlanStep, RoomEffect
 from stayput.rooms.verdict import RoomVerdict
-from stayput.rooms.verify import question_of, state_of, verdict_of
+from stayput.rooms.verify import question_of, states, verdict_of
 from stayput.simulation.placing import placed
 from stayput.simulation.standing import Piece
 from stayput.verification.grades import inputs_in_room
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping, Sequence
+
+    from numpy.typing import NDArray
 
     from stayput.fragility import Probability
     from stayput.measures import Measure
@@ -99,32 +101,45 @@ def action_plan(
                 on_progress(runs)
 
         question = question_of(home.of(asked.scenario), threads)._replace(advance=count)
-        state = state_of(question)
+        (*_, state) = states(question)
         steps, unsolved = _Planner(question, state, home).steps()
-    return ActionPlan(verdict_of(question, state, (), asked.slide_limit, made, began), home, steps, unsolved)
+    as_it_is = verdict_of(question, state, asked.slide_limit)
+    now = replace(as_it_is, complete=True, runs=made, seconds=time.perf_counter() - began)
+    return ActionPlan(now, home, steps, unsolved)
+
+
+class _Way(NamedTuple):
+    """How some pieces move otherwise: their tracks, and which of their runs were given up."""
+
+    tracks: Mapping[int, Sequence[Track]]
+    missing: NDArray[np.bool_]
+
+    def joined(self, other: _Way) -> _Way:
+        """Return this with other pieces, or the same once more otherwise."""
+        return _Way({**self.tracks, **other.tracks}, self.missing | other.missing)
 
 
 class _Tried(NamedTuple):
     """Measures on a piece that have run where it stands; ``own`` is the risk from its part of the room."""
 
     measures: tuple[Measure, ...]
-    tracks: dict[int, Sequence[Track]]
+    way: _Way
     effect: RoomEffect
     own: float
     overturns: Probability
 
 
 class _Chosen(NamedTuple):
-    """A step before its place in the order is known, with the tracks of what it changes.
+    """A step before its place in the order is known.
 
-    ``moved`` has those of a piece that has been moved and is held where it stands then; ``plan`` is that with
-    the place of a person moved, where one is.
+    ``here`` is how the piece moves then where it stands; ``there``, once it has been moved. ``plan`` is that
+    with the place of a person moved, where one is.
     """
 
     step: PlanStep
     plan: FloorPlan | None
-    tracks: Mapping[int, Sequence[Track]]
-    moved: Mapping[int, Sequence[Track]]
+    here: _Way
+    there: _Way
 
 
 class _Planner:
@@ -183,12 +198,12 @@ class _Planner:
         """Return what some of the steps bring together."""
         plan = next((one.plan for one in done if one.plan is not None), self.question.plan)
         relocated = next((one for one in done if one.step.move is not None), None)
-        tracks = {} if relocated is None else dict(relocated.tracks)
+        way = _Way({}, self.state.as_it_is.missing) if relocated is None else relocated.here
         for one in done:
             if one is not relocated:
                 there = relocated is not None and one.step.what == relocated.step.what
-                tracks |= one.moved if there else one.tracks
-        return self._effect(plan, tracks)
+                way = way.joined(one.there if there else one.here)
+        return self._effect(plan, way)
 
     def _hits(self, place: PersonPlace, tracks: Sequence[Track]) -> Hits:
         """Return the contacts of a piece with a place, which are looked for once."""
@@ -197,10 +212,10 @@ class _Planner:
             self._known[key] = tracks, hits_of(place, tracks)  # its tracks stay, so that the id is theirs
         return self._known[key][1]
 
-    def _effect(self, plan: FloorPlan, instead: Mapping[int, Sequence[Track]]) -> RoomEffect:
+    def _effect(self, plan: FloorPlan, way: _Way) -> RoomEffect:
         as_it_is, shape = self.state.as_it_is, self.state.as_it_is.missing.shape
-        missing = as_it_is.missing
-        events = events_with(plan, instead, as_it_is, self.state.ends, self._hits)
+        missing = as_it_is.missing | way.missing
+        events = events_with(plan, way.tracks, as_it_is, self.state.ends, self._hits)
         before = as_it_is.events
         hit, was_hit = (anybody(hits_by(one), shape) for one in (events, before))
         shut, was_shut = (anybody(one.shut_in, shape) for one in (events, before))
@@ -220,19 +235,20 @@ class _Planner:
         found: list[tuple[tuple[float, ...], Move]] = []
         parts, as_it_is, ends = self.state.parts, self.state.as_it_is, self.state.ends
         for move in moves_of(self.question, parts, as_it_is, ends, self.harmful):
-            effect = self._effect(move.plan, move.instead)
+            effect = self._effect(move.plan, _Way(move.instead, move.missing))
             if effect.helps:
                 found.append((_order(effect), move))
         return min(found, key=lambda pair: pair[0])[1] if found else None
 
     def _moving(self, move: Move) -> _Chosen:
         scenario, what = self.question.scenario, move.change.what
-        effect = self._effect(move.plan, move.instead)
+        effect = self._effect(move.plan, _Way(move.instead, move.missing))
         bodies = list(move.instead) or sorted(self.harmful)
         deciding = {one: None for body in bodies for one in inputs_in_room((), scenario, body)}
         overturned = self._overturned(bodies[0]) if move.instead else None
         step = PlanStep(what, move.change, None, effect, effect, overturned, None, tuple(deciding))
-        return _Chosen(step, None if move.instead else move.plan, move.instead, {})
+        way = _Way(move.instead, move.missing)
+        return _Chosen(step, None if move.instead else move.plan, way, way)
 
     def _after(self, move: Move) -> Assembly:
         """Return the pieces with one moved."""
@@ -246,15 +262,14 @@ class _Planner:
         return whole
 
     def _overturned(self, body: int) -> Probability:
-        for part, runs in zip(self.state.parts, self.state.runs, strict=True):
-            if body in part.bodies:
-                return _overturns(runs, part.bodies.index(body))
-        raise AssertionError(body)
+        return self.state.as_it_is.outcomes[body].probability_of_overturning()
 
     def _fixing(self, body: int, whole: Assembly) -> _Chosen | None:
         """Return the best measures on a piece, which stands in ``whole`` as it is to stand."""
-        group = self._group(body)
-        bare = self._own_risk(dict(zip(group, (self.state.as_it_is.tracks[n] for n in group), strict=True)))
+        as_it_is = self.state.as_it_is
+        bare = self._own_risk(
+            _Way({one: as_it_is.tracks[one] for one in self._group(body)}, as_it_is.missing)
+        )
         tried = [
             one
             for one in self._tried(body)
@@ -263,7 +278,7 @@ class _Planner:
         if not tried:
             return None
         best = min(tried, key=_merit)
-        fix, tracks, moved = self._fitted(best, body, whole)
+        fix, here, there = self._fitted(best, body, whole)
         undrilled = [one for one in tried if not any(measure.drilled for measure in one.measures)]
         instead = None
         if fix.drilled and undrilled:
@@ -280,7 +295,7 @@ class _Planner:
             instead,
             deciding,
         )
-        return _Chosen(step, None, tracks, moved)
+        return _Chosen(step, None, here, there)
 
     def _tried(self, body: int) -> list[_Tried]:
         """Run every set of measures that may be put on a piece."""
@@ -299,15 +314,14 @@ class _Planner:
         ]
 
     def _as_tried(self, measures: tuple[Measure, ...], part: RoomPart, runs: PartRuns, body: int) -> _Tried:
-        tracks = tracks_of_part(part, runs)
-        effect = self._effect(self.question.plan, tracks)
-        own = self._own_risk(tracks)
-        return _Tried(measures, tracks, effect, own, _overturns(runs, part.bodies.index(body)))
+        way = _Way(tracks_of_part(part, runs), runs.missing)
+        effect, own = self._effect(self.question.plan, way), self._own_risk(way)
+        return _Tried(measures, way, effect, own, _overturns(runs, part.bodies.index(body)))
 
-    def _own_risk(self, tracks: Mapping[int, Sequence[Track]]) -> float:
+    def _own_risk(self, way: _Way) -> float:
         """Return the chance that a person is hit by some pieces, whatever others do."""
-        places, missing = self.question.plan.places, self.state.as_it_is.missing
-        hits = [[self._hits(place, own).happened for own in tracks.values()] for place in places]
+        places, missing = self.question.plan.places, self.state.as_it_is.missing | way.missing
+        hits = [[self._hits(place, own).happened for own in way.tracks.values()] for place in places]
         return risk_of(np.any(hits, axis=1), places, missing) if places else 0.0
 
     def _group(self, body: int) -> tuple[int, ...]:
@@ -325,10 +339,8 @@ class _Planner:
             return None
         return part if can_be_held(part, group.index(body), self.question.plan) else None
 
-    def _fitted(
-        self, tried: _Tried, body: int, whole: Assembly
-    ) -> tuple[Fix, dict[int, Sequence[Track]], dict[int, Sequence[Track]]]:
-        """Return measures as they are bought, and the piece's tracks where it stands and where it will.
+    def _fitted(self, tried: _Tried, body: int, whole: Assembly) -> tuple[Fix, _Way, _Way]:
+        """Return measures as they are bought, and how the piece moves where it stands and where it will.
 
         Where the studs allow it there are as many devices as what they are screwed to asks for.
         """
@@ -341,16 +353,17 @@ class _Planner:
             measures, part = fitted, more
             purchases = self._purchases(part, measures, body)
             tried = self._as_tried(measures, here, self.question.run([here])[0], body)
-        moved = tried.tracks
+        there = tried.way
         if whole is not self.question.whole:
-            moved = tracks_of_part(part, self.question.run([part])[0])
+            runs = self.question.run([part])[0]
+            there = _Way(tracks_of_part(part, runs), runs.missing)
         place = part.bodies.index(body)
         held = placed(part.assembly.members, part.room)[place].held
         assert held is not None
         cautions = tuple(
             caution for measure in measures for caution in measure.cautions(held.body, held.room)
         )
-        return Fix(part, place, purchases, tried.effect, tried.overturns, cautions), tried.tracks, moved
+        return Fix(part, place, purchases, tried.effect, tried.overturns, cautions), tried.way, there
 
     def _purchases(self, part: RoomPart, measures: tuple[Measure, ...], body: int) -> tuple[Purchase, ...]:
         """Return what to buy: how strong one must be, and how strong what it is fixed to is."""
