@@ -61,7 +61,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "product": ("{measure} × {count}", "{measure}×{count}"),
     "buy": ("Buy", "買うもの"),
     "where": ("Where", "取付け位置"),
-    "check": ("Check first", "先に確かめること"),
+    "check": ("Check before you buy", "買う前に確かめること"),
     "effect": ("Effect", "効果"),
     "instead": ("Without drilling", "穴を開けない場合"),
     "caution": ("Caution", "注意"),
@@ -85,14 +85,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{product}（長さ{length:.2f} m、厚さ{thickness:.0f} mm）",
     ),
     "not_enough": (
-        (
-            "{measure}: what one is fixed to holds about {holds} as computed ({fails}), less than asked for: the "
-            "effect counts with that"
-        ),
-        (
-            "{measure}：固定する相手の強さは計算上1か所あたり約{holds}（{fails}）で、必要な強さに足りません。効果は"
-            "それを含めて計算しています"
-        ),
+        "{measure}: as computed one holds about {holds} ({fails}), less than asked for",
+        "{measure}：計算上1か所の強さは約{holds}（{fails}）で、必要な強さに足りない",
     ),
     # Where it goes
     "at_wall": (
@@ -104,8 +98,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "壁の床から{height:.2f} mの高さ、{apart}",
     ),
     "apart": (
-        "{apart:.2f} m apart, the outermost {edge:.2f} m from the sides of the piece",
-        "間隔{apart:.2f} m、両端は家具の側面から{edge:.2f} m",
+        "{apart:.2f} m apart ({edge:.2f} m from its sides)",
+        "間隔{apart:.2f} m（側面から{edge:.2f} m）",
     ),
     "in_the_middle": ("in the middle of the piece", "家具の中央"),
     "belt_top": (
@@ -172,13 +166,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "hit": ("hit {was} → {now}", "人に当たる{was}→{now}"),
     "shut_in": ("shut in {was} → {now}", "出られない{was}→{now}"),
     "blocked": ("door blocked {was} → {now}", "ドアがふさがる{was}→{now}"),
-    "may_be_chance": (
-        "the difference alone may be chance, or another piece does the same harm",
-        "これだけの差は偶然か、ほかの家具が同じ害を及ぼすためかもしれません",
-    ),
+    "alone_unclear": ("alone: {chance}, not clear", "これだけの場合：{chance}、明らかではない"),
     # Marks
     "mark": ("How well this is known: {grade}", "根拠の確かさ：{grade}"),
     "weakest": ("Least well known here: {inputs}.", "この項目で最も不確かな入力：{inputs}。"),
+    "weakest_of": ("Least well known", "最も不確かな入力"),
     # Foot
     "grades": ("Marks: {meanings}.", "記号：{meanings}。"),
     "grade": ("{grade}: {meaning}", "{grade}：{meaning}"),
@@ -199,6 +191,10 @@ TEXTS: dict[str, tuple[str, str]] = {
             "€{high_euro}, 3 above, for one piece."
         ),
         "費用の目安は取り決めで、実際の価格ではありません：家具1台につき1は{low:,}円まで、2は{high:,}円まで、3はそれ以上。",
+    ),
+    "unclear": (
+        "Not clear: the difference that a step makes alone may be chance, or another piece does the same harm.",
+        "明らかではない：その項目だけの差は、偶然か、ほかの家具が同じ害を及ぼすためかもしれません。",
     ),
     "runs": (
         (

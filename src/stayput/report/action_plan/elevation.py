@@ -20,14 +20,8 @@ if TYPE_CHECKING:
     from stayput.measures import Element, Held
     from stayput.rooms.steps import Fix
 
-SCALE = 75.0
-"""Metres of the room in a metre of paper."""
-
 UNIT = 1e-4
 """A unit of the drawing on paper [m]: a tenth of a millimetre."""
-
-A_METRE = 1.0 / (SCALE * UNIT)
-"""A metre of the room in units of the drawing."""
 
 MARGIN, ABOVE, BELOW = 75.0, 14.0, 52.0
 """Space at the sides for heights, above, and below for lengths and names."""
@@ -36,7 +30,7 @@ HEAD = 0.08
 """What is seen above a piece and its devices [m]."""
 
 
-def elevation_svg(fix: Fix, name: str, language: str) -> str:
+def elevation_svg(fix: Fix, name: str, scale: int, language: str) -> str:
     """Return a piece with its measures in place, from the front and from the side.
 
     Parameters
@@ -45,12 +39,14 @@ def elevation_svg(fix: Fix, name: str, language: str) -> str:
         The measures, and the piece with them.
     name : str
         The piece.
+    scale : int
+        Metres of the room in a metre of paper.
     language : str
         "en" or "ja".
     """
     held = held_by(fix)
     base = bare(fix.part.assembly.members[fix.place]).at[2]
-    view = _View(held, base)
+    view = _View(held, base, 1.0 / (scale * UNIT))
     parts = [*view.front(fix), *view.side(), *view.names(language)]
     label = say("action_plan.elevation_alt", language, piece=say(piece_name(name), language))
     millimetres = [f"{1e3 * UNIT * size:.1f}mm" for size in (view.width, view.height)]
@@ -74,10 +70,12 @@ class _View:
         The piece with its devices, each by itself.
     base : float
         How high its base is above the floor [m].
+    metre : float
+        A metre of the room in units of the drawing.
     """
 
-    def __init__(self, held: Held, base: float) -> None:
-        self.held, self.base = held, base
+    def __init__(self, held: Held, base: float, metre: float) -> None:
+        self.held, self.base, self.metre = held, base, metre
         body = held.body
         self.length, self.depth = body.length or body.width, body.width
         tops = [base + body.height, *(self.base + end for end in _upper_ends(held))]
@@ -87,19 +85,19 @@ class _View:
         self.top = (self.ceiling or max(tops)) + HEAD
         behind, _ = wall_faces(body, held.room) if held.room.left_wall is not None else (-0.5 * self.depth, 0)
         self.wall = behind
-        self.front_at = MARGIN + 0.5 * A_METRE * self.length
-        self.side_at = MARGIN + A_METRE * (self.length + 0.12) - A_METRE * self.wall + 30.0
-        self.width = self.side_at + A_METRE * (0.5 * self.depth + 0.1) + 12.0
-        self.height = ABOVE + A_METRE * self.top + BELOW
+        self.front_at = MARGIN + 0.5 * self.metre * self.length
+        self.side_at = MARGIN + self.metre * (self.length + 0.12) - self.metre * self.wall + 30.0
+        self.width = self.side_at + self.metre * (0.5 * self.depth + 0.1) + 12.0
+        self.height = ABOVE + self.metre * self.top + BELOW
 
     def up(self, z: float) -> float:
         """Return where a height above the floor [m] is on the paper."""
-        return ABOVE + A_METRE * (self.top - z)
+        return ABOVE + self.metre * (self.top - z)
 
     def front(self, fix: Fix) -> Iterator[str]:
         """Yield the front, with the devices where they are along it, and their heights and distances."""
         half, high, held = 0.5 * self.length, self.base + self.held.body.height, self.held
-        left, right = self.front_at - A_METRE * half, self.front_at + A_METRE * half
+        left, right = self.front_at - self.metre * half, self.front_at + self.metre * half
         yield svg.line(left - 25.0, self.up(0.0), right + 25.0, self.up(0.0), "face")
         if self.ceiling is not None:
             yield svg.line(left - 25.0, self.up(self.ceiling), right + 25.0, self.up(self.ceiling), "face")
@@ -109,7 +107,7 @@ class _View:
         for purchase in fix.purchases:
             measure, elements = purchase.measure, elements_of(held, purchase.measure.kind)
             for element in elements:
-                x = self.front_at + A_METRE * element.across
+                x = self.front_at + self.metre * element.across
                 z = self.base + element.point[1]
                 match measure:
                     case Belt():
@@ -140,7 +138,7 @@ class _View:
     def _distances(self, kind: str) -> Iterator[str]:
         """Yield marks below the floor where devices are, and how far they are apart."""
         places = sorted({element.across for element in elements_of(self.held, kind)})
-        marks = [self.front_at + A_METRE * x for x in (-0.5 * self.length, *places, 0.5 * self.length)]
+        marks = [self.front_at + self.metre * x for x in (-0.5 * self.length, *places, 0.5 * self.length)]
         level = self.up(0.0) + 10.0
         yield svg.line(marks[0], level, marks[-1], level, "size")
         for x in marks:
@@ -153,8 +151,8 @@ class _View:
     def side(self) -> Iterator[str]:
         """Yield the side, with the wall behind, and the devices as they are."""
         held, body = self.held, self.held.body
-        wall = self.side_at + A_METRE * self.wall
-        right = self.side_at + A_METRE * (0.5 * self.depth + 0.1)
+        wall = self.side_at + self.metre * self.wall
+        right = self.side_at + self.metre * (0.5 * self.depth + 0.1)
         yield svg.line(wall, self.up(0.0), right, self.up(0.0), "face")
         if held.room.left_wall is not None:
             yield svg.box(wall - 10.0, self.up(self.top), wall, self.up(0.0), "room")
@@ -163,7 +161,7 @@ class _View:
             yield svg.line(wall, self.up(self.ceiling), right, self.up(self.ceiling), "face")
 
         def place(x: float, z: float) -> tuple[float, float]:
-            return self.side_at + A_METRE * x, self.up(self.base + z)
+            return self.side_at + self.metre * x, self.up(self.base + z)
 
         a, b, c, d = standing_corners(body, State())
         yield svg.polygon([place(*corner) for corner in (a, b, d, c)], "piece")

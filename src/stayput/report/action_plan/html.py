@@ -11,7 +11,7 @@ from markupsafe import Markup
 import stayput
 from stayput.catalogue import phrase, say
 from stayput.measures.parameters import MEANINGS
-from stayput.report.action_plan.elevation import SCALE, elevation_svg
+from stayput.report.action_plan.elevation import elevation_svg
 from stayput.report.embedding import inks_css
 from stayput.report.room.drawing import plan_with
 from stayput.report.room.sheet import PlanSheet
@@ -33,7 +33,7 @@ from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.words import class_phrase, share_text
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterable, Iterator
     from pathlib import Path
 
     from stayput.catalogue import Phrase
@@ -44,6 +44,12 @@ PLAN_SCALES = (25, 40, 50, 75, 100, 150, 200, 300, 500, 1000)
 
 PLAN_SPACE = (0.082, 0.060)
 """Most that the plan takes up on paper, wide and high [m]."""
+
+ELEVATION_SCALES = (75, 100)
+"""Scales of the elevations: of few pieces, and of more than `FEW`."""
+
+FEW = 3
+"""Most pieces that fit on one sheet with the larger elevations."""
 
 
 class CardRow(NamedTuple):
@@ -62,7 +68,7 @@ class CardRow(NamedTuple):
     grade : str
         How well its inputs are known.
     known : tuple of str
-        What the grade means, and which inputs are the weakest.
+        What the grade means, and which inputs are the weakest, for the screen; on paper see `listed_once`.
     drawing : Markup
         The piece with its devices; empty where something is moved.
     lines : tuple of (str, str)
@@ -109,8 +115,10 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
         "sentences": [say(told, language) for told in _sentences(plan)],
         "rough": any(step.grade == max(MEANINGS) for step in plan.steps),
         "plan": drawing,
-        "scale": own("scale", plan=scale, elevation=f"{SCALE:g}"),
+        "scale": own("scale", plan=scale, elevation=_elevation_scale(plan)),
         "rows": [_row(number, step, plan, language) for number, step in enumerate(plan.steps, 1)],
+        "checks": listed_once(plan, _checks, language),
+        "weakest": listed_once(plan, lambda step: [joined(one.label for one in step.weakest)], language),
         "notes": [say(note, language) for note in _notes(plan)],
         "style": Markup(inks_css() + _file("room/plan.css") + _file("action_plan/card.css")),
     }
@@ -184,6 +192,31 @@ def _plan(plan: ActionPlan, language: str) -> tuple[Markup, int]:
     return Markup(re.sub("<svg ", f'<svg style="width:{wide}" ', drawing, count=1)), scale
 
 
+def _elevation_scale(plan: ActionPlan) -> int:
+    return ELEVATION_SCALES[sum(step.fix is not None for step in plan.steps) > FEW]
+
+
+def listed_once(
+    plan: ActionPlan, of: Callable[[PlanStep], Iterable[Phrase]], language: str
+) -> list[tuple[str, str]]:
+    """Return what is said of steps, each sentence once, with the numbers of the steps before it."""
+    found: dict[str, list[int]] = {}
+    for number, step in enumerate(plan.steps, 1):
+        for told in of(step):
+            found.setdefault(say(told, language), []).append(number)
+    return [(", ".join(map(str, numbers)), told) for told, numbers in found.items()]
+
+
+def _checks(step: PlanStep) -> Iterator[Phrase]:
+    """Yield what to look at before a step."""
+    if step.fix is not None:
+        yield from checks(step.fix)
+    elif step.overturned is not None:
+        yield phrase("action_plan.check_move")
+    else:
+        yield phrase("action_plan.check_move_place")
+
+
 def _row(number: int, step: PlanStep, plan: ActionPlan, language: str) -> CardRow:
     def own(key: str, **values: object) -> str:
         return say(f"action_plan.{key}", language, **values)
@@ -197,7 +230,9 @@ def _row(number: int, step: PlanStep, plan: ActionPlan, language: str) -> CardRo
         step.cost_class,
         step.grade.value,
         (own("grade", grade=step.grade.value, meaning=meaning), own("weakest", inputs=inputs)),
-        Markup("") if step.fix is None else Markup(elevation_svg(step.fix, step.what, language)),
+        Markup("")
+        if step.fix is None
+        else Markup(elevation_svg(step.fix, step.what, _elevation_scale(plan), language)),
         tuple((own(key), say(told, language)) for key, told in _lines(step, plan)),
     )
 
@@ -205,22 +240,17 @@ def _row(number: int, step: PlanStep, plan: ActionPlan, language: str) -> CardRo
 def _lines(step: PlanStep, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     """Yield what is said of a step, with the keys of its headings."""
     fix = step.fix
-    if fix is None:
-        is_piece = step.what in plan.verdict.scenario.names
-        yield "check", phrase("action_plan.check_move" if is_piece else "action_plan.check_move_place")
-    else:
+    if fix is not None:
         yield "buy", joined(to_buy(one, fix) for one in fix.purchases)
         yield "where", joined((where(one, fix) for one in fix.purchases), "action_plan.next")
-        yield "check", joined(checks(fix), "action_plan.next")
     told: list[Phrase] = []
     if fix is not None and step.overturned is not None:
         was = share_text(step.overturned.estimate)
         told.append(phrase("action_plan.overturns", was=was, now=with_ends(fix.overturns)))
-    told.append(phrase("action_plan.alone", chance=effects(step.alone, plan)))
+    alone = "action_plan.alone" if step.alone.helps else "action_plan.alone_unclear"
+    told.append(phrase(alone, chance=effects(step.alone, plan)))
     if step is not plan.steps[0]:
         told.append(phrase("action_plan.with_others", chance=effects(step.together, plan)))
-    if not step.alone.helps:
-        told.append(phrase("action_plan.may_be_chance"))
     yield "effect", joined(told, "action_plan.next")
     warned = [] if fix is None else list(cautions(fix))
     if warned:
@@ -251,6 +281,8 @@ def _notes(plan: ActionPlan) -> Iterator[Phrase]:
     yield phrase(
         "action_plan.runs", runs=runs, motions=verdict.motions, seed=verdict.seed, version=stayput.__version__
     )
+    if not all(step.alone.helps for step in plan.steps):
+        yield phrase("action_plan.unclear")
     yield phrase("action_plan.limits")
 
 
