@@ -211,6 +211,8 @@ def _checks(step: PlanStep) -> Iterator[Phrase]:
     """Yield what to look at before a step."""
     if step.fix is not None:
         yield from checks(step.fix)
+        if step.instead is not None:
+            yield from checks(step.instead)
     elif step.overturned is not None:
         yield phrase("action_plan.check_move")
     else:
