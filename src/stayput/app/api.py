@@ -12,6 +12,7 @@ from fastapi import Path as InPath
 from starlette.responses import Response
 
 import stayput
+from stayput.app.action_plan_api import add_action_plan
 from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
 from stayput.app.jobs import StoppedError
 from stayput.app.middleware import REPORT_POLICY
@@ -91,6 +92,7 @@ def api(service: Service) -> APIRouter:
     _add_runs(router, service)
     _add_jobs(router, service)
     add_rooms(router, service)
+    add_action_plan(router, service)
     _add_motions(router, service)
     return router
 
