@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import chromium
 import pytest
-from page_coverage import recorded
+from page_coverage import recorded, start
 from playwright.sync_api import sync_playwright
 
 if TYPE_CHECKING:
@@ -142,7 +142,7 @@ def opened(
         ending.callback(context.close)
         ending.callback(page.unroute_all, behavior="ignoreErrors")
         ending.enter_context(recorded(page))
-        page.goto(f"{server.address}/{address}")
+        page.goto(f"{server.address}/{start()}{address}")
         found.settle()
         yield found
     strangers = [

@@ -12,6 +12,7 @@ from fastapi import Path as InPath
 from starlette.responses import Response
 
 import stayput
+from stayput.app.differences import with_differences
 from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
 from stayput.app.jobs import StoppedError
 from stayput.app.middleware import REPORT_POLICY
@@ -21,6 +22,7 @@ from stayput.app.replies import MotionReply, PingReply, PresetsReply, PreviewRep
 from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotations
     EverydayRequest,
     ReadRequest,
+    RunsRequest,
     SimulateRequest,
     SizeMapRequest,
     TomlRequest,
@@ -143,7 +145,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post(
         "/simulate", response_model=SimulateReply | SpaceSimulateReply, tags=["runs"], responses=refusals
     )
-    async def simulate(body: SimulateRequest) -> Response:
+    async def simulate(body: RunsRequest) -> Response:
         """Run a scene without and with measures, in the plane or in space; several pieces in space."""
 
         def work() -> Response:
@@ -154,7 +156,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
                 run = simulated if scenario.dimensions == 2 else simulated_in_space
                 reply = run(scenario)
             reply.motion.name = service.motions.named(reply.motion.name)
-            return json_response(reply)
+            return json_response(reply, change=with_differences if body.histories == "differences" else None)
 
         workers = service.slow if several_pieces(body.scene) else service.workers
         return await workers.run(work)

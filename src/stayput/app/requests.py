@@ -38,6 +38,15 @@ class SimulateRequest(Request):
     measures: Measures
 
 
+class RunsRequest(SimulateRequest):
+    """The same, with the form of the histories in the reply."""
+
+    histories: Literal["numbers", "differences"] = Field(
+        default="numbers",
+        description="Differences are shorter; in space numbers are in base 64. See DifferencesReply.",
+    )
+
+
 class SizeMapRequest(Request):
     """A scene whose piece is made larger and smaller, and shaken more and less."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import json
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
@@ -132,7 +133,19 @@ class Service:
         return read(data, measures, self.limits, self.motions)
 
 
-def json_response(reply: Reply, status: int = 200, headers: dict[str, str] | None = None) -> Response:
-    """Return a reply as a JSON response; call it on a worker where the reply is large."""
-    text = reply.model_dump_json(by_alias=True)
+def json_response(
+    reply: Reply,
+    status: int = 200,
+    headers: dict[str, str] | None = None,
+    change: Callable[[dict[str, Any]], dict[str, Any]] | None = None,
+) -> Response:
+    """Return a reply as a JSON response; call it on a worker where the reply is large.
+
+    ``change`` makes other plain values of the reply's.
+    """
+    if change is None:
+        text = reply.model_dump_json(by_alias=True)
+    else:
+        changed = change(reply.model_dump(mode="json", by_alias=True))
+        text = json.dumps(changed, ensure_ascii=False, separators=(",", ":"))
     return Response(text, status, headers, "application/json")

@@ -32,7 +32,9 @@ const sent = (content, signal) => ({
 
 export const ping = () => json("ping");
 export const presets = () => json("presets");
-export const simulate = (content, signal) => json("simulate", sent(content, signal));
+export const words = (file) => json(`../../${file}`);
+export const simulate = (content, signal) =>
+  json("simulate", sent({ ...content, histories: "differences" }, signal));
 export const sizeMap = (content, signal) => json("size-map", sent(content, signal));
 export const verify = (content, signal) => json("verify", sent(content, signal));
 export const job = (id, signal) => json(`jobs/${id}`, { signal });

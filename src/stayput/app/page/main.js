@@ -199,7 +199,7 @@ function edit(keys) {
 }
 
 async function begin() {
-  screens.begin();
+  await screens.begin();
   readInks();
   screens.wire(() => {
     if (presets) again();
