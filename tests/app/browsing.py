@@ -83,6 +83,11 @@ class Opened:
         self.wait("parts => parts.every(part => location.hash.slice(1).split('&').includes(part))", parts)
         self.wait("() => document.getElementById('address').value === location.href")
 
+    def speak(self, language: str) -> None:
+        """Choose a language, whose words may have to be fetched first."""
+        self.page.click(f"#languages [lang={language}]")
+        self.page.wait_for_selector(f"html[lang={language}]")
+
     def go(self, screen: str) -> None:
         """Choose a step."""
         self.page.click(f"#steps button[data-screen={screen}]")

@@ -38,6 +38,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "model",
         "motion",
         "page",
+        "page_keep",
         "plots",
         "report",
         "room_report",

@@ -4,6 +4,7 @@ import * as api from "./api.js";
 import { fill, offer, part } from "./dom.js";
 import * as pieces from "./pieces.js";
 import { worded } from "./refusals.js";
+import { current } from "./scene.js";
 import { spoken, t } from "./words.js";
 
 const drawn = new Set(); // the buttons whose films are being drawn
@@ -100,11 +101,15 @@ export function point(job) {
   part("report-wait").hidden = Boolean(job);
 }
 
-/** Shows the address of the scene, or that a file is too long for one, and whether there is a run with measures. */
+/** Shows the address of the scene, what is too long for one, and whether there is a run with measures. */
 export function update(measured) {
-  const long = pieces.tooLong();
+  const long = pieces.tooLong(),
+    { record } = current(),
+    alone = Boolean(record && !record.letters && !pieces.asked());
   part("link").hidden = long;
   part("link-long").hidden = !long;
+  part("link-record").hidden = !alone;
+  part("link-record").textContent = alone ? t("linkRecord", { name: record.name }) : "";
   part("address").value = location.href;
   held = measured && !pieces.asked();
   for (const kind of ["csv", "html", "gif"]) part(`${kind}-with`).disabled = shut(part(`${kind}-with`));

@@ -64,8 +64,7 @@ async function simulate() {
     if (error.status === 0) untilBack().then(recover);
     if (BUSY.includes(error.status)) setTimeout(() => problem === error && simulate(), PAUSE);
     if (scene.record && lacksRecord(error)) {
-      change({ record: null, gone: { name: scene.record.name }, scaled: false });
-      upload.lost();
+      await takeAgain(scene);
     }
   }
   flying = false;
@@ -157,6 +156,7 @@ function again() {
   understand.again(presets);
   see.again(presets);
   if (shown) display();
+  keep.update(measures.inPlace(current()).length > 0);
   tellWait(waiting);
   tellProblem(problem);
 }
@@ -273,13 +273,19 @@ async function takeFile(linked) {
   }
 }
 
-async function takeRecord({ id, name, component }, scaled) {
+/** The server has the record no more: it is sent again where the link holds it, else said to be gone. */
+const takeAgain = ({ record: { id, name, shaking, letters }, scaled }) => {
+  const { component, unit, dt } = shaking;
+  return takeRecord({ id, name, said: { component, unit, dt }, letters }, scaled);
+};
+
+async function takeRecord(linked, scaled) {
   try {
-    await upload.use(await patiently(() => api.motion(id, component)));
+    await upload.useLinked(linked);
     change({ scaled });
   } catch (error) {
-    if (!(error instanceof api.Refused)) throw error;
-    change({ gone: { name } });
+    if (!(error instanceof api.Refused || linked.letters)) throw error;
+    change({ record: null, gone: { name: linked.name }, scaled: false });
     upload.lost();
   }
 }
