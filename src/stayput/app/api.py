@@ -8,19 +8,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from fastapi import APIRouter, Query, Request
-from fastapi import Path as InPath
 from starlette.responses import Response
 
 import stayput
 from stayput.app.differences import with_differences
 from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
+from stayput.app.figure_routes import add_figures
 from stayput.app.jobs import StoppedError
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.presets import presets
-from stayput.app.refusals import refused
 from stayput.app.replies import MotionReply, PingReply, PresetsReply, PreviewReply, SceneReply
 from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotations
     EverydayRequest,
+    Name,
     ReadRequest,
     RunsRequest,
     SimulateRequest,
@@ -51,8 +51,6 @@ if TYPE_CHECKING:
     from stayput.app.jobs import Job
     from stayput.scenario import Scenario
     from stayput.verification import Verdict
-
-Name = Annotated[str, InPath(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")]
 
 ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
 
@@ -93,6 +91,7 @@ def api(service: Service) -> APIRouter:
     _add_runs(router, service)
     _add_jobs(router, service)
     _add_motions(router, service)
+    add_figures(router, service)
     return router
 
 
@@ -279,12 +278,6 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         job = service.jobs.cancel(name)
         return await service.workers.run(lambda: json_response(reply_of(job)))
 
-    def done(name: str) -> tuple[Job, Verdict]:
-        job = service.jobs.get(name)
-        if job.state != "done" or job.verdict is None:
-            raise refused(409, "app.no_report_yet", state=job.state)
-        return job, job.verdict
-
     @router.put(
         "/jobs/{name}/everyday",
         response_model=EverydayReply,
@@ -293,9 +286,9 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     )
     async def put_everyday(name: Name, body: EverydayRequest) -> Response:
         """Put another scene's everyday use into a verdict that is done, whose runs it has no part in."""
-        done(name)
+        service.verdict(name)
         scenario = await service.workers.run(service.scene, body.scene, [])
-        job, verdict = done(name)
+        job, verdict = service.verdict(name)
         changed = with_everyday(verdict, scenario.everyday)
         job.verdict, job.reports = changed, {}
         return await service.workers.run(lambda: json_response(everyday_reply(changed)))
@@ -308,7 +301,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     )
     async def report(name: Name, lang: Annotated[Language, Query()] = "en") -> Response:
         """Return the report of a job: one HTML file."""
-        job, verdict = done(name)
+        job, verdict = service.verdict(name)
         reports = job.reports  # those of this verdict
 
         def work() -> Response:
@@ -328,7 +321,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     )
     async def table(name: Name) -> Response:
         """Return the ranking of a job as a table."""
-        _, verdict = done(name)
+        _, verdict = service.verdict(name)
 
         def work() -> Response:
             return attachment(verdict_csv(verdict), "stayput_ranking.csv", "text/csv; charset=utf-8")

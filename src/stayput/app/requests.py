@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
+from fastapi import Path as InPath
 from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema
 
 from stayput.montecarlo.counting import SLIDE_LIMIT
@@ -19,6 +20,8 @@ AnySceneData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "AnyScene"}
 
 MeasureData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "Measure"})]
 """A measure as it came."""
+
+Name = Annotated[str, InPath(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")]
 
 Measures = Annotated[
     list[MeasureData], Field(default_factory=list, max_length=8, description="In place together.")

@@ -18,11 +18,12 @@ from stayput.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from stayput.app.jobs import Jobs
+    from stayput.app.jobs import Job, Jobs
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
     from stayput.app.readers import ReaderPool
     from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.verification import Verdict
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -126,6 +127,19 @@ class Service:
     def scene(self, data: dict[str, Any], measures: list[dict[str, Any]]) -> Scenario:
         """Make a scenario of a scene."""
         return read_scene(data, measures, self.limits, self.motions)
+
+    def verdict(self, name: str) -> tuple[Job, Verdict]:
+        """Return a job of a verification that is done, and its verdict.
+
+        Raises
+        ------
+        RefusedError
+            There is no such job, or it has no verdict yet.
+        """
+        job = self.jobs.get(name)
+        if job.state != "done" or job.verdict is None:
+            raise refused(409, "app.no_report_yet", state=job.state)
+        return job, job.verdict
 
     def shaken(self, data: dict[str, Any], measures: list[dict[str, Any]]) -> Scenario | AssemblyScenario:
         """Make a scenario of a scene of one piece or several."""

@@ -31,6 +31,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "cli",
         "common",
         "contents",
+        "figures",
         "fragility",
         "inventory",
         "measures",
