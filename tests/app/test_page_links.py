@@ -37,7 +37,7 @@ def sent(it: Opened, path: Path) -> None:
     """Drop a record whose file does not say its time step, and say it."""
     it.page.set_input_files("#file", path)
     it.page.fill("#step", "0.02")
-    it.simulated(lambda: it.page.get_by_role("button", name="Send it again").click())
+    it.simulated(lambda: it.page.get_by_role("button", name="Send again").click())
 
 
 def forget(server: Running) -> None:
@@ -84,7 +84,7 @@ def test_a_record_that_is_too_large_for_the_link_is_said_to_be(
     browser: Browser, server: Running, tmp_path: Path
 ) -> None:
     path = tmp_path / "large.csv"
-    sp.near_fault().to_csv(path)
+    sp.near_fault().write(path)
     with opened(browser, server, "#piece=chest") as it:
         it.simulated(lambda: it.page.set_input_files("#file", path))
         it.go("keep")

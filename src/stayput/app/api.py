@@ -17,6 +17,7 @@ from stayput.app.figure_routes import add_figures
 from stayput.app.jobs import StoppedError
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.presets import presets
+from stayput.app.python_code import scene_python
 from stayput.app.replies import MotionReply, PingReply, PresetsReply, PreviewReply, SceneReply
 from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotations
     EverydayRequest,
@@ -80,7 +81,7 @@ UPLOAD_FORM: dict[str, Any] = {
 """What the description of the API says of an upload, which is read here, not by FastAPI."""
 
 
-FILMS = {"html": "text/html; charset=utf-8", "gif": "image/gif"}
+FILMS = {"html": "text/html; charset=utf-8", "gif": "image/gif", "mp4": "video/mp4"}
 """Media types of films."""
 
 
@@ -120,6 +121,22 @@ def _add_general(router: APIRouter, service: Service) -> None:
             return attachment(
                 scene_toml(scenario, service.motions), "scenario.toml", "application/toml; charset=utf-8"
             )
+
+        return await service.workers.run(work)
+
+    @router.post(
+        "/scenario/python",
+        response_class=Response,
+        tags=["general"],
+        responses={200: {"content": {"text/x-python": {}}}, **problems(400, 413, 422, 503)},
+    )
+    async def python(body: SimulateRequest) -> Response:
+        """Return a scene, of one piece or several, as a program that gives the same numbers to the bit."""
+
+        def work() -> Response:
+            scenario = service.shaken(body.scene, body.measures)
+            text = scene_python(scenario, scene_toml(scenario, service.motions), stayput.__version__)
+            return attachment(text, "scenario.py", "text/x-python; charset=utf-8")
 
         return await service.workers.run(work)
 
@@ -182,19 +199,27 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         "/simulate/film",
         response_class=Response,
         tags=["runs"],
-        responses={200: {"content": {"text/html": {}, "image/gif": {}}}, **refusals},
+        responses={
+            200: {"content": {media.partition(";")[0]: {} for media in FILMS.values()}},
+            **refusals,
+            **problems(404, 409),
+        },
     )
     async def simulate_film(
         body: SimulateRequest,
         which: Annotated[Literal["without", "with"], Query()] = "without",
-        kind: Annotated[Literal["html", "gif"], Query()] = "html",
+        kind: Annotated[Literal["html", "gif", "mp4"], Query()] = "html",
         lang: Annotated[Language, Query()] = "en",
+        seconds: Annotated[float | None, Query(ge=2.0, le=60.0, description="How much of it.")] = None,
+        job: Annotated[str | None, Query(description="The job whose verdict stands in the film.")] = None,
     ) -> Response:
-        """Run a scene without or with measures; return a page that plays it, or a GIF."""
+        """Run a scene without or with measures; return a page that plays it, a GIF, or an MP4."""
+        note = "" if job is None else service.verdict(job)[1].sentence(lang)
 
         def work() -> Response:
             scenario = service.shaken(body.scene, body.measures)
-            content = film(scenario, kind, lang, service.limits, held=which == "with")
+            held = which == "with"
+            content = film(scenario, kind, lang, service.limits, held=held, seconds=seconds, note=note)
             answer = attachment(content, f"run_{which}.{kind}", FILMS[kind])
             answer.headers["Content-Security-Policy"] = REPORT_POLICY
             return answer

@@ -7,6 +7,7 @@ from dataclasses import MISSING
 from typing import TYPE_CHECKING, Any, Literal
 
 import stayput
+from stayput.app.downloads import film_kinds
 from stayput.app.replies import (
     FamilyReply,
     FurnitureReply,
@@ -127,6 +128,7 @@ def presets(limits: Limits) -> PresetsReply:
         events=[NamedReply(id=name, label=Words.of(label)) for name, label in EVENTS.items()],
         scene=SCENE,
         measures_shown=SCENE_MEASURES,
+        films=list(film_kinds()),
         limits=_limits(limits),
     )
 

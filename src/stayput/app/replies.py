@@ -179,6 +179,7 @@ class PresetsReply(Reply):
     events: list[NamedReply]
     scene: dict[str, Any] = Field(description="A scene to begin with.")
     measures_shown: list[dict[str, Any]]
+    films: list[str] = Field(description="The kinds of films that this server can make.")
     limits: LimitsReply
 
 

@@ -122,6 +122,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "shaking.suite is a folder; this server takes suites by family and count only.",
         "shaking.suiteにフォルダーは指定できません。familyとcountで指定してください。",
     ),
+    "no_video": (
+        "kind is {value}, which needs ffmpeg where the server runs; it must be one of {allowed}.",
+        "kindが{value}になっていますが、サーバーにffmpegがありません。{allowed}のいずれかを指定してください。",
+    ),
     "long_film": (
         "The motion lasts {value:.0f} s; this server draws a GIF of at most {most:g} s, and a page of any.",
         "揺れの長さは{value:.0f}秒です。GIFは{most:g}秒まで作れます。HTMLには制限がありません。",

@@ -6,6 +6,7 @@ import * as everyday from "./everyday.js";
 import { beforeNextFrame } from "./canvas/clock.js";
 import { readInks } from "./canvas/pen.js";
 import { fill, part, settled } from "./dom.js";
+import * as figures from "./figures.js";
 import * as keep from "./keep.js";
 import { fromHash, toHash } from "./link.js";
 import * as measures from "./panel_measures.js";
@@ -28,6 +29,10 @@ const PANELS = [piece, room, shaking, measures, everyday];
 const SLOW = 400,
   PAUSE = 1500,
   BUSY = [429, 503];
+const FIGURES = {
+  histories: () => shown && ((query) => api.runFigure(shown.asked, query)),
+  ...understand.figures,
+};
 let presets = null,
   shown = null,
   waiting = null,
@@ -56,7 +61,8 @@ async function simulate() {
   const scene = current(),
     file = pieces.shownName();
   try {
-    shown = { result: shake(pieces.answer() ?? (await api.simulate(request()))), scene, file };
+    const asked = request();
+    shown = { result: shake(pieces.answer() ?? (await api.simulate(asked))), scene, file, asked };
     tellProblem(null);
     display();
   } catch (error) {
@@ -154,6 +160,7 @@ function again() {
   build();
   upload.again();
   understand.again(presets);
+  figures.build(FIGURES);
   see.again(presets);
   if (shown) display();
   keep.update(measures.inPlace(current()).length > 0);
@@ -220,6 +227,8 @@ async function begin() {
   await take(location.hash);
   build();
   see.name(presets);
+  keep.films(presets.films);
+  figures.build(FIGURES);
   understand.build(presets, request);
   watch((keys) => {
     if (!taking) pieces.leave(); // what is set is set for the page's own piece

@@ -78,7 +78,9 @@ def fragility_chart(verdict: Verdict, shown: Sequence[OptionVerdict], source: Ch
         axis.legend(loc="upper left", fontsize=FONT - 1.0, framealpha=0.85, handlelength=3.6)
 
     columns = {name: [row[place] for row in rows] for place, name in enumerate(names)}
-    caption = verdict.sentence(language) + say("page.space", language) + say("figures.fragility_note", language)
+    caption = (
+        verdict.sentence(language) + say("page.space", language) + say("figures.fragility_note", language)
+    )
     return Chart(say("figures.fragility", language), caption, source, columns, draw, (8.4, 5.4))
 
 
