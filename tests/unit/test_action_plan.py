@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 import re
@@ -130,7 +131,7 @@ def test_the_plan_hangs_together(plan: sp.ActionPlan):
     assert plan.steps[0].alone.hit == plan.steps[0].together.hit
     # each step is the one that brings most after those before it: together it gets no worse
     risks = [step.together.risk for step in plan.steps]
-    assert all(later <= earlier + 0.0051 for earlier, later in zip(risks, risks[1:], strict=False))
+    assert all(later <= earlier + 0.0051 for earlier, later in itertools.pairwise(risks))
 
 
 def test_moving_costs_nothing_and_comes_first_where_it_helps_as_much(plan: sp.ActionPlan):

@@ -7,6 +7,7 @@ from dataclasses import MISSING
 from typing import TYPE_CHECKING, Any, Literal
 
 import stayput
+from stayput.app.downloads import film_kinds
 from stayput.app.replies import (
     FamilyReply,
     FurnitureReply,
@@ -149,6 +150,7 @@ def presets(limits: Limits) -> PresetsReply:
         measures_shown=SCENE_MEASURES,
         places=[_place(name, preset) for name, preset in PLACES.items()],
         room_scene=ROOM_SCENE,
+        films=list(film_kinds()),
         limits=_limits(limits),
     )
 

@@ -195,6 +195,7 @@ class PresetsReply(Reply):
     measures_shown: list[dict[str, Any]]
     places: list[PlaceReply]
     room_scene: dict[str, Any] = Field(description="A room to begin with.")
+    films: list[str] = Field(description="The kinds of films that this server can make.")
     limits: LimitsReply
 
 

@@ -23,7 +23,16 @@ const NUMBERS = [
 const WHOLE = ["storeys", "storey", "member", "drawers"];
 const WORDS = ["wallConstruction", "ceilingConstruction"];
 const NAMES = ["piece", "floor", "structure", "family", "contents", "doors", ...WORDS];
+const SAID = ["component", "unit", "dt"];
 const FLAGS = ["inSpace", "wall", "scaled", "installed"];
+
+/** What was said of a record when it was sent, and the record itself where it is small. */
+const asSaid = ({ shaking, letters }) =>
+  Object.fromEntries(
+    Object.entries({ ...pick(shaking, SAID), wave: letters }).filter(([, value]) => value !== undefined && value !== null),
+  );
+
+const pick = (object, names) => Object.fromEntries(names.map((name) => [name, object[name]]));
 
 /** The scene as the part of an address after "#", and a file of several pieces {name, letters} that is shown instead. */
 export function toHash(scene, file = null) {
@@ -35,7 +44,7 @@ export function toHash(scene, file = null) {
   if (scene.record) {
     pairs.set("record", scene.record.id);
     pairs.set("name", scene.record.name);
-    if (scene.record.shaking.component) pairs.set("component", scene.record.shaking.component);
+    for (const [key, value] of Object.entries(asSaid(scene.record))) pairs.set(key, value);
   }
   const measures = Object.entries(scene.measures).map(([type, settings]) =>
     [type, ...Object.entries(settings).map(([name, value]) => `${name}:${value}`)].join(";"),
@@ -74,7 +83,7 @@ function measured(text, presets) {
   return measures;
 }
 
-/** The scene, the record and the file of several pieces of an address; what is missing or makes no sense there is as in the scene given. */
+/** The scene, the record {id, name, said, letters} and the file of several pieces of an address; what is missing or makes no sense there is as in the scene given. */
 export function fromHash(hash, presets, start) {
   const within = (value, name) => clamp(value, limitsOf(presets, name));
   const pairs = new URLSearchParams(hash.replace(/^#/, ""));
@@ -104,11 +113,12 @@ export function fromHash(hash, presets, start) {
       : null;
   scene.measures = pairs.has("measures") ? measured(pairs.get("measures"), presets) : {};
   scene.record = null;
-  const [record, name, component] = ["record", "name", "component"].map((key) => pairs.get(key));
-  const [file, letters] = ["file", "pieces"].map((key) => pairs.get(key));
+  const [record, name, letters] = ["record", "name", "wave"].map((key) => pairs.get(key));
+  const said = Object.fromEntries(SAID.map((key) => [key, pairs.get(key)]));
+  const [file, several] = ["file", "pieces"].map((key) => pairs.get(key));
   return {
     scene,
-    record: record ? { id: record, name, component } : null,
-    file: letters ? { name: file ?? "", letters } : null,
+    record: record ? { id: record, name, said, letters } : null,
+    file: several ? { name: file ?? "", letters: several } : null,
   };
 }

@@ -4,13 +4,16 @@ import * as api from "./api.js";
 import { choice } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { classOf } from "./panel_shaking.js";
-import { utf8 } from "./packing.js";
+import { patiently } from "./connection.js";
+import { packed, unpackedBytes, utf8 } from "./packing.js";
 import * as pieces from "./pieces.js";
 import { worded, wordedOfScenario } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { both, number, spoken, t } from "./words.js";
 
 const UNITS = ["m/s²", "gal", "g"];
+const LONGEST = 4096; // letters of a record in a link
+const sent = new Map(); // the ids of the records in links that were sent to the server again, by their letters
 let waiting = null,
   preview = null,
   trouble = null,
@@ -63,8 +66,9 @@ async function send(file, said) {
   tell(() => [el("p", { role: "status", text: t("sending") })]);
   try {
     const motion = await api.upload(file, said, waiting.signal);
+    const letters = await lettersOf(file);
     trouble = null;
-    use(motion);
+    use(motion, letters);
   } catch (error) {
     if (error.name === "AbortError") return;
     tell(() => [refusal(worded(error, "unreadable")), asking(file, said, error.field)]);
@@ -111,16 +115,37 @@ function asking(file, said, field) {
 /** Says that the server no longer has the record. */
 export const lost = () => tell(() => [refusal([t("recordGone", { name: "" })])]);
 
-/** Takes a record that is on the server into the scene, as it is. */
-export async function use(motion) {
-  take(motion, { scaled: false });
+/** What a link holds of a record: its file in letters, or null where that is too long. */
+async function lettersOf(file) {
+  if (file.size > 16 * LONGEST) return null; // which no file of numbers is made smaller by
+  const letters = await packed(await file.arrayBuffer());
+  return letters.length <= LONGEST ? letters : null;
+}
+
+/** Takes the record of a link into the scene; one that the server has no more is sent again, if the link holds it. */
+export async function useLinked({ id, name, said, letters }) {
+  const on = (known) => patiently(() => api.motion(known, said.component));
+  let motion = await on(letters && sent.has(letters) ? sent.get(letters) : id).catch((error) => {
+    if (error.status !== 404 || !letters) throw error;
+  });
+  if (!motion) {
+    const file = new File([await unpackedBytes(letters)], name ?? "");
+    motion = await patiently(() => api.upload(file, said));
+    sent.set(letters, motion.id);
+  }
+  await use(motion, letters);
+}
+
+/** Takes a record that is on the server into the scene, as it is; "letters" are what a link holds of it. */
+async function use(motion, letters) {
+  take(motion, { scaled: false }, letters);
   preview = await api.motionPreview(motion.id, motion.shaking.component).catch(() => null);
   update();
 }
 
-function take(motion, also) {
+function take(motion, also, letters) {
   preview = null;
-  const record = { id: motion.id, name: motion.name, shaking: motion.shaking, motion };
+  const record = { id: motion.id, name: motion.name, shaking: motion.shaking, motion, letters };
   change({ record, gone: null, ...also });
 }
 
@@ -130,7 +155,7 @@ async function turn(component) {
   try {
     const motion = await api.motion(record.id, component);
     if (current().record?.id !== motion.id) return;
-    take(motion, {});
+    take(motion, {}, record.letters);
     preview = await api.motionPreview(motion.id, component).catch(() => null);
     update();
   } catch (error) {
