@@ -97,7 +97,7 @@ def verify_room(
     )
     if room.direction is not None:
         drawn = [[draw._replace(direction=room.direction) for draw in row] for row in drawn]
-    floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
+    floors = hazard.stated(shaking.strength, shaking.scale, settings.seed, threads)
     groups, each = groups_of(room), settings.motions * settings.samples
     total, made = len(groups) * each, 0
     with bar(total, "Verifying", progress) as advance:
