@@ -1,8 +1,9 @@
 """Hazard levels: motions of the ground scaled to an intensity, and the floor motions under the furniture.
 
 A level says how strong the ground shakes: a JMA intensity, or the common logarithm of a spectral
-acceleration [g], to which each motion is scaled. A scenario may also state a peak, and a scatter. Without a building, or in one that stays elastic, the
-floor's motion scales with the ground's; where storeys yield it does not, and is computed anew at each level.
+acceleration [g], to which each motion is scaled. A scenario may also state a peak, and a scatter. Without a
+building, or in one that stays elastic, the floor's motion scales with the ground's; where storeys yield it
+does not, and is computed anew at each level.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """How strongly the ground shakes, from what people know: an intensity, a peak, or an earthquake's distance.
 
 Motions are scaled to an intensity. They are scaled to a peak acceleration or velocity too, each to that peak
-itself: to make an intensity of it first, by a regression, would add the regression's error. A modified Mercalli
-intensity and an earthquake become a peak velocity by published models, with their scatter:
+itself: to make an intensity of it first, by a regression, would add the regression's error. A modified
+Mercalli intensity and an earthquake become a peak velocity by published models, with their scatter:
 
 - Worden, Gerstenberger, Rhoades and Wald (2012), Bulletin of the Seismological Society of America 102,
   204-221: peak velocity at a modified Mercalli intensity, for California.
@@ -12,8 +12,8 @@ intensity and an earthquake become a peak velocity by published models, with the
 - Fujimoto and Midorikawa (2006), Journal of Japan Association for Earthquake Engineering 6 (1), 11-22: how
   much larger it is at the surface, by the mean shear-wave velocity of the uppermost 30 m.
 
-The scatter is between places and earthquakes that are the same to the model. None of this is a seismic hazard:
-it says how strong one earthquake is, and not how likely.
+The scatter is between places and earthquakes that are the same to the model. None of this is a seismic
+hazard: it says how strong one earthquake is, and not how likely.
 """
 
 from __future__ import annotations
@@ -185,9 +185,9 @@ class GroundStrength:
     def drawn(self, motions: int, seed: int) -> list[GroundStrength]:
         """Return the strength of each of several motions, without scatter.
 
-        The scatter is cut into as many equally likely parts as there are motions; each motion has the middle of
-        one of them, widened so that their standard deviation is the stated one. The seed says which motion has
-        which part. One motion alone has the median.
+        The scatter is cut into as many equally likely parts as there are motions; each motion has the middle
+        of one of them, widened so that their standard deviation is the stated one. The seed says which motion
+        has which part. One motion alone has the median.
 
         Parameters
         ----------

@@ -154,8 +154,8 @@ class ShakingTable(Table):
     )
     pga: Annotated[float, between(*PEAK_RANGES["PGA"], "m/s²")] | None = Field(
         default=None,
-        description="Peak acceleration of the ground, of the larger horizontal component, that every motion is "
-        "scaled to, in the place of an intensity.",
+        description="Peak acceleration of the ground, of the larger horizontal component, that every motion "
+        "is scaled to, in the place of an intensity.",
     )
     pgv: Annotated[float, between(*PEAK_RANGES["PGV"], "m/s")] | None = Field(
         default=None,
@@ -164,13 +164,13 @@ class ShakingTable(Table):
     )
     mmi: Annotated[float, between(*MERCALLI_RANGE)] | None = Field(
         default=None,
-        description="Modified Mercalli intensity, in the place of a JMA intensity: motions are scaled to the peak "
-        "velocity and its scatter of Worden et al. (2012).",
+        description="Modified Mercalli intensity, in the place of a JMA intensity: motions are scaled to the "
+        "peak velocity and its scatter of Worden et al. (2012).",
     )
     earthquake: EarthquakeTable | None = Field(
         default=None,
-        description="An earthquake and its distance, in the place of an intensity: motions are scaled to the peak "
-        "velocity and its scatter of Si and Midorikawa (1999).",
+        description="An earthquake and its distance, in the place of an intensity: motions are scaled to the "
+        "peak velocity and its scatter of Si and Midorikawa (1999).",
     )
     vertical: Vertical = Field(
         default=True,
@@ -284,11 +284,10 @@ class ShakingTable(Table):
     @property
     def strength(self) -> GroundStrength | None:
         """What the ground is scaled to; None where the motions keep their own strength."""
+        if isinstance(self.intensity, str):
+            return GroundStrength.of_intensity(intensity_of_class(self.intensity))
         if self.intensity is not None:
-            named = isinstance(self.intensity, str)
-            return GroundStrength.of_intensity(
-                intensity_of_class(self.intensity) if named else self.intensity
-            )
+            return GroundStrength.of_intensity(self.intensity)
         if self.pga is not None:
             return GroundStrength.of_peak("PGA", self.pga)
         if self.pgv is not None:
