@@ -13,7 +13,7 @@ from starlette.responses import Response
 from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
-from stayput.catalogue import LANGUAGES, TEXTS, page
+from stayput.catalogue import LANGUAGES, TEXTS, earthquake, page
 
 if TYPE_CHECKING:
     from starlette.requests import Request
@@ -49,7 +49,7 @@ def page_routes() -> list[Mount | Route]:
     """Return the routes of the page; they take all paths that those before them do not."""
     shared = {name.rpartition(".")[2]: TEXTS[name] for name in page.SHARED}
     tables = {
-        language: {key: text[place] for key, text in (shared | page.TEXTS).items()}
+        language: {key: text[place] for key, text in (shared | page.TEXTS | earthquake.TEXTS).items()}
         for place, language in enumerate(LANGUAGES)
     }
     content = f"export const TABLES = {json.dumps(tables, ensure_ascii=False)};\n"

@@ -38,6 +38,12 @@ class SimulateRequest(Request):
     measures: Measures
 
 
+class ShakingRequest(Request):
+    """A scene of which only the shaking is looked at."""
+
+    scene: AnySceneData
+
+
 class SizeMapRequest(Request):
     """A scene whose piece is made larger and smaller, and shaken more and less."""
 

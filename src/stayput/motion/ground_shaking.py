@@ -27,7 +27,7 @@ import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.model.parameters import check_fields, parameter, quantity
+from stayput.model.parameters import arguments, check_fields, parameter, quantity
 from stayput.motion.intensity import factor_to_intensity, pgv_of_mercalli
 from stayput.motion.processing import LARGEST_ACCELERATION
 from stayput.randomness import random_bits
@@ -47,15 +47,6 @@ EARTHQUAKE_SCATTER = 0.23
 
 MERCALLI_SCATTER = 0.38
 """Standard deviation of log₁₀ PGV at a modified Mercalli intensity (Worden et al. 2012)."""
-
-MERCALLI_RANGE = (2.0, 10.0)
-"""Modified Mercalli intensities that a peak velocity is known of."""
-
-PEAK_RANGES: dict[StrengthMeasure, tuple[float, float]] = {
-    "PGA": (1e-3, LARGEST_ACCELERATION),
-    "PGV": (1e-4, 10.0),
-}
-"""Peaks that motions are scaled to [m/s², m/s]."""
 
 _STREAM = 200_000
 """Key of the draws of strengths; other draws have the motion's number there, which is 100 000 at most."""
@@ -148,35 +139,6 @@ class GroundStrength:
     scatter: float = 0.0
     about: Phrase = ("", "")
 
-    @classmethod
-    def of_intensity(cls, intensity: float) -> GroundStrength:
-        """Return the strength of a JMA intensity."""
-        return cls("JMA", intensity, about=phrase("ground_shaking.intensity", value=intensity))
-
-    @classmethod
-    def of_peak(cls, measure: Literal["PGA", "PGV"], peak: float) -> GroundStrength:
-        """Return the strength of a peak acceleration [m/s²] or velocity [m/s]."""
-        return cls(measure, math.log10(peak), about=phrase(f"ground_shaking.{measure.lower()}", value=peak))
-
-    @classmethod
-    def of_mercalli(cls, mercalli: float) -> GroundStrength:
-        """Return the strength of a modified Mercalli intensity."""
-        about = phrase("ground_shaking.mmi", value=mercalli)
-        return cls("PGV", math.log10(pgv_of_mercalli(mercalli)), MERCALLI_SCATTER, about)
-
-    @classmethod
-    def of_earthquake(cls, source: EarthquakeSource) -> GroundStrength:
-        """Return the strength of an earthquake at a distance."""
-        about = phrase(
-            "ground_shaking.earthquake",
-            magnitude=source.magnitude,
-            distance=source.distance,
-            depth=source.depth,
-            kind=phrase(f"ground_shaking.{source.kind}"),
-            vs30=source.vs30,
-        )
-        return cls("PGV", math.log10(source.pgv), EARTHQUAKE_SCATTER, about)
-
     @property
     def median(self) -> float:
         """JMA's intensity, or the peak [m/s², m/s]."""
@@ -241,3 +203,67 @@ def horizontal_peak(motion: Motion, measure: StrengthMeasure) -> float:
     if not peak > 0.0:
         raise InputError("motion.still_floor")
     return peak
+
+
+def strength_of_intensity(intensity: float) -> GroundStrength:
+    """Return the strength of a JMA intensity."""
+    return GroundStrength("JMA", intensity, about=phrase("ground_shaking.intensity", value=intensity))
+
+
+@arguments(
+    pga=quantity(
+        "m/s²",
+        1e-3,
+        LARGEST_ACCELERATION,
+        ("Peak ground acceleration", "地面の最大加速度"),
+        "Peak acceleration of the ground, of the larger horizontal component, that every motion is scaled "
+        "to, in the place of an intensity.",
+    )
+)
+def strength_of_pga(pga: float) -> GroundStrength:
+    """Return the strength of a peak acceleration [m/s²]."""
+    return GroundStrength("PGA", math.log10(pga), about=phrase("ground_shaking.pga", value=pga))
+
+
+@arguments(
+    pgv=quantity(
+        "m/s",
+        1e-4,
+        10.0,
+        ("Peak ground velocity", "地面の最大速度"),
+        "Peak velocity of the ground, of the larger horizontal component, that every motion is scaled to, "
+        "in the place of an intensity.",
+    )
+)
+def strength_of_pgv(pgv: float) -> GroundStrength:
+    """Return the strength of a peak velocity [m/s]."""
+    return GroundStrength("PGV", math.log10(pgv), about=phrase("ground_shaking.pgv", value=pgv))
+
+
+@arguments(
+    mmi=quantity(
+        "",
+        2.0,
+        10.0,
+        ("Modified Mercalli intensity", "改正メルカリ震度"),
+        "Modified Mercalli intensity, in the place of a JMA intensity: motions are scaled to the peak "
+        "velocity and its scatter of Worden et al. (2012).",
+    )
+)
+def strength_of_mercalli(mmi: float) -> GroundStrength:
+    """Return the strength of a modified Mercalli intensity."""
+    about = phrase("ground_shaking.mmi", value=mmi)
+    return GroundStrength("PGV", math.log10(pgv_of_mercalli(mmi)), MERCALLI_SCATTER, about)
+
+
+def strength_of_earthquake(source: EarthquakeSource) -> GroundStrength:
+    """Return the strength of an earthquake at a distance."""
+    about = phrase(
+        "ground_shaking.earthquake",
+        magnitude=source.magnitude,
+        distance=source.distance,
+        depth=source.depth,
+        kind=phrase(f"ground_shaking.{source.kind}"),
+        vs30=source.vs30,
+    )
+    return GroundStrength("PGV", math.log10(source.pgv), EARTHQUAKE_SCATTER, about)

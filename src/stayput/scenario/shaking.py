@@ -12,11 +12,14 @@ from stayput.errors import InputError
 from stayput.motion import Motion, near_fault, read_motion, sine
 from stayput.motion.ground_shaking import (
     EARTHQUAKE_TERMS,
-    MERCALLI_RANGE,
-    PEAK_RANGES,
     EarthquakeSource,
     GroundStrength,
     horizontal_peak,
+    strength_of_earthquake,
+    strength_of_intensity,
+    strength_of_mercalli,
+    strength_of_pga,
+    strength_of_pgv,
 )
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_vertical
@@ -152,21 +155,9 @@ class ShakingTable(Table):
         description="JMA intensity of the ground that every motion is scaled to; a class is its middle. "
         "Where no motion is given, those of the built-in suite.",
     )
-    pga: Annotated[float, between(*PEAK_RANGES["PGA"], "m/s²")] | None = Field(
-        default=None,
-        description="Peak acceleration of the ground, of the larger horizontal component, that every motion "
-        "is scaled to, in the place of an intensity.",
-    )
-    pgv: Annotated[float, between(*PEAK_RANGES["PGV"], "m/s")] | None = Field(
-        default=None,
-        description="Peak velocity of the ground, of the larger horizontal component, that every motion is "
-        "scaled to, in the place of an intensity.",
-    )
-    mmi: Annotated[float, between(*MERCALLI_RANGE)] | None = Field(
-        default=None,
-        description="Modified Mercalli intensity, in the place of a JMA intensity: motions are scaled to the "
-        "peak velocity and its scatter of Worden et al. (2012).",
-    )
+    pga: float | None = of(strength_of_pga, "pga", default=None)
+    pgv: float | None = of(strength_of_pgv, "pgv", default=None)
+    mmi: float | None = of(strength_of_mercalli, "mmi", default=None)
     earthquake: EarthquakeTable | None = Field(
         default=None,
         description="An earthquake and its distance, in the place of an intensity: motions are scaled to the "
@@ -285,16 +276,16 @@ class ShakingTable(Table):
     def strength(self) -> GroundStrength | None:
         """What the ground is scaled to; None where the motions keep their own strength."""
         if isinstance(self.intensity, str):
-            return GroundStrength.of_intensity(intensity_of_class(self.intensity))
+            return strength_of_intensity(intensity_of_class(self.intensity))
         if self.intensity is not None:
-            return GroundStrength.of_intensity(self.intensity)
+            return strength_of_intensity(self.intensity)
         if self.pga is not None:
-            return GroundStrength.of_peak("PGA", self.pga)
+            return strength_of_pga(self.pga)
         if self.pgv is not None:
-            return GroundStrength.of_peak("PGV", self.pgv)
+            return strength_of_pgv(self.pgv)
         if self.mmi is not None:
-            return GroundStrength.of_mercalli(self.mmi)
-        return None if self.earthquake is None else GroundStrength.of_earthquake(self.earthquake.source())
+            return strength_of_mercalli(self.mmi)
+        return None if self.earthquake is None else strength_of_earthquake(self.earthquake.source())
 
     def _ground(self, folder: Path) -> Motion:
         return self._scaled(self._member(folder) if self.of_a_suite else self._single(folder))

@@ -33,6 +33,7 @@ const sent = (content, signal) => ({
 export const ping = () => json("ping");
 export const presets = () => json("presets");
 export const simulate = (content, signal) => json("simulate", sent(content, signal));
+export const shaking = (content, signal) => json("shaking", sent(content, signal));
 export const sizeMap = (content, signal) => json("size-map", sent(content, signal));
 export const verify = (content, signal) => json("verify", sent(content, signal));
 export const job = (id, signal) => json(`jobs/${id}`, { signal });

@@ -1,5 +1,6 @@
 // The scene in the page's address, so that a link shows it again.
 
+import { fromText, written } from "./earthquake.js";
 import { clamp, limitsOf, plain, wordsOf } from "./scene.js";
 
 const round = (value) => String(Number(value.toPrecision(6)));
@@ -23,7 +24,7 @@ const NUMBERS = [
 const WHOLE = ["storeys", "storey", "member", "drawers"];
 const WORDS = ["wallConstruction", "ceilingConstruction"];
 const NAMES = ["piece", "floor", "structure", "family", "contents", "doors", ...WORDS];
-const FLAGS = ["inSpace", "wall", "scaled", "installed"];
+const FLAGS = ["inSpace", "wall", "scaled", "onFloor", "installed"];
 
 /** The scene as the part of an address after "#", and a file of several pieces {name, letters} that is shown instead. */
 export function toHash(scene, file = null) {
@@ -31,11 +32,16 @@ export function toHash(scene, file = null) {
   for (const name of NAMES) pairs.set(name, scene[name]);
   for (const name of NUMBERS) pairs.set(name, round(scene[name]));
   for (const name of FLAGS) pairs.set(name, scene[name] ? "1" : "0");
+  if (scene.entry) pairs.set("entry", written(scene.entry));
   if (scene.shelves) pairs.set("shelves", scene.shelves.map(round).join(","));
   if (scene.record) {
     pairs.set("record", scene.record.id);
     pairs.set("name", scene.record.name);
     if (scene.record.shaking.component) pairs.set("component", scene.record.shaking.component);
+    if (scene.record.vertical) {
+      pairs.set("vertical", scene.record.vertical.id);
+      pairs.set("verticalName", scene.record.vertical.name);
+    }
   }
   const measures = Object.entries(scene.measures).map(([type, settings]) =>
     [type, ...Object.entries(settings).map(([name, value]) => `${name}:${value}`)].join(";"),
@@ -103,12 +109,14 @@ export function fromHash(hash, presets, start) {
       ? loads.slice(0, 12).map((load) => within(load, "load"))
       : null;
   scene.measures = pairs.has("measures") ? measured(pairs.get("measures"), presets) : {};
+  scene.entry = fromText(pairs.get("entry"), presets);
   scene.record = null;
   const [record, name, component] = ["record", "name", "component"].map((key) => pairs.get(key));
+  const [up, upName] = ["vertical", "verticalName"].map((key) => pairs.get(key));
   const [file, letters] = ["file", "pieces"].map((key) => pairs.get(key));
   return {
     scene,
-    record: record ? { id: record, name, component } : null,
+    record: record ? { id: record, name, component, vertical: up ? { id: up, name: upName ?? "" } : null } : null,
     file: letters ? { name: file ?? "", letters } : null,
   };
 }

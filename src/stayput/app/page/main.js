@@ -64,7 +64,7 @@ async function simulate() {
     if (error.status === 0) untilBack().then(recover);
     if (BUSY.includes(error.status)) setTimeout(() => problem === error && simulate(), PAUSE);
     if (scene.record && lacksRecord(error)) {
-      change({ record: null, gone: { name: scene.record.name }, scaled: false });
+      change({ record: null, gone: { name: scene.record.name }, scaled: false, onFloor: false });
       upload.lost();
     }
   }
@@ -254,7 +254,7 @@ async function take(hash) {
   taking = true;
   try {
     change({ ...scene, gone });
-    if (record) await takeRecord(record, scene.scaled);
+    if (record) await takeRecord(record, scene);
   } finally {
     taking = false;
   }
@@ -273,10 +273,10 @@ async function takeFile(linked) {
   }
 }
 
-async function takeRecord({ id, name, component }, scaled) {
+async function takeRecord({ id, name, component, vertical }, { scaled, onFloor }) {
   try {
-    await upload.use(await patiently(() => api.motion(id, component)));
-    change({ scaled });
+    await upload.use(await patiently(() => api.motion(id, component)), vertical);
+    change({ scaled, onFloor });
   } catch (error) {
     if (!(error instanceof api.Refused)) throw error;
     change({ gone: { name } });

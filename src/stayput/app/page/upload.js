@@ -64,7 +64,8 @@ async function send(file, said) {
   try {
     const motion = await api.upload(file, said, waiting.signal);
     trouble = null;
-    use(motion);
+    if (vertical(motion)) tell(() => offering(motion));
+    else use(motion);
   } catch (error) {
     if (error.name === "AbortError") return;
     tell(() => [refusal(worded(error, "unreadable")), asking(file, said, error.field)]);
@@ -111,16 +112,34 @@ function asking(file, said, field) {
 /** Says that the server no longer has the record. */
 export const lost = () => tell(() => [refusal([t("recordGone", { name: "" })])]);
 
-/** Takes a record that is on the server into the scene, as it is. */
-export async function use(motion) {
-  take(motion, { scaled: false });
+/** Whether a record holds a vertical component alone. */
+const vertical = ({ channels: all }) => all.length > 0 && all.every((one) => one.vertical);
+
+/** Offers a vertical record as what it is: the vertical component of the horizontal record in use. */
+function offering(motion) {
+  const { record } = current(),
+    name = motion.name;
+  if (!record) return [refusal([t("verticalAlone", { name })])];
+  const taken = () => {
+    trouble = null;
+    change({ record: { ...current().record, vertical: { id: motion.id, name } } });
+  };
+  return [
+    el("p", { role: "status", text: t("verticalOffered", { name, record: record.name }) }),
+    el("button", { type: "button", text: t("takeVertical"), onclick: taken }),
+  ];
+}
+
+/** Takes a record that is on the server into the scene, as it is; {id, name} of its vertical component from a link. */
+export async function use(motion, up = null) {
+  take(motion, { scaled: false, onFloor: Boolean(motion.floor) }, up);
   preview = await api.motionPreview(motion.id, motion.shaking.component).catch(() => null);
   update();
 }
 
-function take(motion, also) {
+function take(motion, also, up) {
   preview = null;
-  const record = { id: motion.id, name: motion.name, shaking: motion.shaking, motion };
+  const record = { id: motion.id, name: motion.name, shaking: motion.shaking, motion, vertical: up };
   change({ record, gone: null, ...also });
 }
 
@@ -130,7 +149,7 @@ async function turn(component) {
   try {
     const motion = await api.motion(record.id, component);
     if (current().record?.id !== motion.id) return;
-    take(motion, {});
+    take(motion, {}, current().record.vertical);
     preview = await api.motionPreview(motion.id, component).catch(() => null);
     update();
   } catch (error) {
@@ -170,6 +189,21 @@ export function update() {
   if (choosing) place.querySelector("select")?.focus();
 }
 
+/** Asks where the record was measured: on a floor, there is no building between it and the piece. */
+function measured() {
+  const field = choice({
+    label: t("measuredWhere"),
+    options: [
+      { id: "ground", label: t("measuredGround") },
+      { id: "floor", label: t("measuredFloor") },
+    ],
+    changed: (place) => change({ onFloor: place === "floor" }),
+  });
+  field.set(current().onFloor ? "floor" : "ground");
+  const note = current().onFloor ? el("p", { class: "hint", text: t("measuredNote") }) : null;
+  return [field.element, ...(note ? [note] : [])];
+}
+
 /** What is known of the record in use, and the button that ends its use. */
 function about(record) {
   const { motion } = record;
@@ -188,12 +222,14 @@ function about(record) {
       ` ${number(motion.duration_s, 0)}\u00a0s, ${number(motion.pga_m_s2, 2)}\u00a0m/s²${strength}`,
     ),
     channels(motion) ?? [],
+    record.vertical ? el("p", { text: t("withVertical", { name: record.vertical.name }) }) : [],
+    measured(),
     ...warnings(motion),
     preview ? picture(preview) : [],
     el("button", {
       type: "button",
       text: t("withoutRecord"),
-      onclick: () => change({ record: null, scaled: false }),
+      onclick: () => change({ record: null, scaled: false, onFloor: false }),
     }),
   ].flat();
 }
