@@ -31,7 +31,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "magnitude": ("Moment magnitude", "モーメントマグニチュード"),
     "distance": ("Shortest distance to the fault", "断層までの最短距離"),
     "depth": ("Depth", "震源の深さ"),
-    "quakeKind": ("Where it breaks", "地震の種類"),
+    "quakeKind": ("Where it breaks", "震源の種類"),
     "kind_crustal": ("In the crust", "内陸の浅い地震"),
     "kind_interface": ("Between two plates", "プレート境界の地震"),
     "kind_intraslab": ("Within a diving plate", "プレート内部の地震"),
@@ -46,8 +46,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # A record of one's own
     "measuredWhere": ("Where was it measured?", "どこで観測した記録ですか"),
-    "measuredGround": ("On the ground", "地面の上"),
-    "measuredFloor": ("On a floor of a building", "建物の階の床"),
+    "measuredGround": ("The ground", "地面"),
+    "measuredFloor": ("A floor of a building", "建物の床"),
+    "placeMeasured": ("On the floor where it was recorded", "記録が観測された床の上"),
     "measuredNote": (
         "It shakes the piece as it is, with no building between.",
         "建物を通さず、この記録でそのまま家具を揺らします。",

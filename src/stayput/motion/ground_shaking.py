@@ -131,13 +131,16 @@ class GroundStrength:
     scatter : float
         Standard deviation of the level.
     about : Phrase
-        What was stated, and by which source it is a strength; without a full stop.
+        What was stated, without a full stop.
+    source : Phrase
+        The model by which it is a strength, where it has scatter.
     """
 
     measure: StrengthMeasure
     level: float
     scatter: float = 0.0
     about: Phrase = ("", "")
+    source: Phrase = ("", "")
 
     @property
     def median(self) -> float:
@@ -174,8 +177,13 @@ class GroundStrength:
         if self.scatter == 0.0:
             return self.about
         key = "middle" if motions == 1 else "scattered"
-        values = {"about": self.about, "pgv": 100.0 * self.median, "scatter": self.scatter}
-        return phrase(f"ground_shaking.{key}", **values)
+        return phrase(
+            f"ground_shaking.{key}",
+            about=self.about,
+            source=self.source,
+            pgv=100.0 * self.median,
+            spread=10.0**self.scatter,
+        )
 
     def factor(self, motion: Motion) -> float:
         """Return the factor on a motion that gives it the median strength.
@@ -253,17 +261,19 @@ def strength_of_pgv(pgv: float) -> GroundStrength:
 def strength_of_mercalli(mmi: float) -> GroundStrength:
     """Return the strength of a modified Mercalli intensity."""
     about = phrase("ground_shaking.mmi", value=mmi)
-    return GroundStrength("PGV", math.log10(pgv_of_mercalli(mmi)), MERCALLI_SCATTER, about)
+    source = phrase("ground_shaking.mmi_source")
+    return GroundStrength("PGV", math.log10(pgv_of_mercalli(mmi)), MERCALLI_SCATTER, about, source)
 
 
-def strength_of_earthquake(source: EarthquakeSource) -> GroundStrength:
+def strength_of_earthquake(earthquake: EarthquakeSource) -> GroundStrength:
     """Return the strength of an earthquake at a distance."""
     about = phrase(
         "ground_shaking.earthquake",
-        magnitude=source.magnitude,
-        distance=source.distance,
-        depth=source.depth,
-        kind=phrase(f"ground_shaking.{source.kind}"),
-        vs30=source.vs30,
+        magnitude=earthquake.magnitude,
+        distance=earthquake.distance,
+        depth=earthquake.depth,
+        kind=phrase(f"ground_shaking.{earthquake.kind}"),
+        vs30=earthquake.vs30,
     )
-    return GroundStrength("PGV", math.log10(source.pgv), EARTHQUAKE_SCATTER, about)
+    source = phrase("ground_shaking.earthquake_source")
+    return GroundStrength("PGV", math.log10(earthquake.pgv), EARTHQUAKE_SCATTER, about, source)

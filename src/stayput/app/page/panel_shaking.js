@@ -101,7 +101,7 @@ export function summary(scene, motion) {
   const place =
     throughBuilding(scene)
       ? t("placeStorey", { storey: number(scene.storey), storeys: number(scene.storeys) })
-      : t("placeGround");
+      : t(scene.record && scene.onFloor ? "placeMeasured" : "placeGround");
   const felt =
     throughBuilding(scene) && motion.floor_intensity !== null
       ? t("felt", { at: number(motion.floor_intensity, 2) })

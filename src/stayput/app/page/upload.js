@@ -1,7 +1,7 @@
 // A record of the user's own: dropped on the page or chosen, sent to the server, shown, used.
 
 import * as api from "./api.js";
-import { choice } from "./controls.js";
+import { choice, oneOf } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { classOf } from "./panel_shaking.js";
 import { utf8 } from "./packing.js";
@@ -191,7 +191,7 @@ export function update() {
 
 /** Asks where the record was measured: on a floor, there is no building between it and the piece. */
 function measured() {
-  const field = choice({
+  const field = oneOf({
     label: t("measuredWhere"),
     options: [
       { id: "ground", label: t("measuredGround") },

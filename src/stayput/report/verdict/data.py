@@ -108,7 +108,7 @@ def strength_data(scenario: Scenario | AssemblyScenario, motions: int) -> dict[s
         "stated": scenario.shaking.stated,
         "measure": strength.measure,
         "median": number(strength.median),
-        "scatter": number(strength.scatter),
+        "scatter_of_log10": number(strength.scatter),
         "about": _texts(strength.told(motions)),
     }
 
