@@ -48,7 +48,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "measuredWhere": ("Where was it measured?", "どこで観測した記録ですか"),
     "measuredGround": ("The ground", "地面"),
     "measuredFloor": ("A floor of a building", "建物の床"),
-    "placeMeasured": ("On the floor where it was recorded", "記録が観測された床の上"),
+    "placeMeasured": ("On the floor where it was recorded,", "記録が観測された床の上、"),
     "measuredNote": (
         "It shakes the piece as it is, with no building between.",
         "建物を通さず、この記録でそのまま家具を揺らします。",
