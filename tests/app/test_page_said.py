@@ -170,8 +170,11 @@ def test_a_record_of_an_upper_floor_is_not_sent_through_a_building_without_a_wor
         it.simulated(
             lambda: it.page.set_input_files("#file", record(tmp_path, "floor42.csv", sp.near_fault()))
         )
-        assert "goes through a building once more" in it.text("#notices")
         assert "recorded on floor 42 of a building" in it.text("#uploaded")
+        assert "with no building between" in it.text("#uploaded")
+        asked, _ = it.simulated(lambda: it.page.get_by_label("The ground", exact=True).check())
+        assert asked["scene"]["shaking"]["building"]["storeys"] == 10
+        assert "goes through a building once more" in it.text("#notices")
         it.simulated(lambda: it.page.get_by_label("On the ground").check())
         assert not it.page.locator("#notices").is_visible()
 

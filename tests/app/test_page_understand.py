@@ -142,7 +142,7 @@ def test_what_is_kept(verified: tuple[Opened, dict]) -> None:
     scenario = Scenario.parse(tomllib.loads(text))
     assert name == "scenario.toml"
     assert scenario.furniture.preset == "bookcase"
-    assert scenario.shaking.wanted_intensity == 6.25
+    assert scenario.shaking.intensity == 6.25
     name, text = saved(it, "#report")
     assert name.endswith(".html")
     assert "<html" in text

@@ -19,12 +19,20 @@ from stayput.app.jobs import StoppedError
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.presets import presets
 from stayput.app.python_code import scene_python
-from stayput.app.replies import MotionReply, PingReply, PresetsReply, PreviewReply, SceneReply
+from stayput.app.replies import (
+    MotionReply,
+    PingReply,
+    PresetsReply,
+    PreviewReply,
+    SceneReply,
+    ShakingReply,
+)
 from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotations
     EverydayRequest,
     Name,
     ReadRequest,
     RunsRequest,
+    ShakingRequest,
     SimulateRequest,
     SizeMapRequest,
     TomlRequest,
@@ -35,6 +43,7 @@ from stayput.app.run_replies import SimulateReply, SizeMapReply
 from stayput.app.running import simulated
 from stayput.app.scenes import several_pieces, uploaded_motions
 from stayput.app.service import Service, json_response, problems
+from stayput.app.shaking import shaking_reply
 from stayput.app.size_map import size_map
 from stayput.app.space_replies import SpaceSimulateReply
 from stayput.app.space_running import simulated_in_space, simulated_pieces
@@ -228,6 +237,15 @@ def _add_runs(router: APIRouter, service: Service) -> None:
             return answer
 
         return await service.slow.run(work)
+
+    @router.post("/shaking", response_model=ShakingReply, tags=["runs"], responses=refusals)
+    async def strength(body: ShakingRequest) -> Response:
+        """Return how strongly the ground shakes in a scene, as a JMA intensity with its scatter."""
+
+        def work() -> Response:
+            return json_response(shaking_reply(service.shaken(body.scene, [])))
+
+        return await service.workers.run(work)
 
     @router.post("/size-map", response_model=SizeMapReply, tags=["runs"], responses=refusals)
     async def map_of_sizes(body: SizeMapRequest, request: Request) -> Response:

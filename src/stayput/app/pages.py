@@ -18,7 +18,7 @@ from starlette.staticfiles import StaticFiles
 
 from stayput.app.bundle import bundled, entry_of, page_with
 from stayput.app.middleware import takes_gzip
-from stayput.catalogue import LANGUAGES, TEXTS, page, page_keep
+from stayput.catalogue import LANGUAGES, TEXTS, earthquake, page, page_keep
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -123,7 +123,7 @@ class MadeFiles:
 def tables() -> dict[Language, dict[str, str]]:
     """Return the page's texts by their keys, in each language."""
     shared = {name.rpartition(".")[2]: TEXTS[name] for name in page.SHARED}
-    words = shared | page.TEXTS | page_keep.TEXTS
+    words = shared | page.TEXTS | page_keep.TEXTS | earthquake.TEXTS
     return {
         language: {key: text[place] for key, text in words.items()}
         for place, language in enumerate(LANGUAGES)

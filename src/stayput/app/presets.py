@@ -47,8 +47,15 @@ from stayput.model.body import Body, Part
 from stayput.model.floor_plan import PLACES
 from stayput.model.furniture import FURNITURE as PIECES
 from stayput.model.parameters import parameter_of
+from stayput.model.parameters import parameters as parameters_of
 from stayput.model.room import SURFACES as FRICTIONS
 from stayput.model.room import Ceiling, Room, Wall
+from stayput.motion.ground_shaking import (
+    EarthquakeSource,
+    strength_of_mercalli,
+    strength_of_pga,
+    strength_of_pgv,
+)
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.suites import synthetic_suite
 from stayput.report.palette import MODE_COLOURS
@@ -103,6 +110,10 @@ NUMBERS = {
     "everyday.load": parameter_of(Everyday, "load"),
     "everyday.pull": parameter_of(Everyday, "pull"),
     "shaking.suite.count": parameter_of(synthetic_suite, "count"),
+    "shaking.pga": parameter_of(strength_of_pga, "pga"),
+    "shaking.pgv": parameter_of(strength_of_pgv, "pgv"),
+    "shaking.mmi": parameter_of(strength_of_mercalli, "mmi"),
+    **{f"shaking.earthquake.{about.name}": about for about in parameters_of(EarthquakeSource)},
 }
 """Numbers and words of a scene that the page asks for."""
 

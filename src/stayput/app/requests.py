@@ -60,6 +60,12 @@ class RunsRequest(SimulateRequest):
     )
 
 
+class ShakingRequest(Request):
+    """A scene of which only the shaking is looked at."""
+
+    scene: AnySceneData
+
+
 class SizeMapRequest(Request):
     """A scene whose piece is made larger and smaller, and shaken more and less."""
 

@@ -117,7 +117,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Each one is different, even at one intensity. The animation shows this one; the chances below are worked out from many.",
         "同じ震度でも地震ごとに揺れ方が違います。アニメーションはこの地震のもので、下の確率は多くの地震から求めます。",
     ),
-    "scaled": ("Make the record as strong as the intensity above", "記録を上の震度に合わせて拡大・縮小する"),
+    "scaled": ("Make the record as strong as stated above", "記録を上で決めた強さに合わせて拡大・縮小する"),
     "meaningSource": (
         "Abridged from the explanation of the scale by the Japan Meteorological Agency (JMA).",
         "気象庁震度階級関連解説表を要約したものです。",

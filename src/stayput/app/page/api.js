@@ -38,6 +38,7 @@ export const presets = () => json("presets");
 export const words = (file) => json(`../../${file}`);
 export const simulate = (content, signal) =>
   json("simulate", sent({ ...content, histories: "differences" }, signal));
+export const shaking = (content, signal) => json("shaking", sent(content, signal));
 export const sizeMap = (content, signal) => json("size-map", sent(content, signal));
 export const verify = (content, signal) => json("verify", sent(content, signal));
 export const job = (id, signal) => json(`jobs/${id}`, { signal });

@@ -1,5 +1,6 @@
 // The scene in the page's address, so that a link shows it again.
 
+import { fromText, written } from "./earthquake.js";
 import { clamp, limitsOf, plain, wordsOf } from "./scene.js";
 
 const round = (value) => String(Number(value.toPrecision(6)));
@@ -24,7 +25,7 @@ const WHOLE = ["storeys", "storey", "member", "drawers"];
 const WORDS = ["wallConstruction", "ceilingConstruction"];
 const NAMES = ["piece", "floor", "structure", "family", "contents", "doors", ...WORDS];
 const SAID = ["component", "unit", "dt"];
-const FLAGS = ["inSpace", "wall", "scaled", "installed"];
+const FLAGS = ["inSpace", "wall", "scaled", "onFloor", "installed"];
 
 /** What was said of a record when it was sent, and the record itself where it is small. */
 const asSaid = ({ shaking, letters }) =>
@@ -40,11 +41,16 @@ export function toHash(scene, file = null) {
   for (const name of NAMES) pairs.set(name, scene[name]);
   for (const name of NUMBERS) pairs.set(name, round(scene[name]));
   for (const name of FLAGS) pairs.set(name, scene[name] ? "1" : "0");
+  if (scene.entry) pairs.set("entry", written(scene.entry));
   if (scene.shelves) pairs.set("shelves", scene.shelves.map(round).join(","));
   if (scene.record) {
     pairs.set("record", scene.record.id);
     pairs.set("name", scene.record.name);
     for (const [key, value] of Object.entries(asSaid(scene.record))) pairs.set(key, value);
+    if (scene.record.vertical) {
+      pairs.set("vertical", scene.record.vertical.id);
+      pairs.set("verticalName", scene.record.vertical.name);
+    }
   }
   const measures = Object.entries(scene.measures).map(([type, settings]) =>
     [type, ...Object.entries(settings).map(([name, value]) => `${name}:${value}`)].join(";"),
@@ -112,13 +118,16 @@ export function fromHash(hash, presets, start) {
       ? loads.slice(0, 12).map((load) => within(load, "load"))
       : null;
   scene.measures = pairs.has("measures") ? measured(pairs.get("measures"), presets) : {};
+  scene.entry = fromText(pairs.get("entry"), presets);
   scene.record = null;
   const [record, name, letters] = ["record", "name", "wave"].map((key) => pairs.get(key));
   const said = Object.fromEntries(SAID.map((key) => [key, pairs.get(key)]));
+  const [up, upName] = ["vertical", "verticalName"].map((key) => pairs.get(key));
+  const vertical = up ? { id: up, name: upName ?? "" } : null;
   const [file, several] = ["file", "pieces"].map((key) => pairs.get(key));
   return {
     scene,
-    record: record ? { id: record, name, said, letters } : null,
+    record: record ? { id: record, name, said, letters, vertical } : null,
     file: several ? { name: file ?? "", letters: several } : null,
   };
 }

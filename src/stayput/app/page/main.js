@@ -263,7 +263,7 @@ async function take(hash) {
   taking = true;
   try {
     change({ ...scene, gone });
-    if (record) await takeRecord(record, scene.scaled);
+    if (record) await takeRecord(record, scene);
   } finally {
     taking = false;
   }
@@ -283,18 +283,18 @@ async function takeFile(linked) {
 }
 
 /** The server has the record no more: it is sent again where the link holds it, else said to be gone. */
-const takeAgain = ({ record: { id, name, shaking, letters }, scaled }) => {
+const takeAgain = ({ record: { id, name, shaking, letters }, ...scene }) => {
   const { component, unit, dt } = shaking;
-  return takeRecord({ id, name, said: { component, unit, dt }, letters }, scaled);
+  return takeRecord({ id, name, said: { component, unit, dt }, letters, vertical: null }, scene);
 };
 
-async function takeRecord(linked, scaled) {
+async function takeRecord(linked, { scaled, onFloor }) {
   try {
     await upload.useLinked(linked);
-    change({ scaled });
+    change({ scaled, onFloor });
   } catch (error) {
     if (!(error instanceof api.Refused || linked.letters)) throw error;
-    change({ record: null, gone: { name: linked.name }, scaled: false });
+    change({ record: null, gone: { name: linked.name }, scaled: false, onFloor: false });
     upload.lost();
   }
 }

@@ -1,7 +1,7 @@
 // A record of the user's own: dropped on the page or chosen, sent to the server, shown, used.
 
 import * as api from "./api.js";
-import { choice } from "./controls.js";
+import { choice, oneOf } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { classOf } from "./panel_shaking.js";
 import { patiently } from "./connection.js";
@@ -68,7 +68,8 @@ async function send(file, said) {
     const motion = await api.upload(file, said, waiting.signal);
     const letters = await lettersOf(file);
     trouble = null;
-    use(motion, letters);
+    if (vertical(motion)) tell(() => offering(motion));
+    else use(motion, letters);
   } catch (error) {
     if (error.name === "AbortError") return;
     tell(() => [refusal(worded(error, "unreadable")), asking(file, said, error.field)]);
@@ -123,7 +124,7 @@ async function lettersOf(file) {
 }
 
 /** Takes the record of a link into the scene; one that the server has no more is sent again, if the link holds it. */
-export async function useLinked({ id, name, said, letters }) {
+export async function useLinked({ id, name, said, letters, vertical: up }) {
   const on = (known) => patiently(() => api.motion(known, said.component));
   let motion = await on(letters && sent.has(letters) ? sent.get(letters) : id).catch((error) => {
     if (error.status !== 404 || !letters) throw error;
@@ -133,19 +134,38 @@ export async function useLinked({ id, name, said, letters }) {
     motion = await patiently(() => api.upload(file, said));
     sent.set(letters, motion.id);
   }
-  await use(motion, letters);
+  await use(motion, letters, up);
 }
 
-/** Takes a record that is on the server into the scene, as it is; "letters" are what a link holds of it. */
-async function use(motion, letters) {
-  take(motion, { scaled: false }, letters);
+/** Whether a record holds a vertical component alone. */
+const vertical = ({ channels: all }) => all.length > 0 && all.every((one) => one.vertical);
+
+/** Offers a vertical record as what it is: the vertical component of the horizontal record in use. */
+function offering(motion) {
+  const { record } = current(),
+    name = motion.name;
+  if (!record) return [refusal([t("verticalAlone", { name })])];
+  const taken = () => {
+    trouble = null;
+    change({ record: { ...current().record, vertical: { id: motion.id, name } } });
+  };
+  return [
+    el("p", { role: "status", text: t("verticalOffered", { name, record: record.name }) }),
+    el("button", { type: "button", text: t("takeVertical"), onclick: taken }),
+  ];
+}
+
+/** Takes a record that is on the server into the scene, as it is; "letters" are what a link holds of it, "up" is {id, name} of its vertical component. */
+async function use(motion, letters, up = null) {
+  take(motion, { scaled: false, onFloor: Boolean(motion.floor) }, letters, up);
   preview = await api.motionPreview(motion.id, motion.shaking.component).catch(() => null);
   update();
 }
 
-function take(motion, also, letters) {
+function take(motion, also, letters, up) {
   preview = null;
-  const record = { id: motion.id, name: motion.name, shaking: motion.shaking, motion, letters };
+  const { id, name, shaking } = motion;
+  const record = { id, name, shaking, motion, letters, vertical: up };
   change({ record, gone: null, ...also });
 }
 
@@ -155,7 +175,7 @@ async function turn(component) {
   try {
     const motion = await api.motion(record.id, component);
     if (current().record?.id !== motion.id) return;
-    take(motion, {}, record.letters);
+    take(motion, {}, record.letters, current().record.vertical);
     preview = await api.motionPreview(motion.id, component).catch(() => null);
     update();
   } catch (error) {
@@ -195,6 +215,21 @@ export function update() {
   if (choosing) place.querySelector("select")?.focus();
 }
 
+/** Asks where the record was measured: on a floor, there is no building between it and the piece. */
+function measured() {
+  const field = oneOf({
+    label: t("measuredWhere"),
+    options: [
+      { id: "ground", label: t("measuredGround") },
+      { id: "floor", label: t("measuredFloor") },
+    ],
+    changed: (place) => change({ onFloor: place === "floor" }),
+  });
+  field.set(current().onFloor ? "floor" : "ground");
+  const note = current().onFloor ? el("p", { class: "hint", text: t("measuredNote") }) : null;
+  return [field.element, ...(note ? [note] : [])];
+}
+
 /** What is known of the record in use, and the button that ends its use. */
 function about(record) {
   const { motion } = record;
@@ -213,12 +248,14 @@ function about(record) {
       ` ${number(motion.duration_s, 0)}\u00a0s, ${number(motion.pga_m_s2, 2)}\u00a0m/s²${strength}`,
     ),
     channels(motion) ?? [],
+    record.vertical ? el("p", { text: t("withVertical", { name: record.vertical.name }) }) : [],
+    measured(),
     ...warnings(motion),
     preview ? picture(preview) : [],
     el("button", {
       type: "button",
       text: t("withoutRecord"),
-      onclick: () => change({ record: null, scaled: false }),
+      onclick: () => change({ record: null, scaled: false, onFloor: false }),
     }),
   ].flat();
 }

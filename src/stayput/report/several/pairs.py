@@ -43,7 +43,7 @@ def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, m
     shaking, settings = scenario.shaking, scenario.uncertainty
     ground = scenario.ground()
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
-    floors = hazard.stated(shaking.wanted_intensity, shaking.scale)
+    floors = hazard.stated(shaking.strength, shaking.scale, verdict.seed)
     drawn = draws_of_several(
         len(scenario.names), len(ground), verdict.samples, verdict.seed, as_stated=settings.as_stated
     )

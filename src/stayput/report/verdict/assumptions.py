@@ -68,8 +68,12 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
 
 
 def shaking_assumptions(scenario: Scenario | AssemblyScenario, count: int) -> Iterator[Assumption]:
-    """Yield the motions, of which there are so many, and the building."""
+    """Yield the motions, of which there are so many, how strong they are, and the building."""
     yield _motions(scenario, count)
+    strength = scenario.shaking.strength
+    if strength is not None and strength.measure != "JMA":  # whose intensity stands in the title
+        tag = GIVEN if strength.scatter == 0.0 else "medium"
+        yield Assumption((_text("strength"), strength.told(count)), tag)
     if scenario.shaking.building is not None:
         yield _building(scenario)
 

@@ -215,7 +215,9 @@ def floor_motion(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motio
     one_motion = Suite((ground[member.motion],))
     dimensions = verdict.scenario.dimensions
     hazard = Hazard(one_motion, shaken.building, shaken.storey or 1, bool(shaken.vertical), dimensions)
-    floors = hazard.stated(shaken.wanted_intensity, shaken.scale)
+    strength = shaken.strength
+    own = None if strength is None else strength.drawn(len(ground), verdict.seed)[member.motion]
+    floors = hazard.stated(own, shaken.scale, verdict.seed)
     return floors.motions[0], float(floors.scales[0])
 
 
