@@ -1,6 +1,8 @@
 // The server's answers. Nothing else on this page speaks to it.
 
-const BASE = new URL("api/v1/", document.baseURI);
+// "data-home" says where the server's root is, seen from a page that is not there itself
+const HOME = new URL(document.documentElement.dataset.home ?? ".", document.baseURI),
+  BASE = new URL("api/v1/", HOME);
 
 /** A refusal by the server: its sentence in English, in Japanese if it has one, the field, the HTTP status (0: no answer). */
 export class Refused extends Error {
@@ -35,6 +37,7 @@ export const presets = () => json("presets");
 export const simulate = (content, signal) => json("simulate", sent(content, signal));
 export const sizeMap = (content, signal) => json("size-map", sent(content, signal));
 export const verify = (content, signal) => json("verify", sent(content, signal));
+export const room = (content, signal) => json("room", sent(content, signal));
 export const job = (id, signal) => json(`jobs/${id}`, { signal });
 export const everyday = (id, scene, signal) =>
   json(`jobs/${id}/everyday`, { ...sent({ scene }, signal), method: "PUT" });

@@ -9,6 +9,7 @@ import { fill, part, settled } from "./dom.js";
 import * as keep from "./keep.js";
 import { fromHash, toHash } from "./link.js";
 import * as measures from "./panel_measures.js";
+import * as building from "./panel_building.js";
 import * as notices from "./notices.js";
 import * as piece from "./panel_piece.js";
 import * as pieces from "./pieces.js";
@@ -24,7 +25,7 @@ import * as understand from "./understand.js";
 import * as upload from "./upload.js";
 import { t } from "./words.js";
 
-const PANELS = [piece, room, shaking, measures, everyday];
+const PANELS = [piece, room, building, shaking, measures, everyday];
 const SLOW = 400,
   PAUSE = 1500,
   BUSY = [429, 503];
@@ -205,7 +206,7 @@ async function begin() {
     if (presets) again();
   });
   see.wire();
-  upload.wire(shakePieces);
+  upload.wire((file) => pieces.open(file, shakePieces));
   keep.wire(request);
   part("sizes").addEventListener("rebuild", () => piece.build(presets));
   try {

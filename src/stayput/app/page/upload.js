@@ -4,9 +4,7 @@ import * as api from "./api.js";
 import { choice } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { classOf } from "./panel_shaking.js";
-import { utf8 } from "./packing.js";
-import * as pieces from "./pieces.js";
-import { worded, wordedOfScenario } from "./refusals.js";
+import { worded } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { both, number, spoken, t } from "./words.js";
 
@@ -16,13 +14,17 @@ let waiting = null,
   trouble = null,
   shown = null; // the record that stands there
 
-/** Wires the file field and the place to drop a file on; "shake" is called with a file of several pieces read. */
-export function wire(shake) {
+/** Whether a dropped file is a scenario, by its name. */
+const isScenario = ({ name }) => /\.toml$/i.test(name);
+
+/** Wires the file field and the place to drop a file on; "takeScenario" is called with a scenario file. */
+export function wire(takeScenario) {
   const drop = part("drop"),
     field = part("file");
   const take = (file) => {
     if (!file) return;
-    if (pieces.isScenario(file)) sendPieces(file, shake);
+    waiting?.abort();
+    if (isScenario(file)) takeScenario(file);
     else send(file, {});
   };
   field.addEventListener("change", () => {
@@ -42,21 +44,6 @@ export function wire(shake) {
   for (const name of ["dragover", "drop"]) addEventListener(name, (event) => event.preventDefault());
 }
 
-async function sendPieces(file, shake) {
-  waiting?.abort();
-  const text = await file.arrayBuffer().then(utf8).catch(() => null);
-  if (text === null) return tell(() => [refusal([t("notText")])]);
-  tell(() => [el("p", { role: "status", text: t("shaking") })]);
-  try {
-    const several = await pieces.take(file.name, text);
-    if (several === null) return;
-    tell(several ? null : () => [refusal([t("onePieceFile")])]);
-    if (several) shake();
-  } catch (error) {
-    tell(() => [refusal(wordedOfScenario(error))]);
-  }
-}
-
 async function send(file, said) {
   waiting?.abort();
   waiting = new AbortController();
@@ -72,7 +59,7 @@ async function send(file, said) {
 }
 
 /** Shows something in the place of the record, until the scene changes with a record in it. */
-function tell(made) {
+export function tell(made) {
   trouble = made;
   again();
 }
@@ -84,7 +71,7 @@ export function again() {
   fill(part("uploaded"), ...(trouble?.().filter(Boolean) ?? []), ...(record ? about(record) : []));
 }
 
-const refusal = (words) => el("p", { class: "refusal", role: "alert" }, ...words);
+export const refusal = (words) => el("p", { class: "refusal", role: "alert" }, ...words);
 
 /** Asks for what a file does not say: its unit and step, or which of its channels is wanted. */
 function asking(file, said, field) {

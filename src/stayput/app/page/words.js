@@ -15,7 +15,6 @@ export const spoken = () => language;
 export function speak(wanted) {
   language = LANGUAGES.includes(wanted) ? wanted : "en";
   document.documentElement.lang = language;
-  document.title = t("title");
   translate(document);
 }
 
