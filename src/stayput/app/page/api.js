@@ -1,6 +1,6 @@
 // The server's answers. Nothing else on this page speaks to it.
 
-const BASE = new URL("api/v1/", document.baseURI);
+const BASE = new URL("api/v1/", import.meta.url);
 
 /** A refusal by the server: its sentence in English, in Japanese if it has one, the field, the HTTP status (0: no answer). */
 export class Refused extends Error {
