@@ -1,4 +1,4 @@
-"""Routes of the page: its static files, and its texts as a module of JavaScript."""
+"""Routes of the pages: their static files, and their texts as a module of JavaScript."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from starlette.responses import Response
 from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
-from stayput.catalogue import LANGUAGES, TEXTS, page
+from stayput.catalogue import LANGUAGES, TEXTS, page, room_plan
 
 if TYPE_CHECKING:
     from starlette.requests import Request
@@ -47,9 +47,10 @@ class PackageFiles(StaticFiles):
 
 def page_routes() -> list[Mount | Route]:
     """Return the routes of the page; they take all paths that those before them do not."""
-    shared = {name.rpartition(".")[2]: TEXTS[name] for name in page.SHARED}
+    shared = {name.rpartition(".")[2]: TEXTS[name] for name in (*page.SHARED, *room_plan.SHARED)}
+    texts = shared | page.TEXTS | room_plan.TEXTS
     tables = {
-        language: {key: text[place] for key, text in (shared | page.TEXTS).items()}
+        language: {key: text[place] for key, text in texts.items()}
         for place, language in enumerate(LANGUAGES)
     }
     content = f"export const TABLES = {json.dumps(tables, ensure_ascii=False)};\n"
@@ -61,4 +62,5 @@ def page_routes() -> list[Mount | Route]:
         return Response(content, headers=headers, media_type="text/javascript")
 
     drawing = Mount("/canvas", PackageFiles("stayput.report", "canvas"))  # what the HTML files draw with too
-    return [Route(WORDS, words), drawing, Mount("/", PackageFiles("stayput.app", "page"))]
+    room = Mount("/room", PackageFiles("stayput.app", "room_page"))
+    return [Route(WORDS, words), drawing, room, Mount("/", PackageFiles("stayput.app", "page"))]

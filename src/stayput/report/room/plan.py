@@ -66,7 +66,7 @@ def plan_svg(
     notes: Mapping[str, str] | None = None,
     moved: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None,
 ) -> str:
-    """Return the plan of a room, to scale and with y upwards; its style is plan.css.
+    """Return the plan of a room, to scale and with y upwards; its style is canvas/plan.css.
 
     Parameters
     ----------
