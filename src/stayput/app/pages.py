@@ -13,7 +13,7 @@ from starlette.responses import Response
 from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
-from stayput.catalogue import LANGUAGES, TEXTS, page, room_plan
+from stayput.catalogue import LANGUAGES, TEXTS, page, room_page, room_plan
 
 if TYPE_CHECKING:
     from starlette.requests import Request
@@ -47,8 +47,10 @@ class PackageFiles(StaticFiles):
 
 def page_routes() -> list[Mount | Route]:
     """Return the routes of the page; they take all paths that those before them do not."""
-    shared = {name.rpartition(".")[2]: TEXTS[name] for name in (*page.SHARED, *room_plan.SHARED)}
-    texts = shared | page.TEXTS | room_plan.TEXTS
+    parts = (page, room_page, room_plan)
+    texts = {name.rpartition(".")[2]: TEXTS[name] for part in parts for name in part.SHARED}
+    for part in parts:
+        texts |= part.TEXTS
     tables = {
         language: {key: text[place] for key, text in texts.items()}
         for place, language in enumerate(LANGUAGES)

@@ -40,6 +40,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "page",
         "plots",
         "report",
+        "room_page",
         "room_plan",
         "room_report",
         "rooms",

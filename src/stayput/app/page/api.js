@@ -63,3 +63,4 @@ export function upload(file, said, signal) {
 /** Where a job's report or table is fetched. */
 export const reportAddress = (id, language) => new URL(`jobs/${id}/report?lang=${language}`, BASE).href;
 export const tableAddress = (id) => new URL(`jobs/${id}/csv`, BASE).href;
+export const planAddress = (id, query) => new URL(`jobs/${id}/plan?${new URLSearchParams(query)}`, BASE).href;
