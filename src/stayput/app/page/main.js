@@ -200,7 +200,7 @@ function edit(keys) {
 }
 
 async function begin() {
-  screens.begin();
+  screens.begin("see");
   readInks();
   screens.wire(() => {
     if (presets) again();

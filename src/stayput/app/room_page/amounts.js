@@ -23,3 +23,6 @@ export const quantile = ({ median, p90 }, unit, decimals) =>
         median: `${number(median, decimals)}\u00a0${unit}`,
         most: p90 === null ? t("notKnown") : `${number(p90, decimals)}\u00a0${unit}`,
       });
+
+/** A text that begins large. */
+export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);

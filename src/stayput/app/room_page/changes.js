@@ -3,7 +3,7 @@
 import { bar } from "../bars.js";
 import { el, fill, part } from "../dom.js";
 import { both, t } from "../words.js";
-import { chance, points } from "./amounts.js";
+import { capital, chance, points } from "./amounts.js";
 
 /** Lists the changes of a result; "apply" makes one in the room. */
 export function show(result, apply) {
@@ -46,5 +46,3 @@ function option(one, apply) {
     }),
   );
 }
-
-const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);

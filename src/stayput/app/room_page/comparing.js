@@ -5,7 +5,7 @@ import { el, fill, part, svg } from "../dom.js";
 import { worded } from "../refusals.js";
 import { both, number, t } from "../words.js";
 import { line } from "../verification.js";
-import { chance } from "./amounts.js";
+import { capital, chance } from "./amounts.js";
 import { kindName } from "./kinds.js";
 import { drawPlan } from "./plan.js";
 
@@ -85,7 +85,7 @@ function numbers(result) {
   ];
   return [
     el("p", { text: both(result.verdict) }),
-    el("dl", {}, ...rows.flatMap(([name, share]) => [el("dt", { text: name }), el("dd", { text: chance(share) })])),
+    el("dl", {}, ...rows.flatMap(([name, share]) => [el("dt", { text: capital(name) }), el("dd", { text: chance(share) })])),
     el("p", {
       class: "hint",
       text: t("basisOfRoom", {

@@ -3,7 +3,7 @@
 import { bar } from "../bars.js";
 import { el, fill, part } from "../dom.js";
 import { number, percent, t } from "../words.js";
-import { chance, quantile } from "./amounts.js";
+import { capital, chance, quantile } from "./amounts.js";
 import { kindName } from "./kinds.js";
 
 /** Writes all of them. */
@@ -19,7 +19,7 @@ const row = (name, share, ...more) =>
   el(
     "li",
     { class: "finding" },
-    el("strong", { text: name }),
+    el("strong", { text: capital(name) }),
     el("span", { class: "optionbar" }, bar(share), el("span", { class: "share", text: chance(share) })),
     ...more,
   );

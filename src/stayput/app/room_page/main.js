@@ -117,7 +117,7 @@ function wire() {
 }
 
 async function begin() {
-  screens.begin();
+  screens.begin("scene");
   readInks();
   screens.wire(() => presets && again());
   try {
