@@ -22,7 +22,6 @@ import * as environment from "./environment.js";
 import * as files from "./files.js";
 import * as findings from "./findings.js";
 import * as judging from "./judging.js";
-import { learn } from "./kinds.js";
 import * as room from "./room.js";
 import * as scenes from "./scenes.js";
 import * as surfaces from "./surfaces.js";
@@ -46,7 +45,8 @@ function tellNotice(key) {
 /** Shows the newest state of the question everywhere that it is shown. */
 function judged(state) {
   verdict.show(state);
-  editor.judge(state.result, state.old);
+  editor.tellResult(state.result, { old: state.old });
+  editor.tellRefusal(state.error);
   files.point(state.job?.state === "done" ? state.job.id : null);
   if (!state.result) return;
   findings.show(state.result);
@@ -58,7 +58,7 @@ function again() {
   readInks();
   for (const panel of PANELS) panel.build(presets);
   upload.again();
-  editor.build(part("editor"), presets);
+  editor.translate();
   theatre.again(presets);
   care.build();
   files.build();
@@ -127,7 +127,7 @@ async function begin() {
     presets = await patiently(api.presets);
     fill(part("verdict"));
   }
-  learn(presets);
+  editor.build(part("editor"), presets);
   room.replace(await take(location.hash));
   for (const panel of PANELS) panel.build(presets);
   wire();
@@ -139,6 +139,7 @@ async function begin() {
     part("address").value = location.href;
   });
   changed();
+  document.documentElement.dataset.ready = "true";
 }
 
 begin();
