@@ -63,8 +63,9 @@ function end() {
 }
 
 function column({ name, room, result, error }) {
-  const picture = svg("svg", { class: "plan-room", role: "img", "aria-label": t("planOf", { name }) });
+  const picture = svg("svg");
   drawPlan(picture, room, { result, readOnly: true });
+  picture.setAttribute("aria-label", t("planOf", { name }));
   return el(
     "section",
     { "aria-label": name },

@@ -6,7 +6,7 @@ import { described } from "./described.js";
 import { extents, opening, onWall, thing, things } from "./geometry.js";
 import { DEFAULTS, TABLES, nameOf } from "./kinds.js";
 import { nameTexts } from "./labels.js";
-import { LAYERS, hueOf, notes, shareOf, stepOf, zones } from "./layers.js";
+import { LAYERS, hueOf, inOrderOf, notes, shareOf, stepOf, zones } from "./layers.js";
 import { doorShapes, pieceShapes, placeShapes, windowShapes } from "./shapes.js";
 import { WALL, path, sheetFor } from "./sheet.js";
 
@@ -21,7 +21,8 @@ const groups = new WeakMap(); // of the pictures that were drawn: their groups, 
  * stand wrong; guides: lines across the plan, {x} or {y} [m]; wide and high: its largest size [px].
  */
 export function drawPlan(element, room, options = {}) {
-  const { result = null, shown = LAYERS, selected = null, readOnly = false, bare = false } = options;
+  const { shown = LAYERS, selected = null, readOnly = false, bare = false } = options,
+    result = inOrderOf(room, options.result);
   const { clashing = new Set(), guides = [], wide = element.clientWidth || HIGH, high = HIGH } = options;
   const sheet = sheetFor(room, wide, high, bare),
     all = things(room, TABLES);

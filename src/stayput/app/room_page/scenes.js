@@ -72,10 +72,11 @@ export function list() {
 }
 
 function entry(scene) {
-  const picture = svg("svg", { class: "plan-room small", role: "img", "aria-label": t("planOf", { name: scene.name }) });
-  drawPlan(picture, scene.room, { readOnly: true });
+  const picture = svg("svg");
+  drawPlan(picture, scene.room, { readOnly: true, bare: true, wide: 150, high: 150 });
   const mark = el("input", { type: "checkbox", id: `mark-${scene.id}`, onchange: () => toggle(scene.id) });
   mark.checked = marked.has(scene.id);
+  picture.setAttribute("aria-label", t("planOf", { name: scene.name }));
   return el(
     "li",
     { class: "scene" },
