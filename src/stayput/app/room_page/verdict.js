@@ -55,7 +55,7 @@ function progress(name, job) {
     bar = part("progress"),
     share = job?.progress ?? 0;
   bar.hidden = !busy;
-  part("cancel").hidden = !busy || name === "waiting";
+  part("cancel").hidden = !busy || !job;
   part("verify").hidden = busy;
   bar.value = share;
   bar.setAttribute("aria-valuetext", perCent(number(100 * share)));
@@ -64,7 +64,7 @@ function progress(name, job) {
 
 /** How far the question is, in words. */
 function said(name, job) {
-  if (name === "running" && job?.position > 0) return t("before", { n: number(job.position) });
+  if (job?.position) return t("before", { n: number(job.position) });
   if (name === "running" && job?.result) return t("roomBetter");
   return name === "done" ? "" : t(`state_${name}`);
 }
