@@ -4,7 +4,6 @@ SHARED = (
     "room_report.is_blocked",
     "room_report.is_hit",
     "room_report.overturns",
-    "rooms.door",
     "rooms.far_side_wall",
     "rooms.left_wall",
     "rooms.near_side_wall",
@@ -14,7 +13,8 @@ SHARED = (
 
 TEXTS: dict[str, tuple[str, str]] = {
     "roomPlan": ("The room", "部屋"),
-    "window": ("window", "窓"),
+    "door": ("Door", "ドア"),
+    "window": ("Window", "窓"),
     # Palette
     "paletteFurniture": ("Furniture", "家具"),
     "palettePlaces": ("Places of people", "人のいる場所"),

@@ -118,7 +118,7 @@ export function drawHandles() {
     ...handles().map(({ name, at: [x, y] }) =>
       svg(
         "g",
-        { class: `handle ${name}`, "data-handle": name, transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})` },
+        { class: `handle pull-${name}`, "data-handle": name, transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})` },
         svg("title", { text: t(name === "turn" ? "pullToTurn" : "pullToSize") }),
         svg("circle", { class: "felt", r: felt }),
         name === "turn"

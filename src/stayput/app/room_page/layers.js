@@ -83,5 +83,5 @@ export function notes(result, shown, what) {
   return fell?.overturned ? [t("overturns", { share: percent(fell.overturned.estimate) })] : [];
 }
 
-/** The class of a mark whose strength is a share; empty where it is next to nothing. */
-export const stepOf = (share) => (share === null || share < TOLD ? "" : `step${Math.ceil(STEPS * share - 1e-9)}`);
+/** Whether a share is more than next to nothing. */
+export const telling = (share) => share !== null && share >= TOLD;

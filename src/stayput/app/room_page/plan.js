@@ -3,10 +3,10 @@
 import { svg } from "../dom.js";
 import { length, spoken, t } from "../words.js";
 import { described } from "./described.js";
-import { extents, opening, onWall, thing, things } from "./geometry.js";
+import { extents, onWall, thing, things } from "./geometry.js";
 import { DEFAULTS, TABLES, nameOf } from "./kinds.js";
 import { nameTexts } from "./labels.js";
-import { LAYERS, hueOf, inOrderOf, notes, shareOf, stepOf, zones } from "./layers.js";
+import { LAYERS, hueOf, inOrderOf, notes, shareOf, telling, zones } from "./layers.js";
 import { doorShapes, pieceShapes, placeShapes, windowShapes } from "./shapes.js";
 import { WALL, path, sheetFor } from "./sheet.js";
 
@@ -109,14 +109,15 @@ function shapes(sheet, room, what) {
   return what.table === "doors" ? doorShapes(sheet, one) : windowShapes(sheet, one);
 }
 
-/** A wash of a place whose person is hit, and a bar across a door that stays blocked: stronger the more often. */
+/** A line around a place whose person is hit, thicker the more often; a bar across a door that stays blocked. */
 function mark(sheet, room, what, result, shown) {
-  const step = stepOf(shareOf(result, shown, what));
-  if (!step) return null;
-  if (what.table === "places") return svg("path", { class: `washit ${step}`, d: path(thing(room, what).outline.map(sheet.place)) });
-  const { wall, start, width } = opening(room, what),
-    ends = [start, start + width].map((along) => sheet.atWall(wall, along, -WALL / 2 / sheet.scale));
-  return svg("path", { class: "washut", d: path(ends, false) });
+  const share = shareOf(result, shown, what);
+  if (!telling(share)) return null;
+  const one = thing(room, what);
+  if (what.table === "places")
+    return svg("path", { class: "hit", d: path(one.outline.map(sheet.place)), "stroke-width": (2 + 6 * share).toFixed(1) });
+  const ends = [one.start, one.start + one.width].map((along) => sheet.atWall(one.wall, along, -WALL / 2 / sheet.scale));
+  return svg("path", { class: "blocked", d: path(ends, false) });
 }
 
 function boxOf(sheet, room, what) {
