@@ -1,4 +1,4 @@
-"""A verdict on a room that a test makes up, and what answers for the server with it, as far as the test lets it."""
+"""A verdict on a room that a test makes up, and what answers for the server with it."""
 
 from __future__ import annotations
 
@@ -53,7 +53,9 @@ def change(what: str, hit: float, **more: Any) -> dict[str, Any]:
         "what": what,
         "table": "furniture",
         "label": words(english, japanese),
-        "sentence": words(f"With {english}, somebody is hit less often.", f"{japanese}で、人に当たる割合が減ります。"),
+        "sentence": words(
+            f"With {english}, somebody is hit less often.", f"{japanese}で、人に当たる割合が減ります。"
+        ),
         "measure": None,
         "measures": None,
         "at_m": None,
@@ -77,10 +79,17 @@ def made() -> dict[str, Any]:
         "speed_m_s": {"median": 5.9, "p90": 6.0},
         "energy_J": {"median": 1310.0, "p90": 1670.0},
     }
-    belt = {"measure": "belt", "measures": [{"type": "belt"}], "label": ("belts on bookcase", "「本棚」にベルト")}
+    belt = {
+        "measure": "belt",
+        "measures": [{"type": "belt"}],
+        "label": ("belts on bookcase", "「本棚」にベルト"),
+    }
     return {
         "complete": True,
-        "verdict": words("In 8 of 10 earthquakes bookcase hits who is at the bed.", "「本棚」がベッドにいる人に当たります。"),
+        "verdict": words(
+            "In 8 of 10 earthquakes bookcase hits who is at the bed.",
+            "「本棚」がベッドにいる人に当たります。",
+        ),
         "best": words("Best single change: bookcase moved.", "最も効果のある変更：「本棚」を移動。"),
         "jma_intensity": 6.25,
         "intensity_class": "6-upper",

@@ -17,8 +17,8 @@ from page_coverage import recorded
 
 import stayput as sp
 from stayput.catalogue import page, room_plan
-from stayput.scenario.room import DoorTable, PlaceTable, WindowTable
 from stayput.scenario.pieces import StandingTable
+from stayput.scenario.room import DoorTable, PlaceTable, WindowTable
 
 if TYPE_CHECKING:
     from collections.abc import Generator
