@@ -434,9 +434,9 @@ def test_both_pages_lead_to_each_other(browser: Browser, server: Running) -> Non
     with room_page(browser, server, judge) as it:
         moved = after(it, judge, lambda: it.page.click("#best button"))
         it.wait("() => sessionStorage.getItem('stayput-room')?.includes('0.4')")
-        it.page.click("#to-piece")
+        it.page.click("header .elsewhere")
         it.page.wait_for_selector("#presets button")
-        it.page.click("header a[href='room/']")
+        it.page.click("header .elsewhere")
         it.page.wait_for_selector("#plan .thing")
         judged(it)
         assert judge.scene == moved  # the room that this tab had
@@ -448,7 +448,7 @@ def test_the_language_is_switched_with_everything(browser: Browser, server: Runn
         it.page.click("#languages [lang=ja]")
         assert it.page.title() == "stayput：地震のとき、この部屋にいる人は安全か"
         assert it.text("#verdict") == "「本棚」がベッドにいる人に当たります。"
-        assert "「本棚」を移動" in it.text("#ranking")
+        assert "「本棚」にベルト" in it.text("#ranking")
         assert "確率の差" in it.text("#ranking")
         assert len(judge.asked) == 1  # nothing is worked out again
 
