@@ -37,12 +37,13 @@ function button(table, id, label) {
   };
   element.addEventListener("pointerdown", (event) => {
     done = false;
-    if (event.button === 0) drag = { id: event.pointerId, x: event.clientX, y: event.clientY, moved: false };
+    if (event.button !== 0) return;
+    drag = { id: event.pointerId, x: event.clientX, y: event.clientY, moved: false };
+    element.setPointerCapture(event.pointerId);
   });
   element.addEventListener("pointermove", (event) => {
     if (drag?.id !== event.pointerId) return;
     if (!drag.moved && Math.hypot(event.clientX - drag.x, event.clientY - drag.y) < STARTS) return;
-    if (!drag.moved) element.setPointerCapture(event.pointerId);
     drag.moved = done = true;
     over(event) ? tryAt(drag, table, id, event) : showCurrent();
   });

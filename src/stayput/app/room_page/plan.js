@@ -18,13 +18,14 @@ const groups = new WeakMap(); // of the pictures that were drawn: their groups, 
  *
  * result: a verdict as the server sends it, or null; shown: which of its layers; selected: {table, index} or null;
  * readOnly: a picture that is only looked at; bare: without scale and names of walls; clashing: keys of things that
- * stand wrong; guides: lines across the plan, {x} or {y} [m]; wide and high: its largest size [px].
+ * stand wrong; guides: lines across the plan, {x} or {y} [m]; wide and high: its largest size [px], unless a scale is
+ * given [px/m].
  */
 export function drawPlan(element, room, options = {}) {
   const { shown = LAYERS, selected = null, readOnly = false, bare = false } = options,
     result = inOrderOf(room, options.result);
   const { clashing = new Set(), guides = [], wide = element.clientWidth || HIGH, high = HIGH } = options;
-  const sheet = sheetFor(room, wide, high, bare),
+  const sheet = sheetFor(room, wide, high, { bare, scale: options.scale }),
     all = things(room, TABLES);
   frame(element, sheet, room, readOnly, all);
   const layer = layersOf(element);

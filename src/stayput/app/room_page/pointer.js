@@ -5,7 +5,7 @@ import { onWall, thing, upright } from "./geometry.js";
 import { handles } from "./handles.js";
 import { change, current, select, selected } from "./room.js";
 import { dragged } from "./snap.js";
-import { plan, pointOf, say, show, showCurrent, shownRoom } from "./view.js";
+import { focusOn, hold, plan, pointOf, release, say, show, showCurrent, shownRoom } from "./view.js";
 
 const STARTS = 4; // how far the pointer goes until it drags [px]
 
@@ -15,6 +15,8 @@ let drag = null;
 export function wire() {
   const element = plan();
   element.addEventListener("pointerdown", begin);
+  // a finger on a thing drags it, beside it scrolls the page; within an <svg> no style can say so
+  element.addEventListener("touchstart", (event) => taken(event.target) && event.preventDefault(), { passive: false });
   element.addEventListener("pointermove", go);
   element.addEventListener("pointerup", end);
   element.addEventListener("pointercancel", giveUp);
@@ -26,14 +28,16 @@ export function wire() {
   }, true);
 }
 
+const taken = (target) => target.closest("[data-thing], [data-handle]")?.dataset;
+
 function begin(event) {
   if (event.button !== 0 || drag) return;
-  const handle = event.target.closest("[data-handle]")?.dataset.handle,
-    key = event.target.closest("[data-thing]")?.dataset.thing;
+  const { handle, thing: key } = taken(event.target) ?? {};
   if (!handle && !key) {
     select(null);
     return;
   }
+  hold();
   const from = pointOf(event);
   drag = { id: event.pointerId, x: event.clientX, y: event.clientY, room: current(), moved: false };
   if (handle) {
@@ -44,9 +48,15 @@ function begin(event) {
     const [table, index] = key.split("-");
     drag.what = { table, index: Number(index) };
     drag.offset = away(drag.what, from);
-    select(drag.what);
   }
   plan().setPointerCapture(event.pointerId);
+}
+
+/** Selects what the pointer took; later than it was pressed, as what is drawn anew gets no more events of a finger. */
+function choose({ what, pull }) {
+  if (pull) return;
+  select(what);
+  focusOn(what);
 }
 
 /** From the pointer to the middle of what it takes. */
@@ -62,6 +72,7 @@ const along = ({ wall }, [dx, dy]) => (upright(wall) ? [0, dy] : [dx, 0]);
 function go(event) {
   if (!drag || event.pointerId !== drag.id) return;
   if (!drag.moved && Math.hypot(event.clientX - drag.x, event.clientY - drag.y) < STARTS) return;
+  if (!drag.moved) choose(drag);
   drag.moved = true;
   const [x, y] = pointOf(event);
   const { room, guides } = drag.pull
@@ -74,8 +85,8 @@ function end(event) {
   if (!drag || event.pointerId !== drag.id) return;
   const { moved, what, room: before } = drag,
     after = shownRoom();
-  drag = null;
-  showCurrent();
+  if (!moved) choose(drag);
+  giveUp();
   if (!moved || after === before) return;
   change(after);
   if (what) say(described(after, what));
@@ -83,5 +94,6 @@ function end(event) {
 
 function giveUp() {
   drag = null;
+  release();
   showCurrent();
 }

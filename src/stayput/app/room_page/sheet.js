@@ -9,20 +9,24 @@ export const WALL = 8;
 const MARGIN = { left_wall: 70, right_wall: 30, near_side_wall: 50, far_side_wall: 30 }, // names and the scale [px]
   BARE = 14; // beyond each wall, without them
 
-/** A sheet for a room that is at most so wide and high [px]; a bare one has neither scale nor names of walls. */
-export function sheetFor(room, wide, high, bare = false) {
+/**
+ * A sheet for a room that is at most so wide and high [px], unless its scale is given [px/m]; a bare one has neither
+ * metres nor names of walls.
+ */
+export function sheetFor(room, wide, high, { bare = false, scale: given = null } = {}) {
   const { plan } = room,
     beyond = Object.fromEntries(Object.keys(MARGIN).map((wall) => [wall, swing(room, wall)])),
     margin = bare ? Object.fromEntries(Object.keys(MARGIN).map((wall) => [wall, BARE])) : MARGIN;
   const across = beyond.left_wall + plan.width + beyond.right_wall,
     deep = beyond.near_side_wall + plan.length + beyond.far_side_wall;
-  const scale = Math.max(
+  const fitting = Math.max(
     10,
     Math.min(
       (wide - margin.left_wall - margin.right_wall) / across,
       (high - margin.near_side_wall - margin.far_side_wall) / deep,
     ),
   );
+  const scale = given ?? fitting;
   const space = (wall) => margin[wall] + scale * beyond[wall],
     left = space("left_wall"),
     top = space("far_side_wall");

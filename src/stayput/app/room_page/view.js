@@ -14,6 +14,7 @@ let element = null,
   sheet = null,
   tried = null,
   guides = [],
+  held = null,
   verdict = null,
   refused = null,
   layers = [...LAYERS];
@@ -81,6 +82,7 @@ export function draw() {
     selected: selected(),
     clashing: new Set(wrong.map(keyOf)),
     guides,
+    scale: held?.sheet.scale,
     wide: element.parentElement.clientWidth,
     high: Math.max(LOWEST, Math.min(HIGHEST, innerHeight - AROUND)),
   });
@@ -88,10 +90,21 @@ export function draw() {
   for (const listener of listeners) listener(found);
 }
 
+/** Keeps the scale, and what the pointer points at, as they are now, although the room gets other sides. */
+export function hold() {
+  held = { sheet, toSheet: element.getScreenCTM().inverse() };
+}
+
+/** Lets the plan fit its place again. */
+export function release() {
+  held = null;
+}
+
 /** Where an event of the pointer is in the plan [m]. */
 export function pointOf(event) {
-  const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(element.getScreenCTM().inverse());
-  return sheet.ofPlace([x, y]);
+  const { sheet: on, toSheet } = held ?? { sheet, toSheet: element.getScreenCTM().inverse() };
+  const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(toSheet);
+  return on.ofPlace([x, y]);
 }
 
 /** The element of a thing, which has the keyboard's focus. */
