@@ -493,10 +493,11 @@ def test_measures_that_fit_are_put_on_a_piece(browser: Browser, server: Running)
 
 def test_a_verdict_is_drawn_in_layers(browser: Browser, server: Running) -> None:
     grid = """(await import("/room/editor.js")).tellResult({ cell_m: 0.5,
-        pieces: [0, 1].map(() => ({ probabilities: { overturned: { estimate: 0.4 } },
+        pieces: ["bookcase", "chest"].map((name) => ({ name, probabilities: { overturned: { estimate: 0.4 } },
           fell: { nx: 2, ny: 1, shares: btoa(String.fromCharCode(255, 26)) },
           stood: { nx: 2, ny: 1, shares: btoa(String.fromCharCode(0, 0)) } })),
-        places: [{ hit: { estimate: 0.3 } }], doors: [{ blocked: { estimate: 0 } }] }"""
+        places: [{ name: "bed", hit: { estimate: 0.3 } }],
+        doors: [{ name: "door", blocked: { estimate: 0 } }] }"""
     with editing(browser, server) as it:
         assert not it.page.locator("#plan-layers").is_visible()
         it.page.evaluate(f"async () => {{ {grid}); }}")

@@ -9,7 +9,7 @@ from importlib import resources
 from typing import TYPE_CHECKING
 
 from starlette.exceptions import HTTPException
-from starlette.responses import Response
+from starlette.responses import RedirectResponse, Response
 from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
@@ -58,6 +58,9 @@ def page_routes() -> list[Mount | Route]:
     content = f"export const TABLES = {json.dumps(tables, ensure_ascii=False)};\n"
     headers = {"Cache-Control": "no-cache", "ETag": f'"{hashlib.sha256(content.encode()).hexdigest()[:32]}"'}
 
+    async def to_room(request: Request) -> Response:
+        return RedirectResponse("room/")  # its files are beside it
+
     async def words(request: Request) -> Response:
         if request.headers.get("if-none-match") == headers["ETag"]:
             return Response(status_code=304, headers=headers)
@@ -65,4 +68,5 @@ def page_routes() -> list[Mount | Route]:
 
     drawing = Mount("/canvas", PackageFiles("stayput.report", "canvas"))  # what the HTML files draw with too
     room = Mount("/room", PackageFiles("stayput.app", "room_page"))
-    return [Route(WORDS, words), drawing, room, Mount("/", PackageFiles("stayput.app", "page"))]
+    bare = Route("/room", to_room)
+    return [Route(WORDS, words), drawing, bare, room, Mount("/", PackageFiles("stayput.app", "page"))]

@@ -54,6 +54,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "layer_stood": ("Where they slide to", "滑って止まる範囲"),
     "layer_hit": ("Who is hit", "人に当たる割合"),
     "layer_blocked": ("Blocked doors", "ふさがるドア"),
+    "layersHint": (
+        "Plain cells: where it lies overturned; chequered ones: where it stands. The darker, the more often.",
+        "塗りは倒れている範囲、市松模様は立ったまま止まる範囲です。濃いほど多く起こります。",
+    ),
     # Where something is
     "metresLong": ("{value} m", "{value} m"),
     "atWall": ("at the {wall}", "{wall}に背を付けて"),

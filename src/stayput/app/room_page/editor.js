@@ -64,7 +64,7 @@ export function translate() {
   part("plan-help").textContent = t("planHelp");
   part("plan-keys").textContent = t("planKeys");
   fill(part("plan-tools"), tool("undo", keys.undone), tool("redo", keys.redone));
-  fill(part("plan-layers"), ...LAYERS.map(layerSwitch));
+  fill(part("plan-layers"), ...LAYERS.map(layerSwitch), el("p", { class: "hint", text: t("layersHint") }));
   inspector.buildInto(part("inspector"));
   updateTools();
   draw();
