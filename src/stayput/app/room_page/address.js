@@ -1,12 +1,13 @@
 // The room in the page's address, so that a link, "back" and loading the page again show it.
 
 import { settled } from "../dom.js";
+import { tab } from "../memory.js";
 import { packed, unpacked } from "../packing.js";
 import * as room from "./room.js";
 
 const LONGEST = 8000, // letters of a room in a link: longer ones are cut by much that links are sent with
   PAUSE = 1500, // what follows a change sooner has no place of its own in the browser's history [ms]
-  HERE = "stayput-room"; // of this tab alone: the room that was drawn last
+  HERE = "room"; // the room that this tab had last
 let told = () => {},
   writing = null, // the room that is in the address, or on its way there
   at = -Infinity;
@@ -30,7 +31,7 @@ const write = settled(250, async () => {
     text = JSON.stringify(mine),
     letters = await packed(text);
   if (mine !== writing) return;
-  sessionStorage.setItem(HERE, text);
+  tab.remember(HERE, text);
   const long = letters.length > LONGEST,
     hash = long ? "" : `#room=${letters}`,
     state = { screen: document.body.dataset.screen };
@@ -47,11 +48,14 @@ const write = settled(250, async () => {
 /** The room of an address, or that which this tab had; {room, damaged}: both may be missing. */
 export async function read(hash) {
   const letters = new URLSearchParams(hash.replace(/^#/, "")).get("room");
-  if (!letters) return { room: parsed(sessionStorage.getItem(HERE)), damaged: false };
+  if (!letters) return { room: parsed(tab.recalled(HERE)), damaged: false };
   const text = await unpacked(letters).catch(() => null),
     found = parsed(text);
   return { room: found, damaged: found === null };
 }
+
+/** Whether a room is that which this tab had last, and is not another one, of a link. */
+export const isOwn = (found) => JSON.stringify(found) === tab.recalled(HERE);
 
 /** Notes that the address already has the room. */
 export function settle() {

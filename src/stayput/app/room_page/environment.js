@@ -10,6 +10,7 @@ import * as room from "./room.js";
 const MOTIONS = ["record", "component", "unit", "dt", "vertical", "sine", "builtin", "suite", "member"],
   STRENGTHS = ["intensity", "scale", "pga", "pgv", "mmi", "earthquake"];
 let presets = null,
+  wanted = null, // the record that the server is being asked for
   reading = false, // the room goes into the fields, which is no change of the room
   whenLost = () => {};
 
@@ -27,7 +28,7 @@ export function wire(known, lost) {
 export function take() {
   const { record, component } = room.current().shaking ?? {};
   put({ ...told(room.current()), record: kept(record) });
-  if (record && fields.current().record?.id !== record) fetchRecord(record, component);
+  if (record && record !== fields.current().record?.id && record !== wanted) fetchRecord(record, component);
 }
 
 function put(part) {
@@ -43,6 +44,7 @@ function put(part) {
 const kept = (id) => (fields.current().record?.id === id ? fields.current().record : null);
 
 async function fetchRecord(id, component) {
+  wanted = id;
   try {
     const motion = await patiently(() => api.motion(id, component));
     if (room.current().shaking?.record !== id) return;
@@ -50,7 +52,9 @@ async function fetchRecord(id, component) {
     upload.update();
   } catch (error) {
     if (!(error instanceof api.Refused)) throw error;
-    whenLost();
+    if (room.current().shaking?.record === id) whenLost();
+  } finally {
+    wanted = null;
   }
 }
 

@@ -28,14 +28,16 @@ export function wire(told) {
 
 const soon = settled(SETTLED, () => work());
 
-/** Asks about the room as it now is, once it has settled. */
+/** Asks about the room as it now is: the first one at once, others once they have settled. */
 export function changed() {
   if (room.current() === asked) return;
+  const first = asked === null;
   asked = room.current();
   round += 1;
   jobs.stop();
   become({ name: "waiting", job: null, old: true, error: null });
-  soon();
+  if (first) work();
+  else soon();
 }
 
 /** Asks again at once. */

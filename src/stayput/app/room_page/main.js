@@ -95,7 +95,7 @@ function wire() {
   judging.wire(judged);
   theatre.wire();
   care.wire();
-  scenes.wire();
+  scenes.wire(address.isOwn(room.current()));
   part("cancel").addEventListener("click", judging.cancel);
   part("verify").addEventListener("click", judging.again);
   upload.wire((file) => files.open(file, (...said) => upload.tell(() => [el("p", { role: "status" }, ...said)]), scenes.leave));
@@ -113,6 +113,7 @@ function wire() {
     if (mine !== follows || JSON.stringify(found) === JSON.stringify(room.current())) return;
     room.change(found);
     address.settle();
+    if (event.state === null) scenes.leave(); // a link that was put into the address
   });
 }
 

@@ -1,21 +1,22 @@
 // "Keep it": the rooms that are kept on this device, to be opened, renamed, removed, and compared in pairs.
 
 import { el, fill, part, svg } from "../dom.js";
+import { tab } from "../memory.js";
 import { t } from "../words.js";
 import { compare } from "./comparing.js";
 import { drawPlan } from "./plan.js";
 import * as room from "./room.js";
 import * as shelf from "./shelf.js";
 
-const OPENED = "stayput-room-open"; // of this tab alone: which of the rooms it is working on
+const OPENED = "room-open"; // which of the rooms this tab is working on
 const marked = new Set();
 let opened = null; // {id, revision}
 
 const say = (text) => fill(part("scenes-said"), text);
 
-/** Wires the panel. */
-export function wire() {
-  opened = JSON.parse(sessionStorage.getItem(OPENED) ?? "null");
+/** Wires the panel; "own" says whether the room is the one that this tab had before. */
+export function wire(own) {
+  if (own) opened = JSON.parse(tab.recalled(OPENED) ?? "null");
   part("scene-name").value = (opened && shelf.get(opened.id)?.name) ?? "";
   part("keep-scene").addEventListener("submit", (event) => {
     event.preventDefault();
@@ -53,7 +54,7 @@ function attempt(work) {
 /** Notes which of the rooms this tab is working on, also for when it is loaded again. */
 function remember(kept) {
   opened = kept && { id: kept.id, revision: kept.revision };
-  sessionStorage.setItem(OPENED, JSON.stringify(opened));
+  tab.remember(OPENED, JSON.stringify(opened));
 }
 
 /** Another room is drawn, from a file or a link: none that is kept is open. */

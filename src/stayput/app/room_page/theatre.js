@@ -48,15 +48,17 @@ function draw(now) {
 
 const soon = settled(SETTLED, () => work());
 
-/** Shakes the room as it now is, once it has settled. */
+/** Shakes the room as it now is: the first one at once, others once they have settled. */
 export function changed() {
   if (room.current() === asked) return;
+  const first = asked === null;
   asked = room.current();
   flight?.abort();
   problem = null;
   late = false;
   tell();
-  soon();
+  if (first) work();
+  else soon();
 }
 
 async function work() {
