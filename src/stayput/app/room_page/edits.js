@@ -6,6 +6,7 @@ import { DEFAULTS, freeName, limitsOf } from "./kinds.js";
 
 /** To whole centimetres [m]. */
 export const cm = (metres) => Math.round(metres * 100) / 100;
+const SMALLEST = 0.05; // to what a side can be pulled [m]
 const fine = (metres) => Math.round(metres * 1e6) / 1e6;
 const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
 
@@ -86,7 +87,8 @@ export function pulled(room, what, [u, v], point) {
     old = u ? width : length,
     sign = u + v,
     reach = ofFrame(at, heading, point)[u ? 0 : 1] * sign + old / 2,
-    size = cm(clamp(reach, ...limitsOf(`${what.table}.${key}`))),
+    [low, high] = limitsOf(`${what.table}.${key}`),
+    size = cm(clamp(reach, Math.max(low, SMALLEST), high)),
     middle = inFrame(at, heading, [(u * (size - old)) / 2, (v * (size - old)) / 2]);
   const next = what.table === "furniture" ? asBox(room, what, { [key]: size }) : given(room, what, { [key]: size });
   const { against } = next[what.table][what.index];
