@@ -93,6 +93,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The job is {state}; there is a report once it is done.",
         "計算はまだ終わっていません（{state}）。報告書は計算が終わると作成できます。",
     ),
+    "no_everyday": (
+        "The job is of a room; everyday use is looked at for a single piece.",
+        "部屋の計算です。日常の使い方は、家具が1点のときに確かめます。",
+    ),
     "no_such_job": (
         "There is no such job; it may have expired.",
         "その計算はありません。保存期間が過ぎた可能性があります。",

@@ -16,7 +16,7 @@ import numpy as np
 from stayput.execution import Call, ThreadExecutor
 from stayput.measures import element_rows, hold
 from stayput.measures.bracket import REACH
-from stayput.mechanics.columns import H_TILT, H_X, H_Z, RESULT
+from stayput.mechanics.columns import FAILED_OUTCOME, H_TILT, H_X, H_Z, RESULT
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.mechanics.runner import shaking as shaking_in_plane
 from stayput.model.room import SIDE_WALLS, WALLS_AROUND
@@ -133,6 +133,15 @@ class PartRuns:
     results: NDArray[np.void]
     device_failed: NDArray[np.bool_]
     tracks: list[list[Track]]
+
+    @property
+    def missing(self) -> NDArray[np.bool_]:
+        """Which runs were given up, shape (motions, samples)."""
+        return (self.results["outcome"] == FAILED_OUTCOME).any(axis=-1)
+
+    def of_tracks(self, place: int) -> list[Track]:
+        """Return the tracks of one of the pieces, by its place in the part."""
+        return [run[place] for run in self.tracks]
 
     def of_body(self, place: int) -> Outcomes:
         """Return the outcomes of one of the pieces, by its place in the part."""

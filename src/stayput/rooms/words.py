@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase, say
 from stayput.catalogue.names import PIECES
-from stayput.model.floor_plan import FACING, PLACES
+from stayput.model.floor_plan import PLACES
+from stayput.rooms.changes import wall_faced
 from stayput.verification.words import class_phrase, of_the_cases, sentence_of, share_text
 from stayput.wording import inside
 
@@ -97,8 +98,7 @@ def _label(change: Change, verdict: RoomVerdict) -> Phrase:
         turned = abs(math.remainder(change.heading - place.heading, math.pi)) > 1e-6
         key = "rooms.turn_place" if turned else "rooms.move_place"
         return phrase(key, place=place_name(place), x=x, y=y)
-    faces = change.heading
-    wall = min(FACING, key=lambda name: abs(math.remainder(FACING[name] - faces, 2.0 * math.pi)))
+    wall = wall_faced(change.heading)
     along = y if wall in ("left_wall", "right_wall") else x
     return phrase(
         "rooms.move_piece", piece=piece_name(change.what), wall=phrase(f"rooms.{wall}"), along=along
