@@ -52,7 +52,7 @@ def alone(**shaking: Any) -> sp.RoomScenario:
     return room(furniture=ROOM["furniture"][:1], shaking={**ROOM["shaking"], **shaking})
 
 
-def planned(scenario: sp.RoomScenario, **home: bool) -> sp.ActionPlan:
+def planned(scenario: sp.RoomScenario, **home: Any) -> sp.ActionPlan:
     return sp.action_plan(sp.verify_room(scenario, changes=False, progress=False), progress=False, **home)
 
 
@@ -212,12 +212,19 @@ def test_the_card_says_what_to_buy_where_and_what_it_brings(plan: sp.ActionPlan,
     for key in ("title", "buy", "where", "effect", "check"):
         assert say(f"action_plan.{key}", language) in page
     assert "<script" not in page
-    assert "http" not in page
+    assert "http://" not in page
+    assert "https://" not in page
+
+
+def scale_of(page: str, drawing: str) -> int:
+    found = re.search(rf"{drawing} 1:(\d+)", page)
+    assert found is not None
+    return int(found[1])
 
 
 def test_the_plan_is_to_the_scale_that_it_says(plan: sp.ActionPlan):
     page = plan_html(plan)
-    said = int(re.search(r"Plan 1:(\d+)", page)[1])  # pyright: ignore[reportOptionalSubscript]
+    said = scale_of(page, "Plan")
     style = re.search(r'<svg style="width:([\d.]+)mm" viewBox="0 0 (\d+) ', page)
     assert style is not None
     # 460 px are the longer side of the room, 3.6 m
@@ -227,7 +234,7 @@ def test_the_plan_is_to_the_scale_that_it_says(plan: sp.ActionPlan):
 
 def test_an_elevation_is_to_scale(plan: sp.ActionPlan):
     page = plan_html(plan)
-    said = int(re.search(r"elevations 1:(\d+)", page)[1])  # pyright: ignore[reportOptionalSubscript]
+    said = scale_of(page, "elevations")
     fix = next(step.fix for step in plan.steps if step.fix)
     picture = re.search(r'<svg viewBox="0 0 ([\d.]+) ([\d.]+)" class="elevation".*?</svg>', page, re.DOTALL)
     assert picture is not None
