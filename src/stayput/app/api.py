@@ -27,6 +27,7 @@ from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotation
     TomlRequest,
     VerifyRequest,
 )
+from stayput.app.room_api import add_rooms
 from stayput.app.run_replies import SimulateReply, SizeMapReply
 from stayput.app.running import simulated
 from stayput.app.scenes import several_pieces, uploaded_motions
@@ -41,15 +42,14 @@ from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annota
 from stayput.report.verdict.tables import verdict_csv
 from stayput.scenario import AssemblyScenario
 from stayput.scenario.toml import table_of_toml
-from stayput.verification import verify
+from stayput.verification import Verdict, verify
 from stayput.verification.compare import curve_levels
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from stayput.app.jobs import Job
+    from stayput.app.jobs import AnyVerdict, Job
     from stayput.scenario import Scenario
-    from stayput.verification import Verdict
 
 Name = Annotated[str, InPath(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")]
 
@@ -91,6 +91,7 @@ def api(service: Service) -> APIRouter:
     _add_general(router, service)
     _add_runs(router, service)
     _add_jobs(router, service)
+    add_rooms(router, service)
     add_action_plan(router, service)
     _add_motions(router, service)
     return router
@@ -117,7 +118,7 @@ def _add_general(router: APIRouter, service: Service) -> None:
         """Return a scene as a scenario file."""
 
         def work() -> Response:
-            scenario = service.scene(body.scene, body.measures)
+            scenario = service.stated(body.scene, body.measures)
             return attachment(
                 scene_toml(scenario, service.motions), "scenario.toml", "application/toml; charset=utf-8"
             )
@@ -132,7 +133,7 @@ def _add_general(router: APIRouter, service: Service) -> None:
 
         def work() -> Response:
             scene = table_of_toml(body.toml, Path(body.name))
-            checked = service.shaken(scene, [])
+            checked = service.stated(scene, [])
             pieces = checked.names if isinstance(checked, AssemblyScenario) else ()
             return json_response(SceneReply(scene=scene, pieces=list(pieces)))
 
@@ -230,7 +231,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
 
 def _add_jobs(router: APIRouter, service: Service) -> None:
     def reply_of(job: Job) -> JobReply:
-        return job_reply(job, service.motions.with_file_names)
+        return job_reply(job, service.jobs.position(job), service.motions.with_file_names)
 
     @router.post(
         "/verify",
@@ -250,7 +251,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
 
         scenario, levels, runs = await service.workers.run(prepare)
 
-        def work(on_progress: Callable[[int, int], None]) -> Verdict:
+        def work(_job: Job, on_progress: Callable[[int, int], None]) -> Verdict:
             return verify(
                 scenario,
                 levels=levels,
@@ -279,7 +280,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         job = service.jobs.cancel(name)
         return await service.workers.run(lambda: json_response(reply_of(job)))
 
-    def done(name: str) -> tuple[Job, Verdict]:
+    def done(name: str) -> tuple[Job, AnyVerdict]:
         job = service.jobs.get(name)
         if job.state != "done" or job.verdict is None:
             raise refused(409, "app.no_report_yet", state=job.state)
@@ -293,9 +294,16 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     )
     async def put_everyday(name: Name, body: EverydayRequest) -> Response:
         """Put another scene's everyday use into a verdict that is done, whose runs it has no part in."""
-        done(name)
+
+        def of_a_piece() -> tuple[Job, Verdict]:
+            job, verdict = done(name)
+            if not isinstance(verdict, Verdict):
+                raise refused(409, "app.no_everyday")
+            return job, verdict
+
+        of_a_piece()
         scenario = await service.workers.run(service.scene, body.scene, [])
-        job, verdict = done(name)
+        job, verdict = of_a_piece()
         changed = with_everyday(verdict, scenario.everyday)
         job.verdict, job.reports = changed, {}
         return await service.workers.run(lambda: json_response(everyday_reply(changed)))
@@ -331,7 +339,11 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         _, verdict = done(name)
 
         def work() -> Response:
-            return attachment(verdict_csv(verdict), "stayput_ranking.csv", "text/csv; charset=utf-8")
+            if isinstance(verdict, Verdict):
+                text, file = verdict_csv(verdict), "stayput_ranking.csv"
+            else:
+                text, file = verdict.to_csv(), "stayput_room.csv"
+            return attachment(text, file, "text/csv; charset=utf-8")
 
         return await service.workers.run(work)
 

@@ -97,6 +97,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The job is {state}; there is a plan to buy and do once it is done, of a room.",
         "計算の状態は{state}です。買うもの・することの計画は、部屋の計算が終わると作成できます。",
     ),
+    "no_everyday": (
+        "The job is of a room; everyday use is looked at for a single piece.",
+        "部屋の計算です。日常の使い方は、家具が1点のときに確かめます。",
+    ),
     "no_such_job": (
         "There is no such job; it may have expired.",
         "その計算はありません。保存期間が過ぎた可能性があります。",
