@@ -1,6 +1,7 @@
 """Verdicts: what happens with each measure, and why; Monte Carlo sampling behind them."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    "strength": ("Strength of the ground's shaking: {strength}.", "地面の揺れの強さ：{strength}。"),
     "in_space": (
         "Simulated in space, under all components of the motions; the piece faces {heading:.0f}° from their x.",
         "三次元で、地震動のすべての成分を使って計算しました（家具の向きはx成分から{heading:.0f}°）。",

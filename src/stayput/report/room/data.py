@@ -11,7 +11,7 @@ import stayput
 from stayput.motion.intensity import intensity_class
 from stayput.report.several.data import in_both
 from stayput.report.summary import number
-from stayput.report.verdict.data import quantiles_data
+from stayput.report.verdict.data import quantiles_data, strength_data
 from stayput.rooms.ways import CELL
 from stayput.rooms.words import best_sentence, change_label, change_sentence, sentence_of_room
 from stayput.spreadsheets import text_cell
@@ -37,6 +37,7 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
         "best": in_both(lambda language: best_sentence(verdict, language)),
         "jma_intensity": number(verdict.intensity),
         "intensity_class": intensity_class(verdict.intensity),
+        "strength": strength_data(verdict.scenario, verdict.motions),
         "motions": verdict.motions,
         "samples": verdict.samples,
         "runs": verdict.runs,
