@@ -277,6 +277,7 @@ async function takeRecord({ id, name, component, vertical }, { scaled, onFloor }
   try {
     await upload.use(await patiently(() => api.motion(id, component)), vertical);
     change({ scaled, onFloor });
+    upload.update(); // which the page does by itself only once it has begun
   } catch (error) {
     if (!(error instanceof api.Refused)) throw error;
     change({ gone: { name } });
