@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import shutil
 import tempfile
 import threading
 from pathlib import Path
@@ -18,6 +19,7 @@ from stayput.app.space_running import name_in, pieces_run, space_run_of
 from stayput.report.animation import animate_run
 from stayput.report.history import history
 from stayput.report.space.animation import animate_space_run
+from stayput.rooms.verdict import RoomVerdict
 from stayput.scenario import AssemblyScenario, Scenario
 
 if TYPE_CHECKING:
@@ -25,13 +27,13 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.app.jobs import AnyVerdict
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
     from stayput.catalogue import Language
     from stayput.motion import Motion
     from stayput.simulation.run import Run
     from stayput.simulation.space_run import SpaceRun
-    from stayput.verification import Verdict
 
 _drawing = threading.Lock()  # Matplotlib draws on one thread at a time
 
@@ -42,12 +44,12 @@ def attachment(content: str | bytes, name: str, kind: str) -> Response:
     return Response(content, headers=headers)
 
 
-def scene_toml(scenario: Scenario, motions: Motions) -> str:
+def scene_toml(scenario: Scenario | AssemblyScenario, motions: Motions) -> str:
     """Return a scene as a scenario file; an uploaded record goes by its own file's name.
 
     Parameters
     ----------
-    scenario : Scenario
+    scenario : Scenario or AssemblyScenario
         The scene.
     motions : Motions
         The uploaded motions, whose names replace their ids.
@@ -126,41 +128,60 @@ def _space_csv(scenario: Scenario | AssemblyScenario, *, held: bool) -> str:
     return text.getvalue()
 
 
+def film_kinds() -> tuple[str, ...]:
+    """Return the kinds of films that can be made here: MP4 where there is ffmpeg."""
+    return ("html", "gif", *(["mp4"] if shutil.which("ffmpeg") else []))
+
+
 def film(
-    scenario: Scenario | AssemblyScenario, kind: str, language: Language, limits: Limits, *, held: bool
+    scenario: Scenario | AssemblyScenario,
+    kind: str,
+    language: Language,
+    limits: Limits,
+    *,
+    held: bool,
+    seconds: float | None = None,
+    note: str = "",
 ) -> bytes:
-    """Return a run as a film: a page that plays it, or a GIF.
+    """Return a run as a film: a page that plays it, a GIF, or an MP4.
 
     Parameters
     ----------
     scenario : Scenario or AssemblyScenario
         The scene.
     kind : str
-        "html" or "gif".
+        "html", "gif" or "mp4".
     language : str
         "en" or "ja".
     limits : Limits
-        How long a GIF may be.
+        How long a GIF or MP4 may be.
     held : bool
         Whether the user's measures are in place.
+    seconds : float, optional
+        How much of the run is shown, in which something happens [s]; by default all.
+    note : str
+        A sentence that stands in every frame of a GIF or MP4.
 
     Raises
     ------
     RefusedError
-        The motion is too long for a GIF.
+        The motion is too long for a GIF or MP4, or there is nothing here that makes an MP4.
     """
+    if kind not in film_kinds():
+        raise refused(422, "app.no_video", "kind", value=kind, allowed=", ".join(film_kinds()))
     motion = scenario.motion()
-    if kind == "gif" and motion.duration > limits.film:
+    if kind != "html" and seconds is None and motion.duration > limits.film:
         raise refused(422, "app.long_film", "scene.shaking", value=motion.duration, most=limits.film)
     with tempfile.TemporaryDirectory(prefix="stayput-film-") as folder:
         path = Path(folder, f"run.{kind}")
         if isinstance(scenario, Scenario) and scenario.dimensions == 2:
             measures = own_measures(scenario) if held else ()
             name = name_in(scenario, language)
-            animate_run(run_of(scenario, motion, measures), path, name=name, language=language)
+            run = run_of(scenario, motion, measures)
+            animate_run(run, path, name=name, language=language, seconds=seconds, note=note)
         else:
             run, names = _shown_in_space(scenario, held=held)
-            animate_space_run(run, path, names=names(language), language=language)
+            animate_space_run(run, path, names=names(language), language=language, seconds=seconds, note=note)
         return path.read_bytes()
 
 
@@ -197,19 +218,22 @@ def _forces(run: Run | SpaceRun, time: NDArray[np.float64]) -> dict[str, NDArray
     return columns
 
 
-def report_page(verdict: Verdict, language: str, motions: Motions) -> bytes:
+def report_page(verdict: AnyVerdict, language: str, motions: Motions) -> bytes:
     """Return the report of a verdict: one HTML file.
 
     Parameters
     ----------
-    verdict : Verdict
+    verdict : Verdict or RoomVerdict
         The result of the verification.
     language : str
         "en" or "ja".
     motions : Motions
         The uploaded motions, whose names replace their ids.
     """
+    from stayput.report.room.html import room_html
     from stayput.report.verdict.html import report_html  # Matplotlib takes its time to load
 
+    if isinstance(verdict, RoomVerdict):
+        return motions.named(room_html(verdict, language)).encode("utf-8")
     with _drawing:
         return motions.named(report_html(verdict, language)).encode("utf-8")

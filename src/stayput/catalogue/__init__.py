@@ -26,11 +26,13 @@ Phrase = tuple[str, str]
 _MODULES: dict[str, dict[str, Phrase]] = {
     name: import_module(f"{__name__}.{name}").TEXTS
     for name in (
+        "action_plan",
         "app",
         "building",
         "cli",
         "common",
         "contents",
+        "figures",
         "earthquake",
         "fragility",
         "ground_shaking",
@@ -40,6 +42,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "model",
         "motion",
         "page",
+        "page_keep",
         "plots",
         "report",
         "room_report",

@@ -24,7 +24,16 @@ const NUMBERS = [
 const WHOLE = ["storeys", "storey", "member", "drawers"];
 const WORDS = ["wallConstruction", "ceilingConstruction"];
 const NAMES = ["piece", "floor", "structure", "family", "contents", "doors", ...WORDS];
+const SAID = ["component", "unit", "dt"];
 const FLAGS = ["inSpace", "wall", "scaled", "onFloor", "installed"];
+
+/** What was said of a record when it was sent, and the record itself where it is small. */
+const asSaid = ({ shaking, letters }) =>
+  Object.fromEntries(
+    Object.entries({ ...pick(shaking, SAID), wave: letters }).filter(([, value]) => value !== undefined && value !== null),
+  );
+
+const pick = (object, names) => Object.fromEntries(names.map((name) => [name, object[name]]));
 
 /** The scene as the part of an address after "#", and a file of several pieces {name, letters} that is shown instead. */
 export function toHash(scene, file = null) {
@@ -37,7 +46,7 @@ export function toHash(scene, file = null) {
   if (scene.record) {
     pairs.set("record", scene.record.id);
     pairs.set("name", scene.record.name);
-    if (scene.record.shaking.component) pairs.set("component", scene.record.shaking.component);
+    for (const [key, value] of Object.entries(asSaid(scene.record))) pairs.set(key, value);
     if (scene.record.vertical) {
       pairs.set("vertical", scene.record.vertical.id);
       pairs.set("verticalName", scene.record.vertical.name);
@@ -80,7 +89,7 @@ function measured(text, presets) {
   return measures;
 }
 
-/** The scene, the record and the file of several pieces of an address; what is missing or makes no sense there is as in the scene given. */
+/** The scene, the record {id, name, said, letters} and the file of several pieces of an address; what is missing or makes no sense there is as in the scene given. */
 export function fromHash(hash, presets, start) {
   const within = (value, name) => clamp(value, limitsOf(presets, name));
   const pairs = new URLSearchParams(hash.replace(/^#/, ""));
@@ -111,12 +120,14 @@ export function fromHash(hash, presets, start) {
   scene.measures = pairs.has("measures") ? measured(pairs.get("measures"), presets) : {};
   scene.entry = fromText(pairs.get("entry"), presets);
   scene.record = null;
-  const [record, name, component] = ["record", "name", "component"].map((key) => pairs.get(key));
+  const [record, name, letters] = ["record", "name", "wave"].map((key) => pairs.get(key));
+  const said = Object.fromEntries(SAID.map((key) => [key, pairs.get(key)]));
   const [up, upName] = ["vertical", "verticalName"].map((key) => pairs.get(key));
-  const [file, letters] = ["file", "pieces"].map((key) => pairs.get(key));
+  const vertical = up ? { id: up, name: upName ?? "" } : null;
+  const [file, several] = ["file", "pieces"].map((key) => pairs.get(key));
   return {
     scene,
-    record: record ? { id: record, name, component, vertical: up ? { id: up, name: upName ?? "" } : null } : null,
-    file: letters ? { name: file ?? "", letters } : null,
+    record: record ? { id: record, name, said, letters, vertical } : null,
+    file: several ? { name: file ?? "", letters: several } : null,
   };
 }

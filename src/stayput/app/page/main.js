@@ -6,6 +6,7 @@ import * as everyday from "./everyday.js";
 import { beforeNextFrame } from "./canvas/clock.js";
 import { readInks } from "./canvas/pen.js";
 import { fill, part, settled } from "./dom.js";
+import * as figures from "./figures.js";
 import * as keep from "./keep.js";
 import { fromHash, toHash } from "./link.js";
 import * as measures from "./panel_measures.js";
@@ -28,6 +29,10 @@ const PANELS = [piece, room, shaking, measures, everyday];
 const SLOW = 400,
   PAUSE = 1500,
   BUSY = [429, 503];
+const FIGURES = {
+  histories: () => shown && ((query) => api.runFigure(shown.asked, query)),
+  ...understand.figures,
+};
 let presets = null,
   shown = null,
   waiting = null,
@@ -56,7 +61,8 @@ async function simulate() {
   const scene = current(),
     file = pieces.shownName();
   try {
-    shown = { result: shake(pieces.answer() ?? (await api.simulate(request()))), scene, file };
+    const asked = request();
+    shown = { result: shake(pieces.answer() ?? (await api.simulate(asked))), scene, file, asked };
     tellProblem(null);
     display();
   } catch (error) {
@@ -64,8 +70,7 @@ async function simulate() {
     if (error.status === 0) untilBack().then(recover);
     if (BUSY.includes(error.status)) setTimeout(() => problem === error && simulate(), PAUSE);
     if (scene.record && lacksRecord(error)) {
-      change({ record: null, gone: { name: scene.record.name }, scaled: false, onFloor: false });
-      upload.lost();
+      await takeAgain(scene);
     }
   }
   flying = false;
@@ -155,8 +160,10 @@ function again() {
   build();
   upload.again();
   understand.again(presets);
+  figures.build(FIGURES);
   see.again(presets);
   if (shown) display();
+  keep.update(measures.inPlace(current()).length > 0);
   tellWait(waiting);
   tellProblem(problem);
 }
@@ -199,7 +206,7 @@ function edit(keys) {
 }
 
 async function begin() {
-  screens.begin();
+  await screens.begin();
   readInks();
   screens.wire(() => {
     if (presets) again();
@@ -220,6 +227,8 @@ async function begin() {
   await take(location.hash);
   build();
   see.name(presets);
+  keep.films(presets.films);
+  figures.build(FIGURES);
   understand.build(presets, request);
   watch((keys) => {
     if (!taking) pieces.leave(); // what is set is set for the page's own piece
@@ -273,14 +282,20 @@ async function takeFile(linked) {
   }
 }
 
-async function takeRecord({ id, name, component, vertical }, { scaled, onFloor }) {
+/** The server has the record no more: it is sent again where the link holds it, else said to be gone. */
+const takeAgain = ({ record: { id, name, shaking, letters }, ...scene }) => {
+  const { component, unit, dt } = shaking;
+  return takeRecord({ id, name, said: { component, unit, dt }, letters, vertical: null }, scene);
+};
+
+async function takeRecord(linked, { scaled, onFloor }) {
   try {
-    await upload.use(await patiently(() => api.motion(id, component)), vertical);
+    await upload.useLinked(linked);
     change({ scaled, onFloor });
     upload.update(); // which the page does by itself only once it has begun
   } catch (error) {
-    if (!(error instanceof api.Refused)) throw error;
-    change({ gone: { name } });
+    if (!(error instanceof api.Refused || linked.letters)) throw error;
+    change({ record: null, gone: { name: linked.name }, scaled: false, onFloor: false });
     upload.lost();
   }
 }

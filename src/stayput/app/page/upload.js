@@ -4,13 +4,16 @@ import * as api from "./api.js";
 import { choice, oneOf } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { classOf } from "./panel_shaking.js";
-import { utf8 } from "./packing.js";
+import { patiently } from "./connection.js";
+import { packed, unpackedBytes, utf8 } from "./packing.js";
 import * as pieces from "./pieces.js";
 import { worded, wordedOfScenario } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { both, number, spoken, t } from "./words.js";
 
 const UNITS = ["m/s²", "gal", "g"];
+const LONGEST = 4096; // letters of a record in a link
+const sent = new Map(); // the ids of the records in links that were sent to the server again, by their letters
 let waiting = null,
   preview = null,
   trouble = null,
@@ -63,9 +66,10 @@ async function send(file, said) {
   tell(() => [el("p", { role: "status", text: t("sending") })]);
   try {
     const motion = await api.upload(file, said, waiting.signal);
+    const letters = await lettersOf(file);
     trouble = null;
     if (vertical(motion)) tell(() => offering(motion));
-    else use(motion);
+    else use(motion, letters);
   } catch (error) {
     if (error.name === "AbortError") return;
     tell(() => [refusal(worded(error, "unreadable")), asking(file, said, error.field)]);
@@ -112,6 +116,27 @@ function asking(file, said, field) {
 /** Says that the server no longer has the record. */
 export const lost = () => tell(() => [refusal([t("recordGone", { name: "" })])]);
 
+/** What a link holds of a record: its file in letters, or null where that is too long. */
+async function lettersOf(file) {
+  if (file.size > 16 * LONGEST) return null; // which no file of numbers is made smaller by
+  const letters = await packed(await file.arrayBuffer());
+  return letters.length <= LONGEST ? letters : null;
+}
+
+/** Takes the record of a link into the scene; one that the server has no more is sent again, if the link holds it. */
+export async function useLinked({ id, name, said, letters, vertical: up }) {
+  const on = (known) => patiently(() => api.motion(known, said.component));
+  let motion = await on(letters && sent.has(letters) ? sent.get(letters) : id).catch((error) => {
+    if (error.status !== 404 || !letters) throw error;
+  });
+  if (!motion) {
+    const file = new File([await unpackedBytes(letters)], name ?? "");
+    motion = await patiently(() => api.upload(file, said));
+    sent.set(letters, motion.id);
+  }
+  await use(motion, letters, up);
+}
+
 /** Whether a record holds a vertical component alone. */
 const vertical = ({ channels: all }) => all.length > 0 && all.every((one) => one.vertical);
 
@@ -130,16 +155,17 @@ function offering(motion) {
   ];
 }
 
-/** Takes a record that is on the server into the scene, as it is; {id, name} of its vertical component from a link. */
-export async function use(motion, up = null) {
-  take(motion, { scaled: false, onFloor: Boolean(motion.floor) }, up);
+/** Takes a record that is on the server into the scene, as it is; "letters" are what a link holds of it, "up" is {id, name} of its vertical component. */
+async function use(motion, letters, up = null) {
+  take(motion, { scaled: false, onFloor: Boolean(motion.floor) }, letters, up);
   preview = await api.motionPreview(motion.id, motion.shaking.component).catch(() => null);
   update();
 }
 
-function take(motion, also, up) {
+function take(motion, also, letters, up) {
   preview = null;
-  const record = { id: motion.id, name: motion.name, shaking: motion.shaking, motion, vertical: up };
+  const { id, name, shaking } = motion;
+  const record = { id, name, shaking, motion, letters, vertical: up };
   change({ record, gone: null, ...also });
 }
 
@@ -149,7 +175,7 @@ async function turn(component) {
   try {
     const motion = await api.motion(record.id, component);
     if (current().record?.id !== motion.id) return;
-    take(motion, {}, current().record.vertical);
+    take(motion, {}, record.letters, current().record.vertical);
     preview = await api.motionPreview(motion.id, component).catch(() => null);
     update();
   } catch (error) {

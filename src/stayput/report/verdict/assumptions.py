@@ -58,7 +58,7 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
     scenario = verdict.scenario
     measured = scenario.uncertainty.as_stated
     return [
-        _furniture(scenario),
+        furniture_assumption(scenario),
         *room_assumptions(scenario),
         *_contents(scenario),
         *shaking_assumptions(scenario, verdict.motions),
@@ -95,7 +95,8 @@ def _in_both(name: str) -> Phrase:
     return named(name, "en"), named(name, "ja")
 
 
-def _furniture(scenario: Scenario) -> Assumption:
+def furniture_assumption(scenario: Scenario) -> Assumption:
+    """Return the size, the mass and the centre of gravity of a scenario's piece."""
     table, body = scenario.furniture, scenario.furniture.body()
     x, z = body.centre_of_gravity
     forward = _text("forward", across=x) if x else ""
