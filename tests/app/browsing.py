@@ -12,7 +12,7 @@ from page_coverage import recorded, start
 from playwright.sync_api import sync_playwright
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Iterator
+    from collections.abc import Callable, Generator, Iterator, Mapping
 
     from playwright.sync_api import Browser, Page, Response, Route
     from serving import Running
@@ -120,10 +120,12 @@ def opened(
     motion: str = "reduce",
     verify: bool = False,
     allowed: tuple[str, ...] = (),
+    routes: Mapping[str, Callable[[Route], None]] | None = None,
 ) -> Generator[Opened]:
     """Open the page; at the end nothing may have gone wrong, nor have been asked of anybody else.
 
-    Verifications are left out unless they are wanted, and then they are of a few motions.
+    Verifications are left out unless they are wanted, and then they are of a few motions; what "routes" match
+    is answered by their functions.
     """
     context = browser.new_context(
         viewport=size,  # type: ignore[arg-type]
@@ -143,6 +145,8 @@ def opened(
     else:
         page.route("**/api/v1/verify", lambda route: None)  # it is never answered
         page.route("**/api/v1/size-map", lambda route: None)
+    for pattern, answer in (routes or {}).items():
+        page.route(pattern, answer)
     with ExitStack() as ending:
         ending.callback(context.close)
         ending.callback(page.unroute_all, behavior="ignoreErrors")

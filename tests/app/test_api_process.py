@@ -30,7 +30,8 @@ if TYPE_CHECKING:
     from collections.abc import Generator
 
 ROOT = Path(__file__).parents[2]
-PAGE = ROOT / "src/stayput/app/page"
+APP = ROOT / "src/stayput/app"
+PAGE = APP / "page"
 CANVAS = ROOT / "src/stayput/report/canvas"
 RECORD = "1\n-1\n0\n2\n" * 500
 GIVEN = {"unit": "gal", "dt": "0.01"}
@@ -158,7 +159,9 @@ def test_the_page_is_in_the_wheel(tmp_path: Path) -> None:
     with zipfile.ZipFile(wheel) as archive:
         names = set(archive.namelist())
         archive.extractall(tmp_path / "unpacked")
-    files = {f"stayput/app/page/{file.name}" for file in PAGE.iterdir()}
+    files = {
+        f"stayput/app/{page}/{file.name}" for page in ("page", "room_page") for file in (APP / page).iterdir()
+    }
     files |= {f"stayput/report/canvas/{file.name}" for file in CANVAS.iterdir()}
     assert files <= names
     assert {"stayput/app/page/index.html", "stayput/app/templates/api.html"} <= names
@@ -178,7 +181,8 @@ def test_the_page_is_in_the_wheel(tmp_path: Path) -> None:
 def test_the_page_s_files_are_served_with_their_kinds(client: httpx.Client) -> None:
     kinds = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
     contents = {f"/{file.name}": file.read_bytes() for file in PAGE.iterdir()}
-    assert "/index.html" in contents
+    contents |= {f"/room/{file.name}": file.read_bytes() for file in (APP / "room_page").iterdir()}
+    assert {"/index.html", "/room/index.html"} <= contents.keys()
     for path, content in {**contents, WORDS: None}.items():
         answer = client.get(path)
         assert answer.status_code == 200

@@ -149,14 +149,15 @@ def keys() -> Iterator[tuple[str, Any, Parameter]]:
 
 KEYS = [pytest.param(*key, id=key[0]) for key in keys()]
 SCHEMA = Scenario.schema()
+OF_A_ROOM = sp.RoomScenario.model_json_schema()
 
 
 def node_of(dotted: str) -> dict[str, Any]:
-    node: dict[str, Any] = SCHEMA
+    schema = SCHEMA if dotted.split(".")[0] in SCHEMA["properties"] else OF_A_ROOM
+    node: dict[str, Any] = schema
     for part in dotted.split("."):
-        node = next(
-            kind["properties"][part] for kind in kinds(node, SCHEMA) if part in kind.get("properties", {})
-        )
+        tables = [table for kind in kinds(node, schema) for table in kinds(kind.get("items", kind), schema)]
+        node = next(table["properties"][part] for table in tables if part in table.get("properties", {}))
     return node
 
 

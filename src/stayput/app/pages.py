@@ -1,4 +1,4 @@
-"""Routes of the page: one page with one script, the static files that these are made of, and the texts."""
+"""Routes of the pages: each with one script, the static files that these are made of, and the texts."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from importlib import resources
 from typing import TYPE_CHECKING
 
 from starlette.exceptions import HTTPException
-from starlette.responses import Response
+from starlette.responses import RedirectResponse, Response
 from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
 from stayput.app.bundle import bundled, entry_of, page_with
 from stayput.app.middleware import takes_gzip
-from stayput.catalogue import LANGUAGES, TEXTS, earthquake, page, page_keep
+from stayput.catalogue import LANGUAGES, TEXTS, earthquake, page, page_keep, room_page, room_plan
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -31,8 +31,19 @@ if TYPE_CHECKING:
 WORDS = "/words_table.js"
 """Path of the page's texts: a module made from the catalogue."""
 
-FOLDERS = {"": ("stayput.app", "page"), "canvas": ("stayput.report", "canvas")}
-"""The folders of the page's files in the package, by their paths on the server."""
+FOLDERS = {
+    "": ("stayput.app", "page"),
+    "room": ("stayput.app", "room_page"),
+    "canvas": ("stayput.report", "canvas"),
+}
+"""The folders of the pages' files in the package, by their paths on the server."""
+
+OF_A_PIECE = (page, page_keep, earthquake)
+TEXTS_OF = {"": OF_A_PIECE, "room": (*OF_A_PIECE, room_page, room_plan)}
+"""Where the texts of each page are, by its folder: that of rooms has parts of the page of one piece."""
+
+SHARED = (*page.SHARED, *room_page.SHARED, *room_plan.SHARED)
+"""Texts of other modules that the pages say too; the last parts of their ids are their keys."""
 
 ASKED_EACH_TIME = "no-cache"
 KEPT = "public, max-age=31536000, immutable"
@@ -120,10 +131,11 @@ class MadeFiles:
     kept: Mapping[str, MadeFile]
 
 
-def tables() -> dict[Language, dict[str, str]]:
-    """Return the page's texts by their keys, in each language."""
-    shared = {name.rpartition(".")[2]: TEXTS[name] for name in page.SHARED}
-    words = shared | page.TEXTS | page_keep.TEXTS | earthquake.TEXTS
+def tables(folder: str) -> dict[Language, dict[str, str]]:
+    """Return the texts of a page by their keys, in each language."""
+    words = {name.rpartition(".")[2]: TEXTS[name] for name in SHARED}
+    for part in TEXTS_OF[folder]:
+        words |= part.TEXTS
     return {
         language: {key: text[place] for key, text in words.items()}
         for place, language in enumerate(LANGUAGES)
@@ -133,23 +145,20 @@ def tables() -> dict[Language, dict[str, str]]:
 @cache
 def made(language: Language) -> MadeFiles:
     """Return what is made for the readers of a language; the words of the others are files that it names."""
-    files = _files()
-    texts = {
-        one: MadeFile(json.dumps(table, ensure_ascii=False), "application/json", KEPT)
-        for one, table in tables().items()
-    }
-    names = {one: f"words-{one}-{text.hash}.json" for one, text in texts.items()}
-    spoken = tables()[language]
-    words = "".join(
-        f"export const {name} = {json.dumps(values, ensure_ascii=False)};\n"
-        for name, values in (("LANGUAGES", LANGUAGES), ("FILES", names), ("TABLES", {language: spoken}))
-    )
-    kept = {names[one]: text for one, text in texts.items()}
-    pages: dict[str, MadeFile] = {}
-    for folder in FOLDERS:
-        html = files.get(f"{folder}/index.html".lstrip("/"))
-        if html is None:
-            continue
+    files, pages, kept, words = _files(), dict[str, MadeFile](), dict[str, MadeFile](), ""
+    for folder in TEXTS_OF:
+        texts = {
+            one: MadeFile(json.dumps(table, ensure_ascii=False), "application/json", KEPT)
+            for one, table in tables(folder).items()
+        }
+        names = {one: f"words-{one}-{text.hash}.json" for one, text in texts.items()}
+        kept |= {names[one]: text for one, text in texts.items()}
+        spoken = tables(folder)[language]
+        words = "".join(
+            f"export const {name} = {json.dumps(values, ensure_ascii=False)};\n"
+            for name, values in (("LANGUAGES", LANGUAGES), ("FILES", names), ("TABLES", {language: spoken}))
+        )
+        html = files[f"{folder}/index.html".lstrip("/")]
         entry = f"{folder}/{entry_of(html)}".lstrip("/")
         script = MadeFile(bundled({**files, WORDS[1:]: words}, entry), "text/javascript", KEPT)
         name = f"{folder or 'page'}-{language}-{script.hash}.js"
@@ -158,6 +167,7 @@ def made(language: Language) -> MadeFiles:
         pages[f"/{folder}/".replace("//", "/")] = MadeFile(
             page_with(html, files, folder, address, language, spoken), "text/html"
         )
+    # the texts of the last page, which has those of the others too, are the module that the files load
     return MadeFiles(pages, MadeFile(words, "text/javascript"), kept)
 
 
@@ -198,7 +208,12 @@ def page_routes() -> list[Mount | Route]:
     folders = [
         Mount(f"/{path}".rstrip("/"), PackageFiles(*folder)) for path, folder in reversed(FOLDERS.items())
     ]
-    return [*spoken, *kept, *folders]
+    return [*spoken, *kept, Route("/room", _to_room), *folders]
+
+
+async def _to_room(_request: Request) -> Response:
+    """Lead to the page's folder, beside which its files are."""
+    return RedirectResponse("room/")
 
 
 def _route(path: str, choose: Callable[[MadeFiles], MadeFile]) -> Route:

@@ -44,7 +44,7 @@ from stayput.errors import InputError
 from stayput.everyday import PRESET_DRAWERS, Everyday
 from stayput.measures import MEASURES, hold, parameters
 from stayput.model.body import Body, Part
-from stayput.model.floor_plan import PLACES
+from stayput.model.floor_plan import PLACES, Door, FloorPlan, PersonPlace, Window
 from stayput.model.furniture import FURNITURE as PIECES
 from stayput.model.parameters import parameter_of
 from stayput.model.parameters import parameters as parameters_of
@@ -114,8 +114,15 @@ NUMBERS = {
     "shaking.pgv": parameter_of(strength_of_pgv, "pgv"),
     "shaking.mmi": parameter_of(strength_of_mercalli, "mmi"),
     **{f"shaking.earthquake.{about.name}": about for about in parameters_of(EarthquakeSource)},
+    **{f"plan.{name}": parameter_of(FloorPlan, name) for name in ("width", "length")},
+    **{f"doors.{name}": parameter_of(Door, name) for name in ("start", "width")},
+    **{f"windows.{name}": parameter_of(Window, name) for name in ("start", "width", "sill")},
+    **{
+        f"places.{name}": parameter_of(PersonPlace, name)
+        for name in ("width", "length", "low", "high", "day", "night")
+    },
 }
-"""Numbers and words of a scene that the page asks for."""
+"""Numbers and words of a scene, and of a room with a plan, that the pages ask for."""
 
 
 def presets(limits: Limits) -> PresetsReply:

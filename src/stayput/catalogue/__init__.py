@@ -45,6 +45,8 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "page_keep",
         "plots",
         "report",
+        "room_page",
+        "room_plan",
         "room_report",
         "rooms",
         "runs",

@@ -29,6 +29,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "stayput：地震のとき、家具は倒れずにいられるか",
     ),
     "claim": ("Will my furniture stay put in an earthquake?", "地震のとき、家具は倒れずにいられるか"),
+    "toRoom": ("A whole room", "部屋全体"),
     "language": ("Language", "言語"),
     "steps": ("Steps", "手順"),
     "skip": ("Skip to the animation", "アニメーションへ移動"),

@@ -1,6 +1,8 @@
 // The server's answers. Nothing else on this page speaks to it.
 
-const BASE = new URL("api/v1/", document.baseURI);
+// "data-home" says where the server's root is, seen from a page that is not there itself
+const HOME = new URL(document.documentElement.dataset.home ?? ".", document.baseURI),
+  BASE = new URL("api/v1/", HOME);
 
 /** A refusal by the server: its sentence in English, in Japanese if it has one, the field, the HTTP status (0: no answer). */
 export class Refused extends Error {
@@ -10,10 +12,13 @@ export class Refused extends Error {
   }
 }
 
+// which page at this address asks: the server lets pages take turns
+const CLIENT = { "x-stayput-client": `${Date.now()}-${Math.random()}` };
+
 async function ask(path, options = {}) {
   let answer;
   try {
-    answer = await fetch(new URL(path, BASE), options);
+    answer = await fetch(new URL(path, BASE), { ...options, headers: { ...CLIENT, ...options.headers } });
   } catch (error) {
     if (error.name === "AbortError") throw error;
     throw new Refused({}, 0);
@@ -41,6 +46,7 @@ export const simulate = (content, signal) =>
 export const shaking = (content, signal) => json("shaking", sent(content, signal));
 export const sizeMap = (content, signal) => json("size-map", sent(content, signal));
 export const verify = (content, signal) => json("verify", sent(content, signal));
+export const room = (content, signal) => json("room", sent(content, signal));
 export const job = (id, signal) => json(`jobs/${id}`, { signal });
 export const everyday = (id, scene, signal) =>
   json(`jobs/${id}/everyday`, { ...sent({ scene }, signal), method: "PUT" });
@@ -69,3 +75,4 @@ export function upload(file, said, signal) {
 /** Where a job's report or table is fetched. */
 export const reportAddress = (id, language) => new URL(`jobs/${id}/report?lang=${language}`, BASE).href;
 export const tableAddress = (id) => new URL(`jobs/${id}/csv`, BASE).href;
+export const planAddress = (id, query) => new URL(`jobs/${id}/plan?${new URLSearchParams(query)}`, BASE).href;

@@ -10,6 +10,7 @@ import * as figures from "./figures.js";
 import * as keep from "./keep.js";
 import { fromHash, toHash } from "./link.js";
 import * as measures from "./panel_measures.js";
+import * as building from "./panel_building.js";
 import * as notices from "./notices.js";
 import * as piece from "./panel_piece.js";
 import * as pieces from "./pieces.js";
@@ -25,7 +26,7 @@ import * as understand from "./understand.js";
 import * as upload from "./upload.js";
 import { t } from "./words.js";
 
-const PANELS = [piece, room, shaking, measures, everyday];
+const PANELS = [piece, room, building, shaking, measures, everyday];
 const SLOW = 400,
   PAUSE = 1500,
   BUSY = [429, 503];
@@ -69,9 +70,7 @@ async function simulate() {
     tellProblem(error);
     if (error.status === 0) untilBack().then(recover);
     if (BUSY.includes(error.status)) setTimeout(() => problem === error && simulate(), PAUSE);
-    if (scene.record && lacksRecord(error)) {
-      await takeAgain(scene);
-    }
+    if (scene.record && lacksRecord(error)) await upload.takeAgain(scene);
   }
   flying = false;
   clearTimeout(slow);
@@ -206,13 +205,13 @@ function edit(keys) {
 }
 
 async function begin() {
-  await screens.begin();
+  await screens.begin("see");
   readInks();
   screens.wire(() => {
     if (presets) again();
   });
   see.wire();
-  upload.wire(shakePieces);
+  upload.wire((file) => pieces.open(file, shakePieces));
   keep.wire(request);
   part("sizes").addEventListener("rebuild", () => piece.build(presets));
   try {
@@ -263,7 +262,7 @@ async function take(hash) {
   taking = true;
   try {
     change({ ...scene, gone });
-    if (record) await takeRecord(record, scene);
+    if (record) await upload.takeLinked(record, scene);
   } finally {
     taking = false;
   }
@@ -279,24 +278,6 @@ async function takeFile(linked) {
   } finally {
     clearTimeout(slow);
     tellWait(null);
-  }
-}
-
-/** The server has the record no more: it is sent again where the link holds it, else said to be gone. */
-const takeAgain = ({ record: { id, name, shaking, letters }, ...scene }) => {
-  const { component, unit, dt } = shaking;
-  return takeRecord({ id, name, said: { component, unit, dt }, letters, vertical: null }, scene);
-};
-
-async function takeRecord(linked, { scaled, onFloor }) {
-  try {
-    await upload.useLinked(linked);
-    change({ scaled, onFloor });
-    upload.update(); // which the page does by itself only once it has begun
-  } catch (error) {
-    if (!(error instanceof api.Refused || linked.letters)) throw error;
-    change({ record: null, gone: { name: linked.name }, scaled: false, onFloor: false });
-    upload.lost();
   }
 }
 

@@ -1,9 +1,10 @@
 // "Set the scene": what holds the piece; several measures at once.
 
-import { choice, slider, toggle } from "./controls.js";
+import { toggle } from "./controls.js";
 import { el, fill, part } from "./dom.js";
+import { measureField } from "./measure_fields.js";
 import { change, current } from "./scene.js";
-import { both, choiceLabel, t } from "./words.js";
+import { both, t } from "./words.js";
 
 let rows = {},
   kinds = [],
@@ -65,34 +66,8 @@ function give(kind, name, value) {
   change({ measures: { ...measures, [kind.type]: { ...measures[kind.type], [name]: value } } });
 }
 
-function field(kind, about) {
-  const label = both(about.label),
-    value = current().measures[kind.type]?.[about.name] ?? about.default ?? about.usual;
-  if (about.choices?.length) {
-    const one = choice({
-      label,
-      options: about.choices.map((id) => ({ id, label: choiceLabel(id) })),
-      changed: (value) => give(kind, about.name, value),
-    });
-    one.set(value);
-    return one.element;
-  }
-  if (typeof value !== "number") return null;
-  const high = Math.min(about.high, Math.max(4 * value, about.low + 1e-3)),
-    low = Math.max(about.low, 0);
-  const step = about.whole ? 1 : 10 ** Math.floor(Math.log10(high / 100));
-  const one = slider({
-    label,
-    unit: about.unit,
-    range: [low, high],
-    limits: [Math.min(low, about.low), about.high],
-    step,
-    hint: t(`confidence_${about.confidence}`),
-    changed: (value) => give(kind, about.name, about.whole ? Math.round(value) : value),
-  });
-  one.set(value);
-  return one.element;
-}
+const field = (kind, about) =>
+  measureField(about, current().measures[kind.type]?.[about.name], (value) => give(kind, about.name, value));
 
 /** What a kind of measure needs and the scene has not: "wall", "ceiling", or nothing. */
 function lacking(kind, scene) {

@@ -65,13 +65,13 @@ export function wire(changed) {
   });
 }
 
-/** Puts the remembered theme and language in place, before anything is drawn. */
-export async function begin() {
+/** Puts the remembered theme and language in place, before anything is drawn; "first" is the screen to begin with. */
+export async function begin(first) {
   const theme = recalled("theme");
   if (theme === "light" || theme === "dark") document.documentElement.dataset.theme = theme;
   await patiently(() => speak(recalled("language") ?? preferredLanguage()));
   const screen = history.state?.screen;
-  mark(SCREENS.includes(screen) ? screen : SCREENS[1]);
+  mark(SCREENS.includes(screen) ? screen : first);
   history.replaceState({ screen: document.body.dataset.screen }, "");
   marks();
 }

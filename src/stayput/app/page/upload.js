@@ -6,8 +6,7 @@ import { el, fill, part, svg } from "./dom.js";
 import { classOf } from "./panel_shaking.js";
 import { patiently } from "./connection.js";
 import { packed, unpackedBytes, utf8 } from "./packing.js";
-import * as pieces from "./pieces.js";
-import { worded, wordedOfScenario } from "./refusals.js";
+import { worded } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { both, number, spoken, t } from "./words.js";
 
@@ -19,13 +18,17 @@ let waiting = null,
   trouble = null,
   shown = null; // the record that stands there
 
-/** Wires the file field and the place to drop a file on; "shake" is called with a file of several pieces read. */
-export function wire(shake) {
+/** Whether a dropped file is a scenario, by its name. */
+const isScenario = ({ name }) => /\.toml$/i.test(name);
+
+/** Wires the file field and the place to drop a file on; "takeScenario" is called with a scenario file. */
+export function wire(takeScenario) {
   const drop = part("drop"),
     field = part("file");
   const take = (file) => {
     if (!file) return;
-    if (pieces.isScenario(file)) sendPieces(file, shake);
+    waiting?.abort();
+    if (isScenario(file)) takeScenario(file);
     else send(file, {});
   };
   field.addEventListener("change", () => {
@@ -45,21 +48,6 @@ export function wire(shake) {
   for (const name of ["dragover", "drop"]) addEventListener(name, (event) => event.preventDefault());
 }
 
-async function sendPieces(file, shake) {
-  waiting?.abort();
-  const text = await file.arrayBuffer().then(utf8).catch(() => null);
-  if (text === null) return tell(() => [refusal([t("notText")])]);
-  tell(() => [el("p", { role: "status", text: t("shaking") })]);
-  try {
-    const several = await pieces.take(file.name, text);
-    if (several === null) return;
-    tell(several ? null : () => [refusal([t("onePieceFile")])]);
-    if (several) shake();
-  } catch (error) {
-    tell(() => [refusal(wordedOfScenario(error))]);
-  }
-}
-
 async function send(file, said) {
   waiting?.abort();
   waiting = new AbortController();
@@ -77,7 +65,7 @@ async function send(file, said) {
 }
 
 /** Shows something in the place of the record, until the scene changes with a record in it. */
-function tell(made) {
+export function tell(made) {
   trouble = made;
   again();
 }
@@ -89,7 +77,7 @@ export function again() {
   fill(part("uploaded"), ...(trouble?.().filter(Boolean) ?? []), ...(record ? about(record) : []));
 }
 
-const refusal = (words) => el("p", { class: "refusal", role: "alert" }, ...words);
+export const refusal = (words) => el("p", { class: "refusal", role: "alert" }, ...words);
 
 /** Asks for what a file does not say: its unit and step, or which of its channels is wanted. */
 function asking(file, said, field) {
@@ -114,7 +102,7 @@ function asking(file, said, field) {
 }
 
 /** Says that the server no longer has the record. */
-export const lost = () => tell(() => [refusal([t("recordGone", { name: "" })])]);
+const lost = () => tell(() => [refusal([t("recordGone", { name: "" })])]);
 
 /** What a link holds of a record: its file in letters, or null where that is too long. */
 async function lettersOf(file) {
@@ -123,8 +111,27 @@ async function lettersOf(file) {
   return letters.length <= LONGEST ? letters : null;
 }
 
+/** The server has the record of a scene no more: it is sent again where the link holds it, else said to be gone. */
+export const takeAgain = ({ record: { id, name, shaking, letters }, ...scene }) => {
+  const { component, unit, dt } = shaking;
+  return takeLinked({ id, name, said: { component, unit, dt }, letters, vertical: null }, scene);
+};
+
+/** Takes the record of a link into the scene, or says that it is gone. */
+export async function takeLinked(linked, { scaled, onFloor }) {
+  try {
+    await useLinked(linked);
+    change({ scaled, onFloor });
+    update(); // which the page does by itself only once it has begun
+  } catch (error) {
+    if (!(error instanceof api.Refused || linked.letters)) throw error;
+    change({ record: null, gone: { name: linked.name }, scaled: false, onFloor: false });
+    lost();
+  }
+}
+
 /** Takes the record of a link into the scene; one that the server has no more is sent again, if the link holds it. */
-export async function useLinked({ id, name, said, letters, vertical: up }) {
+async function useLinked({ id, name, said, letters, vertical: up }) {
   const on = (known) => patiently(() => api.motion(known, said.component));
   let motion = await on(letters && sent.has(letters) ? sent.get(letters) : id).catch((error) => {
     if (error.status !== 404 || !letters) throw error;

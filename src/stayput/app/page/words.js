@@ -18,7 +18,6 @@ export async function speak(wanted) {
   if (awaited !== chosen) return; // another one was chosen meanwhile
   language = chosen;
   document.documentElement.lang = language;
-  document.title = t("title");
   translate(document);
 }
 

@@ -108,7 +108,11 @@ def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
         ],
         "toml": escape(verdict.scenario.to_toml()),
         "style": Markup(
-            inks_css() + _file("verdict/report.css") + _file("room/plan.css") + _file("room/room.css")
+            inks_css()
+            + "".join(
+                _file(name)
+                for name in ("verdict/report.css", "canvas/plan.css", "room/plan.css", "room/room.css")
+            )
         ),
     }
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from stayput.report.room.sheet import Box
 
 FONT = 13.0
-"""Size of the letters [px]; that of ``.plan-room text`` in plan.css."""
+"""Size of the letters [px]; that of ``.plan-room text`` in canvas/plan.css."""
 
 LINE = 16.0
 """Height of a line [px]."""

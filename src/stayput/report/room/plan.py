@@ -67,7 +67,7 @@ def plan_svg(
     moved: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None,
     numbered: Mapping[str, str] | None = None,
 ) -> str:
-    """Return the plan of a room, to scale and with y upwards; its style is plan.css.
+    """Return the plan of a room, to scale and with y upwards; its style is canvas/plan.css.
 
     Parameters
     ----------

@@ -1,0 +1,143 @@
+// What each thing looks like on a plan, as in the reports: beds with their pillow, doors with their swing, ...
+
+import { svg } from "../dom.js";
+import { inFrame, rectangle } from "./geometry.js";
+import { WALL, path } from "./sheet.js";
+
+const shape = (sheet, points, name, closed = true) =>
+  svg("path", { class: name, d: path(points.map(sheet.place), closed) });
+
+/** A piece: its outline and, at its front, a thick side. */
+export function pieceShapes(sheet, one, hue) {
+  const { at, heading, width, length, round } = one,
+    inwards = 2 / sheet.scale,
+    front = [-0.5, 0.5].map((side) => inFrame(at, heading, [width / 2 - inwards, side * length]));
+  return [
+    shape(sheet, one.outline, `standing hue${hue}`),
+    ...(round ? [] : [shape(sheet, front, "front", false)]),
+  ];
+}
+
+/** A place, as what a person of its kind lies or sits on. */
+export function placeShapes(sheet, one, kind) {
+  const { width, length, at, heading, blocks } = one;
+  const inside = (INSIDE[kind] ?? (() => []))(width, length).map(({ points, name }) =>
+    shape(
+      sheet,
+      points.map((point) => inFrame(at, heading, point)),
+      name,
+      name !== "fold",
+    ),
+  );
+  return [shape(sheet, one.outline, blocks ? "place" : "place flat"), ...inside];
+}
+
+const soft = (at, width, length) => ({ points: rectangle(at, width, length, 0), name: "soft" });
+const fold = (...points) => ({ points, name: "fold" });
+
+/** A pillow at the head, which is at −y, and the edge of the blanket. */
+function bed(width, length) {
+  const edge = -0.23 * length;
+  return [
+    soft([0, -0.38 * length], 0.62 * width, 0.14 * length),
+    fold([-width / 2, edge], [width / 2, edge]),
+  ];
+}
+
+function cot(width, length) {
+  const bars = [-1, 1].flatMap((side) =>
+    Array.from({ length: 7 }, (_, i) => length * (-0.4 + (0.8 * i) / 6)).map((y) =>
+      fold([side * 0.5 * width, y], [side * 0.4 * width, y]),
+    ),
+  );
+  return [soft([0, -0.36 * length], 0.5 * width, 0.14 * length), ...bars];
+}
+
+/** A chair with its back at −x. */
+const desk = (width, length) => [
+  soft([0.04 * width, 0], 0.6 * width, 0.62 * length),
+  soft([-0.34 * width, 0], 0.12 * width, 0.7 * length),
+];
+
+/** A back at −x, and arms. */
+const sofa = (width, length) => [
+  soft([-0.39 * width, 0], 0.22 * width, length),
+  ...[-1, 1].map((side) => soft([0.1 * width, side * 0.45 * length], 0.8 * width, 0.1 * length)),
+];
+
+function ball(width, length) {
+  const radius = 0.12 * Math.min(width, length),
+    angles = Array.from({ length: 24 }, (_, i) => (i * Math.PI) / 12);
+  const points = angles.map((a) => [
+    0.28 * width + radius * Math.cos(a),
+    0.28 * length + radius * Math.sin(a),
+  ]);
+  return [{ points, name: "soft" }];
+}
+
+const INSIDE = { bed, futon: bed, cot, desk, sofa, "play area": ball };
+
+/** A window: an opening with a pane in it. */
+export function windowShapes(sheet, { wall, start, width }) {
+  const panes = [0.1, 0.5, 0.9].map((part) => {
+    const ends = [start, start + width].map((along) =>
+      sheet.atWall(wall, along, (-part * WALL) / sheet.scale),
+    );
+    return svg("path", { class: "pane", d: path(ends, false) });
+  });
+  return [hole(sheet, wall, start, width), ...panes];
+}
+
+function hole(sheet, wall, start, width) {
+  const deep = -WALL / sheet.scale;
+  const corners = [
+    [start, 0],
+    [start + width, 0],
+    [start + width, deep],
+    [start, deep],
+  ];
+  return svg("path", {
+    class: "ground",
+    d: path(corners.map(([along, into]) => sheet.atWall(wall, along, into))),
+  });
+}
+
+/** A door: its leaf where it stands open, and the arc of its edge; two panels of a sliding one. */
+export function doorShapes(sheet, door) {
+  const { wall, start, width } = door;
+  return [
+    hole(sheet, wall, start, width),
+    ...(door.opens === "sliding" ? panels(sheet, door) : leaf(sheet, door)),
+  ];
+}
+
+function panels(sheet, { wall, start, width }) {
+  const part = 0.55 * width;
+  const ends = [
+    [start, start + part, 0.3],
+    [start + width - part, start + width, 0.7],
+  ];
+  return ends.map(([low, high, deep]) => {
+    const points = [low, high].map((along) => sheet.atWall(wall, along, (-deep * WALL) / sheet.scale));
+    return svg("path", { class: "leaf", d: path(points, false) });
+  });
+}
+
+const ARC = 24;
+
+function leaf(sheet, { wall, start, width, hinge, opens }) {
+  const sign = opens === "outwards" ? -1 : 1;
+  const edge = Array.from({ length: ARC + 1 }, (_, i) => (i * Math.PI) / 2 / ARC).map((angle) => {
+    const reach = width * Math.cos(angle);
+    return sheet.atWall(
+      wall,
+      start + (hinge === "start" ? reach : width - reach),
+      sign * width * Math.sin(angle),
+    );
+  });
+  const at = sheet.atWall(wall, hinge === "start" ? start : start + width);
+  return [
+    svg("path", { class: "swing", d: path(edge, false) }),
+    svg("path", { class: "leaf", d: path([at, edge.at(-1)], false) }),
+  ];
+}

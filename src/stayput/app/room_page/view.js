@@ -1,0 +1,119 @@
+// The plan that is edited: what it shows now, which may be a room that is only tried while something is dragged.
+
+import { part } from "../dom.js";
+import { clashes } from "./clashes.js";
+import { LAYERS } from "./layers.js";
+import { drawPlan, keyOf, layersOf } from "./plan.js";
+import { current, selected } from "./room.js";
+
+const HIGHEST = 620, // of the plan [px]
+  LOWEST = 250,
+  AROUND = 150; // what stands above and below it
+
+let element = null,
+  sheet = null,
+  tried = null,
+  guides = [],
+  held = null,
+  verdict = null,
+  refused = null,
+  layers = [...LAYERS];
+const listeners = [];
+
+/** Draws from now on into this <svg>. */
+export function drawInto(svgElement) {
+  element = svgElement;
+}
+
+export const plan = () => element;
+export const sheetNow = () => sheet;
+
+/** The room that is shown. */
+export const shownRoom = () => tried ?? current();
+
+/** Calls a function after each drawing with the clashes of the room that is shown. */
+export const whenDrawn = (listener) => listeners.push(listener);
+
+/** Shows a room that is only tried, with lines across the plan. */
+export function show(room, lines = []) {
+  tried = room;
+  guides = lines;
+  draw();
+}
+
+/** Shows the room again as it is. */
+export function showCurrent() {
+  tried = null;
+  guides = [];
+  draw();
+}
+
+/** Shows a verdict on the room, or none. */
+export function showResult(result) {
+  verdict = result;
+  draw();
+}
+
+export const resultShown = () => verdict;
+
+/** Marks what the server refuses, by {table, index}, or nothing. */
+export function markRefused(what) {
+  refused = what;
+  draw();
+}
+
+/** Which layers of a verdict are drawn. */
+export const layersShown = () => layers;
+export function showLayer(name, on) {
+  layers = LAYERS.filter((one) => (one === name ? on : layers.includes(one)));
+  draw();
+}
+
+/** Draws the plan. */
+export function draw() {
+  const room = shownRoom();
+  if (!element || !room) return;
+  const found = clashes(room),
+    wrong = found.flatMap((one) => [one.what, one.other]).filter(Boolean);
+  if (refused) wrong.push(refused);
+  sheet = drawPlan(element, room, {
+    result: tried ? null : verdict,
+    shown: layers,
+    selected: selected(),
+    clashing: new Set(wrong.map(keyOf)),
+    guides,
+    scale: held?.sheet.scale,
+    wide: element.parentElement.clientWidth,
+    high: Math.max(LOWEST, Math.min(HIGHEST, innerHeight - AROUND)),
+  });
+  element.style.maxWidth = `${sheet.size[0]}px`;
+  for (const listener of listeners) listener(found);
+}
+
+/** Keeps the scale, and what the pointer points at, as they are now, although the room gets other sides. */
+export function hold() {
+  held = { sheet, toSheet: element.getScreenCTM().inverse() };
+}
+
+/** Lets the plan fit its place again. */
+export function release() {
+  held = null;
+}
+
+/** Where an event of the pointer is in the plan [m]. */
+export function pointOf(event) {
+  const { sheet: on, toSheet } = held ?? { sheet, toSheet: element.getScreenCTM().inverse() };
+  const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(toSheet);
+  return on.ofPlace([x, y]);
+}
+
+/** The element of a thing, which has the keyboard's focus. */
+export const elementOf = (what) => layersOf(element)[what.table].children[what.index];
+
+/** Puts the keyboard's focus on a thing. */
+export const focusOn = (what) => elementOf(what)?.focus({ preventScroll: true });
+
+/** Says something to readers of screens. */
+export function say(text) {
+  part("editor-said").textContent = text;
+}

@@ -1,0 +1,564 @@
+"""The editor of a room's plan in Chromium: with mouse, finger and keyboard."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+import math
+import re
+from contextlib import contextmanager
+from dataclasses import dataclass
+from importlib import resources
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from browsing import DESK, LOCALES, PHONE, WAIT, browser  # noqa: F401
+from page_coverage import recorded
+
+import stayput as sp
+from stayput.catalogue import page, room_plan
+from stayput.scenario.pieces import StandingTable
+from stayput.scenario.room import DoorTable, PlaceTable, WindowTable
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
+
+    from playwright.sync_api import Browser, Page
+    from serving import Running
+
+SOURCES = resources.files("stayput.app").joinpath("room_page")
+
+ROOM: dict[str, Any] = {
+    "plan": {"width": 4.0, "length": 3.0},
+    "furniture": [
+        {"name": "bookcase", "preset": "bookcase", "against": "left_wall", "along": 2.0},
+        {"name": "chest", "preset": "chest", "at": [2.0, 1.0], "heading": 0.0},
+    ],
+    "places": [{"kind": "bed", "at": [3.3, 1.9], "heading": 0.0}],
+    "doors": [{"wall": "right_wall", "start": 0.1, "width": 0.7}],
+    "windows": [{"wall": "far_side_wall", "start": 1.0, "width": 1.2}],
+    "room": {"ceiling": {"height": 2.4}},
+    "shaking": {"intensity": "6-upper", "suite": {"family": "mixed", "count": 4}},
+    "uncertainty": {"samples": 4},
+}
+
+TO_SCREEN = """async ([x, y]) => {
+  const view = await import("/room/view.js");
+  const [px, py] = view.sheetNow().place([x, y]);
+  const at = new DOMPoint(px, py).matrixTransform(view.plan().getScreenCTM());
+  return [at.x, at.y];
+}"""
+
+
+@dataclass
+class Editor:
+    """The editor with a room in it."""
+
+    page: Page
+
+    def room(self) -> dict[str, Any]:
+        found: dict[str, Any] = self.page.evaluate("import('/room/room.js').then((one) => one.current())")
+        return found
+
+    def take(self, room: dict[str, Any]) -> None:
+        """Put another room into the editor."""
+        self.page.evaluate("async (room) => (await import('/room/room.js')).replace(room)", room)
+
+    def at(self, x: float, y: float) -> tuple[float, float]:
+        """Return where a point of the plan is on the screen, scrolled to."""
+        self.page.locator("#plan").scroll_into_view_if_needed()
+        left, top = self.page.evaluate(TO_SCREEN, [x, y])
+        return left, top
+
+    def drag(self, start: tuple[float, float], end: tuple[float, float], *, drop: bool = True) -> None:
+        """Drag on the plan from one point to another [m]."""
+        self.pull(self.at(*start), self.at(*end), drop=drop)
+
+    def pull(self, start: tuple[float, float], end: tuple[float, float], *, drop: bool = True) -> None:
+        """Drag on the screen [px]."""
+        self.page.mouse.move(*start)
+        self.page.mouse.down()
+        self.page.mouse.move(*end, steps=6)
+        if drop:
+            self.page.mouse.up()
+
+    def handle(self, name: str) -> tuple[float, float]:
+        """Return where the middle of a handle is on the screen."""
+        box = self.page.locator(f"[data-handle={name}] .felt").bounding_box()
+        assert box is not None
+        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    def select(self, thing: str) -> None:
+        self.page.focus(f"[data-thing={thing}]")
+
+    def press(self, *keys: str) -> None:
+        for key in keys:
+            self.page.keyboard.press(key)
+
+    def field(self, label: str, value: str) -> None:
+        """Type a value into a field of the inspector."""
+        field = self.page.locator("#inspector").get_by_label(label, exact=True)
+        field.fill(value)
+        field.press("Enter")
+
+    @property
+    def said(self) -> str:
+        return self.page.inner_text("#editor-said").replace("\u00a0", " ")
+
+    @property
+    def wrong(self) -> str:
+        return self.page.inner_text("#plan-problems").replace("\u00a0", " ")
+
+
+@contextmanager
+def editing(
+    browser: Browser,
+    server: Running,
+    room: dict[str, Any] = ROOM,
+    *,
+    language: str = "en",
+    theme: str = "light",
+    size: dict[str, int] = DESK,
+    touch: bool = False,
+) -> Generator[Editor]:
+    """Open the page of a room and put a room into it; at the end nothing may have gone wrong."""
+    context = browser.new_context(
+        viewport=size,  # type: ignore[arg-type]
+        locale=LOCALES[language],
+        color_scheme=theme,  # type: ignore[arg-type]
+        reduced_motion="reduce",
+        has_touch=touch,
+    )
+    try:
+        page, wrong = context.new_page(), list[str]()
+        page.set_default_timeout(WAIT)
+        page.on("pageerror", lambda error: wrong.append(str(error)))
+        page.on("console", lambda one: wrong.append(one.text) if one.type == "error" else None)
+        for path in ("room", "simulate"):
+            page.route(f"**/api/v1/{path}", lambda route: None)  # it is never answered
+        with recorded(page):
+            page.goto(f"{server.address}/room/")
+            page.wait_for_selector("#plan .thing", state="attached")
+            editor = Editor(page)
+            editor.take(room)
+            yield editor
+        assert wrong == []
+    finally:
+        page.unroute_all(behavior="ignoreErrors")
+        context.close()
+
+
+def test_a_piece_is_dragged_and_turns_its_back_to_a_wall_that_it_comes_near(
+    browser: Browser, server: Running
+) -> None:
+    with editing(browser, server) as it:
+        it.drag((2.0, 1.0), (2.3, 1.7))
+        chest = it.room()["furniture"][1]
+        assert chest["at"] == pytest.approx([2.3, 1.7], abs=0.02)
+        assert chest["heading"] == 0.0
+        assert "against" not in chest
+        it.drag((2.3, 1.7), (2.5, 0.2), drop=False)
+        assert it.room()["furniture"][1] == chest  # the room changes when it is dropped
+        it.page.mouse.up()
+        chest = it.room()["furniture"][1]
+        assert chest["against"] == "near_side_wall"
+        assert chest["along"] == pytest.approx(2.5, abs=0.02)
+        assert "at" not in chest
+        assert "heading" not in chest
+        assert it.said.startswith("Chest of drawers, at the near wall, 2.5")
+
+
+def test_edges_and_corners_draw_with_a_line_and_not_with_alt(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        it.drag((2.0, 1.0), (3.5, 0.24))  # its side 6 cm from the right wall, along the near one
+        assert it.room()["furniture"][1]["along"] == pytest.approx(4.0 - 0.885 / 2)
+        it.press("Control+z")
+        it.drag((2.0, 1.0), (2.54, 1.0), drop=False)  # its front 5 cm from the side of the bed
+        assert it.page.locator("#plan .guide").count() >= 1
+        it.page.mouse.up()
+        assert it.page.locator("#plan .guide").count() == 0
+        assert it.room()["furniture"][1]["at"][0] == pytest.approx(2.8 - 0.21)
+        it.press("Control+z")
+        it.page.keyboard.down("Alt")
+        it.drag((2.0, 1.0), (2.54, 1.0))
+        it.page.keyboard.up("Alt")
+        assert it.room()["furniture"][1]["at"][0] == pytest.approx(2.54, abs=0.02)
+
+
+def test_escape_gives_up_a_drag(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        before = it.room()
+        it.drag((2.0, 1.0), (1.0, 0.2), drop=False)
+        it.press("Escape")
+        it.page.mouse.up()
+        assert it.room() == before
+        assert it.page.locator("#plan-undo").is_disabled()
+
+
+def test_undo_and_redo_go_through_all_changes(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        states = [it.room()]
+        it.drag((2.0, 1.0), (2.4, 1.2))
+        states.append(it.room())
+        it.press("r")
+        states.append(it.room())
+        it.press("Delete")
+        states.append(it.room())
+        assert len(states[-1]["furniture"]) == 1
+        it.press("Control+z", "Control+z")
+        assert it.room() == states[1]
+        it.press("Control+Shift+z")
+        assert it.room() == states[2]
+        it.press("Control+y")
+        assert it.room() == states[3]
+        assert it.page.locator("#plan-redo").is_disabled()
+        for _ in range(3):
+            it.page.click("#plan-undo")
+        assert it.room() == states[0]
+        assert it.page.locator("#plan-undo").is_disabled()
+
+
+def test_what_follows_quickly_is_one_change(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        it.page.evaluate("() => { performance.now = () => 0; }")  # all at once, however slow the machine is
+        it.select("furniture-1")
+        it.press(*["ArrowRight"] * 4)
+        assert it.room()["furniture"][1]["at"] == pytest.approx([2.2, 1.0])
+        it.press("Control+z")
+        assert it.room() == ROOM
+
+
+def test_a_finger_drags_a_piece(browser: Browser, server: Running) -> None:
+    with editing(browser, server, touch=True) as it:
+        start, end = it.at(2.0, 1.0), it.at(1.4, 1.6)
+        touch = it.page.context.new_cdp_session(it.page)
+
+        def send(kind: str, *points: tuple[float, float]) -> None:
+            touch.send(
+                "Input.dispatchTouchEvent",
+                {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in points]},
+            )
+
+        send("touchStart", start)
+        for step in range(1, 7):
+            send(
+                "touchMove",
+                (start[0] + (end[0] - start[0]) * step / 6, start[1] + (end[1] - start[1]) * step / 6),
+            )
+        send("touchEnd")
+        assert it.room()["furniture"][1]["at"] == pytest.approx([1.4, 1.6], abs=0.03)
+
+
+def test_the_keyboard_moves_turns_doubles_and_removes(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        it.select("furniture-1")
+        it.press("ArrowRight", "ArrowUp", "Shift+ArrowLeft")
+        assert it.room()["furniture"][1]["at"] == pytest.approx([2.04, 1.05])
+        assert "from the left wall" in it.said
+        it.press("r")
+        assert it.room()["furniture"][1]["heading"] == pytest.approx(math.pi / 2)
+        it.press("d")
+        assert [one["name"] for one in it.room()["furniture"]][1:] == ["chest", "Chest of drawers 2"]
+        assert it.page.evaluate("document.activeElement.dataset.thing") == "furniture-2"
+        assert it.wrong == ""
+        it.press("Delete")
+        assert len(it.room()["furniture"]) == 2
+        assert it.said == "Removed: Chest of drawers 2"
+        it.select("furniture-0")  # along its wall, then away from it
+        it.press("ArrowDown")
+        assert it.room()["furniture"][0]["along"] == pytest.approx(1.95)
+        it.press("ArrowRight")
+        assert it.room()["furniture"][0]["at"] == pytest.approx([0.22, 1.95])
+        it.press("ArrowLeft")
+        assert it.room()["furniture"][0]["against"] == "left_wall"
+        it.select("doors-0")
+        it.press("ArrowUp")
+        assert it.room()["doors"][0]["start"] == pytest.approx(0.15)
+        it.press("ArrowLeft")
+        assert it.room()["doors"][0]["wall"] == "left_wall"
+        it.press("r")
+        assert it.room()["doors"][0]["wall"] == "near_side_wall"
+
+
+def test_tab_goes_through_everything_and_out(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        it.page.focus("#palette button >> nth=-1")
+        names = list[str]()
+        for _ in range(40):
+            it.press("Tab")
+            name = it.page.evaluate(
+                "document.activeElement.closest('#plan') && document.activeElement.ariaLabel"
+            )
+            if name:
+                names.append(name.replace("\u00a0", " "))
+            elif names:
+                break
+        assert names == [
+            "Bed, 3.30 m from the left wall, 1.90 m from the near wall, head towards the near wall",
+            "Bookcase, at the left wall, 2.00 m from the near wall",
+            "Chest of drawers, 2.00 m from the left wall, 1.00 m from the near wall, facing the right wall",
+            "Window, in the far wall, from 1.00 m to 2.20 m",
+            "Door, in the right wall, from 0.10 m to 0.80 m, opens inwards",
+        ]
+        assert it.page.evaluate("document.activeElement.closest('#plan')") is None
+
+
+def test_a_press_in_the_palette_puts_things_into_free_spots(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        for kind in ("bookcase", "refrigerator", "cot", "desk", "sofa"):
+            it.page.focus(f"#palette [data-kind='{kind}']")
+            it.press("Enter")
+            assert it.wrong == ""
+        room = it.room()
+        assert [one["name"] for one in room["furniture"]][2:] == ["Bookcase 2", "refrigerator"]
+        assert all(one["against"] for one in room["furniture"][2:])
+        assert [one["kind"] for one in room["places"]] == ["bed", "cot", "desk", "sofa"]
+        it.page.click("#palette [data-table=doors]")
+        it.page.click("#palette [data-table=windows]")
+        room = it.room()
+        assert len({one.get("name", "door") for one in room["doors"]}) == 2
+        sp.RoomScenario.parse(room)  # the server takes it as it is
+
+
+def test_a_kind_is_dragged_from_the_palette_to_where_it_shall_stand(
+    browser: Browser, server: Running
+) -> None:
+    with editing(browser, server) as it:
+        end = it.at(2.0, 2.85)
+        box = it.page.locator("#palette [data-kind=television]").bounding_box()
+        assert box is not None
+        start = box["x"] + 20, box["y"] + 20
+        it.pull(start, end)
+        made = it.room()["furniture"][2]
+        assert (made["preset"], made["against"]) == ("television", "far_side_wall")
+        assert made["along"] == pytest.approx(2.0, abs=0.03)
+        before = it.room()
+        it.pull(start, (start[0] + 3.0, start[1] + 30.0))  # and dropped beside the plan
+        assert it.room() == before
+
+
+def test_sides_are_pulled_and_a_wall_stays_at_the_back(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        scale = it.at(1.0, 0.0)[0] - it.at(0.0, 0.0)[0]
+        it.select("furniture-0")
+        assert it.page.locator("[data-handle=back]").count() == 0
+        x, y = it.handle("front")
+        it.pull((x, y), (x + 0.2 * scale, y))
+        bookcase = it.room()["furniture"][0]
+        assert bookcase["width"] == pytest.approx(0.5, abs=0.02)
+        assert (bookcase["against"], bookcase["along"]) == ("left_wall", 2.0)
+        assert (bookcase["height"], bookcase["mass"]) == (1.8, 200)
+        assert "preset" not in bookcase  # which is a box of its own sizes now
+        it.select("places-0")
+        x, y = it.handle("left")  # the foot of the bed, at the far wall
+        it.pull((x, y), (x, y + 0.3 * scale))
+        bed = it.room()["places"][0]
+        assert bed["length"] == pytest.approx(1.7, abs=0.02)
+        assert bed["at"][1] - bed["length"] / 2 == pytest.approx(0.9, abs=0.02)  # the head stays
+        it.select("doors-0")
+        x, y = it.handle("end")
+        it.pull((x, y), (x, y - 0.2 * scale))
+        assert it.room()["doors"][0]["width"] == pytest.approx(0.9, abs=0.02)
+        assert it.room()["doors"][0]["start"] == 0.1
+
+
+def test_a_piece_is_turned_in_steps_of_15_degrees(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        it.select("furniture-1")
+        angle = math.radians(50)
+        it.pull(it.handle("turn"), it.at(2.0 + 0.8 * math.cos(angle), 1.0 + 0.8 * math.sin(angle)))
+        assert it.room()["furniture"][1]["heading"] == pytest.approx(math.radians(45))
+        it.pull(it.handle("turn"), it.at(2.0 + 0.8 * math.cos(1.5), 1.0 + 0.8 * math.sin(1.5)))
+        assert it.room()["furniture"][1]["heading"] == pytest.approx(math.pi / 2)
+
+
+def test_a_smaller_room_takes_everything_with_it(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        it.page.evaluate("async () => (await import('/room/room.js')).select(null)")
+        x, y = it.handle("room-width")
+        it.pull((x, y), (it.at(3.0, 0.0)[0], y))
+        room = it.room()
+        assert room["plan"]["width"] == pytest.approx(3.0, abs=0.05)
+        assert room["places"][0]["at"][0] == pytest.approx(room["plan"]["width"] - 0.5)
+        it.field("From the near to the far wall", "2.2")
+        room = it.room()
+        assert room["plan"]["length"] == 2.2
+        assert room["furniture"][0]["along"] == pytest.approx(1.8)
+        it.press("Control+z")
+        assert it.page.locator("#plan").get_attribute("aria-label") is not None
+
+
+def test_nothing_is_dragged_out_of_the_room(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        for start, end in (((2.0, 1.0), (9.0, 1.5)), ((3.3, 1.9), (5.0, -3.0)), ((1.6, 3.02), (7.0, 3.0))):
+            it.pull(it.at(*start), it.at(*end))
+        room = it.room()
+        assert room["furniture"][1]["against"] == "right_wall"
+        assert room["places"][0]["at"] == pytest.approx([3.5, 1.0])
+        window = room["windows"][0]
+        assert window["start"] + window["width"] <= (4.0 if "side" in window["wall"] else 3.0) + 1e-9
+        sp.RoomScenario.parse(room)
+
+
+def test_what_stands_in_something_else_is_said_at_once(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        it.drag((2.0, 1.0), (3.1, 1.9), drop=False)
+        assert re.fullmatch(r"Chest of drawers and Bed stand \d+ cm in each other\.", it.wrong)
+        assert it.page.locator("#plan .thing.wrong").count() == 2
+        it.page.mouse.up()
+        assert it.page.locator("#plan .thing.wrong").count() == 2
+        it.press("Control+z")
+        assert it.wrong == ""
+        it.take({**ROOM, "furniture": []})
+        assert it.wrong == "The room is empty; put at least one piece of furniture into it."
+        it.take(ROOM)
+        it.page.evaluate(
+            """async () => (await import("/room/editor.js")).tellRefusal(
+              new (await import("/api.js")).Refused(
+                { message: "It must not.", field: "scene.doors[0].width" }, 422))"""
+        )
+        assert it.wrong.endswith("It must not.")
+        assert "wrong" in (it.page.get_attribute("[data-thing=doors-0]", "class") or "")
+
+
+def test_numbers_are_typed_and_wrong_ones_are_said(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        it.select("furniture-0")
+        it.field("Gap to the wall", "5")
+        assert it.room()["furniture"][0]["gap"] == pytest.approx(0.05)
+        it.field("Height", "150")
+        assert it.room()["furniture"][0]["height"] == pytest.approx(1.5)
+        before = it.room()
+        inspector = it.page.locator("#inspector")
+        for label, value, words in (
+            ("Height", "0", "From 0.1 to 10000 cm."),
+            ("Its middle along that wall", "7", "From 0 to 3 m."),
+            ("Mass with its content", "", "From 0.001 to 1000000 kg."),
+        ):
+            it.field(label, value)
+            assert it.room() == before
+            field = inspector.get_by_label(label, exact=True)
+            assert field.get_attribute("aria-invalid") == "true"
+            assert words in inspector.inner_text().replace("\u00a0", " ")
+        it.field("Name", "chest")
+        assert it.room() == before
+        assert "is the name of something else" in inspector.inner_text()
+        it.field("Name", "Grandmother's")
+        assert it.room()["furniture"][0]["name"] == "Grandmother's"
+        it.page.locator("#inspector").get_by_label("Stands with its back to", exact=True).select_option("")
+        assert it.room()["furniture"][0]["at"] == pytest.approx([0.2, 2.0])
+
+
+def test_places_doors_and_windows_have_their_numbers(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        it.select("places-0")
+        it.field("Somebody is there, of the day", "25")
+        it.field("up to this height", "40")  # below the lower one
+        assert it.room()["places"][0] == {**ROOM["places"][0], "day": 0.25}
+        it.field("up to this height", "90")
+        assert it.room()["places"][0]["high"] == pytest.approx(0.9)
+        it.select("doors-0")
+        inspector = it.page.locator("#inspector")
+        inspector.get_by_label("How it opens", exact=True).select_option("outwards")
+        inspector.get_by_label("Hinge", exact=True).select_option("end")
+        inspector.get_by_label("It leads out", exact=True).uncheck()
+        it.field("Clear width", "300")  # longer than its wall
+        door = {
+            "wall": "right_wall",
+            "start": 0.1,
+            "width": 0.7,
+            "opens": "outwards",
+            "hinge": "end",
+            "way_out": False,
+        }
+        assert it.room()["doors"][0] == door
+        it.select("windows-0")
+        it.field("Sill above the floor", "60")
+        assert it.room()["windows"][0]["sill"] == pytest.approx(0.6)
+
+
+def test_measures_that_fit_are_put_on_a_piece(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        it.select("furniture-0")
+        inspector = it.page.locator("#inspector")
+        inspector.get_by_label("Screwed L-brackets", exact=True).check()
+        inspector.get_by_label("Adhesive gel mats", exact=True).check()
+        inspector.get_by_label("Anti-slip sheet", exact=True).check()  # in the place of the mats
+        assert [one["type"] for one in it.room()["furniture"][0]["measures"]] == [
+            "l_bracket",
+            "anti_slip_sheet",
+        ]
+        sp.RoomScenario.parse(it.room())
+        it.select("furniture-1")
+        assert inspector.get_by_label("Screwed L-brackets", exact=True).is_disabled()
+        assert "Only for a piece with its back to a wall." in inspector.inner_text()
+
+
+def test_a_verdict_is_drawn_in_layers(browser: Browser, server: Running) -> None:
+    grid = """(await import("/room/editor.js")).tellResult({ cell_m: 0.5,
+        pieces: ["bookcase", "chest"].map((name) => ({ name, probabilities: { overturned: { estimate: 0.4 } },
+          fell: { nx: 2, ny: 1, shares: btoa(String.fromCharCode(255, 26)) },
+          stood: { nx: 2, ny: 1, shares: btoa(String.fromCharCode(0, 0)) } })),
+        places: [{ name: "bed", hit: { estimate: 0.3 } }],
+        doors: [{ name: "door", blocked: { estimate: 0 } }] }"""
+    with editing(browser, server) as it:
+        assert not it.page.locator("#plan-layers").is_visible()
+        it.page.evaluate(f"async () => {{ {grid}); }}")
+        classes = it.page.eval_on_selector_all(
+            "#plan .cover", "all => all.map((one) => one.getAttribute('class'))"
+        )
+        assert sorted(classes) == sorted(
+            f"cover fell hue{hue} step{step}" for hue in (0, 1) for step in (2, 10)
+        )
+        told = it.page.text_content("#plan .layer-names") or ""
+        assert "hit: 30" in told
+        assert "overturns: 40" in told
+        assert it.page.locator("#plan .hit").count() == 1
+        assert it.page.locator("#plan .blocked").count() == 0
+        it.page.get_by_label("Where pieces fall").uncheck()
+        assert it.page.locator("#plan .cover").count() == 0
+        it.page.get_by_label("Who is hit").uncheck()
+        assert "hit:" not in (it.page.text_content("#plan .layer-names") or "")
+        it.page.evaluate(f"async () => {{ {grid}, {{ old: true }}); }}")
+        assert "old" in (it.page.get_attribute("#plan", "class") or "")
+
+
+@pytest.mark.parametrize(
+    ("theme", "language", "size"), [("light", "en", DESK), ("dark", "ja", PHONE)], ids=["desk", "phone"]
+)
+def test_axe_finds_nothing_serious_in_the_editor(
+    browser: Browser, server: Running, theme: str, language: str, size: dict[str, int]
+) -> None:
+    with editing(browser, server, theme=theme, language=language, size=size) as it:
+        for thing in (None, "furniture-0", "places-0", "doors-0"):
+            if thing:
+                it.page.evaluate(
+                    "async (index) => (await import('/room/room.js')).select({ table: index[0], index: 0 })",
+                    thing.split("-"),
+                )
+            found = Axe().run(it.page, {"include": [["#editor"]]}).response["violations"]
+            assert [one["id"] for one in found if one["impact"] in ("serious", "critical")] == []
+
+
+def test_every_word_of_the_editor_is_there_and_the_japanese_has_no_english_left() -> None:
+    own = page.TEXTS.keys() | {name.rpartition(".")[2] for name in (*page.SHARED, *room_plan.SHARED)}
+    assert own & room_plan.TEXTS.keys() == set()
+    sources = {
+        one.name: one.read_text("utf-8") for one in SOURCES.iterdir() if one.name.endswith((".js", ".html"))
+    }
+    used = set(re.findall(r'\bt\("(\w+)"', "".join(sources.values())))
+    assert used - own - room_plan.TEXTS.keys() == set()
+    for name, text in sources.items():
+        assert len(text.splitlines()) < 300, name
+        assert "http://" not in text.replace("http://www.w3.org/2000/svg", ""), name
+    for key, (_, japanese) in room_plan.TEXTS.items():
+        plain = re.sub(r"\{\w+\}|〔.*?〕|\bc?m\b", "", japanese)
+        assert re.search(r"[A-Za-z]", plain) is None, key
+
+
+def test_defaults_of_the_page_are_those_of_the_scenario(browser: Browser, server: Running) -> None:
+    tables = {"furniture": StandingTable, "places": PlaceTable, "doors": DoorTable, "windows": WindowTable}
+    with editing(browser, server) as it:
+        found = it.page.evaluate("import('/room/kinds.js').then((one) => one.DEFAULTS)")
+    for name, table in tables.items():
+        assert found[name] == {key: table.model_fields[key].default for key in found[name]}, name
