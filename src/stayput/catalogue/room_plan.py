@@ -77,6 +77,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} and {other} stand {depth} in each other.",
         "「{name}」と「{other}」が{depth}重なっています。",
     ),
+    "noFurniture": (
+        "The room is empty; put at least one piece of furniture into it.",
+        "部屋に家具がありません。1つ以上置いてください。",
+    ),
     # What is selected
     "inspector": ("What is selected", "選んだもの"),
     "selectHint": (

@@ -102,9 +102,10 @@ export function tellRefusal(error) {
   markRefused(table && current()[table]?.[index] ? { table, index: Number(index) } : null);
 }
 
-/** The sentences about what stands wrong: the server's where one came, else what is seen here. */
+/** The sentences about what is wrong: what is seen here, else the server's where one came. */
 function tellProblems(found) {
   const lines = found.map((one) => [clashSentence(shownRoom(), one)]);
+  if (shownRoom().furniture.length === 0) lines.push([t("noFurniture")]);
   if (refusal && !lines.length) lines.push(refusal.words);
   fill(part("plan-problems"), ...lines.map((words) => el("p", { class: "refusal" }, ...words)));
   plan().classList.toggle("wrong", lines.length > 0);

@@ -23,7 +23,7 @@ export const OPENS = ["inwards", "outwards", "sliding"];
 
 /** Takes what the server knows; to be called before anything is drawn. */
 export function learn(presets) {
-  ({ furniture, measures, numbers, places = UNTIL } = presets);
+  ({ furniture, measures, numbers, places } = presets);
 }
 
 export const furnitureKinds = () => furniture;
@@ -106,13 +106,3 @@ export function freeName(room, table, id) {
     if (!taken.has(name)) return name;
   }
 }
-
-const kind = (id, en, ja, width_m, length_m, low_m, high_m, day, night, blocks) => ({ id, label: { en, ja }, width_m, length_m, low_m, high_m, day, night, blocks });
-const UNTIL = [
-  kind("bed", "Bed", "ベッド", 1, 2, 0.45, 0.75, 0, 1, true),
-  kind("futon", "Futon", "布団", 1, 2, 0, 0.3, 0, 1, false),
-  kind("cot", "Cot", "ベビーベッド", 0.7, 1.25, 0.4, 0.7, 0.5, 1, true),
-  kind("desk", "Desk", "机", 0.6, 0.6, 0, 1.25, 0.3, 0, false),
-  kind("sofa", "Sofa", "ソファ", 0.8, 1.5, 0.4, 1.2, 0.3, 0, true),
-  kind("play area", "Play area", "遊び場", 1.5, 1.5, 0, 1, 0.3, 0, false),
-];
