@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import chromium
 import pytest
-from page_coverage import recorded
+from page_coverage import recorded, start
 from playwright.sync_api import sync_playwright
 
 if TYPE_CHECKING:
@@ -83,6 +83,11 @@ class Opened:
         self.wait("parts => parts.every(part => location.hash.slice(1).split('&').includes(part))", parts)
         self.wait("() => document.getElementById('address').value === location.href")
 
+    def speak(self, language: str) -> None:
+        """Choose a language, whose words may have to be fetched first."""
+        self.page.click(f"#languages [lang={language}]")
+        self.page.wait_for_selector(f"html[lang={language}]")
+
     def go(self, screen: str) -> None:
         """Choose a step."""
         self.page.click(f"#steps button[data-screen={screen}]")
@@ -146,7 +151,7 @@ def opened(
         ending.callback(context.close)
         ending.callback(page.unroute_all, behavior="ignoreErrors")
         ending.enter_context(recorded(page))
-        page.goto(f"{server.address}/{address}")
+        page.goto(f"{server.address}/{start()}{address}")
         found.settle()
         yield found
     strangers = [

@@ -33,6 +33,11 @@ FOLDERS = {
 COMMENT = re.compile(r"^[^\S\n]*//[^\n]*$|/\*.*?\*/", re.MULTILINE | re.DOTALL)
 
 
+def start() -> str:
+    """Return where the page begins: where it is recorded, at that which loads each module by itself."""
+    return "index.html" if os.environ.get("PAGE_COVERAGE") else ""
+
+
 @contextmanager
 def recorded(page: Page) -> Generator[None]:
     """Record which code of a page runs in the block, if PAGE_COVERAGE is set."""

@@ -14,6 +14,7 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe
 from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
 from room_judge import DONE, QUEUED, ROUGH, Judge, made
+
 from stayput.app.room_replies import RoomVerdictReply
 
 if TYPE_CHECKING:

@@ -409,6 +409,9 @@ def test_what_stands_in_something_else_is_said_at_once(browser: Browser, server:
         assert it.page.locator("#plan .thing.wrong").count() == 2
         it.press("Control+z")
         assert it.wrong == ""
+        it.take({**ROOM, "furniture": []})
+        assert it.wrong == "The room is empty; put at least one piece of furniture into it."
+        it.take(ROOM)
         it.page.evaluate(
             """async () => (await import("/room/editor.js")).tellRefusal(
               new (await import("/api.js")).Refused(

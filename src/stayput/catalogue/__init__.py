@@ -26,18 +26,23 @@ Phrase = tuple[str, str]
 _MODULES: dict[str, dict[str, Phrase]] = {
     name: import_module(f"{__name__}.{name}").TEXTS
     for name in (
+        "action_plan",
         "app",
         "building",
         "cli",
         "common",
         "contents",
+        "figures",
+        "earthquake",
         "fragility",
+        "ground_shaking",
         "inventory",
         "measures",
         "mechanics",
         "model",
         "motion",
         "page",
+        "page_keep",
         "plots",
         "report",
         "room_page",

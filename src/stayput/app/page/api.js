@@ -32,9 +32,15 @@ const sent = (content, signal) => ({
   signal,
 });
 
+const blob = async (path, query, content) =>
+  (await ask(`${path}?${new URLSearchParams(query)}`, content && sent(content))).blob();
+
 export const ping = () => json("ping");
 export const presets = () => json("presets");
-export const simulate = (content, signal) => json("simulate", sent(content, signal));
+export const words = (file) => json(`../../${file}`);
+export const simulate = (content, signal) =>
+  json("simulate", sent({ ...content, histories: "differences" }, signal));
+export const shaking = (content, signal) => json("shaking", sent(content, signal));
 export const sizeMap = (content, signal) => json("size-map", sent(content, signal));
 export const verify = (content, signal) => json("verify", sent(content, signal));
 export const room = (content, signal) => json("room", sent(content, signal));
@@ -45,8 +51,11 @@ export const cancel = (id) => ask(`jobs/${id}`, { method: "DELETE", keepalive: t
 export const toml = async (content) => (await ask("scenario/toml", sent(content))).text();
 export const runAsCsv = async (content, which) =>
   (await ask(`simulate/csv?which=${which}`, sent(content))).text();
-export const film = async (content, query) =>
-  (await ask(`simulate/film?${new URLSearchParams(query)}`, sent(content))).blob();
+export const film = (content, query) => blob("simulate/film", query, content);
+export const python = async (content) => (await ask("scenario/python", sent(content))).text();
+export const runFigure = (content, query) => blob("simulate/figure", query, content);
+export const mapFigure = (content, query) => blob("size-map/figure", query, content);
+export const jobFigure = (id, name, { kind, lang }) => blob(`jobs/${id}/figures/${name}.${kind}`, { lang });
 export const readScenario = (toml, name) => json("scenario/read", sent({ toml, name }));
 const chosen = (component) => (component ? `?component=${encodeURIComponent(component)}` : "");
 export const motion = (id, component) => json(`motions/${id}${chosen(component)}`);

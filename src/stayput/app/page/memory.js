@@ -18,7 +18,8 @@ const memory = (storage) => ({
   },
 });
 
-export const { recalled, remember } = memory(() => localStorage);
+const { recalled, remember } = memory(() => localStorage);
+export { recalled, remember };
 
 /** What this tab remembers, until it is closed. */
 export const tab = memory(() => sessionStorage);

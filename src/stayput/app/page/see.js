@@ -13,7 +13,7 @@ let result = null,
   look = null,
   modes = {};
 
-export const { clock } = transport;
+export const clock = transport.clock;
 
 function draw(now) {
   if (!result) return;

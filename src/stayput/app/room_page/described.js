@@ -49,6 +49,9 @@ function direction(heading, key) {
 
 function openingWhere(room, what) {
   const { wall, start, width, opens } = opening(room, what);
-  const place = [t("inTheWall", { wall: t(wall) }), t("fromTo", { start: metres(start), end: metres(start + width) })];
+  const place = [
+    t("inTheWall", { wall: t(wall) }),
+    t("fromTo", { start: metres(start), end: metres(start + width) }),
+  ];
   return opens ? [...place, t(`opens_${opens}`)] : place;
 }

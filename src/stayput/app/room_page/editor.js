@@ -12,7 +12,18 @@ import { LAYERS } from "./layers.js";
 import * as palette from "./palette.js";
 import * as pointer from "./pointer.js";
 import { canRedo, canUndo, current, watch } from "./room.js";
-import { draw, drawInto, layersShown, markRefused, plan, resultShown, showLayer, showResult, shownRoom, whenDrawn } from "./view.js";
+import {
+  draw,
+  drawInto,
+  layersShown,
+  markRefused,
+  plan,
+  resultShown,
+  showLayer,
+  showResult,
+  shownRoom,
+  whenDrawn,
+} from "./view.js";
 
 let refusal = null;
 
@@ -72,7 +83,13 @@ export function translate() {
 }
 
 const tool = (key, press) =>
-  el("button", { type: "button", id: `plan-${key}`, text: t(`${key}It`), "aria-keyshortcuts": key === "undo" ? "Control+Z" : "Control+Y", onclick: press });
+  el("button", {
+    type: "button",
+    id: `plan-${key}`,
+    text: t(`${key}It`),
+    "aria-keyshortcuts": key === "undo" ? "Control+Z" : "Control+Y",
+    onclick: press,
+  });
 
 function updateTools() {
   part("plan-undo").disabled = !canUndo();
@@ -80,7 +97,12 @@ function updateTools() {
 }
 
 function layerSwitch(name) {
-  const box = el("input", { type: "checkbox", id: `layer-${name}`, checked: layersShown().includes(name), onchange: () => showLayer(name, box.checked) });
+  const box = el("input", {
+    type: "checkbox",
+    id: `layer-${name}`,
+    checked: layersShown().includes(name),
+    onchange: () => showLayer(name, box.checked),
+  });
   return el("span", { class: "layer" }, box, el("label", { for: `layer-${name}`, text: t(`layer_${name}`) }));
 }
 

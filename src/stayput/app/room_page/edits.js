@@ -20,7 +20,8 @@ export function given(room, { table, index }, values) {
 
 /** A piece or a place with its middle at a point, turned; within the room, and away from the wall it stood against. */
 export function placed(room, what, at, heading) {
-  if (what.table === "furniture" && carrier(room, what.index) !== null) return placedOn(room, what, at, heading);
+  if (what.table === "furniture" && carrier(room, what.index) !== null)
+    return placedOn(room, what, at, heading);
   const free = { against: undefined, along: undefined, gap: undefined };
   const next = given(room, what, { at, heading, ...(what.table === "furniture" ? free : {}) });
   const inside = within(room.plan, at, thing(next, what).outline);
@@ -90,7 +91,8 @@ export function pulled(room, what, [u, v], point) {
     [low, high] = limitsOf(`${what.table}.${key}`),
     size = cm(clamp(reach, Math.max(low, SMALLEST), high)),
     middle = inFrame(at, heading, [(u * (size - old)) / 2, (v * (size - old)) / 2]);
-  const next = what.table === "furniture" ? asBox(room, what, { [key]: size }) : given(room, what, { [key]: size });
+  const next =
+    what.table === "furniture" ? asBox(room, what, { [key]: size }) : given(room, what, { [key]: size });
   const { against } = next[what.table][what.index];
   if (against) return atWall(next, what, against, fromWall(room.plan, against, middle)[0]);
   return placed(next, what, middle, heading);
@@ -101,7 +103,8 @@ export function pulledEnd(room, what, end, along) {
   const { wall, start, width } = opening(room, what),
     [least, most] = limitsOf(`${what.table}.width`),
     side = wallLength(room.plan, wall);
-  if (end === "end") return given(room, what, { width: cm(clamp(along - start, least, Math.min(most, side - start))) });
+  if (end === "end")
+    return given(room, what, { width: cm(clamp(along - start, least, Math.min(most, side - start))) });
   const from = cm(clamp(along, Math.max(0, start + width - most), start + width - least));
   return given(room, what, { start: from, width: fine(start + width - from) });
 }
@@ -122,7 +125,8 @@ function settled(room, what) {
     const { wall, start } = opening(room, what);
     return inWall(room, what, wall, start);
   }
-  if (what.table === "places") return placed(room, what, lying(room, what.index).at, lying(room, what.index).heading);
+  if (what.table === "places")
+    return placed(room, what, lying(room, what.index).at, lying(room, what.index).heading);
   const { against, along } = room.furniture[what.index],
     { at, heading } = standing(room, what.index);
   return against ? atWall(room, what, against, along) : placed(room, what, at, heading);
@@ -134,9 +138,11 @@ export function removed(room, { table, index }) {
   if (table === "furniture") {
     const { name } = room.furniture[index];
     room.furniture.forEach((one, i) => {
-      if (one.on === name) next = given(next, { table, index: i }, { on: undefined, at: standing(room, i).at });
+      if (one.on === name)
+        next = given(next, { table, index: i }, { on: undefined, at: standing(room, i).at });
     });
-    if (room.joints) next = { ...next, joints: room.joints.filter((one) => ![one.first, one.second].includes(name)) };
+    if (room.joints)
+      next = { ...next, joints: room.joints.filter((one) => ![one.first, one.second].includes(name)) };
   }
   return { ...next, [table]: next[table].filter((_, i) => i !== index) };
 }
@@ -161,7 +167,8 @@ export const withNew = (room, table, made) => [
 /** The table of a new thing of a kind, not yet at its place. */
 export function newThing(room, table, kind) {
   const name = freeName(room, table, kind);
-  if (table === "furniture") return { name, preset: kind, at: [room.plan.width / 2, room.plan.length / 2], heading: 0 };
+  if (table === "furniture")
+    return { name, preset: kind, at: [room.plan.width / 2, room.plan.length / 2], heading: 0 };
   if (table === "places") return { name, kind, at: [room.plan.width / 2, room.plan.length / 2], heading: 0 };
   const wall = WALLS[2],
     width = Math.min(DEFAULTS[table].width, room.plan.width);
@@ -173,7 +180,8 @@ export function doubled(room, what) {
   const { table, index } = what,
     old = room[table][index],
     copy = structuredClone(old);
-  if (table !== "windows") copy.name = freeName(room, table, old.preset ?? old.kind ?? old.name ?? DEFAULTS[table].name);
+  if (table !== "windows")
+    copy.name = freeName(room, table, old.preset ?? old.kind ?? old.name ?? DEFAULTS[table].name);
   const [next, made] = withNew(room, table, copy);
   if (table === "doors" || table === "windows") {
     const { wall, start, width } = opening(next, made),

@@ -73,5 +73,8 @@ export function naming({ label, refuse, changed }) {
     why.hidden = true;
     field.value = value;
   };
-  return { element: el("div", { class: "field wide" }, el("label", { for: id, text: label }), field, why), set };
+  return {
+    element: el("div", { class: "field wide" }, el("label", { for: id, text: label }), field, why),
+    set,
+  };
 }

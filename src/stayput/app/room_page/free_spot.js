@@ -9,7 +9,8 @@ const STEP = 0.1; // between the spots that are tried [m]
 /** The room with a new thing of a kind at a free spot, and which it is. */
 export function added(room, table, kind) {
   const [next, what] = withNew(room, table, newThing(room, table, kind));
-  const tried = table === "furniture" ? piece(next, what) : table === "places" ? place(next, what) : openings(next, what);
+  const tried =
+    table === "furniture" ? piece(next, what) : table === "places" ? place(next, what) : openings(next, what);
   let first = null;
   for (const one of tried) {
     first ??= one;
@@ -42,15 +43,18 @@ function* onFloor(room, what, width, length) {
   for (const heading of [0, FACING.near_side_wall]) {
     const [across, deep] = heading ? [length, width] : [width, length];
     const spots = steps(plan.width, across).flatMap((x) => steps(plan.length, deep).map((y) => [x, y]));
-    const inside = ([x, y]) => Math.min(x - across / 2, plan.width - x - across / 2, y - deep / 2, plan.length - y - deep / 2);
-    for (const at of spots.sort((one, other) => inside(one) - inside(other))) yield placed(room, what, at, heading);
+    const inside = ([x, y]) =>
+      Math.min(x - across / 2, plan.width - x - across / 2, y - deep / 2, plan.length - y - deep / 2);
+    for (const at of spots.sort((one, other) => inside(one) - inside(other)))
+      yield placed(room, what, at, heading);
   }
 }
 
 function* openings(room, what) {
   const { width } = opening(room, what);
   for (const wall of ["far_side_wall", "right_wall", "near_side_wall", "left_wall"])
-    for (const along of steps(wallLength(room.plan, wall), width)) yield inWall(room, what, wall, along - width / 2);
+    for (const along of steps(wallLength(room.plan, wall), width))
+      yield inWall(room, what, wall, along - width / 2);
 }
 
 /** Whether nothing is in its way: neither things, nor the floor that doors need, nor windows behind what is high. */
@@ -83,7 +87,15 @@ function opensFreely(room, what) {
   const apart = things(room, ["doors", "windows"])
     .filter((other) => !same(other, what))
     .map((other) => opening(room, other))
-    .every((other) => other.wall !== one.wall || other.start + other.width <= one.start + 1e-6 || other.start >= one.start + one.width - 1e-6);
+    .every(
+      (other) =>
+        other.wall !== one.wall ||
+        other.start + other.width <= one.start + 1e-6 ||
+        other.start >= one.start + one.width - 1e-6,
+    );
   const floor = before(room, what);
-  return apart && things(room, ["furniture"]).every((other) => depthOf(floor, standing(room, other.index).outline) <= 1e-6);
+  return (
+    apart &&
+    things(room, ["furniture"]).every((other) => depthOf(floor, standing(room, other.index).outline) <= 1e-6)
+  );
 }

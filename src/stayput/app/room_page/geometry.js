@@ -49,7 +49,12 @@ export const tidyAngle = (angle) => {
 
 export function rectangle(at, width, length, heading) {
   const [u, v] = [width / 2, length / 2];
-  return [[-u, -v], [u, -v], [u, v], [-u, v]].map((corner) => inFrame(at, heading, corner));
+  return [
+    [-u, -v],
+    [u, -v],
+    [u, v],
+    [-u, v],
+  ].map((corner) => inFrame(at, heading, corner));
 }
 
 const CORNERS = 24;
@@ -75,7 +80,12 @@ export function standing(room, index) {
     heading = piece.heading ?? DEFAULTS.furniture.heading;
   if (piece.against) {
     heading = FACING[piece.against];
-    at = onWall(room.plan, piece.against, piece.along, (piece.gap ?? DEFAULTS.furniture.gap) + sizes.width / 2);
+    at = onWall(
+      room.plan,
+      piece.against,
+      piece.along,
+      (piece.gap ?? DEFAULTS.furniture.gap) + sizes.width / 2,
+    );
   }
   const below = carrier(room, index);
   if (below !== null) {
@@ -98,7 +108,12 @@ export function lying(room, index) {
   const place = room.places[index],
     values = placeValues(place),
     heading = place.heading ?? DEFAULTS.places.heading;
-  return { at: place.at, heading, ...values, outline: rectangle(place.at, values.width, values.length, heading) };
+  return {
+    at: place.at,
+    heading,
+    ...values,
+    outline: rectangle(place.at, values.width, values.length, heading),
+  };
 }
 
 /** Where an opening is, with all its values; its outline is the wall's face. */

@@ -32,7 +32,8 @@ export function handles() {
 
 function roomHandles(room) {
   const [x0, y0, x1, y1] = sheetNow().floor;
-  const side = (key, value) => cm(Math.max(limitsOf(`plan.${key}`)[0], Math.min(limitsOf(`plan.${key}`)[1], value)));
+  const side = (key, value) =>
+    cm(Math.max(limitsOf(`plan.${key}`)[0], Math.min(limitsOf(`plan.${key}`)[1], value)));
   return [
     {
       name: "room-width",
@@ -118,7 +119,11 @@ export function drawHandles() {
     ...handles().map(({ name, at: [x, y] }) =>
       svg(
         "g",
-        { class: `handle pull-${name}`, "data-handle": name, transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})` },
+        {
+          class: `handle pull-${name}`,
+          "data-handle": name,
+          transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})`,
+        },
         svg("title", { text: t(name === "turn" ? "pullToTurn" : "pullToSize") }),
         svg("circle", { class: "felt", r: felt }),
         name === "turn"

@@ -37,7 +37,12 @@ export function update() {
     shown = now;
     rows = what ? rowsOf(what) : roomRows();
     const title = el("h3", { id: "inspector-title", class: "inspected" });
-    fill(element, title, what ? el("p", { class: "hint whereabouts" }) : el("p", { class: "hint", text: t("selectHint") }), ...rows.map((row) => row.element));
+    fill(
+      element,
+      title,
+      what ? el("p", { class: "hint whereabouts" }) : el("p", { class: "hint", text: t("selectHint") }),
+      ...rows.map((row) => row.element),
+    );
   }
   element.querySelector(".inspected").textContent = what ? nameOf(room, what) : t("roomSize");
   if (what) element.querySelector(".whereabouts").textContent = where(room, what).join(t("comma"));
@@ -55,7 +60,15 @@ const row = (field, value, there = () => true) => ({
 
 function roomRows() {
   const side = (key, label, next) =>
-    row(amount({ label: t(label), ...METRES, limits: () => limitsOf(`plan.${key}`), changed: (value) => change(next(current(), value)) }), (room) => room.plan[key]);
+    row(
+      amount({
+        label: t(label),
+        ...METRES,
+        limits: () => limitsOf(`plan.${key}`),
+        changed: (value) => change(next(current(), value)),
+      }),
+      (room) => room.plan[key],
+    );
   return [
     side("width", "roomWidth", (room, value) => withSides(room, value, room.plan.length)),
     side("length", "roomLength", (room, value) => withSides(room, room.plan.width, value)),
@@ -71,9 +84,15 @@ function rowsOf(what) {
 function name(what) {
   const taken = (text) =>
     ["furniture", "places", "doors"].includes(what.table) &&
-    current()[what.table].some((one, index) => index !== what.index && (one.name ?? one.kind ?? DEFAULTS[what.table].name) === text);
+    current()[what.table].some(
+      (one, index) => index !== what.index && (one.name ?? one.kind ?? DEFAULTS[what.table].name) === text,
+    );
   const refuse = (text) => (!text ? t("nameEmpty") : taken(text) ? t("nameTaken", { name: text }) : null);
-  const field = naming({ label: t("name"), refuse, changed: (text) => change(renamed(current(), what, text)) });
+  const field = naming({
+    label: t("name"),
+    refuse,
+    changed: (text) => change(renamed(current(), what, text)),
+  });
   return row(field, (room) => nameOf(room, what));
 }
 
@@ -83,17 +102,50 @@ const standsFree = (what) => (room) => !room[what.table][what.index].against;
 function freeRows(what, there = () => true) {
   const moved = (axis) => (value) => {
     const { at, heading } = thing(current(), what);
-    change(placed(current(), what, at.map((old, i) => (i === axis ? value : old)), heading));
+    change(
+      placed(
+        current(),
+        what,
+        at.map((old, i) => (i === axis ? value : old)),
+        heading,
+      ),
+    );
   };
   const at = (axis, label) =>
-    row(amount({ label: t(label), ...METRES, limits: () => [0, axis ? current().plan.length : current().plan.width], changed: moved(axis) }), (room) => thing(room, what).at[axis], there);
-  const heading = amount({ label: t("turnedDegrees"), ...DEGREES, limits: () => [-Math.PI, Math.PI], changed: (value) => change(turned(current(), what, value)) });
+    row(
+      amount({
+        label: t(label),
+        ...METRES,
+        limits: () => [0, axis ? current().plan.length : current().plan.width],
+        changed: moved(axis),
+      }),
+      (room) => thing(room, what).at[axis],
+      there,
+    );
+  const heading = amount({
+    label: t("turnedDegrees"),
+    ...DEGREES,
+    limits: () => [-Math.PI, Math.PI],
+    changed: (value) => change(turned(current(), what, value)),
+  });
   return [at(0, "fromLeft"), at(1, "fromNear"), row(heading, (room) => thing(room, what).heading, there)];
 }
 
 /** A number of its own of something, which is set by a function. */
-function own(what, key, label, as, set = (room, value) => sized(room, what, { [key]: value }), limits = () => limitsOf(`${what.table}.${key}`)) {
-  return (there) => row(amount({ label: t(label), ...as, limits, changed: (value) => change(set(current(), value)) }), (room) => thing(room, what)[key], there);
+function own(
+  what,
+  key,
+  label,
+  as,
+  set = (room, value) => sized(room, what, { [key]: value }),
+  limits = () => limitsOf(`${what.table}.${key}`),
+) {
+  return (there) =>
+    row(
+      amount({ label: t(label), ...as, limits, changed: (value) => change(set(current(), value)) }),
+      (room) => thing(room, what)[key],
+      there,
+    );
 }
 
 function pieceRows(what) {
@@ -106,7 +158,11 @@ function pieceRows(what) {
     options: [{ id: "", label: t("freely") }, ...WALLS.map((id) => ({ id, label: t(id) }))],
     changed: (id) => {
       const { at, heading } = thing(current(), what);
-      change(id ? atWall(current(), what, id, fromWall(current().plan, id, at)[0]) : placed(current(), what, at, heading));
+      change(
+        id
+          ? atWall(current(), what, id, fromWall(current().plan, id, at)[0])
+          : placed(current(), what, at, heading),
+      );
     },
   });
   const along = amount({
@@ -115,7 +171,12 @@ function pieceRows(what) {
     limits: () => (piece().against ? [0, wallLength(current().plan, piece().against)] : [0, 0]),
     changed: (value) => change(atWall(current(), what, piece().against, value)),
   });
-  const gap = amount({ label: t("gap"), ...CENTIMETRES, limits: () => [0, Math.max(current().plan.width, current().plan.length)], changed: (value) => change(given(current(), what, { gap: value })) });
+  const gap = amount({
+    label: t("gap"),
+    ...CENTIMETRES,
+    limits: () => [0, Math.max(current().plan.width, current().plan.length)],
+    changed: (value) => change(given(current(), what, { gap: value })),
+  });
   const filling = oneOf({
     label: t("filling"),
     options: ["full", "empty"].map((id) => ({ id, label: t(`filling_${id}`) })),
@@ -134,7 +195,9 @@ function pieceRows(what) {
     size("height", "height"),
     size("width", "depth"),
     size("length", "breadth"),
-    own(what, "mass", "mass", { unit: "kg", decimals: 1 }, (room, value) => given(room, what, { mass: value }))(box),
+    own(what, "mass", "mass", { unit: "kg", decimals: 1 }, (room, value) =>
+      given(room, what, { mass: value }),
+    )(box),
     row(filling, filled, (room) => fillings(room.furniture[what.index]) !== null),
     measuresOf(what),
   ];
@@ -159,7 +222,12 @@ function placeRows(what) {
 
 function openingRows(what) {
   const set = (key) => (value) => change(given(current(), what, { [key]: value }));
-  const select = (key, ids, label) => choice({ label: t(label), options: ids.map((id) => ({ id, label: t(key === "wall" ? id : `${key}_${id}`) })), changed: set(key) });
+  const select = (key, ids, label) =>
+    choice({
+      label: t(label),
+      options: ids.map((id) => ({ id, label: t(key === "wall" ? id : `${key}_${id}`) })),
+      changed: set(key),
+    });
   const wall = choice({
     label: t("inWhichWall"),
     options: WALLS.map((id) => ({ id, label: t(id) })),
@@ -171,18 +239,46 @@ function openingRows(what) {
   const start = (room, value) => inWall(room, what, opening(room, what).wall, value);
   const rest = [
     row(wall, of("wall")),
-    own(what, "start", "startsAt", METRES, start, () => [0, Math.max(0, side() - opening(current(), what).width)])(),
-    own(what, "width", "clearWidth", CENTIMETRES, (room, value) => given(room, what, { width: value }), () => {
-      const [low, high] = limitsOf(`${what.table}.width`);
-      return [low, Math.min(high, side() - opening(current(), what).start)];
-    })(),
+    own(what, "start", "startsAt", METRES, start, () => [
+      0,
+      Math.max(0, side() - opening(current(), what).width),
+    ])(),
+    own(
+      what,
+      "width",
+      "clearWidth",
+      CENTIMETRES,
+      (room, value) => given(room, what, { width: value }),
+      () => {
+        const [low, high] = limitsOf(`${what.table}.width`);
+        return [low, Math.min(high, side() - opening(current(), what).start)];
+      },
+    )(),
   ];
-  if (what.table === "windows") return [...rest, own(what, "sill", "sill", CENTIMETRES, (room, value) => given(room, what, { sill: value }))()];
+  if (what.table === "windows")
+    return [
+      ...rest,
+      own(what, "sill", "sill", CENTIMETRES, (room, value) => given(room, what, { sill: value }))(),
+    ];
   const out = toggle({ label: t("wayOut"), changed: set("way_out") });
-  return [...rest, row(select("opens", OPENS, "howOpens"), of("opens")), row(select("hinge", HINGES, "hingeAt"), of("hinge"), swings), row(out, of("way_out"))];
+  return [
+    ...rest,
+    row(select("opens", OPENS, "howOpens"), of("opens")),
+    row(select("hinge", HINGES, "hingeAt"), of("hinge"), swings),
+    row(out, of("way_out")),
+  ];
 }
 
 function buttons() {
   const button = (key, press) => el("button", { type: "button", text: t(key), onclick: () => press() });
-  return { element: el("div", { class: "row" }, button("turnIt", turn), button("doubleIt", double), button("removeIt", remove)), update: () => {} };
+  return {
+    element: el(
+      "div",
+      { class: "row" },
+      button("turnIt", turn),
+      button("doubleIt", double),
+      button("removeIt", remove),
+    ),
+    update: () => {},
+  };
 }

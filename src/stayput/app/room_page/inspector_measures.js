@@ -78,6 +78,8 @@ function fields(what, kind) {
 }
 
 function give(what, kind, name, value) {
-  const measures = measuresIn(current(), what).map((one) => (one.type === kind.type ? { ...one, [name]: value } : one));
+  const measures = measuresIn(current(), what).map((one) =>
+    one.type === kind.type ? { ...one, [name]: value } : one,
+  );
   change(given(current(), what, { measures }), { mergeKey: `${kind.type} ${name} ${what.index}` });
 }

@@ -64,7 +64,11 @@ function pressed(event) {
 
 function nudge(what, direction, step) {
   const room = current(),
-    next = nudged(room, what, direction.map((one) => one * step));
+    next = nudged(
+      room,
+      what,
+      direction.map((one) => one * step),
+    );
   change(next, { mergeKey: `nudge ${what.table} ${what.index}` });
   say(where(next, what).join(t("comma")));
 }

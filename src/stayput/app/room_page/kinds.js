@@ -33,7 +33,8 @@ const pieceKind = (id) => furniture.find((one) => one.id === id);
 export const placeKind = (id) => places.find((one) => one.id === id) ?? places[0];
 
 /** The measures that may hold a piece; what changes its distance to the wall is done on the plan itself. */
-export const measureKinds = () => measures.filter((one) => !["against_wall", "away_from_wall"].includes(one.type));
+export const measureKinds = () =>
+  measures.filter((one) => !["against_wall", "away_from_wall"].includes(one.type));
 
 /** The smallest and the largest value of a number, by the name that the server gives it. */
 export const limitsOf = (name) => [numbers[name].low, numbers[name].high];
@@ -71,17 +72,27 @@ export function placeValues(place) {
 }
 
 const given = (place) =>
-  Object.fromEntries(["width", "length", "low", "high", "day", "night"].filter((key) => place[key] != null).map((key) => [key, place[key]]));
+  Object.fromEntries(
+    ["width", "length", "low", "high", "day", "night"]
+      .filter((key) => place[key] != null)
+      .map((key) => [key, place[key]]),
+  );
 
 /** An opening with all its values. */
 export const openingValues = (table, opening) => ({ ...DEFAULTS[table], ...opening });
 
-const short = (label) => both(label).split(/[,（(]/)[0].trim();
+/** The label of a kind, as it begins a line. */
+export const labelOf = (kind) => both(kind.label).replace(/^[a-z]/, (letter) => letter.toUpperCase());
+
+const short = (kind) =>
+  labelOf(kind)
+    .split(/[,（(]/)[0]
+    .trim();
 
 /** What a kind is called by itself. */
 export function kindName(table, id) {
-  if (table === "furniture") return pieceKind(id) ? short(pieceKind(id).label) : id;
-  if (table === "places") return places.some((one) => one.id === id) ? short(placeKind(id).label) : id;
+  if (table === "furniture") return pieceKind(id) ? short(pieceKind(id)) : id;
+  if (table === "places") return places.some((one) => one.id === id) ? short(placeKind(id)) : id;
   return table === "doors" && id !== "door" ? id : t(table === "doors" ? "door" : "window");
 }
 

@@ -73,7 +73,17 @@ function candidates(lines, [x0, y0, x1, y1]) {
     [below, above] = [y1 + dy + gap, y0 - dy - gap],
     [low, high] = [y0 + dy, y1 - dy],
     [near, far] = [x0 + dx, x1 - dx];
-  const middles = [[x, y], [x, low], [x, high], [right, y], [left, y], [near, y], [far, y], [x, below], [x, above]];
+  const middles = [
+    [x, y],
+    [x, low],
+    [x, high],
+    [right, y],
+    [left, y],
+    [near, y],
+    [far, y],
+    [x, below],
+    [x, above],
+  ];
   for (const across of [right, left]) middles.push([across, low], [across, high]);
   for (const across of [near, far]) middles.push([across, below], [across, above]);
   return middles.map(([a, b]) => [a - dx, b - dy, a + dx, b + dy]);
@@ -82,5 +92,7 @@ function candidates(lines, [x0, y0, x1, y1]) {
 function cost(box, taken, others, floor) {
   const area = (box[2] - box[0]) * (box[3] - box[1]);
   const on = (boxes) => boxes.reduce((sum, one) => sum + shared(box, one), 0);
-  return (COST.name * on(taken) + COST.thing * on(others) + COST.outside * (area - shared(box, floor))) / area;
+  return (
+    (COST.name * on(taken) + COST.thing * on(others) + COST.outside * (area - shared(box, floor))) / area
+  );
 }

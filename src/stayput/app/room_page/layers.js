@@ -78,8 +78,10 @@ export function shareOf(result, shown, { table, index }) {
 /** What is told of a thing beside its name. */
 export function notes(result, shown, what) {
   const share = shareOf(result, shown, what);
-  if (share !== null) return [t(what.table === "places" ? "is_hit" : "is_blocked", { share: percent(share) })];
-  const fell = what.table === "furniture" && shown.includes("fell") && result?.pieces[what.index]?.probabilities;
+  if (share !== null)
+    return [t(what.table === "places" ? "is_hit" : "is_blocked", { share: percent(share) })];
+  const fell =
+    what.table === "furniture" && shown.includes("fell") && result?.pieces[what.index]?.probabilities;
   return fell?.overturned ? [t("overturns", { share: percent(fell.overturned.estimate) })] : [];
 }
 

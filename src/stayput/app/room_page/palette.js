@@ -1,12 +1,12 @@
 // What can be put into the room: dragged into the plan, or with a press to a free spot.
 
 import { el, fill, svg } from "../dom.js";
-import { both, t } from "../words.js";
+import { t } from "../words.js";
 import { described } from "./described.js";
 import { newThing, withNew } from "./edits.js";
 import { added } from "./free_spot.js";
 import { rectangle, thing } from "./geometry.js";
-import { furnitureKinds, kindName, placeKinds } from "./kinds.js";
+import { furnitureKinds, kindName, labelOf, placeKinds } from "./kinds.js";
 import { change, current, select } from "./room.js";
 import { doorShapes, pieceShapes, placeShapes, windowShapes } from "./shapes.js";
 import { dragged } from "./snap.js";
@@ -21,14 +21,22 @@ export function build(element) {
     el("div", { class: "kinds", role: "group", "aria-label": title }, el("h3", { text: title }), ...buttons);
   fill(
     element,
-    group(t("paletteFurniture"), ...furnitureKinds().map((one) => button("furniture", one.id, both(one.label)))),
-    group(t("palettePlaces"), ...placeKinds().map((one) => button("places", one.id, both(one.label)))),
-    group(t("paletteOpenings"), ...["doors", "windows"].map((table) => button(table, "door", kindName(table, "door")))),
+    group(t("paletteFurniture"), ...furnitureKinds().map((one) => button("furniture", one.id, labelOf(one)))),
+    group(t("palettePlaces"), ...placeKinds().map((one) => button("places", one.id, labelOf(one)))),
+    group(
+      t("paletteOpenings"),
+      ...["doors", "windows"].map((table) => button(table, "door", kindName(table, "door"))),
+    ),
   );
 }
 
 function button(table, id, label) {
-  const element = el("button", { type: "button", class: "kind", "data-kind": id, "data-table": table }, picture(table, id), el("span", { text: label }));
+  const element = el(
+    "button",
+    { type: "button", class: "kind", "data-kind": id, "data-table": table },
+    picture(table, id),
+    el("span", { text: label }),
+  );
   let drag = null,
     done = false;
   const stop = () => {
@@ -67,12 +75,18 @@ function button(table, id, label) {
 
 function over(event) {
   const box = plan().getBoundingClientRect();
-  return event.clientX > box.left && event.clientX < box.right && event.clientY > box.top && event.clientY < box.bottom;
+  return (
+    event.clientX > box.left &&
+    event.clientX < box.right &&
+    event.clientY > box.top &&
+    event.clientY < box.bottom
+  );
 }
 
 /** Shows the room with the new thing under the pointer. */
 function tryAt(drag, table, id, event) {
-  if (shownRoom() === current()) [drag.room, drag.what] = withNew(current(), table, newThing(current(), table, id));
+  if (shownRoom() === current())
+    [drag.room, drag.what] = withNew(current(), table, newThing(current(), table, id));
   else drag.room = shownRoom();
   const { room, guides } = dragged(drag.room, drag.what, pointOf(event), event.altKey);
   show(room, guides);
@@ -100,10 +114,25 @@ function picture(table, id) {
   const place = ([x, y]) => [PICTURE / 2 + scale * (x - middle[0]), PICTURE / 2 - scale * (y - middle[1])];
   const sheet = { scale, place, atWall: (_, along, into = 0) => place([along, 2 - into]) };
   const shapes = {
-    furniture: () => pieceShapes(sheet, { ...at, outline: rectangle([1, 1], at.width, at.length, 0) }, furnitureKinds().findIndex((kind) => kind.id === id) % 7),
+    furniture: () =>
+      pieceShapes(
+        sheet,
+        { ...at, outline: rectangle([1, 1], at.width, at.length, 0) },
+        furnitureKinds().findIndex((kind) => kind.id === id) % 7,
+      ),
     places: () => placeShapes(sheet, at, id),
     doors: () => doorShapes(sheet, at),
     windows: () => windowShapes(sheet, at),
   }[table]();
-  return svg("svg", { class: "plan-room", viewBox: `0 0 ${PICTURE} ${PICTURE}`, width: PICTURE, height: PICTURE, "aria-hidden": "true" }, ...shapes);
+  return svg(
+    "svg",
+    {
+      class: "plan-room",
+      viewBox: `0 0 ${PICTURE} ${PICTURE}`,
+      width: PICTURE,
+      height: PICTURE,
+      "aria-hidden": "true",
+    },
+    ...shapes,
+  );
 }

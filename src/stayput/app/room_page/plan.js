@@ -36,10 +36,17 @@ export function drawPlan(element, room, options = {}) {
     matched(layer[table], own.length).forEach((group, index) => {
       const what = { table, index };
       group.replaceChildren(
-        ...[readOnly ? svg("title", { text: described(room, what) }) : null, ...shapes(sheet, room, what), mark(sheet, room, what, result, shown)].filter(Boolean),
+        ...[
+          readOnly ? svg("title", { text: described(room, what) }) : null,
+          ...shapes(sheet, room, what),
+          mark(sheet, room, what, result, shown),
+        ].filter(Boolean),
       );
       const chosen = selected?.table === table && selected.index === index;
-      group.setAttribute("class", ["thing", chosen && "chosen", clashing.has(keyOf(what)) && "wrong"].filter(Boolean).join(" "));
+      group.setAttribute(
+        "class",
+        ["thing", chosen && "chosen", clashing.has(keyOf(what)) && "wrong"].filter(Boolean).join(" "),
+      );
       if (!readOnly) operable(group, room, what, chosen);
     });
   }
@@ -99,14 +106,23 @@ function operable(group, room, what, chosen) {
 function ground(sheet) {
   const [x0, y0, x1, y1] = sheet.floor;
   const box = (far, name) =>
-    svg("path", { class: name, d: path([[x0 - far, y0 - far], [x1 + far, y0 - far], [x1 + far, y1 + far], [x0 - far, y1 + far]]) });
+    svg("path", {
+      class: name,
+      d: path([
+        [x0 - far, y0 - far],
+        [x1 + far, y0 - far],
+        [x1 + far, y1 + far],
+        [x0 - far, y1 + far],
+      ]),
+    });
   return [box(WALL, "walls"), box(0, "ground")];
 }
 
 function shapes(sheet, room, what) {
   const one = thing(room, what);
   if (what.table === "furniture") return pieceShapes(sheet, one, hueOf(what.index));
-  if (what.table === "places") return placeShapes(sheet, one, room.places[what.index].kind ?? DEFAULTS.places.kind);
+  if (what.table === "places")
+    return placeShapes(sheet, one, room.places[what.index].kind ?? DEFAULTS.places.kind);
   return what.table === "doors" ? doorShapes(sheet, one) : windowShapes(sheet, one);
 }
 
@@ -116,14 +132,21 @@ function mark(sheet, room, what, result, shown) {
   if (!telling(share)) return null;
   const one = thing(room, what);
   if (what.table === "places")
-    return svg("path", { class: "hit", d: path(one.outline.map(sheet.place)), "stroke-width": (2 + 6 * share).toFixed(1) });
-  const ends = [one.start, one.start + one.width].map((along) => sheet.atWall(one.wall, along, -WALL / 2 / sheet.scale));
+    return svg("path", {
+      class: "hit",
+      d: path(one.outline.map(sheet.place)),
+      "stroke-width": (2 + 6 * share).toFixed(1),
+    });
+  const ends = [one.start, one.start + one.width].map((along) =>
+    sheet.atWall(one.wall, along, -WALL / 2 / sheet.scale),
+  );
   return svg("path", { class: "blocked", d: path(ends, false) });
 }
 
 function boxOf(sheet, room, what) {
   const one = thing(room, what);
-  const before = (into) => [one.start, one.start + one.width].map((along) => onWall(room.plan, one.wall, along, into));
+  const before = (into) =>
+    [one.start, one.start + one.width].map((along) => onWall(room.plan, one.wall, along, into));
   const outline = one.wall ? [...before(0), ...before(one.width)] : one.outline;
   return extents(outline.map(sheet.place));
 }

@@ -16,16 +16,22 @@ export function wire() {
   const element = plan();
   element.addEventListener("pointerdown", begin);
   // a finger on a thing drags it, beside it scrolls the page; within an <svg> no style can say so
-  element.addEventListener("touchstart", (event) => taken(event.target) && event.preventDefault(), { passive: false });
+  element.addEventListener("touchstart", (event) => taken(event.target) && event.preventDefault(), {
+    passive: false,
+  });
   element.addEventListener("pointermove", go);
   element.addEventListener("pointerup", end);
   element.addEventListener("pointercancel", giveUp);
-  addEventListener("keydown", (event) => {
-    if (event.key === "Escape" && drag) {
-      event.stopImmediatePropagation();
-      giveUp();
-    }
-  }, true);
+  addEventListener(
+    "keydown",
+    (event) => {
+      if (event.key === "Escape" && drag) {
+        event.stopImmediatePropagation();
+        giveUp();
+      }
+    },
+    true,
+  );
 }
 
 const taken = (target) => target.closest("[data-thing], [data-handle]")?.dataset;

@@ -22,7 +22,12 @@ export function pieceShapes(sheet, one, hue) {
 export function placeShapes(sheet, one, kind) {
   const { width, length, at, heading, blocks } = one;
   const inside = (INSIDE[kind] ?? (() => []))(width, length).map(({ points, name }) =>
-    shape(sheet, points.map((point) => inFrame(at, heading, point)), name, name !== "fold"),
+    shape(
+      sheet,
+      points.map((point) => inFrame(at, heading, point)),
+      name,
+      name !== "fold",
+    ),
   );
   return [shape(sheet, one.outline, blocks ? "place" : "place flat"), ...inside];
 }
@@ -33,7 +38,10 @@ const fold = (...points) => ({ points, name: "fold" });
 /** A pillow at the head, which is at −y, and the edge of the blanket. */
 function bed(width, length) {
   const edge = -0.23 * length;
-  return [soft([0, -0.38 * length], 0.62 * width, 0.14 * length), fold([-width / 2, edge], [width / 2, edge])];
+  return [
+    soft([0, -0.38 * length], 0.62 * width, 0.14 * length),
+    fold([-width / 2, edge], [width / 2, edge]),
+  ];
 }
 
 function cot(width, length) {
@@ -60,7 +68,10 @@ const sofa = (width, length) => [
 function ball(width, length) {
   const radius = 0.12 * Math.min(width, length),
     angles = Array.from({ length: 24 }, (_, i) => (i * Math.PI) / 12);
-  const points = angles.map((a) => [0.28 * width + radius * Math.cos(a), 0.28 * length + radius * Math.sin(a)]);
+  const points = angles.map((a) => [
+    0.28 * width + radius * Math.cos(a),
+    0.28 * length + radius * Math.sin(a),
+  ]);
   return [{ points, name: "soft" }];
 }
 
@@ -69,7 +80,9 @@ const INSIDE = { bed, futon: bed, cot, desk, sofa, "play area": ball };
 /** A window: an opening with a pane in it. */
 export function windowShapes(sheet, { wall, start, width }) {
   const panes = [0.1, 0.5, 0.9].map((part) => {
-    const ends = [start, start + width].map((along) => sheet.atWall(wall, along, (-part * WALL) / sheet.scale));
+    const ends = [start, start + width].map((along) =>
+      sheet.atWall(wall, along, (-part * WALL) / sheet.scale),
+    );
     return svg("path", { class: "pane", d: path(ends, false) });
   });
   return [hole(sheet, wall, start, width), ...panes];
@@ -77,14 +90,25 @@ export function windowShapes(sheet, { wall, start, width }) {
 
 function hole(sheet, wall, start, width) {
   const deep = -WALL / sheet.scale;
-  const corners = [[start, 0], [start + width, 0], [start + width, deep], [start, deep]];
-  return svg("path", { class: "ground", d: path(corners.map(([along, into]) => sheet.atWall(wall, along, into))) });
+  const corners = [
+    [start, 0],
+    [start + width, 0],
+    [start + width, deep],
+    [start, deep],
+  ];
+  return svg("path", {
+    class: "ground",
+    d: path(corners.map(([along, into]) => sheet.atWall(wall, along, into))),
+  });
 }
 
 /** A door: its leaf where it stands open, and the arc of its edge; two panels of a sliding one. */
 export function doorShapes(sheet, door) {
   const { wall, start, width } = door;
-  return [hole(sheet, wall, start, width), ...(door.opens === "sliding" ? panels(sheet, door) : leaf(sheet, door))];
+  return [
+    hole(sheet, wall, start, width),
+    ...(door.opens === "sliding" ? panels(sheet, door) : leaf(sheet, door)),
+  ];
 }
 
 function panels(sheet, { wall, start, width }) {
@@ -105,7 +129,11 @@ function leaf(sheet, { wall, start, width, hinge, opens }) {
   const sign = opens === "outwards" ? -1 : 1;
   const edge = Array.from({ length: ARC + 1 }, (_, i) => (i * Math.PI) / 2 / ARC).map((angle) => {
     const reach = width * Math.cos(angle);
-    return sheet.atWall(wall, start + (hinge === "start" ? reach : width - reach), sign * width * Math.sin(angle));
+    return sheet.atWall(
+      wall,
+      start + (hinge === "start" ? reach : width - reach),
+      sign * width * Math.sin(angle),
+    );
   });
   const at = sheet.atWall(wall, hinge === "start" ? start : start + width);
   return [

@@ -36,7 +36,10 @@ export function sheetFor(room, wide, high, { bare = false, scale: given = null }
     scale,
     bare,
     beyond: (wall) => scale * beyond[wall],
-    size: [left + scale * plan.width + space("right_wall"), top + scale * plan.length + space("near_side_wall")],
+    size: [
+      left + scale * plan.width + space("right_wall"),
+      top + scale * plan.length + space("near_side_wall"),
+    ],
     floor: [left, top, left + scale * plan.width, top + scale * plan.length],
     place,
     ofPlace: ([px, py]) => [(px - left) / scale, plan.length - (py - top) / scale],

@@ -1,7 +1,18 @@
 // Where something comes to stand that is dragged near a wall, a corner, or in line with something else.
 
 import { atWall, cm, inWall, placed } from "./edits.js";
-import { carrier, extents, fromWall, opening, standing, thing, things, upright, wallLength, WALLS } from "./geometry.js";
+import {
+  carrier,
+  extents,
+  fromWall,
+  opening,
+  standing,
+  thing,
+  things,
+  upright,
+  wallLength,
+  WALLS,
+} from "./geometry.js";
 import { FACING, tidyAngle } from "./geometry.js";
 import { DEFAULTS } from "./kinds.js";
 
