@@ -8,7 +8,8 @@ import * as upload from "../upload.js";
 import * as room from "./room.js";
 
 const MOTIONS = ["record", "component", "unit", "dt", "vertical", "sine", "builtin", "suite", "member"],
-  STRENGTHS = ["intensity", "scale", "pga", "pgv", "mmi", "earthquake"];
+  ENTRIES = ["mmi", "pga", "pgv", "earthquake"],
+  STRENGTHS = ["intensity", "scale", ...ENTRIES];
 let presets = null,
   wanted = null, // the record that the server is being asked for
   reading = false, // the room goes into the fields, which is no change of the room
@@ -26,8 +27,9 @@ export function wire(known, lost) {
 
 /** Puts what the room says into the fields. */
 export function take() {
-  const { record, component } = room.current().shaking ?? {};
-  put({ ...told(room.current()), record: kept(record) });
+  const { record, component } = room.current().shaking ?? {},
+    own = kept(record);
+  put({ ...told(room.current()), record: own, onFloor: Boolean(own) && fields.current().onFloor });
   if (record && record !== fields.current().record?.id && record !== wanted) fetchRecord(record, component);
 }
 
@@ -47,8 +49,11 @@ async function fetchRecord(id, component) {
   wanted = id;
   try {
     const motion = await patiently(() => api.motion(id, component));
-    if (room.current().shaking?.record !== id) return;
-    put({ record: { id, name: motion.name, shaking: motion.shaking, motion } });
+    const { name, shaking, floor } = motion,
+      { record, vertical } = room.current().shaking ?? {};
+    if (record !== id) return;
+    const up = typeof vertical === "string" ? { id: vertical, name: "" } : null;
+    put({ record: { id, name, shaking, motion, vertical: up }, onFloor: Boolean(floor) });
     upload.update();
   } catch (error) {
     if (!(error instanceof api.Refused)) throw error;
@@ -71,15 +76,17 @@ export function withoutRecord(before) {
 function told({ shaking = {}, room: surfaces = {} }) {
   const { suite, intensity, building, storey, member } = shaking,
     { plain } = fields,
-    middle = presets.intensities.find((one) => one.id === intensity)?.middle;
+    middle = presets.intensities.find((one) => one.id === intensity)?.middle,
+    stated = ENTRIES.find((one) => shaking[one] !== undefined);
   return {
     floor: typeof surfaces.floor === "string" ? surfaces.floor : plain.floor,
     wallConstruction: surfaces.walls ?? plain.wallConstruction,
     ceilingThere: Boolean(surfaces.ceiling),
     ceiling: surfaces.ceiling?.height ?? plain.ceiling,
     ceilingConstruction: surfaces.ceiling?.construction ?? plain.ceilingConstruction,
-    intensity: middle ?? (Number(intensity) || plain.intensity),
-    scaled: intensity !== undefined,
+    intensity: middle ?? (Number(intensity) || fields.current().intensity),
+    entry: stated ? { [stated]: shaking[stated] } : null,
+    scaled: intensity !== undefined || stated !== undefined,
     family: suite?.family ?? plain.family,
     member: member ?? 1,
     storeys: building?.storeys ?? 0,
@@ -106,14 +113,15 @@ function written(before, keys) {
     const suite = { ...(typeof shaking.suite === "object" ? shaking.suite : {}), family: scene.family };
     for (const key of MOTIONS) delete shaking[key];
     Object.assign(shaking, scene.record ? scene.record.shaking : { suite, member: scene.member });
+    if (scene.record?.vertical) shaking.vertical = scene.record.vertical.id;
   }
-  if (has(keys, "intensity", "scaled", "record")) {
+  if (has(keys, "intensity", "entry", "scaled", "record")) {
     for (const key of STRENGTHS) delete shaking[key];
-    if (!scene.record || scene.scaled) shaking.intensity = scene.intensity;
+    if (!scene.record || scene.scaled) Object.assign(shaking, scene.entry ?? { intensity: scene.intensity });
   }
-  if (has(keys, "storeys", "storey", "structure")) {
+  if (has(keys, "storeys", "storey", "structure", "onFloor")) {
     const { storeys, structure, storey } = scene;
-    if (storeys > 0) Object.assign(shaking, { building: { ...shaking.building, storeys, structure }, storey });
+    if (fields.throughBuilding(scene)) Object.assign(shaking, { building: { ...shaking.building, storeys, structure }, storey });
     else for (const key of ["building", "storey"]) delete shaking[key];
   }
   return { ...before, room: surfaces, shaking };
