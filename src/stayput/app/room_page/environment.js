@@ -8,8 +8,8 @@ import * as upload from "../upload.js";
 import * as room from "./room.js";
 
 const MOTIONS = ["record", "component", "unit", "dt", "vertical", "sine", "builtin", "suite", "member"],
-  ENTRIES = ["mmi", "pga", "pgv", "earthquake"],
-  STRENGTHS = ["intensity", "scale", ...ENTRIES];
+  WAYS = ["pga", "pgv", "mmi", "earthquake"],
+  STRENGTHS = ["intensity", "scale", ...WAYS];
 let presets = null,
   wanted = null, // the record that the server is being asked for
   reading = false, // the room goes into the fields, which is no change of the room
@@ -27,10 +27,10 @@ export function wire(known, lost) {
 
 /** Puts what the room says into the fields. */
 export function take() {
-  const { record, component } = room.current().shaking ?? {},
-    own = kept(record);
-  put({ ...told(room.current()), record: own, onFloor: Boolean(own) && fields.current().onFloor });
-  if (record && record !== fields.current().record?.id && record !== wanted) fetchRecord(record, component);
+  const shaking = room.current().shaking ?? {},
+    { record } = shaking;
+  put({ ...told(room.current()), record: kept(record) });
+  if (record && record !== fields.current().record?.id && record !== wanted) fetchRecord(shaking);
 }
 
 function put(part) {
@@ -45,15 +45,13 @@ function put(part) {
 /** The record in the fields, where it is the room's. */
 const kept = (id) => (fields.current().record?.id === id ? fields.current().record : null);
 
-async function fetchRecord(id, component) {
+async function fetchRecord({ record: id, component, vertical: up }) {
   wanted = id;
   try {
     const motion = await patiently(() => api.motion(id, component));
-    const { name, shaking, floor } = motion,
-      { record, vertical } = room.current().shaking ?? {};
-    if (record !== id) return;
-    const up = typeof vertical === "string" ? { id: vertical, name: "" } : null;
-    put({ record: { id, name, shaking, motion, vertical: up }, onFloor: Boolean(floor) });
+    const vertical = typeof up === "string" ? { id: up, name: (await patiently(() => api.motion(up))).name } : null;
+    if (room.current().shaking?.record !== id) return;
+    put({ record: { id, name: motion.name, shaking: motion.shaking, motion, vertical } });
     upload.update();
   } catch (error) {
     if (!(error instanceof api.Refused)) throw error;
@@ -76,8 +74,8 @@ export function withoutRecord(before) {
 function told({ shaking = {}, room: surfaces = {} }) {
   const { suite, intensity, building, storey, member } = shaking,
     { plain } = fields,
-    middle = presets.intensities.find((one) => one.id === intensity)?.middle,
-    stated = ENTRIES.find((one) => shaking[one] !== undefined);
+    way = WAYS.find((one) => shaking[one] !== undefined),
+    middle = presets.intensities.find((one) => one.id === intensity)?.middle;
   return {
     floor: typeof surfaces.floor === "string" ? surfaces.floor : plain.floor,
     wallConstruction: surfaces.walls ?? plain.wallConstruction,
@@ -85,8 +83,8 @@ function told({ shaking = {}, room: surfaces = {} }) {
     ceiling: surfaces.ceiling?.height ?? plain.ceiling,
     ceilingConstruction: surfaces.ceiling?.construction ?? plain.ceilingConstruction,
     intensity: middle ?? (Number(intensity) || fields.current().intensity),
-    entry: stated ? { [stated]: shaking[stated] } : null,
-    scaled: intensity !== undefined || stated !== undefined,
+    entry: way ? { [way]: shaking[way] } : null,
+    scaled: intensity !== undefined || way !== undefined,
     family: suite?.family ?? plain.family,
     member: member ?? 1,
     storeys: building?.storeys ?? 0,
@@ -119,7 +117,7 @@ function written(before, keys) {
     for (const key of STRENGTHS) delete shaking[key];
     if (!scene.record || scene.scaled) Object.assign(shaking, scene.entry ?? { intensity: scene.intensity });
   }
-  if (has(keys, "storeys", "storey", "structure", "onFloor")) {
+  if (has(keys, "storeys", "storey", "structure", "onFloor", "record")) {
     const { storeys, structure, storey } = scene;
     if (fields.throughBuilding(scene)) Object.assign(shaking, { building: { ...shaking.building, storeys, structure }, storey });
     else for (const key of ["building", "storey"]) delete shaking[key];
