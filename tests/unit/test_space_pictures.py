@@ -20,7 +20,7 @@ from stayput.report.palette import BODY_COLOURS, rgb
 from stayput.report.space.animation import animate_space_run, space_player_page
 from stayput.report.space.camera import Camera
 from stayput.report.space.film import space_film
-from stayput.report.space.frames import SpacePainter
+from stayput.report.space.frames import SpacePainter, _from_far, _hull_of
 from stayput.report.space.plot import plot_space_run
 from stayput.report.space.said import became
 from stayput.report.space.scene import RATE, space_scene
@@ -183,7 +183,8 @@ def test_near_bodies_are_drawn_over_those_they_hide() -> None:
         painter = SpacePainter(space_film(mixed, None, "en"), 640, 480)
         places, turns = painter._film.scene.pose(0.0)
         corners = [painter._film.scene.corners(b, turns[b], places[b]) for b in range(3)]
-        drawn = [order[b] for b in painter._from_far(painter._camera.place, corners, turns)]
+        hulls = [_hull_of(*each) for each in zip(painter._film.scene.shapes, corners, turns, strict=True)]
+        drawn = [order[b] for b in _from_far(painter._camera.place, hulls)]
         assert drawn.index(0) < drawn.index(2)
         assert drawn.index(0) < drawn.index(1)
 

@@ -53,6 +53,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "It weighs {mass} kg. Speed where it hits: {speed}. Energy: {energy}.",
         "重さは{mass} kg。当たる速さは{speed}。エネルギーは{energy}。",
     ),
+    "stillNote": (
+        "Beds and other places of people, doors and windows are drawn as outlines: they do not move and hold nothing up.",
+        "ベッドなど人のいる場所、ドア、窓は線で示しています。動かず、家具を支えません。",
+    ),
     "noInjury": (
         "Chances are for somebody who is there. Speed and energy are upper bounds: no bed and no person holds the piece up. Whether such a blow injures is not computed, and no threshold of injury is used.",
         "確率は、その場所に人がいる場合のものです。速さとエネルギーは、ベッドや人が家具を支えないとした上限です。けがをするかどうかは計算しておらず、けがの基準値も使っていません。",

@@ -71,6 +71,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The floor's grid is {grid:g}\u00a0m wide; what is lighter or striped is the front.",
         "床の格子の間隔は{grid:g}\u00a0mです。明るい面または縞のある側が正面です。",
     ),
+    "caption_still": (
+        "Outlines: places of people, doors and windows, which do not move and hold nothing up.",
+        "線で示したものは人のいる場所、ドア、窓です。動かず、家具を支えません。",
+    ),
     "caption_moved": (
         (
             "The room moves as the ground does: the record integrated twice, without its drift below "

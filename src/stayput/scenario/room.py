@@ -41,6 +41,7 @@ if TYPE_CHECKING:
 
     from stayput.model.solid import Solid
     from stayput.scenario.pieces import StandingTable
+    from stayput.simulation.space_run import SpaceRun
 
 OUTSIDE = 1e-6
 """How far a piece may stand in a wall, by rounding [m]."""
@@ -175,6 +176,10 @@ class RoomScenario(AssemblyScenario):
         behind = -Standing(solid).along((1.0, 0.0, 0.0))[0]
         x, y = self.floor_plan().on_wall(piece.against, piece.along, piece.gap + behind)
         return (x, y, 0.0), heading
+
+    def run(self) -> SpaceRun:
+        """Simulate the pieces as the file states them, in a room with its places, doors and windows."""
+        return replace(super().run(), plan=self.floor_plan())
 
     def surroundings(self) -> Room:
         """Make the room around all pieces; the gaps of its walls are from the outermost of them."""

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from stayput.measures.measure import Held
     from stayput.measures.results import DeviceResult
+    from stayput.model.floor_plan import FloorPlan
     from stayput.model.room import Room
     from stayput.motion import Motion
     from stayput.simulation.space_fate import Fate
@@ -113,6 +114,8 @@ class SpaceRun:
         The measures in place on each body; None of one that is no piece of furniture.
     given_up : bool
         Whether it took too much work: bodies stay where they were then, and what became of them is not known.
+    plan : FloorPlan, optional
+        The room's places, doors and windows, which pictures show; nothing of them moves or holds anything.
     """
 
     standing: tuple[Standing, ...]
@@ -135,6 +138,7 @@ class SpaceRun:
     unconverged: int
     held: tuple[Held | None, ...] = ()
     given_up: bool = False
+    plan: FloorPlan | None = None
 
     def __repr__(self) -> str:
         bodies = ", ".join(outcome.value for outcome in self.outcomes)

@@ -3,7 +3,7 @@
 
 import { ink } from "./pen.js";
 import { BODIES, DEPTHS, LINES, SURFACES } from "./shaders.js";
-import { STRIDE, around, bodyMesh, ends } from "./space_mesh.js";
+import { STRIDE, around, bodyMesh, ends, stillMesh } from "./space_mesh.js";
 import { surfaces } from "./space_scene.js";
 import { mat, mixed, parts, vec } from "./vectors.js";
 
@@ -155,12 +155,21 @@ export function spacePainter(canvas, first) {
       const values = new Float32Array([0, 1, 3, 2].flatMap((i) => corners[i]));
       return { array: array(gl, [{ values, stride: 3, attributes: [[0, 3]] }]), normal, offset };
     });
-    return { meshes, faces, ties: segments(gl, new Float32Array(0)), light: lightMatrix(scene) };
+    const still = scene.still.map((one) => {
+      const mesh = stillMesh(one),
+        buffer = { values: mesh.faces, stride: 3, attributes: [[0, 3]] };
+      return {
+        ...{ ink: one.ink, shade: one.shade, lines: segments(gl, mesh.lines) },
+        faces: { array: array(gl, [buffer]), count: mesh.faces.length / 3 },
+      };
+    });
+    return { meshes, faces, still, ties: segments(gl, new Float32Array(0)), light: lightMatrix(scene) };
   }
 
   function take(next) {
     for (const { body, marks, edges, footprint } of made.meshes)
       for (const { array: which } of [body, marks, edges, footprint]) free(gl, which);
+    for (const { faces, lines } of made.still) for (const { array: which } of [faces, lines]) free(gl, which);
     for (const { array: which } of [...made.faces, made.ties]) free(gl, which);
     scene = next;
     made = prepare();
@@ -267,8 +276,21 @@ export function spacePainter(canvas, first) {
       const inside = vec.dot(face.normal, vec.minus(place, shift)) > face.offset;
       drawSurface(face, { ...wall, alpha: inside ? 0.45 : 0.05, lineAlpha: inside ? 0.8 : 0.12 }, eye);
     }
+    drawStill(eye, { ...lines, model: STILL }, sharp);
     gl.depthMask(true);
     drawTies(models, t, { ...lines, model: STILL }, sharp);
+  }
+
+  /** Draws the places of people, the doors and the windows: the pieces shine through them. */
+  function drawStill(eye, lines, sharp) {
+    for (const { ink: name, shade, faces, lines: edges } of made.still) {
+      const colour = parts(ink[name]),
+        plain = { colour, lines: colour, alpha: shade, lineAlpha: shade, dark: 0, normal: [0, 0, 1], grid: 1 };
+      use(tools.programs.SURFACES, { eye, light: made.light, middle: [0, 0, 0], reach: 1e6, ...plain });
+      fill(faces);
+      use(tools.programs.LINES, { ...lines, width: 1.6 * sharp, colour: [...colour, 0.9] });
+      strip(edges);
+    }
   }
 
   /** Draws the devices over all else, as they are mostly behind or below a body; a cross where one has failed. */

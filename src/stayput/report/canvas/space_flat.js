@@ -5,6 +5,21 @@ import { mat, vec } from "./vectors.js";
 
 const STROKE = 1.5; // width of the lines [pixels]
 
+const middle = (points) => vec.times(points.reduce(vec.plus), 1 / points.length);
+
+/** Draws what does not move: shaded faces, and lines. */
+function drawStill(pen, seen, { ink: name, shade, faces, lines }) {
+  pen.globalAlpha = shade;
+  pen.fillStyle = ink[name];
+  for (const face of faces) {
+    pen.beginPath();
+    for (const corner of face) pen.lineTo(...seen(corner));
+    pen.fill();
+  }
+  pen.globalAlpha = 1;
+  for (const points of lines) line(pen, ink[name], STROKE, points.map(seen));
+}
+
 /** What draws a scene on a canvas, with the same `draw` and `take` as `spacePainter`. */
 export function flatPainter(canvas, first) {
   let scene = first;
@@ -34,8 +49,10 @@ export function flatPainter(canvas, first) {
         corners = body.shape.vertices_m.map((corner) => mat.image(matrix, corner).slice(0, 3));
       return { ...body, b, corners, apart: Math.hypot(...vec.minus(matrix.slice(12, 15), from)) };
     });
-    for (const { b, shape, corners, colour } of bodies.sort((one, other) => other.apart - one.apart))
-      for (const face of shape.faces) {
+    const unmoved = scene.still.map((one) => ({ ...one, apart: Math.hypot(...vec.minus(middle(one.lines[0]), from)) }));
+    for (const { b, shape, corners, colour, ...one } of [...bodies, ...unmoved].sort((p, q) => q.apart - p.apart)) {
+      if (!shape) drawStill(pen, seen, one);
+      for (const face of shape?.faces ?? []) {
         const [p, q, r] = face.map((i) => corners[i]);
         if (vec.dot(vec.cross(vec.minus(q, p), vec.minus(r, p)), vec.minus(from, p)) <= 0) continue;
         pen.beginPath();
@@ -47,6 +64,7 @@ export function flatPainter(canvas, first) {
         pen.lineWidth = b === chosen ? 2 * STROKE : STROKE;
         pen.stroke();
       }
+    }
     const matrices = scene.bodies.map((body) => body.matrix(t));
     for (const { from: end, to, lost } of scene.ties(matrices, t)) {
       const points = [seen(end), seen(lost ? end : to)];

@@ -17,7 +17,6 @@ export function bodyMesh({ vertices_m: vertices, faces, normals, curved, edges, 
   faces.forEach((face, k) => {
     if (curved[k]) for (const i of face) smooth[i] = vec.plus(smooth[i], normals[k]);
   });
-  const fan = (corners) => corners.slice(2).flatMap((last, i) => [corners[0], corners[i + 1], last]);
   const faceCorners = (face, k) =>
     face.map((i) => [...vertices[i], ...(curved[k] ? vec.unit(smooth[i]) : normals[k]), 0]);
   const markCorners = (mark) =>
@@ -28,6 +27,15 @@ export function bodyMesh({ vertices_m: vertices, faces, normals, curved, edges, 
     edges: new Float32Array(edges.flatMap(([i, j]) => [...vertices[i], ...vertices[j]])),
   };
 }
+
+/** A convex polygon as triangles: three corners each. */
+const fan = (corners) => corners.slice(2).flatMap((last, i) => [corners[0], corners[i + 1], last]);
+
+/** The triangles of what stands still, three numbers a corner, and the ends of its lines, six numbers each. */
+export const stillMesh = ({ faces, lines }) => ({
+  faces: new Float32Array(faces.flatMap(fan).flat()),
+  lines: new Float32Array(lines.flatMap((line) => line.slice(1).flatMap((end, i) => [...line[i], ...end]))),
+});
 
 /** The ends of a polygon's sides, six numbers each. */
 export const around = (corners) =>

@@ -61,6 +61,8 @@ export function spaceScene(data) {
     /** Both ends of all devices in the room, by the bodies' matrices, and whether each has failed. */
     ties: (matrices, t) => ends.map((tie) => tie(matrices, t)),
     shift: (t) => along(shift, 3, t),
+    /** What does not move: {ink, shade, faces, lines}. */
+    still: data.still.map(({ faces_m: faces, lines_m: lines, ...look }) => ({ ...look, faces, lines })),
     planes: data.planes.map(([x, y, z, offset]) => ({ normal: [x, y, z], offset })),
     low,
     high,

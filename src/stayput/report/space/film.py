@@ -50,8 +50,11 @@ class SpaceFilm:
 
     @property
     def caption(self) -> str:
-        """What the grid and the marks mean."""
-        return say("space.caption", self.language, grid=self.scene.grid)
+        """What the grid, the marks and the outlines mean."""
+        told = [say("space.caption", self.language, grid=self.scene.grid)]
+        if self.scene.still:
+            told.append(say("space.caption_still", self.language))
+        return " ".join(told)
 
     @property
     def moved(self) -> str:

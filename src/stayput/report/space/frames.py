@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, TypeAlias
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFilter
@@ -12,15 +13,19 @@ from stayput.report.layout import FrameLayout
 from stayput.report.palette import ALARM, INK, PAPER, ROLE_COLOURS, ROOM, rgb
 from stayput.report.space.camera import Camera
 from stayput.report.space.scene import body_colour
+from stayput.report.space.still import OPENINGS, STILL_LOOKS
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from stayput.report.space.camera import Outline
     from stayput.report.space.film import SpaceFilm
     from stayput.report.space.shape import SolidShape
+    from stayput.report.space.still import StillShape
 
-Colour: TypeAlias = str | int | tuple[int, int, int]
+Colour: TypeAlias = str | int | tuple[int, ...]
 """A colour as Pillow takes it."""
 
 _LIGHT = np.array([0.5, -0.3, 0.85]) / math.hypot(0.5, -0.3, 0.85)
@@ -32,6 +37,22 @@ def _mixed(one: str, other: str, share: float) -> tuple[int, int, int]:
     """Return a colour between two."""
     red, green, blue = (round(a + share * (b - a)) for a, b in zip(rgb(one), rgb(other), strict=True))
     return red, green, blue
+
+
+class DrawnHull(NamedTuple):
+    """A convex body where it is drawn.
+
+    Parameters
+    ----------
+    corners : ndarray, shape (k, 3)
+        Its corners [m].
+    normals, on_faces : ndarray, shape (faces, 3)
+        Unit normals of its faces, and a point of each [m].
+    """
+
+    corners: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    on_faces: NDArray[np.float64]
 
 
 class SpacePainter:
@@ -53,6 +74,12 @@ class SpacePainter:
         self._still = self._layout.still(film.strip_title, caption, motion.time, motion.components)
         self._camera = Camera(scene.points, *self._layout.scene)
         self._line = self._layout.line
+        self._openings = [one for one in scene.still if one.role in OPENINGS]
+        self._places = [one for one in scene.still if one.role not in OPENINGS]
+        self._boxes = [
+            DrawnHull(one.points, one.normals, np.array([face[0] for face in one.faces]))
+            for one in self._places
+        ]
         size = float(np.linalg.norm(scene.high - scene.low))
         self._low, self._high = scene.low - _STAGE * size, scene.high + _STAGE * size
         self._high[2] = scene.high[2] + 0.2 * size
@@ -73,8 +100,17 @@ class SpacePainter:
         corners = [film.scene.corners(b, turns[b], places[b]) for b in range(len(places))]
         self._draw_shadows(scene, camera, corners)
         draw = ImageDraw.Draw(scene)
-        for b in self._from_far(camera.place, corners, turns):
-            _draw_body(draw, camera, self._line, film.scene.shapes[b], corners[b], turns[b], body_colour(b))
+        pen = ImageDraw.Draw(scene, "RGBA")  # which mixes colours
+        for opening in self._openings:
+            _draw_still(pen, camera, self._line, opening)
+        hulls = [_hull_of(*each) for each in zip(film.scene.shapes, corners, turns, strict=True)]
+        for n in _from_far(camera.place, [*hulls, *self._boxes]):
+            if n < len(hulls):
+                _draw_body(
+                    draw, camera, self._line, film.scene.shapes[n], corners[n], turns[n], body_colour(n)
+                )
+            else:
+                _draw_still(pen, camera, self._line, self._places[n - len(hulls)])
         self._draw_ties(draw, camera, time, places, turns)
         image = self._layout.frame(self._still, scene, time)
         self._layout.head(image, film.title if time >= film.scene.end else film.state(time))
@@ -171,26 +207,23 @@ class SpacePainter:
                 for x, y in ends:
                     draw.ellipse((x - width, y - width, x + width, y + width), fill=colour)
 
-    def _from_far(
-        self, eye: NDArray[np.float64], corners: list[NDArray[np.float64]], turns: NDArray[np.float64]
-    ) -> list[int]:
-        """Return the bodies in an order in which each is drawn over those that it hides."""
-        shapes = self._film.scene.shapes
-        count = len(shapes)
-        behind: list[set[int]] = [set() for _ in shapes]
-        for a in range(count):
-            for b in range(a):
-                beyond_a, seen_a = _apart(shapes[a], corners[a], turns[a], corners[b], eye)
-                beyond_b, seen_b = _apart(shapes[b], corners[b], turns[b], corners[a], eye)
-                b_in_front = seen_a if beyond_a > beyond_b else not seen_b
-                behind[b if b_in_front else a].add(a if b_in_front else b)
-        farness = [float(np.linalg.norm(points.mean(axis=0) - eye)) for points in corners]
-        left, order = set(range(count)), list[int]()
-        while left:
-            free = [b for b in left if not behind[b] & left] or list(left)  # three may lie in a circle
-            order.append(max(free, key=farness.__getitem__))
-            left.remove(order[-1])
-        return order
+
+def _from_far(eye: NDArray[np.float64], hulls: Sequence[DrawnHull]) -> list[int]:
+    """Return convex bodies in an order in which each is drawn over those that it hides."""
+    behind: list[set[int]] = [set() for _ in hulls]
+    for a, one in enumerate(hulls):
+        for b, other in enumerate(hulls[:a]):
+            beyond_a, seen_a = _apart(one, other.corners, eye)
+            beyond_b, seen_b = _apart(other, one.corners, eye)
+            b_in_front = seen_a if beyond_a > beyond_b else not seen_b
+            behind[b if b_in_front else a].add(a if b_in_front else b)
+    farness = [float(np.linalg.norm(one.corners.mean(axis=0) - eye)) for one in hulls]
+    left, order = set(range(len(hulls))), list[int]()
+    while left:
+        free = [b for b in left if not behind[b] & left] or list(left)  # three may lie in a circle
+        order.append(max(free, key=farness.__getitem__))
+        left.remove(order[-1])
+    return order
 
 
 def _fill(draw: ImageDraw.ImageDraw, outline: Outline, colour: Colour) -> None:
@@ -250,17 +283,26 @@ def _shaded(colour: str, normal: NDArray[np.float64]) -> tuple[int, int, int]:
     return red, green, blue
 
 
-def _apart(
-    shape: SolidShape,
-    corners: NDArray[np.float64],
-    turn: NDArray[np.float64],
-    others: NDArray[np.float64],
-    eye: NDArray[np.float64],
-) -> tuple[float, bool]:
-    """Return how far others lie beyond the plane of the face that parts them best, and if the eye does."""
-    normals = shape.solid.normals @ turn.T
+def _draw_still(draw: ImageDraw.ImageDraw, camera: Camera, line: int, still: StillShape) -> None:
+    """Draw the faces that look at the camera, through which one sees what is behind, and all lines."""
+    look = STILL_LOOKS[still.role]
+    shade = (*rgb(look.colour), round(255 * look.shade))
+    for normal, face in zip(still.normals, still.faces, strict=True):
+        if normal @ (camera.place - face[0]) > 0.0:
+            _fill(draw, camera.seen(face), shade)
+    for points in still.lines:
+        for ends in pairwise(points):
+            _stroke(draw, camera.seen(np.array(ends)), rgb(look.colour), line)
+
+
+def _hull_of(shape: SolidShape, corners: NDArray[np.float64], turn: NDArray[np.float64]) -> DrawnHull:
     firsts = corners[[face[0] for face in shape.solid.faces]]
-    offsets = np.einsum("fi,fi->f", normals, firsts)
-    gaps = (others @ normals.T).min(axis=0) - offsets
+    return DrawnHull(corners, shape.solid.normals @ turn.T, firsts)
+
+
+def _apart(one: DrawnHull, others: NDArray[np.float64], eye: NDArray[np.float64]) -> tuple[float, bool]:
+    """Return how far others lie beyond the plane of the face that parts them best, and if the eye does."""
+    offsets = np.einsum("fi,fi->f", one.normals, one.on_faces)
+    gaps = (others @ one.normals.T).min(axis=0) - offsets
     best = int(np.argmax(gaps))
-    return float(gaps[best]), bool(normals[best] @ eye > offsets[best])
+    return float(gaps[best]), bool(one.normals[best] @ eye > offsets[best])

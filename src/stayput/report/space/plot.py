@@ -18,6 +18,7 @@ from stayput.report.palette import BODY_COLOURS, COMPONENT_COLOURS, INK, MUTED, 
 from stayput.report.space.histories import at_time
 from stayput.report.space.said import became, names_of
 from stayput.report.space.scene import body_colour
+from stayput.report.space.still import STILL_LOOKS, still_of
 from stayput.simulation.space_records import matrices
 from stayput.wording import check_language
 
@@ -193,6 +194,9 @@ def _draw_plan(axis: Axes, run: SpaceRun, names: Sequence[str], language: str) -
         way = run.place[b, :, :2].T
         axis.plot(*way, linestyle=_dashes(b), color=colour, linewidth=1.4, zorder=4, label=drawable(name))
         axis.plot(*run.place[b, -1, :2], "o", color=colour, markersize=6.0, markeredgecolor=INK, zorder=5)
+    for still in still_of(run):
+        for line in still.lines:
+            axis.plot(*line[:, :2].T, color=STILL_LOOKS[still.role].colour, linewidth=0.8, zorder=1)
     for plane in run.planes[1:]:
         nx, ny, offset = (float(plane[name]) for name in ("nx", "ny", "offset"))
         if abs(nx) + abs(ny) > 0.5:

@@ -19,6 +19,7 @@ from stayput.report.palette import BODY_COLOURS
 from stayput.report.scene import SHIFT_SHOWN, TIME_DIGITS, View, ground_displacement, rounded
 from stayput.report.space.histories import slid
 from stayput.report.space.shape import SolidShape, shape_of
+from stayput.report.space.still import StillShape, still_of
 from stayput.simulation.space_records import matrices
 
 if TYPE_CHECKING:
@@ -91,6 +92,8 @@ class SpaceScene:
         The devices and joints.
     points : ndarray, shape (k, 3)
         The outermost points of the bodies over time, which the picture shows [m].
+    still : tuple of StillShape
+        Places of people, doors and windows.
     """
 
     run: SpaceRun
@@ -103,6 +106,7 @@ class SpaceScene:
     shift_scale: float
     ties: tuple[DrawnTie, ...]
     points: NDArray[np.float64]
+    still: tuple[StillShape, ...] = ()
 
     @property
     def start(self) -> float:
@@ -169,6 +173,7 @@ class SpaceScene:
             ``view``: ``low_m``, ``high_m``, ``grid_m``, ``points_m``. ``bodies``: ``name``, ``colour``,
             ``shape`` (see `SolidShape.data`), ``centre_of_gravity_m``, ``footprint_m`` (where it first stood
             on the floor), and at the poses ``place_m``, ``attitude``, ``tilt_rad``, ``slide_m``, ``yaw_rad``.
+            ``still``: see `StillShape.data`.
             ``ties``: ``body``, ``point_m``, ``other``, ``anchor_m``, ``lost_s`` or None; see `DrawnTie`.
         """
         run = self.run
@@ -206,6 +211,7 @@ class SpaceScene:
                 }
                 for b, one in enumerate(run.standing)
             ],
+            "still": [one.data() for one in self.still],
             "ties": [
                 {
                     "body": tie.body,
@@ -271,7 +277,8 @@ def space_scene(run: SpaceRun, names: tuple[str, ...], beside: Sequence[SpaceRun
     times = np.linspace(start, end, count)
     place, attitude = _between(run.time, run.place, run.attitude, times)
     found = [_outermost(one) for one in beside or (run,)]
-    points = _at_the_rim(np.concatenate([points for points, _ in found]))
+    still = still_of(run)
+    points = _at_the_rim(np.concatenate([*(points for points, _ in found), *(one.points for one in still)]))
     size = max(size for _, size in found)
     ground = np.zeros((len(run.motion), 3))
     for axis, name in enumerate("xyz"):
@@ -281,7 +288,7 @@ def space_scene(run: SpaceRun, names: tuple[str, ...], beside: Sequence[SpaceRun
     scale = min(1.0, SHIFT_SHOWN * size / largest) if largest > 0.0 else 1.0
     shift = np.column_stack([scale * np.interp(times, run.motion.time, along) for along in ground.T])
     shapes = tuple(shape_of(one.solid) for one in run.standing)
-    return SpaceScene(run, names, shapes, times, place, attitude, shift, scale, _ties(run), points)
+    return SpaceScene(run, names, shapes, times, place, attitude, shift, scale, _ties(run), points, still)
 
 
 def _ties(run: SpaceRun) -> tuple[DrawnTie, ...]:
