@@ -252,8 +252,9 @@ def test_pieces_that_are_refused(client: httpx.Client) -> None:
     many = [{"name": f"{i}", "preset": "chest", "at": [0.0, 2.0 * i]} for i in range(21)]
     refused(client, "simulate", {"scene": {**PIECES, "furniture": many}}, "scene.furniture")
     endless = {"sine": {"amplitude": 1.0, "frequency": 1.0, "duration": 500.0}}
-    message = refused(client, "simulate", {"scene": {**PIECES, "shaking": endless}}, "scene.shaking")
-    assert "with 2 pieces this server allows 300 s" in message
+    long = {**PIECES, "furniture": many[:6], "shaking": endless}
+    message = refused(client, "simulate", {"scene": long}, "scene.shaking")
+    assert "with 6 pieces this server allows 400 s" in message
     into = [{**PIECES["furniture"][0], "name": name} for name in ("one", "other")]
     refused(client, "simulate", {"scene": {**PIECES, "furniture": into}}, "scene")
 

@@ -83,7 +83,8 @@ def made(**changed):
                 in_plane=number == 0,
                 probabilities={event: next(left) for event in EVENTS},
                 slide=Quantiles(0.021 + number, 0.043 + number),
-                covers=covers,
+                fell=covers,
+                stood=0.0 * covers,
                 outline=rectangle(standing.at[:2], 0.3, 0.8, standing.heading),
                 risk=0.123 - 0.1 * number,
             )
@@ -121,6 +122,7 @@ def made(**changed):
                 )
             )
         ),
+        complete=True,
         motions=MOTIONS,
         samples=SAMPLES,
         runs=4321,

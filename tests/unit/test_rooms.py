@@ -14,7 +14,8 @@ import stayput as sp
 from stayput.catalogue import LANGUAGES
 from stayput.cli import app
 from stayput.report.room.data import room_data
-from stayput.rooms.changes import FreeFloor, other_places, overlap, places_at_walls
+from stayput.rooms import effects
+from stayput.rooms.changes import FreeFloor, measures_tried, other_places, overlap, places_at_walls
 from stayput.rooms.runs import groups_of, part_with
 from stayput.rooms.words import best_sentence, change_sentence
 from stayput.simulation.placing import bare
@@ -165,6 +166,40 @@ def test_the_same_bits_for_any_number_of_threads(verdict: RoomVerdict):
     assert found[0] == found[1] == {**room_data(verdict), "seconds": None}
 
 
+def test_the_verdict_is_told_as_it_gets_better_and_ends_the_same(
+    verdict: RoomVerdict, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(effects, "FIRST_RUNS", 3)
+    told: list[RoomVerdict] = []
+    last = sp.verify_room(changed(), progress=False, on_verdict=told.append)
+    first, second, *_ = told
+    assert (first.samples, second.samples) == (1, 2)
+    assert (first.hit.runs, last.hit.runs) == (3, 6)
+    assert [len(one.changes) for one in told if one.changes] == list(range(1, len(last.changes) + 1))
+    assert not any(one.complete for one in told)
+    assert last.complete
+    for name in ("fell", "stood"):
+        for one, other in zip(last.pieces, verdict.pieces, strict=True):
+            assert np.array_equal(getattr(one, name), getattr(other, name))
+    assert {**room_data(last), "seconds": None} == {**room_data(verdict), "seconds": None}
+
+
+def test_an_exception_of_who_is_told_stops_the_work():
+    def stop(_: RoomVerdict) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        sp.verify_room(changed(), progress=False, on_verdict=stop)
+
+
+def test_a_piece_lies_where_it_fell_and_stands_where_it_did_not(verdict: RoomVerdict):
+    for one in verdict.pieces:
+        fell = one.probabilities["overturned"].estimate
+        assert one.fell.max() <= fell + 1e-12
+        assert one.stood.max() <= 1.0 - fell + 1e-12
+        assert one.covers.max() <= 1.0 + 1e-12
+
+
 def test_a_room_turned_by_180_degrees_with_its_shaking_has_the_same_verdict():
     there = changed(
         direction=0.5 + math.pi,
@@ -276,3 +311,23 @@ def test_free_floor_keeps_off_walls_doors_windows_pieces_and_people():
             overlap(place.corners, door)
             for door in [np.array([[2.9, 1.25], [3.6, 1.25], [3.6, 1.95], [2.9, 1.95]])]
         )
+
+
+@pytest.mark.parametrize(
+    ("openings", "kinds"),
+    [
+        ({"windows": []}, {"l_bracket", "belt"}),
+        ({"windows": [{"wall": "left_wall", "start": 1.6, "width": 0.8}]}, set()),
+        # the brackets are at 1.7 and 2.1 m: past the frame of one window, and above the other's sill
+        ({"windows": [{"wall": "left_wall", "start": 0.5, "width": 1.14}]}, {"l_bracket", "belt"}),
+        ({"windows": [{"wall": "left_wall", "start": 0.5, "width": 1.16}]}, set()),
+        ({"windows": [{"wall": "left_wall", "start": 1.6, "width": 0.8, "sill": 1.9}]}, {"l_bracket"}),
+        ({"windows": [{"wall": "far_side_wall", "start": 0.0, "width": 3.0}]}, {"l_bracket", "belt"}),
+        ({"furniture": piece(gap=0.3)}, set()),
+    ],
+)
+def test_nothing_is_screwed_to_a_window_or_a_wall_too_far_away(openings: dict[str, Any], kinds: set[str]):
+    room = changed(places=[], **openings)
+    whole = room.assembly(room.stated)
+    tried = measures_tried(room, whole, (0,), 0)
+    assert {"l_bracket", "belt"} & {one.measure.kind for one, _ in tried if one.measure} == kinds

@@ -11,6 +11,7 @@ from fastapi import APIRouter, Query, Request
 from starlette.responses import Response
 
 import stayput
+from stayput.app.action_plan_api import add_action_plan
 from stayput.app.differences import with_differences
 from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
 from stayput.app.figure_routes import add_figures
@@ -29,6 +30,7 @@ from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotation
     TomlRequest,
     VerifyRequest,
 )
+from stayput.app.room_api import add_rooms
 from stayput.app.run_replies import SimulateReply, SizeMapReply
 from stayput.app.running import simulated
 from stayput.app.scenes import several_pieces, uploaded_motions
@@ -43,7 +45,7 @@ from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annota
 from stayput.report.verdict.tables import verdict_csv
 from stayput.scenario import AssemblyScenario
 from stayput.scenario.toml import table_of_toml
-from stayput.verification import verify
+from stayput.verification import Verdict, verify
 from stayput.verification.compare import curve_levels
 
 if TYPE_CHECKING:
@@ -51,7 +53,6 @@ if TYPE_CHECKING:
 
     from stayput.app.jobs import Job
     from stayput.scenario import Scenario
-    from stayput.verification import Verdict
 
 ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
 
@@ -91,6 +92,8 @@ def api(service: Service) -> APIRouter:
     _add_general(router, service)
     _add_runs(router, service)
     _add_jobs(router, service)
+    add_rooms(router, service)
+    add_action_plan(router, service)
     _add_motions(router, service)
     add_figures(router, service)
     return router
@@ -117,7 +120,7 @@ def _add_general(router: APIRouter, service: Service) -> None:
         """Return a scene as a scenario file."""
 
         def work() -> Response:
-            scenario = service.scene(body.scene, body.measures)
+            scenario = service.stated(body.scene, body.measures)
             return attachment(
                 scene_toml(scenario, service.motions), "scenario.toml", "application/toml; charset=utf-8"
             )
@@ -148,7 +151,7 @@ def _add_general(router: APIRouter, service: Service) -> None:
 
         def work() -> Response:
             scene = table_of_toml(body.toml, Path(body.name))
-            checked = service.shaken(scene, [])
+            checked = service.stated(scene, [])
             pieces = checked.names if isinstance(checked, AssemblyScenario) else ()
             return json_response(SceneReply(scene=scene, pieces=list(pieces)))
 
@@ -254,7 +257,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
 
 def _add_jobs(router: APIRouter, service: Service) -> None:
     def reply_of(job: Job) -> JobReply:
-        return job_reply(job, service.motions.with_file_names)
+        return job_reply(job, service.jobs.position(job), service.motions.with_file_names)
 
     @router.post(
         "/verify",
@@ -274,7 +277,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
 
         scenario, levels, runs = await service.workers.run(prepare)
 
-        def work(on_progress: Callable[[int, int], None]) -> Verdict:
+        def work(_job: Job, on_progress: Callable[[int, int], None]) -> Verdict:
             return verify(
                 scenario,
                 levels=levels,
@@ -326,7 +329,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     )
     async def report(name: Name, lang: Annotated[Language, Query()] = "en") -> Response:
         """Return the report of a job: one HTML file."""
-        job, verdict = service.verdict(name)
+        job, verdict = service.done(name)
         reports = job.reports  # those of this verdict
 
         def work() -> Response:
@@ -346,10 +349,14 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     )
     async def table(name: Name) -> Response:
         """Return the ranking of a job as a table."""
-        _, verdict = service.verdict(name)
+        _, verdict = service.done(name)
 
         def work() -> Response:
-            return attachment(verdict_csv(verdict), "stayput_ranking.csv", "text/csv; charset=utf-8")
+            if isinstance(verdict, Verdict):
+                text, file = verdict_csv(verdict), "stayput_ranking.csv"
+            else:
+                text, file = verdict.to_csv(), "stayput_room.csv"
+            return attachment(text, file, "text/csv; charset=utf-8")
 
         return await service.workers.run(work)
 

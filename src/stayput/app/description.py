@@ -13,6 +13,7 @@ from starlette.routing import Route
 from stayput.app.requests import STANDS_FOR
 from stayput.scenario import AssemblyScenario, Scenario
 from stayput.scenario.measures import MeasureTable, SingleChoice
+from stayput.scenario.room import RoomScenario
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -40,7 +41,10 @@ def described(app: FastAPI) -> Callable[[], dict[str, Any]]:
         pieces = AssemblyScenario.model_json_schema(ref_template=REFERENCE)
         schemas |= {**pieces.pop("$defs"), "AssemblyScenario": pieces}
         schemas |= {**scene.pop("$defs"), "Scenario": scene}
-        either = [{"$ref": REFERENCE.format(model=model)} for model in ("Scenario", "AssemblyScenario")]
+        room = RoomScenario.model_json_schema(ref_template=REFERENCE)
+        schemas |= {**room.pop("$defs"), "RoomScenario": room}
+        kinds = ("Scenario", "AssemblyScenario", "RoomScenario")
+        either = [{"$ref": REFERENCE.format(model=model)} for model in kinds]
         schemas["AnyScene"] = {"anyOf": either}
         measure.pop("$defs", None)
         schemas["Measure"] = measure

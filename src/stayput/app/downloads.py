@@ -19,6 +19,7 @@ from stayput.app.space_running import name_in, pieces_run, space_run_of
 from stayput.report.animation import animate_run
 from stayput.report.history import history
 from stayput.report.space.animation import animate_space_run
+from stayput.rooms.verdict import RoomVerdict
 from stayput.scenario import AssemblyScenario, Scenario
 
 if TYPE_CHECKING:
@@ -26,13 +27,13 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.app.jobs import AnyVerdict
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
     from stayput.catalogue import Language
     from stayput.motion import Motion
     from stayput.simulation.run import Run
     from stayput.simulation.space_run import SpaceRun
-    from stayput.verification import Verdict
 
 _drawing = threading.Lock()  # Matplotlib draws on one thread at a time
 
@@ -217,19 +218,22 @@ def _forces(run: Run | SpaceRun, time: NDArray[np.float64]) -> dict[str, NDArray
     return columns
 
 
-def report_page(verdict: Verdict, language: str, motions: Motions) -> bytes:
+def report_page(verdict: AnyVerdict, language: str, motions: Motions) -> bytes:
     """Return the report of a verdict: one HTML file.
 
     Parameters
     ----------
-    verdict : Verdict
+    verdict : Verdict or RoomVerdict
         The result of the verification.
     language : str
         "en" or "ja".
     motions : Motions
         The uploaded motions, whose names replace their ids.
     """
+    from stayput.report.room.html import room_html
     from stayput.report.verdict.html import report_html  # Matplotlib takes its time to load
 
+    if isinstance(verdict, RoomVerdict):
+        return motions.named(room_html(verdict, language)).encode("utf-8")
     with _drawing:
         return motions.named(report_html(verdict, language)).encode("utf-8")

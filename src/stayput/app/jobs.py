@@ -1,4 +1,8 @@
-"""Jobs: verifications in the background, with their progress; each can be cancelled at any time."""
+"""Jobs: verifications in the background, with their progress; each can be cancelled at any time.
+
+Where there are several they go on by turns: one that has had its `SLICE` waits where it notes its progress
+until the others have had theirs. So a long job does not keep a short one waiting.
+"""
 
 from __future__ import annotations
 
@@ -6,28 +10,37 @@ import logging
 import secrets
 import threading
 import time
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
 from stayput.app.refusals import RefusedError, refused
+from stayput.app.turns import CLIENT, NOBODY, Client, Turns
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from stayput.app.limits import Limits
+    from stayput.rooms.verdict import RoomVerdict
     from stayput.verification import Verdict
+
+    AnyVerdict = Verdict | RoomVerdict
 
 JobState = Literal["waiting", "running", "done", "cancelled", "failed"]
 _log = logging.getLogger("stayput.app")
+
+SLICE = 0.5
+"""How long a job goes on while others wait [s]."""
+
+CHECK_INTERVAL = 1.0
+"""How often a job that waits for its turn looks whether it is wanted [s]."""
 
 
 class StoppedError(Exception):
     """Raised within a job that is to stop."""
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class Job:
     """A verification.
 
@@ -41,8 +54,10 @@ class Job:
         Simulations done, and in all.
     motions : frozenset of str
         The uploaded motions that it reads.
-    verdict : Verdict or None
-        Its result.
+    client : Client
+        Who has asked for it.
+    verdict : Verdict, RoomVerdict or None
+        Its result: of a room while it runs too, as far as it is known.
     error : InputError or None
         Why it failed.
     lease : float or None
@@ -53,15 +68,17 @@ class Job:
     total: int
     motions: frozenset[str] = frozenset()
     lease: float | None = None
+    client: Client = NOBODY
     state: JobState = "waiting"
     done: int = 0
-    verdict: Verdict | None = None
+    verdict: AnyVerdict | None = None
     error: InputError | None = None
     began: float = field(default_factory=time.monotonic)
     ended: float | None = None
     last_used: float = field(default_factory=time.monotonic)
     reports: dict[str, bytes] = field(default_factory=dict[str, bytes])
     stop: threading.Event = field(default_factory=threading.Event)
+    slice_began: float = 0.0
 
     @property
     def seconds(self) -> float:
@@ -73,18 +90,6 @@ class Job:
         """Whether it is to go on: it is not cancelled, and its lease has not run out."""
         abandoned = self.lease is not None and time.monotonic() - self.last_used > self.lease
         return not (abandoned or self.stop.is_set())
-
-    def note_progress(self, done: int, total: int) -> None:
-        """Note how many simulations are done.
-
-        Raises
-        ------
-        StoppedError
-            It is no longer wanted.
-        """
-        if not self.wanted:
-            raise StoppedError
-        self.done, self.total = done, total
 
 
 class Jobs:
@@ -98,23 +103,25 @@ class Jobs:
 
     def __init__(self, limits: Limits) -> None:
         self._limits = limits
-        self._pool = ThreadPoolExecutor(limits.jobs_running, "stayput-job")
         self._jobs: dict[str, Job] = {}
-        self._lock = threading.Lock()
+        self._lock = threading.Condition()
+        self._turns: Turns[Job] = Turns()
+        self._at_work: list[Job] = []
 
     def start(
         self,
-        work: Callable[[Callable[[int, int], None]], Verdict],
+        work: Callable[[Job, Callable[[int, int], None]], AnyVerdict],
         total: int,
         motions: frozenset[str] = frozenset(),
         lease: float | None = None,
     ) -> Job:
-        """Begin a job, now or when a thread is free.
+        """Begin a job, now or when it is its turn.
 
         Parameters
         ----------
         work : callable
-            Does it; called with a function that takes its progress, and raises when it is to stop.
+            Does it; called with the job, and with a function that takes its progress, waits there for the
+            job's turn, and raises when it is to stop.
         total : int
             About how many simulations there are.
         motions : frozenset of str
@@ -125,22 +132,32 @@ class Jobs:
         Raises
         ------
         RefusedError
-            Too many jobs already.
+            Too many jobs already, of all or of this address.
         """
+        client, limits = CLIENT.get(), self._limits
         with self._lock:
             self._expire()
-            active = sum(job.state in ("waiting", "running") for job in self._jobs.values())
-            if active >= self._limits.jobs_running + self._limits.jobs_waiting:
-                raise refused(429, "app.many_jobs", retry_after=10, count=active)
-            job = Job(secrets.token_hex(16), total, motions, lease)
+            active = [job for job in self._jobs.values() if job.ended is None]
+            own = sum(job.client.address == client.address for job in active)
+            if len(active) >= limits.jobs_running + limits.jobs_waiting or own >= limits.jobs_per_address:
+                raise refused(429, "app.many_jobs", retry_after=10, count=len(active))
+            job = Job(secrets.token_hex(16), total, motions, lease, client)
             self._jobs[job.id] = job
-        self._pool.submit(self._run, job, work)
+            self._turns.add(client, job)
+            self._give_turns()
+        threading.Thread(target=self._run, args=(job, work), name="stayput-job").start()
         return job
+
+    def position(self, job: Job) -> int | None:
+        """Return how many jobs have their turn before one that has not begun; None of another."""
+        with self._lock:
+            waiting = self._turns.in_order() if job.state == "waiting" else []
+            return len(self._at_work) + waiting.index(job) if job in waiting else None
 
     def motions(self) -> set[str]:
         """Return the uploaded motions that jobs at work or waiting read."""
         with self._lock:
-            active = [job.motions for job in self._jobs.values() if job.state in ("waiting", "running")]
+            active = [job.motions for job in self._jobs.values() if job.ended is None]
         return set[str]().union(*active)
 
     def get(self, name: str) -> Job:
@@ -170,7 +187,7 @@ class Jobs:
         job = self.get(name)
         job.stop.set()
         with self._lock:
-            if job.state in ("waiting", "running"):
+            if job.ended is None:
                 self._cancel(job)
             else:
                 self._jobs.pop(name, None)
@@ -181,46 +198,87 @@ class Jobs:
         with self._lock:
             for job in self._jobs.values():
                 job.stop.set()
-        self._pool.shutdown(wait=False, cancel_futures=True)
+            self._lock.notify_all()
 
-    def _run(self, job: Job, work: Callable[[Callable[[int, int], None]], Verdict]) -> None:
-        with self._lock:
-            if not job.wanted:
-                self._cancel(job)
-                return
-            job.state = "running"
+    def _run(self, job: Job, work: Callable[[Job, Callable[[int, int], None]], AnyVerdict]) -> None:
+        def note_progress(done: int, total: int) -> None:
+            job.done, job.total = done, total
+            self._let_others(job)
+
         try:
-            verdict = work(job.note_progress)
+            self._await_turn(job)
+            verdict = work(job, note_progress)
         except StoppedError:
             self._end(job, "cancelled")
         except RefusedError as refusal:
-            job.error = refusal.error
-            self._end(job, "failed")
+            self._end(job, "failed", error=refusal.error)
         except InputError as error:
-            job.error = error
-            self._end(job, "failed")
+            self._end(job, "failed", error=error)
         except Exception:
             if job.stop.is_set():  # the server ends, and with it what the job works with
                 self._end(job, "cancelled")
                 return
             _log.exception("A verification failed")
-            job.error = InputError("app.verification_failed")
-            self._end(job, "failed")
+            self._end(job, "failed", error=InputError("app.verification_failed"))
         else:
-            job.verdict = verdict
-            self._end(job, "done")
+            self._end(job, "done", verdict=verdict)
 
-    def _end(self, job: Job, state: JobState) -> None:
+    def _let_others(self, job: Job) -> None:
+        """Wait where others wait and the job has had its slice.
+
+        Raises
+        ------
+        StoppedError
+            It is no longer wanted.
+        """
+        if not job.wanted:
+            raise StoppedError
+        if time.monotonic() - job.slice_began < SLICE or not len(self._turns):
+            return
         with self._lock:
-            if job.state == "running":
-                job.state, job.ended = state, time.monotonic()
+            self._at_work.remove(job)
+            self._turns.add(job.client, job, again=True)
+            self._give_turns()
+        self._await_turn(job)
 
-    @staticmethod
-    def _cancel(job: Job) -> None:
-        """Mark a job that has not ended as cancelled."""
+    def _await_turn(self, job: Job) -> None:
+        with self._lock:
+            while job not in self._at_work:
+                if not job.wanted:
+                    raise StoppedError
+                self._lock.wait(CHECK_INTERVAL)
+            if not job.wanted:
+                raise StoppedError
+            job.state, job.slice_began = "running", time.monotonic()
+
+    def _give_turns(self) -> None:
+        """Let those go on whose turn it is; called with the lock held."""
+        while len(self._at_work) < self._limits.jobs_running:
+            job = self._turns.take()
+            if job is None:
+                break
+            self._at_work.append(job)
+        self._lock.notify_all()
+
+    def _end(
+        self, job: Job, state: JobState, verdict: AnyVerdict | None = None, error: InputError | None = None
+    ) -> None:
+        """Let a job's thread go; a job that was cancelled meanwhile stays so."""
+        with self._lock:
+            if job in self._at_work:
+                self._at_work.remove(job)
+            self._turns.remove(job)
+            self._give_turns()
+            if job.ended is None:
+                job.state, job.verdict, job.error, job.ended = state, verdict, error, time.monotonic()
+
+    def _cancel(self, job: Job) -> None:
+        """Mark a job that has not ended as cancelled; called with the lock held."""
         job.stop.set()
+        self._turns.remove(job)
+        self._lock.notify_all()
         if job.ended is None:
-            job.state, job.ended = "cancelled", time.monotonic()
+            job.state, job.verdict, job.ended = "cancelled", None, time.monotonic()
 
     def _expire(self) -> None:
         """Cancel abandoned jobs; forget those that ended long ago, and the oldest of too many."""

@@ -61,10 +61,16 @@ class Limits:
         Most options of a verification.
     runs, runs_in_space : int
         Most simulations of a verification, in the plane and in space.
+    runs_of_room : int
+        Most simulations of a room as it is, in a verification.
     pieces : int
-        Most pieces of a scene of several; they share `duration` and `samples_of_motion` evenly.
+        Most pieces of a scene of several.
+    seconds_of_pieces : float
+        Longest motion of a scene of several, times their number [s].
     jobs_running, jobs_waiting, jobs_kept : int
-        Most jobs at work, waiting for it, and known at all.
+        Most jobs at work, waiting for their turn, and known at all.
+    jobs_per_address : int
+        Most jobs of one address that are at work or wait.
     workers : int
         Threads for requests that compute something short.
     waiting : int
@@ -102,12 +108,15 @@ class Limits:
     options: int = 20
     runs: int = 2_000_000
     runs_in_space: int = 50_000
+    runs_of_room: int = 20_000
     pieces: int = 20
+    seconds_of_pieces: float = 2400.0
     jobs_running: int = 1
-    jobs_waiting: int = 4
-    jobs_kept: int = 12
+    jobs_waiting: int = 31
+    jobs_kept: int = 48
+    jobs_per_address: int = 16
     workers: int = max(2, cores())
     waiting: int = 64
     slow_workers: int = 1
-    slow_waiting: int = 16
+    slow_waiting: int = 32
     threads: int = max(1, cores() - 1)

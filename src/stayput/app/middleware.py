@@ -17,6 +17,7 @@ from starlette.requests import ClientDisconnect
 from stayput.app.bodies import RequestBody, Uploads, drain
 from stayput.app.connections import client_of
 from stayput.app.refusals import RefusedError, error_response, refused
+from stayput.app.turns import CLIENT, CLIENT_HEADER, LONGEST_CLIENT, Client
 from stayput.errors import InputError
 
 if TYPE_CHECKING:
@@ -115,6 +116,7 @@ class Guard:
             await busy.response()(scope, receive, answer)
             return
         self._at_work[client] += 1
+        CLIENT.set(Client(client, headers.get(CLIENT_HEADER, "")[:LONGEST_CLIENT]))
         try:
             if is_upload:
                 self._uploads.add(body, client)

@@ -17,6 +17,7 @@ from stayput.app.replies import (
     ModeReply,
     NamedReply,
     ParameterReply,
+    PlaceReply,
     PresetsReply,
     StructureReply,
     SurfaceReply,
@@ -24,6 +25,7 @@ from stayput.app.replies import (
 )
 from stayput.building.building import STOREY_HEIGHT
 from stayput.building.building import STRUCTURES as BUILDINGS
+from stayput.catalogue import phrase
 from stayput.catalogue.names import (
     CONTENTS,
     DOORS,
@@ -42,6 +44,7 @@ from stayput.errors import InputError
 from stayput.everyday import PRESET_DRAWERS, Everyday
 from stayput.measures import MEASURES, hold, parameters
 from stayput.model.body import Body, Part
+from stayput.model.floor_plan import PLACES
 from stayput.model.furniture import FURNITURE as PIECES
 from stayput.model.parameters import parameter_of
 from stayput.model.room import SURFACES as FRICTIONS
@@ -54,6 +57,7 @@ from stayput.verification.options import USUAL
 if TYPE_CHECKING:
     from stayput.app.limits import Limits
     from stayput.measures import Measure, Parameter
+    from stayput.model.floor_plan import PlacePreset
     from stayput.model.furniture import Preset
 
 SHELVES = 5
@@ -65,6 +69,22 @@ SCENE: dict[str, Any] = {
     "shaking": {"intensity": "6-upper", "member": 3},
 }
 """A scene to begin with: a bookcase that falls, in the shortest of the mixed suite's kinds of motion."""
+
+ROOM_SCENE: dict[str, Any] = {
+    "plan": {"width": 3.6, "length": 2.7},
+    "furniture": [
+        {"name": "bookcase", "preset": "bookcase", "against": "left_wall", "along": 1.9},
+        {"name": "wardrobe", "preset": "wardrobe", "against": "far_side_wall", "along": 2.9},
+        {"name": "chest", "preset": "chest", "against": "near_side_wall", "along": 1.6},
+    ],
+    "places": [{"kind": "bed", "at": [1.4, 1.9], "heading": math.pi / 2.0}],
+    "doors": [{"wall": "right_wall", "start": 0.3, "width": 0.8}],
+    "windows": [{"wall": "far_side_wall", "start": 0.5, "width": 1.6}],
+    "room": {"floor": "wood flooring", "ceiling": {"height": 2.4}},
+    "shaking": {"intensity": "6-upper", "suite": {"family": "mixed", "count": 20}, "member": 3},
+    "uncertainty": {"samples": 40},
+}
+"""A room to begin with: a bedroom with a bookcase that falls on the bed."""
 
 SCENE_MEASURES: list[dict[str, Any]] = [{"type": "l_bracket"}]
 """Measures to begin with."""
@@ -128,8 +148,24 @@ def presets(limits: Limits) -> PresetsReply:
         events=[NamedReply(id=name, label=Words.of(label)) for name, label in EVENTS.items()],
         scene=SCENE,
         measures_shown=SCENE_MEASURES,
+        places=[_place(name, preset) for name, preset in PLACES.items()],
+        room_scene=ROOM_SCENE,
         films=list(film_kinds()),
         limits=_limits(limits),
+    )
+
+
+def _place(name: str, preset: PlacePreset) -> PlaceReply:
+    return PlaceReply(
+        id=name,
+        label=Words.of(phrase(f"rooms.{name}")),
+        width_m=preset.width,
+        length_m=preset.length,
+        low_m=preset.low,
+        high_m=preset.high,
+        day=preset.day,
+        night=preset.night,
+        blocks=preset.blocks,
     )
 
 

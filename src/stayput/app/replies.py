@@ -159,6 +159,20 @@ class LimitsReply(Reply):
     storeys: int
 
 
+class PlaceReply(Reply):
+    """A common place of a person in a room."""
+
+    id: str
+    label: Words
+    width_m: float
+    length_m: float
+    low_m: float = Field(description="Height above the floor from which the person is.")
+    high_m: float
+    day: float = Field(description="Share of the day in which somebody is there.")
+    night: float
+    blocks: bool = Field(description="Whether nobody walks there.")
+
+
 class PresetsReply(Reply):
     """Everything that can be chosen."""
 
@@ -179,6 +193,8 @@ class PresetsReply(Reply):
     events: list[NamedReply]
     scene: dict[str, Any] = Field(description="A scene to begin with.")
     measures_shown: list[dict[str, Any]]
+    places: list[PlaceReply]
+    room_scene: dict[str, Any] = Field(description="A room to begin with.")
     films: list[str] = Field(description="The kinds of films that this server can make.")
     limits: LimitsReply
 

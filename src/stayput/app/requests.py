@@ -18,6 +18,16 @@ SceneData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "Scenario"})]
 AnySceneData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "AnyScene"})]
 """A scene of one piece or of several, as it came."""
 
+RoomData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "RoomScenario"})]
+"""A room as it came."""
+
+SlideLimit = Annotated[float, Field(ge=0.0, le=100.0, description="Slide that counts as too far.")]
+
+Lease = Annotated[
+    Annotated[float, Field(ge=1.0, le=3600.0)] | None,
+    Field(description="The job ends when nobody has asked for it for so long; null: it goes on to its end."),
+]
+
 MeasureData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "Measure"})]
 """A measure as it came."""
 
@@ -66,16 +76,18 @@ class VerifyRequest(Request):
     scene: SceneData
     measures: Measures
     compare_usual: bool = Field(default=True, description="Whether the usual measures are compared too.")
-    slide_limit_m: float = Field(
-        default=SLIDE_LIMIT, ge=0.0, le=100.0, description="Slide that counts as too far."
-    )
+    slide_limit_m: SlideLimit = SLIDE_LIMIT
     curves: bool = Field(default=True, description="Whether fragility curves are made, which takes longer.")
-    lease_s: float | None = Field(
-        default=None,
-        ge=1.0,
-        le=3600.0,
-        description="The job ends when nobody has asked for it for so long; null: it goes on to its end.",
-    )
+    lease_s: Lease = None
+
+
+class RoomRequest(Request):
+    """A room to be verified."""
+
+    scene: RoomData
+    changes: bool = Field(default=True, description="Whether single changes are tried, which takes longer.")
+    slide_limit_m: SlideLimit = SLIDE_LIMIT
+    lease_s: Lease = None
 
 
 class EverydayRequest(Request):
@@ -94,5 +106,5 @@ class ReadRequest(Request):
 class TomlRequest(Request):
     """A scene to be written as a scenario file."""
 
-    scene: SceneData
+    scene: AnySceneData
     measures: Measures

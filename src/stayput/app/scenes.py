@@ -5,13 +5,16 @@ from __future__ import annotations
 import json
 import math
 import re
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from stayput.app.refusals import RefusedError, refused
 from stayput.errors import InputError
+from stayput.measures import MEASURES
 from stayput.model.parameters import parameter_of
 from stayput.motion import sine
 from stayput.scenario import AssemblyScenario, Scenario
+from stayput.scenario.room import RoomScenario
+from stayput.scenario.shaking import SuiteTable
 from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:
@@ -19,9 +22,15 @@ if TYPE_CHECKING:
 
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
+    from stayput.measures import Measure
+    from stayput.scenario.shaking import ShakingTable
+
+AnyAssembly = TypeVar("AnyAssembly", bound=AssemblyScenario)
 
 TABLES = frozenset(
-    field.alias or name for kind in (Scenario, AssemblyScenario) for name, field in kind.model_fields.items()
+    field.alias or name
+    for kind in (Scenario, AssemblyScenario, RoomScenario)
+    for name, field in kind.model_fields.items()
 )
 """Keys of a scene."""
 
@@ -74,19 +83,66 @@ def several_pieces(data: Mapping[str, Any]) -> bool:
 def read_pieces(
     data: Mapping[str, Any], measures: Sequence[Mapping[str, Any]], limits: Limits, motions: Motions
 ) -> AssemblyScenario:
-    """Make a scenario of a scene of several pieces; see `read_scene`.
+    """Make a scenario of a scene of several pieces, in a room with a plan or not, to be run once.
 
     Raises
     ------
     RefusedError
-        What is wrong with it.
+        What is wrong with it; see `read_scene`.
     """
     if measures:
         raise refused(422, "app.pieces_and_measures", "measures")
+    scenario = _several(RoomScenario if "plan" in data else AssemblyScenario, data, limits, motions)
+    count = len(scenario.furniture)
+    try:
+        motion = scenario.motion()
+    except InputError as error:
+        raise refusal(error) from None
+    most = min(limits.duration, limits.samples_of_motion * motion.dt, limits.seconds_of_pieces / count)
+    if motion.duration > most:
+        raise refused(
+            422, "app.long_for_pieces", "scene.shaking", value=motion.duration, count=count, most=most
+        )
+    return scenario
+
+
+def read_room_scene(data: Mapping[str, Any], limits: Limits, motions: Motions) -> RoomScenario:
+    """Make a scenario of a room of a scene, to be verified.
+
+    Raises
+    ------
+    RefusedError
+        What is wrong with it; see `read_scene`.
+    """
+    scenario = _several(RoomScenario, data, limits, motions)
+    if scenario.uncertainty.samples > limits.samples:
+        raise _too_many("uncertainty.samples", scenario.uncertainty.samples, limits.samples)
+    return scenario
+
+
+def table_of(measure: Measure) -> dict[str, Any]:
+    """Return a measure as a table of a scenario: its type, and parameters that differ from their defaults."""
+    usual = MEASURES[measure.kind]()
+    names = measure.__dataclass_fields__
+    changed = {n: getattr(measure, n) for n in names if getattr(measure, n) != getattr(usual, n)}
+    return {"type": measure.kind, **changed}
+
+
+def motions_of(shaking: ShakingTable) -> int:
+    """Return how many motions a verification takes."""
+    if not shaking.of_a_suite:
+        return 1
+    made = shaking.suite if isinstance(shaking.suite, SuiteTable) else SuiteTable()
+    return made.count
+
+
+def _several(
+    kind: type[AnyAssembly], data: Mapping[str, Any], limits: Limits, motions: Motions
+) -> AnyAssembly:
     scene = dict(data)
     _check_texts_and_shaking(scene, limits, motions)
     try:
-        scenario = AssemblyScenario.parse(scene, motions.folder)
+        scenario = kind.parse(scene, motions.folder)
     except InputError as error:
         raise refusal(error) from None
     for number, piece in enumerate(scenario.furniture):
@@ -95,19 +151,10 @@ def read_pieces(
     count = len(scenario.furniture)
     if count > limits.pieces:
         raise refused(422, "app.many_pieces", "scene.furniture", count=count, most=limits.pieces)
-    try:
-        motion = scenario.motion()
-    except InputError as error:
-        raise refusal(error) from None
-    most = min(limits.duration, limits.samples_of_motion * motion.dt) / count
-    if motion.duration > most:
-        raise refused(
-            422, "app.long_for_pieces", "scene.shaking", value=motion.duration, count=count, most=most
-        )
     return scenario
 
 
-def uploaded_motions(scenario: Scenario) -> frozenset[str]:
+def uploaded_motions(scenario: Scenario | AssemblyScenario) -> frozenset[str]:
     """Return the uploaded motions that a scene reads."""
     shaking = scenario.shaking
     return frozenset(name for name in (shaking.record, shaking.vertical) if isinstance(name, str))

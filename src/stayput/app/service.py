@@ -12,13 +12,15 @@ from starlette.responses import Response
 
 from stayput.app.refusals import RefusedError, refused
 from stayput.app.replies import Problem, Reply
-from stayput.app.scenes import read_pieces, read_scene, several_pieces
+from stayput.app.scenes import read_pieces, read_room_scene, read_scene, several_pieces
+from stayput.app.turns import CLIENT, Turns
 from stayput.errors import InputError
+from stayput.rooms.verdict import RoomVerdict
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from stayput.app.jobs import Job, Jobs
+    from stayput.app.jobs import AnyVerdict, Job, Jobs
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
     from stayput.app.readers import ReaderPool
@@ -30,7 +32,7 @@ T = TypeVar("T")
 
 
 class Workers:
-    """A bounded pool of threads that compute, off the event loop.
+    """A bounded pool of threads that compute, off the event loop; where clients wait, they take turns.
 
     Parameters
     ----------
@@ -42,8 +44,8 @@ class Workers:
 
     def __init__(self, threads: int, waiting: int) -> None:
         self._pool = ThreadPoolExecutor(threads, "stayput-worker")
-        self._most = threads + waiting
-        self._busy = 0
+        self._free, self._most = threads, waiting
+        self.waiting: Turns[asyncio.Future[None]] = Turns()
 
     async def run(self, work: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
         """Do some work on a thread.
@@ -53,9 +55,7 @@ class Workers:
         RefusedError
             Too much is waiting, or the input is refused.
         """
-        if self._busy >= self._most:
-            raise refused(503, "app.busy", retry_after=2)
-        self._busy += 1
+        await self._turn()
         try:
             return await asyncio.get_running_loop().run_in_executor(self._pool, lambda: work(*args, **kwargs))
         except InputError as error:
@@ -63,7 +63,34 @@ class Workers:
         except MemoryError:
             raise refused(503, "app.little_memory") from None
         finally:
-            self._busy -= 1
+            self._next()
+
+    async def _turn(self) -> None:
+        """Wait for a free thread."""
+        if self._free and not len(self.waiting):
+            self._free -= 1
+            return
+        client = CLIENT.get()
+        # half of the places are for other addresses
+        if len(self.waiting) >= self._most or self.waiting.of_address(client.address) > self._most // 2:
+            raise refused(503, "app.busy", retry_after=2)
+        turn: asyncio.Future[None] = asyncio.get_running_loop().create_future()
+        self.waiting.add(client, turn)
+        try:
+            await turn
+        except asyncio.CancelledError:
+            if turn.done() and not turn.cancelled():
+                self._next()
+            self.waiting.remove(turn)
+            raise
+
+    def _next(self) -> None:
+        """Give a thread that has become free to whose turn it is."""
+        while (turn := self.waiting.take()) is not None:
+            if not turn.done():
+                turn.set_result(None)
+                return
+        self._free += 1
 
     def close(self) -> None:
         """Shut the threads down; work that has not begun is dropped."""
@@ -128,8 +155,14 @@ class Service:
         """Make a scenario of a scene."""
         return read_scene(data, measures, self.limits, self.motions)
 
-    def verdict(self, name: str) -> tuple[Job, Verdict]:
-        """Return a job of a verification that is done, and its verdict.
+    def stated(self, data: dict[str, Any], measures: list[dict[str, Any]]) -> Scenario | AssemblyScenario:
+        """Make a scenario of a scene of one piece, of several, or of a room, that need not run here."""
+        if "plan" in data and not measures:
+            return read_room_scene(data, self.limits, self.motions)
+        return self.shaken(data, measures)
+
+    def done(self, name: str) -> tuple[Job, AnyVerdict]:
+        """Return a job that is done, and its verdict.
 
         Raises
         ------
@@ -140,6 +173,19 @@ class Service:
         if job.state != "done" or job.verdict is None:
             raise refused(409, "app.no_report_yet", state=job.state)
         return job, job.verdict
+
+    def verdict(self, name: str) -> tuple[Job, Verdict]:
+        """Return a job of the verification of one piece that is done, and its verdict.
+
+        Raises
+        ------
+        RefusedError
+            There is no such job, it has no verdict yet, or it is of a room.
+        """
+        job, verdict = self.done(name)
+        if isinstance(verdict, RoomVerdict):
+            raise refused(409, "app.of_a_room")
+        return job, verdict
 
     def shaken(self, data: dict[str, Any], measures: list[dict[str, Any]]) -> Scenario | AssemblyScenario:
         """Make a scenario of a scene of one piece or several."""

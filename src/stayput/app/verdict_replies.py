@@ -7,6 +7,7 @@ from typing import Any, Literal
 from pydantic import Field
 
 from stayput.app.replies import Problem, Reply, Words
+from stayput.app.room_replies import RoomVerdictReply  # noqa: TC001 - pydantic reads the annotations
 
 
 class ChanceReply(Reply):
@@ -247,5 +248,8 @@ class JobReply(Reply):
     total: int
     progress: float
     seconds: float
+    position: int | None = Field(description="How many jobs have their turn before it, while it waits.")
     error: Problem | None
-    result: VerdictReply | None
+    result: VerdictReply | RoomVerdictReply | None = Field(
+        description="Once it is done; of a room before, as far as it is known."
+    )

@@ -9,7 +9,9 @@ import numpy as np
 
 from stayput.app.refusals import problem, refused
 from stayput.app.replies import Words
+from stayput.app.room_verdict import room_verdict_reply
 from stayput.app.running import own_measures
+from stayput.app.scenes import motions_of, table_of
 from stayput.app.verdict_replies import (
     CurveReply,
     EstimateReply,
@@ -23,8 +25,8 @@ from stayput.fragility.curve import METHOD, CurveState
 from stayput.measures import MEASURES, hold
 from stayput.report.verdict.data import everyday_data, verdict_data
 from stayput.report.verdict.tables import estimate_rows
+from stayput.rooms.verdict import RoomVerdict
 from stayput.scenario import Scenario
-from stayput.scenario.shaking import SuiteTable
 from stayput.verification.contents import runs_of_contents
 from stayput.verification.grades import weakest
 from stayput.verification.notes import everyday_note, shaken_notes
@@ -36,8 +38,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from stayput.app.jobs import Job
+    from stayput.app.jobs import AnyVerdict, Job
     from stayput.app.limits import Limits
+    from stayput.app.room_replies import RoomVerdictReply
     from stayput.fragility import FragilityCurve
     from stayput.measures import Measure
     from stayput.scenario.tables import EverydayTable
@@ -90,14 +93,6 @@ def _option(measures: tuple[Measure, ...], taken: set[Any]) -> dict[str, Any]:
     return {**tables[0], "name": name} if len(tables) == 1 else {"name": name, "combine": tables}
 
 
-def table_of(measure: Measure) -> dict[str, Any]:
-    """Return a measure as a table of a scenario: its type, and parameters that differ from their defaults."""
-    usual = MEASURES[measure.kind]()
-    names = measure.__dataclass_fields__
-    changed = {n: getattr(measure, n) for n in names if getattr(measure, n) != getattr(usual, n)}
-    return {"type": measure.kind, **changed}
-
-
 def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
     """Return how many simulations a verification makes at most.
 
@@ -108,10 +103,7 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
     """
     (compared, _), shaking = compared_options(scenario), scenario.shaking
     options = len(compared)
-    motions = 1
-    if shaking.of_a_suite:
-        made = SuiteTable() if shaking.suite is None or isinstance(shaking.suite, str) else shaking.suite
-        motions = made.count
+    motions = motions_of(shaking)
     most = max(1, -(-scenario.uncertainty.samples // motions))
     badly = 1 if scenario.uncertainty.badly(1.0) > 0.0 else 0
     runs = options * motions * most * (1 + badly + levels)
@@ -123,17 +115,18 @@ def runs_of(scenario: Scenario, limits: Limits, levels: int) -> int:
     return runs
 
 
-def job_reply(job: Job, rewrite: Callable[[str], str]) -> JobReply:
-    """Return the state of a job, with its verdict once it is done.
+def job_reply(job: Job, position: int | None, rewrite: Callable[[str], str]) -> JobReply:
+    """Return the state of a job, with its verdict once it is done; that of a room as far as it is known.
 
     Parameters
     ----------
     job : Job
         The job.
+    position : int, optional
+        How many jobs have their turn before it.
     rewrite : callable
         Puts the users' names for their files into a sentence.
     """
-    verdict = job.verdict if job.state == "done" else None
     return JobReply(
         id=job.id,
         state=job.state,
@@ -141,9 +134,14 @@ def job_reply(job: Job, rewrite: Callable[[str], str]) -> JobReply:
         total=job.total,
         progress=1.0 if job.state == "done" else min(1.0, job.done / max(1, job.total)),
         seconds=round(job.seconds, 3),
+        position=position,
         error=None if job.error is None else problem(job.error.rewritten(rewrite)),
-        result=None if verdict is None else verdict_reply(verdict),
+        result=None if job.verdict is None else _any_verdict_reply(job.verdict),
     )
+
+
+def _any_verdict_reply(verdict: AnyVerdict) -> VerdictReply | RoomVerdictReply:
+    return room_verdict_reply(verdict) if isinstance(verdict, RoomVerdict) else verdict_reply(verdict)
 
 
 def verdict_reply(verdict: Verdict) -> VerdictReply:

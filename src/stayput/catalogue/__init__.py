@@ -26,6 +26,7 @@ Phrase = tuple[str, str]
 _MODULES: dict[str, dict[str, Phrase]] = {
     name: import_module(f"{__name__}.{name}").TEXTS
     for name in (
+        "action_plan",
         "app",
         "building",
         "cli",

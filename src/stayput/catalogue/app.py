@@ -93,6 +93,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The job is {state}; there is a report once it is done.",
         "計算はまだ終わっていません（{state}）。報告書は計算が終わると作成できます。",
     ),
+    "of_a_room": (
+        "The job is of a room; this is there for the verification of a single piece.",
+        "部屋の計算です。これは家具1点の検証で使えます。",
+    ),
+    "no_plan_yet": (
+        "The job is {state}; there is a plan to buy and do once it is done, of a room.",
+        "計算の状態は{state}です。買うもの・することの計画は、部屋の計算が終わると作成できます。",
+    ),
     "no_such_job": (
         "There is no such job; it may have expired.",
         "その計算はありません。保存期間が過ぎた可能性があります。",

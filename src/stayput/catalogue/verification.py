@@ -274,6 +274,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "floor_settlement": ("how far the floor gives", "床の沈み込み"),
     "floor_friction": ("friction on the floor", "床の摩擦"),
     "the_building": ("the building", "建物"),
+    "the_wall": ("what is behind the wall's surface", "壁の下地"),
+    "the_ceiling": ("what is above the ceiling's surface", "天井の下地"),
     "of_a_measure": ("{measure}: {parameter}", "{measure}：{parameter}"),
     # probability distributions and draws
     "mean": ("Mean", "平均"),

@@ -14,6 +14,8 @@ import numpy as np
 
 from stayput.errors import InputError
 from stayput.measures import MEASURES
+from stayput.measures.bracket import REACH
+from stayput.measures.wall import WallDevice
 from stayput.model.floor_plan import FACING, rectangle
 from stayput.rooms.runs import RoomPart, part_with, with_member
 from stayput.rooms.tracks import outline_of
@@ -35,6 +37,9 @@ if TYPE_CHECKING:
 
 TRIED = ("l_bracket", "belt", "tension_pole", "gel_mats")
 """Measures that are tried on each piece."""
+
+FRAME = 0.05
+"""Nearest to a door or a window that something is screwed to the wall [m]: there is its frame."""
 
 STRIDE = 0.2
 """Distance between the places that are tried [m]."""
@@ -169,10 +174,67 @@ def measures_tried(
         try:
             held = replace(piece, measures=(*piece.measures, measure))
             part = part_with(scenario, group, with_member(whole, body, held))
-            placed(part.assembly.members, part.room)
-        except InputError:  # no wall behind, no ceiling known, another measure at the same place
+        except InputError:  # another measure at the same place
             continue
-        yield Change(scenario.names[body], measure), part
+        if can_be_held(part, part.bodies.index(body), scenario.floor_plan()):
+            yield Change(scenario.names[body], measure), part
+
+
+def can_be_held(part: RoomPart, place: int, plan: FloorPlan) -> bool:
+    """Return whether the measures of a part can be put in place, those of one of its pieces on a wall.
+
+    A device on a wall needs one within `REACH`, with no door or window where it is screwed on.
+
+    Parameters
+    ----------
+    part : RoomPart
+        The pieces, as they would be held.
+    place : int
+        Which of them.
+    plan : FloorPlan
+        The room.
+    """
+    try:
+        held = placed(part.assembly.members, part.room)[place].held
+    except InputError:  # no wall behind, no ceiling known
+        return False
+    assert held is not None
+    on_wall = {measure.kind for measure in held.measures if isinstance(measure, WallDevice)}
+    if not on_wall:
+        return True
+    wall_behind = held.room.left_wall
+    if wall_behind is None or wall_behind.gap > REACH:
+        return False
+    member = bare(part.assembly.members[place])
+    wall = wall_faced(member.heading)
+    axis = 1 if wall in ("left_wall", "right_wall") else 0
+    across = (-math.sin(member.heading), math.cos(member.heading))[axis]
+    return not any(
+        _in_an_opening(
+            plan,
+            wall,
+            member.at[axis] + across * element.across,
+            member.at[2] + element.point[1] + (element.to_anchor or (0.0, 0.0))[1],
+        )
+        for element in held.elements
+        if element.kind in on_wall
+    )
+
+
+def wall_faced(heading: float) -> str:
+    """Return the wall to which something that faces a direction [rad] has its back."""
+    return min(FACING, key=lambda name: abs(math.remainder(FACING[name] - heading, 2.0 * math.pi)))
+
+
+def _in_an_opening(plan: FloorPlan, wall: str, along: float, height: float) -> bool:
+    """Return whether a point of a wall is in or at a door or a window, whose upper edges are not known."""
+    openings = [(door, 0.0) for door in plan.doors] + [(window, window.sill) for window in plan.windows]
+    return any(
+        one.wall == wall
+        and height > low - FRAME
+        and one.start - FRAME < along < one.start + one.width + FRAME
+        for one, low in openings
+    )
 
 
 def places_at_walls(
@@ -237,9 +299,14 @@ def other_places(place: PersonPlace, floor: FreeFloor) -> list[PersonPlace]:
     return found
 
 
-def swept(ways: Ways, tracks: Sequence[Track]) -> NDArray[np.bool_]:
+def reach(track: Track) -> NDArray[np.float64]:
+    """Return the outline of all that a piece reaches at any time and height in a run [m], shape (n, 2)."""
+    return outline_of(track.corners().reshape(-1, 3))
+
+
+def swept(ways: Ways, outlines: Sequence[NDArray[np.float64]]) -> NDArray[np.bool_]:
     """Return over which cells of the floor a piece moves in each run at most, shape (runs, nx · ny).
 
-    They are those between all that it reaches at any time and height: a place outside is not hit.
+    They are those within its `reach`: a place outside is not hit.
     """
-    return np.array([ways.covered([outline_of(track.corners().reshape(-1, 3))]).ravel() for track in tracks])
+    return np.array([ways.covered([outline]).ravel() for outline in outlines])

@@ -4,20 +4,29 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from stayput.fragility import difference, probability
 from stayput.model.floor_plan import FACING
-from stayput.rooms.changes import Change, FreeFloor, measures_tried, other_places, places_at_walls, swept
-from stayput.rooms.events import EndOfRuns, Events, hits_of
+from stayput.montecarlo.counting import Outcomes
+from stayput.rooms.changes import (
+    Change,
+    FreeFloor,
+    measures_tried,
+    other_places,
+    places_at_walls,
+    reach,
+    swept,
+)
+from stayput.rooms.events import EndOfRuns, Events, Hits, collisions, events_of, hits_of
 from stayput.rooms.runs import placed_elsewhere, run_parts
 from stayput.rooms.verdict import ChangeVerdict, presence
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -29,6 +38,10 @@ if TYPE_CHECKING:
     from stayput.rooms.ways import Ways
     from stayput.scenario.room import RoomScenario
     from stayput.simulation.standing import Assembly
+
+
+FIRST_RUNS = 20
+"""Runs of the room after which there is a first answer, at least."""
 
 
 class Question(NamedTuple):
@@ -47,13 +60,88 @@ class Question(NamedTuple):
         gravity = self.scenario.gravity
         return run_parts(parts, self.drawn, self.floors, gravity, threads=self.threads, progress=self.advance)
 
+    def with_samples(self, start: int, end: int) -> Question:
+        """Return the same with some of the samples of each motion only."""
+        return self._replace(drawn=[row[start:end] for row in self.drawn])
+
+    def blocks(self) -> Iterator[tuple[int, int]]:
+        """Yield ranges of the samples of each motion: a few to begin with, then as many as before again."""
+        motions, samples = len(self.drawn), len(self.drawn[0])
+        end = 0
+        while end < samples:
+            start, end = end, min(samples, max(-(-FIRST_RUNS // motions), 2 * end))
+            yield start, end
+
 
 class Answer(NamedTuple):
-    """What happens in the room, as it is or with a change."""
+    """What happens in the room as it is.
+
+    Parameters
+    ----------
+    tracks : list, [body][run]
+        Where the pieces were; runs by motion and by sample within it.
+    outcomes : tuple of Outcomes
+        What became of each piece.
+    missing : ndarray of bool, shape (motions, samples)
+        Which runs were given up.
+    events : Events
+        What happened.
+    met : mapping of pairs of int to ndarray of bool, shape (runs,)
+        Which pieces came together.
+    """
 
     tracks: list[list[Track]]
+    outcomes: tuple[Outcomes, ...]
     missing: NDArray[np.bool_]
     events: Events
+    met: dict[tuple[int, int], NDArray[np.bool_]]
+
+    @classmethod
+    def of(cls, ends: EndOfRuns, parts: Sequence[RoomPart], runs: Sequence[PartRuns]) -> Answer:
+        """Return what happens in the runs of all parts."""
+        tracks: dict[int, list[Track]] = {}
+        outcomes: dict[int, Outcomes] = {}
+        missing = np.zeros(runs[0].results.shape[:2], np.bool_)
+        for part, own in zip(parts, runs, strict=True):
+            missing |= own.missing
+            for place, body in enumerate(part.bodies):
+                tracks[body], outcomes[body] = own.of_tracks(place), own.of_body(place)
+        by_number = [tracks[body] for body in sorted(tracks)]
+        return cls(
+            by_number,
+            tuple(outcomes[body] for body in sorted(outcomes)),
+            missing,
+            events_of(ends, by_number),
+            collisions(by_number),
+        )
+
+    def joined(self, more: Answer) -> Answer:
+        """Return this and what happens in further samples of the same motions."""
+        motions = len(self.missing)
+
+        def joined(own: NDArray[Any], other: NDArray[Any]) -> NDArray[Any]:
+            """Join what is of runs along the last axis, motion by motion."""
+            rows = [one.reshape(*one.shape[:-1], motions, -1) for one in (own, other)]
+            return np.concatenate(rows, axis=-1).reshape(*own.shape[:-1], -1)
+
+        hits = tuple(
+            tuple(Hits(*map(joined, one, other)) for one, other in zip(own, others, strict=True))
+            for own, others in zip(self.events.hits, more.events.hits, strict=True)
+        )
+        blocked = joined(self.events.blocked, more.events.blocked)
+        shut_in = joined(self.events.shut_in, more.events.shut_in)
+        never = [np.zeros(one.events.runs, np.bool_) for one in (self, more)]
+        pairs = sorted({*self.met, *more.met}, key=lambda pair: pair[::-1])
+        return Answer(
+            [
+                joined(np.array(own, object), np.array(other, object)).tolist()
+                for own, other in zip(self.tracks, more.tracks, strict=True)
+            ],
+            tuple(Outcomes.joined([*pair]) for pair in zip(self.outcomes, more.outcomes, strict=True)),
+            np.concatenate([self.missing, more.missing], axis=1),
+            Events(hits, blocked, shut_in),
+            {pair: joined(self.met.get(pair, never[0]), more.met.get(pair, never[1])) for pair in pairs},
+        )
 
 
 def anybody(flags: NDArray[np.bool_], shape: tuple[int, ...]) -> NDArray[np.bool_]:
@@ -85,43 +173,88 @@ def risk_of(hits: NDArray[np.bool_], places: Sequence[PersonPlace], missing: NDA
     return float(np.mean(1.0 - spared))
 
 
+class Move(NamedTuple):
+    """A change that moves something, with what differs then.
+
+    Parameters
+    ----------
+    change : Change
+        The change.
+    plan : FloorPlan
+        The room's plan with it.
+    instead : mapping of int to sequence of Track
+        The tracks of the pieces that move otherwise.
+    missing : ndarray of bool, shape (motions, samples)
+        Which of their runs were given up.
+    """
+
+    change: Change
+    plan: FloorPlan
+    instead: Mapping[int, Sequence[Track]]
+    missing: NDArray[np.bool_]
+
+
+def in_order(changes: Iterable[ChangeVerdict]) -> tuple[ChangeVerdict, ...]:
+    """Return changes, the best first."""
+
+    def key(one: ChangeVerdict) -> tuple[float, float, int]:
+        return round(one.risk, 4), one.shut_in.estimate, one.change.effort
+
+    return tuple(sorted(changes, key=key))
+
+
 def changes_of(
     question: Question, parts: Sequence[RoomPart], as_it_is: Answer, ends: EndOfRuns
-) -> tuple[ChangeVerdict, ...]:
-    """Return what single changes bring, the best first."""
+) -> Iterator[ChangeVerdict]:
+    """Yield what single changes bring: another place first, then measures on the pieces that do most harm."""
     scenario, plan, whole = question.scenario, question.plan, question.whole
-    ways, floor = ends.ways, FreeFloor(plan, tuple(bare(one) for one in whole.members))
-    harmful = _harmful(as_it_is, plan, ends)
-    found: list[ChangeVerdict] = []
-    tried = [
-        one
-        for part in parts
-        for body in part.bodies
-        if body in harmful
-        for one in measures_tried(scenario, whole, part.bodies, body)
-    ]
-    for (change, held), own in zip(tried, question.run([part for _, part in tried]), strict=True):
-        instead: dict[int, Sequence[Track]] = dict(
-            zip(held.bodies, zip(*own.tracks, strict=True), strict=True)
-        )
-        found.append(_effect(change, instead, question, as_it_is, ends))
+    harmful = harmful_pieces(as_it_is, plan, ends)
+    for move in moves_of(question, parts, as_it_is, ends, harmful):
+        yield compared(move, as_it_is, ends)
+
+    def harm(body: int) -> float:
+        return risk_of(hits_by(as_it_is.events, only=body), plan.places, as_it_is.missing)
+
+    part_of = {body: part for part in parts for body in part.bodies}
+    for body in sorted(harmful, key=harm, reverse=True):
+        for change, held in measures_tried(scenario, whole, part_of[body].bodies, body):
+            (runs,) = question.run([held])
+            yield compared(Move(change, plan, tracks_of_part(held, runs), runs.missing), as_it_is, ends)
+
+
+def tracks_of_part(part: RoomPart, runs: PartRuns) -> dict[int, Sequence[Track]]:
+    """Return the tracks of the pieces of a part by their numbers in the room."""
+    return {body: runs.of_tracks(place) for place, body in enumerate(part.bodies)}
+
+
+def moves_of(
+    question: Question,
+    parts: Sequence[RoomPart],
+    as_it_is: Answer,
+    ends: EndOfRuns,
+    harmful: Collection[int],
+) -> Iterator[Move]:
+    """Yield the best spot for each place at which somebody is hit, and for harmful pieces at each wall."""
+    scenario, plan, whole = question.scenario, question.plan, question.whole
+    floor = FreeFloor(plan, tuple(bare(one) for one in whole.members))
+    for number, place in enumerate(plan.places):
+        if as_it_is.events.hit(number).any():
+            other = _best_place(number, other_places(place, floor), question, as_it_is, ends.ways)
+            if other is not None:
+                places = (*plan.places[:number], other, *plan.places[number + 1 :])
+                change = Change(other.name, at=other.at, heading=other.heading)
+                yield Move(change, replace(plan, places=places), {}, as_it_is.missing)
     for part in parts:
         (body, *others) = part.bodies
         if others or body not in harmful or not scenario.furniture[body].is_furniture:
             continue
         for wall, middles in places_at_walls(scenario, whole, body, floor):
-            moved = _best_at_wall(question, body, wall, middles, as_it_is, ways)
+            moved = _best_at_wall(question, body, wall, middles, as_it_is, ends.ways)
             if moved is not None:
-                found.append(_effect(*moved, question, as_it_is, ends))
-    for number, place in enumerate(plan.places):
-        if as_it_is.events.hit(number).any():
-            other = _best_place(number, other_places(place, floor), question, as_it_is, ways)
-            if other is not None:
-                found.append(_effect_of_place(number, other, question, as_it_is))
-    return tuple(sorted(found, key=lambda one: (round(one.risk, 4), one.shut_in.estimate, one.change.effort)))
+                yield moved
 
 
-def _harmful(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
+def harmful_pieces(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
     """Return the pieces without which less would happen."""
     events, missing = as_it_is.events, as_it_is.missing
     risk = risk_of(hits_by(events), plan.places, missing)
@@ -137,46 +270,54 @@ def _harmful(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[int]:
     return found
 
 
-def _effect(
-    change: Change,
-    instead: dict[int, Sequence[Track]],
-    question: Question,
+def events_with(
+    plan: FloorPlan,
+    instead: Mapping[int, Sequence[Track]],
     as_it_is: Answer,
     ends: EndOfRuns,
-) -> ChangeVerdict:
-    """Return what it brings that some pieces have other tracks."""
-    tracks = [list(instead.get(body, own)) for body, own in enumerate(as_it_is.tracks)]
-    hits = tuple(
-        tuple(hits_of(place, instead[body]) if body in instead else one for body, one in enumerate(own))
-        for place, own in zip(question.plan.places, as_it_is.events.hits, strict=True)
+    hits: Callable[[PersonPlace, Sequence[Track]], Hits] = hits_of,
+) -> Events:
+    """Return what happens where some pieces have other tracks, and some places may be elsewhere.
+
+    Parameters
+    ----------
+    plan : FloorPlan
+        The room with the places where they are.
+    instead : mapping of int to sequence of Track
+        The tracks of the pieces that have others.
+    as_it_is : Answer
+        What happens otherwise.
+    ends : EndOfRuns
+        Of the plan as it is.
+    hits : callable
+        Returns the contacts of a piece with a place.
+    """
+    tracks = [instead.get(body, own) for body, own in enumerate(as_it_is.tracks)]
+    found = tuple(
+        tuple(
+            hits(place, own) if body in instead or place != was else known[body]
+            for body, own in enumerate(tracks)
+        )
+        for place, was, known in zip(plan.places, ends.plan.places, as_it_is.events.hits, strict=True)
     )
-    return _compared(change, Events(hits, *ends.of_all(tracks)), question.plan, as_it_is)
+    return Events(found, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
 
 
-def _effect_of_place(number: int, place: PersonPlace, question: Question, as_it_is: Answer) -> ChangeVerdict:
-    """Return what it brings that a place is elsewhere."""
-    places = tuple(place if n == number else one for n, one in enumerate(question.plan.places))
-    plan = replace(question.plan, places=places)
-    hits = tuple(
-        tuple(hits_of(place, own) for own in as_it_is.tracks) if n == number else own
-        for n, own in enumerate(as_it_is.events.hits)
-    )
-    change = Change(place.name, at=place.at, heading=place.heading)
-    return _compared(change, Events(hits, *EndOfRuns(plan).of_all(as_it_is.tracks)), plan, as_it_is)
-
-
-def _compared(change: Change, events: Events, plan: FloorPlan, as_it_is: Answer) -> ChangeVerdict:
-    missing, shape = as_it_is.missing, as_it_is.missing.shape
+def compared(move: Move, as_it_is: Answer, ends: EndOfRuns) -> ChangeVerdict:
+    """Return what a change brings, beside the room as it is, of the runs that neither gave up."""
+    events = events_with(move.plan, move.instead, as_it_is, ends)
+    missing = as_it_is.missing | move.missing
+    shape = missing.shape
     before, after = hits_by(as_it_is.events), hits_by(events)
     hit, was_hit = anybody(after, shape), anybody(before, shape)
     shut, was_shut = anybody(events.shut_in, shape), anybody(as_it_is.events.shut_in, shape)
     return ChangeVerdict(
-        change,
+        move.change,
         probability(hit, missing),
         difference(hit, was_hit, missing),
         probability(shut, missing),
         difference(shut, was_shut, missing),
-        risk_of(after, plan.places, missing),
+        risk_of(after, move.plan.places, missing),
     )
 
 
@@ -187,8 +328,8 @@ def _best_at_wall(
     middles: list[tuple[float, float]],
     as_it_is: Answer,
     ways: Ways,
-) -> tuple[Change, dict[int, Sequence[Track]]] | None:
-    """Return where along a wall a piece does least harm, and its tracks there.
+) -> Move | None:
+    """Return where along a wall a piece does least harm.
 
     It runs in the middle of those places; the tracks elsewhere are the same, shifted.
     """
@@ -197,32 +338,34 @@ def _best_at_wall(
     same = abs(math.remainder(heading - member.heading, 2.0 * math.pi)) < 1e-9
     at = middles[len(middles) // 2]
     if same:
-        tracks: Sequence[Track] = as_it_is.tracks[body]
+        tracks, missing = as_it_is.tracks[body], as_it_is.missing
         origin = np.array(member.at[:2])
     else:
-        part = placed_elsewhere(scenario, question.whole, body, at, heading)
-        tracks, origin = [run[0] for run in question.run([part])[0].tracks], np.array(at)
-    places = question.plan.places
+        (runs,) = question.run([placed_elsewhere(scenario, question.whole, body, at, heading)])
+        tracks, missing = runs.of_tracks(0), runs.missing
+        origin = np.array(at)
+    places, outlines = question.plan.places, [reach(track) for track in tracks]
     others = hits_by(as_it_is.events, but=body)
-    best: tuple[Change, dict[int, Sequence[Track]]] | None = None
-    least = math.inf
+    best, least = None, math.inf
     for middle in middles:
         shift = np.array(middle) - origin
         if same and np.hypot(*shift) < 1e-3:
             continue
-        moved: Sequence[Track] = tuple(track.shifted(shift) for track in tracks)
-        over = swept(ways, moved)
+        over = swept(ways, [outline + shift for outline in outlines])
         hits = np.array(
             [
                 own | (over & ways.covered([place.corners]).ravel()).any(axis=1)
                 for place, own in zip(places, others, strict=True)
             ]
         )
-        risk = risk_of(hits, places, as_it_is.missing)
+        risk = risk_of(hits, places, missing)
         if risk < least - 1e-12:
-            best = Change(scenario.names[body], at=middle, heading=heading), {body: moved}
-            least = risk
-    return best
+            best, least = (middle, shift), risk
+    if best is None:
+        return None
+    middle, shift = best
+    change = Change(scenario.names[body], at=middle, heading=heading)
+    return Move(change, question.plan, {body: [track.shifted(shift) for track in tracks]}, missing)
 
 
 def _best_place(
@@ -231,7 +374,7 @@ def _best_place(
     """Return where a place is hit least, the nearest of those that are alike."""
     if not others:
         return None
-    over = np.any([swept(ways, own) for own in as_it_is.tracks], axis=0)
+    over = np.any([swept(ways, [reach(track) for track in own]) for own in as_it_is.tracks], axis=0)
     here = question.plan.places[number]
 
     def key(place: PersonPlace) -> tuple[float, float]:

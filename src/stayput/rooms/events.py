@@ -148,6 +148,20 @@ def collisions(tracks: Sequence[Sequence[Track]]) -> dict[tuple[int, int], NDArr
     return found
 
 
-def shares_covered(ends: EndOfRuns, tracks: Sequence[Track]) -> NDArray[np.float64]:
-    """Return in what share of the runs a piece ends on each cell of the floor, shape (nx, ny)."""
-    return np.mean([ends.covered_by(track) for track in tracks], axis=0)
+def shares_covered(ends: EndOfRuns, tracks: Sequence[Track], which: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Return in what share of all runs a piece ends on each cell of the floor, in one of some of them.
+
+    Parameters
+    ----------
+    ends : EndOfRuns
+        Of the plan.
+    tracks : sequence of Track
+        The piece in each run.
+    which : ndarray of bool, shape (runs,)
+        The runs that count.
+    """
+    counts = np.zeros((len(ends.ways.x), len(ends.ways.y)))
+    for track, counted in zip(tracks, which, strict=True):
+        if counted:
+            counts += ends.covered_by(track)
+    return counts / len(tracks)

@@ -112,8 +112,9 @@ class RoomPiece:
         Of each of `stayput.montecarlo.counting.EVENTS`.
     slide : Quantiles
         Peak slide [m].
-    covers : ndarray, shape (nx, ny)
-        Share of the runs in which it ends on each cell of the floor; see `stayput.rooms.ways.Ways`.
+    fell, stood : ndarray, shape (nx, ny)
+        Shares of the runs in which it ends on each cell of the floor having overturned, and without; see
+        `stayput.rooms.ways.Ways`.
     outline : ndarray, shape (n, 2)
         Its outline in plan as it stands [m].
     risk : float
@@ -124,9 +125,15 @@ class RoomPiece:
     in_plane: bool
     probabilities: Mapping[str, Probability]
     slide: Quantiles
-    covers: NDArray[np.float64]
+    fell: NDArray[np.float64]
+    stood: NDArray[np.float64]
     outline: NDArray[np.float64]
     risk: float
+
+    @property
+    def covers(self) -> NDArray[np.float64]:
+        """Share of the runs in which it ends on each cell of the floor, shape (nx, ny)."""
+        return self.fell + self.stood
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,6 +198,8 @@ class RoomVerdict:
         Pieces that meet; what they do afterwards is not followed.
     changes : tuple of ChangeVerdict
         Single changes, the best first; none where they were not asked for.
+    complete : bool
+        Whether it is final; else runs and changes are still to come.
     motions, samples, runs : int
         Motions, samples of each, and runs of pieces that were made.
     slide_limit : float
@@ -212,6 +221,7 @@ class RoomVerdict:
     pieces: tuple[RoomPiece, ...]
     collisions: Mapping[tuple[str, str], Probability]
     changes: tuple[ChangeVerdict, ...]
+    complete: bool
     motions: int
     samples: int
     runs: int

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import time
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from stayput.errors import InputError, instance_of, within
 from stayput.fragility import probability
-from stayput.mechanics.columns import FAILED_OUTCOME
 from stayput.montecarlo.counting import SLIDE_LIMIT, Quantiles
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.sampling import Settings
 from stayput.montecarlo.several import draws_of_several
 from stayput.progress import bar
 from stayput.rooms.contact import inside_each_other
-from stayput.rooms.effects import Answer, Question, anybody, changes_of, hits_by, risk_of
-from stayput.rooms.events import EndOfRuns, collisions, events_of, shares_covered
+from stayput.rooms.effects import Answer, Question, anybody, changes_of, hits_by, in_order, risk_of
+from stayput.rooms.events import EndOfRuns, shares_covered
 from stayput.rooms.runs import groups_of, part_with
 from stayput.rooms.verdict import (
     ChangeVerdict,
@@ -32,13 +32,12 @@ from stayput.simulation.placing import bare
 from stayput.simulation.space_gaps import DEEPEST
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import FloorPlan, PersonPlace
-    from stayput.rooms.runs import PartRuns, RoomPart
-    from stayput.rooms.tracks import Track
+    from stayput.rooms.runs import RoomPart
     from stayput.simulation.standing import Assembly, Standing
 
 
@@ -50,6 +49,7 @@ def verify_room(
     threads: int | None = None,
     progress: bool | None = None,
     on_progress: Callable[[int, int], None] | None = None,
+    on_verdict: Callable[[RoomVerdict], None] | None = None,
 ) -> RoomVerdict:
     """Say who is hit in a room by what, which door stays shut, and which single change helps most.
 
@@ -73,6 +73,9 @@ def verify_room(
     on_progress : callable, optional
         Called with the runs made and with all runs, as far as they are known; an exception that it raises
         stops the work.
+    on_verdict : callable, optional
+        Called with what is known so far, which is not `complete`: after a few runs, after more of them, and
+        after each change.
 
     Raises
     ------
@@ -81,12 +84,60 @@ def verify_room(
     """
     began = time.perf_counter()
     limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
+    question = question_of(scenario, threads)
+    each = len(question.drawn) * len(question.drawn[0])
+    total, made = len(groups_of(question.scenario)) * each, 0
+    with bar(total, "Verifying", progress) as advance:
+
+        def count(runs: int) -> None:
+            nonlocal made
+            made += runs
+            advance(runs)
+            if on_progress is not None:
+                on_progress(made, max(total, made))
+
+        def told(verdict: RoomVerdict) -> RoomVerdict:
+            so_far = replace(verdict, runs=made, seconds=time.perf_counter() - began)
+            if on_verdict is not None:
+                on_verdict(so_far)
+            return so_far
+
+        (*_, last) = map(told, _verdicts(question._replace(advance=count), limit, changes=changes))
+    return replace(last, complete=True)
+
+
+class RoomState(NamedTuple):
+    """A room as it is, run under some or all draws.
+
+    Parameters
+    ----------
+    parts : list of RoomPart
+        The pieces that run together.
+    as_it_is : Answer
+        What happens in the room.
+    ends : EndOfRuns
+        Of its plan.
+    """
+
+    parts: list[RoomPart]
+    as_it_is: Answer
+    ends: EndOfRuns
+
+
+def question_of(scenario: RoomScenario, threads: int | None) -> Question:
+    """Return a room with its motions and draws; nothing has run yet, and nobody hears of progress.
+
+    Raises
+    ------
+    InputError
+        A piece that stands in a wall, in another or where a person is; a record that cannot be read.
+    """
     room = instance_of("scenario", scenario, RoomScenario)
     plan, whole, shaking = room.floor_plan(), room.assembly(room.stated), room.shaking
     refuse_what_stands_wrong(room, plan, whole)
     ground = room.ground()
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
-    settings = Settings.of(room, len(ground), limit)
+    settings = Settings.of(room, len(ground), SLIDE_LIMIT)  # which changes no run
     drawn = draws_of_several(
         len(room.names),
         settings.motions,
@@ -98,24 +149,22 @@ def verify_room(
     if room.direction is not None:
         drawn = [[draw._replace(direction=room.direction) for draw in row] for row in drawn]
     floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
-    groups, each = groups_of(room), settings.motions * settings.samples
-    total, made = len(groups) * each, 0
-    with bar(total, "Verifying", progress) as advance:
+    return Question(room, plan, whole, drawn, floors, threads, _unheard)
 
-        def count(runs: int) -> None:
-            nonlocal made
-            made += runs
-            advance(runs)
-            if on_progress is not None:
-                on_progress(made, max(total, made))
 
-        question = Question(room, plan, whole, drawn, floors, threads, count)
-        parts = [part_with(room, group, whole) for group in groups]
-        runs = question.run(parts)
-        ends = EndOfRuns(plan)
-        as_it_is = _answer(ends, len(room.names), parts, runs)
-        tried = changes_of(question, parts, as_it_is, ends) if changes else ()
-    return _verdict(question, parts, runs, as_it_is, ends, tried, limit, made, began)
+def _unheard(_runs: int) -> None:
+    """Nobody hears of progress."""
+
+
+def states(question: Question) -> Iterator[RoomState]:
+    """Run a room as it is; yield what is known after a few runs, after more, and after all."""
+    scenario, ends = question.scenario, EndOfRuns(question.plan)
+    parts = [part_with(scenario, group, question.whole) for group in groups_of(scenario)]
+    as_it_is: Answer | None = None
+    for block in question.blocks():
+        more = Answer.of(ends, parts, question.with_samples(*block).run(parts))
+        as_it_is = more if as_it_is is None else as_it_is.joined(more)
+        yield RoomState(parts, as_it_is, ends)
 
 
 def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Assembly) -> None:
@@ -150,49 +199,42 @@ def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Ass
                 )
 
 
-def _answer(ends: EndOfRuns, bodies: int, parts: Sequence[RoomPart], runs: Sequence[PartRuns]) -> Answer:
-    tracks: list[list[Track]] = [[] for _ in range(bodies)]
-    missing = np.zeros(runs[0].results.shape[:2], np.bool_)
-    for part, own in zip(parts, runs, strict=True):
-        missing |= (own.results["outcome"] == FAILED_OUTCOME).any(axis=-1)
-        for place, body in enumerate(part.bodies):
-            tracks[body] = [run[place] for run in own.tracks]
-    return Answer(tracks, missing, events_of(ends, tracks))
+def _verdicts(question: Question, slide_limit: float, *, changes: bool) -> Iterator[RoomVerdict]:
+    """Yield the verdict as it gets better: from some of the runs, from all, then change by change."""
+    state: RoomState | None = None
+    for state in states(question):
+        yield verdict_of(question, state, slide_limit)
+    if changes and state is not None:
+        verdict, found = verdict_of(question, state, slide_limit), list[ChangeVerdict]()
+        for change in changes_of(question, state.parts, state.as_it_is, state.ends):
+            found.append(change)
+            yield replace(verdict, changes=in_order(found))
 
 
-def _verdict(
-    question: Question,
-    parts: Sequence[RoomPart],
-    runs: Sequence[PartRuns],
-    as_it_is: Answer,
-    ends: EndOfRuns,
-    changes: tuple[ChangeVerdict, ...],
-    slide_limit: float,
-    made: int,
-    began: float,
-) -> RoomVerdict:
-    scenario, plan = question.scenario, question.plan
+def verdict_of(question: Question, state: RoomState, slide_limit: float) -> RoomVerdict:
+    """Return the verdict on a room as it is, which has run."""
+    parts, as_it_is, ends = state
+    scenario, plan, whole = question.scenario, question.plan, question.whole
     events, missing = as_it_is.events, as_it_is.missing
     shape = missing.shape
     hits = hits_by(events)
-    risk = risk_of(hits, plan.places, missing)
+    in_plane = {body: part.in_plane for part in parts for body in part.bodies}
+    masses = [bare(member).solid.mass for member in whole.members]
     pieces: list[RoomPiece] = []
-    masses: dict[int, float] = {}
-    for part, own in zip(parts, runs, strict=True):
-        for place, body in enumerate(part.bodies):
-            outcomes, tracks = own.of_body(place), as_it_is.tracks[body]
-            masses[body] = bare(question.whole.members[body]).solid.mass
-            pieces.append(
-                RoomPiece(
-                    scenario.names[body],
-                    part.in_plane,
-                    outcomes.probabilities(slide_limit),
-                    Quantiles.of(outcomes.slide, outcomes.overturned),
-                    shares_covered(ends, tracks),
-                    tracks[0].outline(0),
-                    risk_of(hits_by(events, only=body), plan.places, missing),
-                )
+    for body, (tracks, outcomes) in enumerate(zip(as_it_is.tracks, as_it_is.outcomes, strict=True)):
+        fell = outcomes.overturned.ravel()
+        pieces.append(
+            RoomPiece(
+                scenario.names[body],
+                in_plane[body],
+                outcomes.probabilities(slide_limit),
+                Quantiles.of(outcomes.slide, outcomes.overturned),
+                shares_covered(ends, tracks, fell),
+                shares_covered(ends, tracks, ~fell),
+                tracks[0].outline(0),
+                risk_of(hits_by(events, only=body), plan.places, missing),
             )
+        )
     pieces.sort(key=lambda piece: (-round(piece.risk, 9), -piece.probabilities["overturned"].estimate))
     at_rest = ends.of([own[0].at_first for own in as_it_is.tracks])[0]
     motions, samples = shape
@@ -202,7 +244,7 @@ def _verdict(
         intensity=question.floors.median_intensity,
         hit=probability(anybody(hits, shape), missing),
         shut_in=probability(anybody(events.shut_in, shape), missing),
-        risk=risk,
+        risk=risk_of(hits, plan.places, missing),
         places=tuple(_place(number, question, masses, as_it_is) for number in range(len(plan.places))),
         doors=tuple(
             DoorVerdict(door, probability(flags.reshape(shape), missing), stuck)
@@ -211,19 +253,20 @@ def _verdict(
         pieces=tuple(pieces),
         collisions={
             (scenario.names[a], scenario.names[b]): probability(met.reshape(shape), missing)
-            for (a, b), met in collisions(as_it_is.tracks).items()
+            for (a, b), met in as_it_is.met.items()
         },
-        changes=changes,
+        changes=(),
+        complete=False,
         motions=motions,
         samples=samples,
-        runs=made,
+        runs=0,
         slide_limit=slide_limit,
         seed=scenario.uncertainty.seed,
-        seconds=time.perf_counter() - began,
+        seconds=0.0,
     )
 
 
-def _place(number: int, question: Question, masses: dict[int, float], as_it_is: Answer) -> PlaceVerdict:
+def _place(number: int, question: Question, masses: Sequence[float], as_it_is: Answer) -> PlaceVerdict:
     events, missing = as_it_is.events, as_it_is.missing
     shape, names = missing.shape, question.scenario.names
     by = [

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase, say
 from stayput.catalogue.names import PIECES
-from stayput.model.floor_plan import FACING, PLACES
+from stayput.model.floor_plan import PLACES
+from stayput.rooms.changes import wall_faced
 from stayput.verification.words import class_phrase, of_the_cases, sentence_of, share_text
 from stayput.wording import inside
 
@@ -83,10 +84,11 @@ def _clauses(verdict: RoomVerdict) -> list[Phrase]:
 
 def change_label(change: Change, verdict: RoomVerdict, language: str) -> str:
     """Return what a change consists of."""
-    return say(_label(change, verdict), language)
+    return say(label_of(change, verdict), language)
 
 
-def _label(change: Change, verdict: RoomVerdict) -> Phrase:
+def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
+    """Return the same in both languages."""
     if change.measure is not None:
         return phrase("rooms.fix", measure=change.measure.label, piece=piece_name(change.what))
     assert change.at is not None
@@ -97,8 +99,7 @@ def _label(change: Change, verdict: RoomVerdict) -> Phrase:
         turned = abs(math.remainder(change.heading - place.heading, math.pi)) > 1e-6
         key = "rooms.turn_place" if turned else "rooms.move_place"
         return phrase(key, place=place_name(place), x=x, y=y)
-    faces = change.heading
-    wall = min(FACING, key=lambda name: abs(math.remainder(FACING[name] - faces, 2.0 * math.pi)))
+    wall = wall_faced(change.heading)
     along = y if wall in ("left_wall", "right_wall") else x
     return phrase(
         "rooms.move_piece", piece=piece_name(change.what), wall=phrase(f"rooms.{wall}"), along=along
@@ -110,7 +111,7 @@ def change_sentence(result: ChangeVerdict, verdict: RoomVerdict, language: str) 
     key, held, bare = "rooms.effect", result.hit.estimate, verdict.hit.estimate
     if not result.hit_change.clear and result.shut_in_change.clear:
         key, held, bare = "rooms.effect_shut", result.shut_in.estimate, verdict.shut_in.estimate
-    english, japanese = _label(result.change, verdict)
+    english, japanese = label_of(result.change, verdict)
     shares = {
         name: (of_the_cases(share), share_text(share)[1]) for name, share in (("held", held), ("bare", bare))
     }

@@ -1,0 +1,84 @@
+"""Route of rooms: a verdict as a job, which gets better while it runs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from stayput.app.refusals import refused
+from stayput.app.requests import RoomRequest  # noqa: TC001 - FastAPI reads the annotations
+from stayput.app.scenes import motions_of, read_room_scene, refusal, uploaded_motions
+from stayput.app.service import json_response, problems
+from stayput.app.verdict_replies import JobReply
+from stayput.app.verification import job_reply
+from stayput.errors import InputError
+from stayput.rooms.runs import groups_of
+from stayput.rooms.verify import refuse_what_stands_wrong, verify_room
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from fastapi import APIRouter
+    from starlette.responses import Response
+
+    from stayput.app.jobs import Job
+    from stayput.app.limits import Limits
+    from stayput.app.service import Service
+    from stayput.rooms.verdict import RoomVerdict
+    from stayput.scenario.room import RoomScenario
+
+
+def add_rooms(router: APIRouter, service: Service) -> None:
+    """Add the route of rooms to those of the API."""
+
+    @router.post(
+        "/room",
+        status_code=202,
+        response_model=JobReply,
+        tags=["verification"],
+        responses=problems(400, 413, 422, 429, 503),
+    )
+    async def start(body: RoomRequest) -> Response:
+        """Begin the verification of a room: it goes on as a job, whose result gets better while it runs."""
+
+        def prepare() -> tuple[RoomScenario, int]:
+            scenario = read_room_scene(body.scene, service.limits, service.motions)
+            return scenario, _checked(scenario, service.limits)
+
+        scenario, runs = await service.workers.run(prepare)
+
+        def work(job: Job, on_progress: Callable[[int, int], None]) -> RoomVerdict:
+            def known(verdict: RoomVerdict) -> None:
+                job.verdict = verdict
+
+            return verify_room(
+                scenario,
+                changes=body.changes,
+                slide_limit=body.slide_limit_m,
+                threads=service.limits.threads,
+                progress=False,
+                on_progress=on_progress,  # which stops it by an exception
+                on_verdict=known,
+            )
+
+        job = service.jobs.start(work, runs, uploaded_motions(scenario), body.lease_s)
+        reply = job_reply(job, service.jobs.position(job), service.motions.with_file_names)
+        return json_response(reply, 202, {"Location": f"/api/v1/jobs/{job.id}"})
+
+
+def _checked(scenario: RoomScenario, limits: Limits) -> int:
+    """Return how many simulations of the room as it is there are.
+
+    Raises
+    ------
+    RefusedError
+        More than this server allows, or a piece that cannot stand where it does.
+    """
+    try:
+        refuse_what_stands_wrong(scenario, scenario.floor_plan(), scenario.assembly(scenario.stated))
+    except InputError as error:
+        raise refusal(error) from None
+    motions = motions_of(scenario.shaking)
+    runs = len(groups_of(scenario)) * motions * max(1, -(-scenario.uncertainty.samples // motions))
+    if runs > limits.runs_of_room:
+        raise refused(422, "app.many_runs", "scene.uncertainty.samples", runs=runs, most=limits.runs_of_room)
+    return runs

@@ -1,0 +1,176 @@
+"""Rooms over the API: a verdict that gets better, its files, refusals, the whole room in space."""
+
+from __future__ import annotations
+
+import base64
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+from serving import client_of, running
+
+import stayput as sp
+from stayput.app import room_api
+from stayput.app.presets import ROOM_SCENE
+from stayput.report.room.data import room_data
+from waiting import wait_until
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    import httpx
+
+    from stayput.rooms.verdict import RoomVerdict
+
+ROOM: dict[str, Any] = {
+    **ROOM_SCENE,
+    "furniture": ROOM_SCENE["furniture"][:1],
+    "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 2}},
+    "uncertainty": {"samples": 4},
+}
+
+
+@pytest.fixture(scope="module")
+def room_client() -> Iterator[httpx.Client]:
+    with running() as server, client_of(server) as client:
+        yield client
+
+
+def ended(client: httpx.Client, job: dict[str, Any]) -> dict[str, Any]:
+    wait_until(lambda: client.get(f"/api/v1/jobs/{job['id']}").json()["state"] not in ("waiting", "running"))
+    return client.get(f"/api/v1/jobs/{job['id']}").json()
+
+
+def test_a_verdict_is_that_of_the_library(room_client: httpx.Client) -> None:
+    job = ended(room_client, room_client.post("/api/v1/room", json={"scene": ROOM}).json())
+    assert job["state"] == "done", job["error"]
+    result = job["result"]
+    verdict = sp.verify_room(sp.RoomScenario.parse(ROOM), progress=False)
+    assert result["complete"] is True
+    data = room_data(verdict)
+    for key in ("verdict", "best", "hit", "shut_in", "doors", "places", "runs", "seed", "jma_intensity"):
+        assert result[key] == data[key], key
+    assert [one["hit"] for one in result["changes"]] == [one["hit"] for one in data["changes"]]
+    zone = result["pieces"][0]["fell"]
+    shares = np.frombuffer(base64.b64decode(zone["shares"]), np.uint8).reshape(zone["nx"], zone["ny"])
+    assert np.abs(shares / 255.0 - verdict.pieces[0].fell).max() <= 0.5 / 255.0 + 1e-9
+    for lang in ("en", "ja"):
+        report = room_client.get(f"/api/v1/jobs/{job['id']}/report?lang={lang}")
+        assert report.status_code == 200
+        assert data["verdict"][lang] in report.text
+    table = room_client.get(f"/api/v1/jobs/{job['id']}/csv")
+    assert table.content.decode() == verdict.to_csv()
+    everyday = room_client.put(f"/api/v1/jobs/{job['id']}/everyday", json={"scene": {}})
+    assert everyday.status_code == 409
+
+
+def test_a_change_says_what_to_write_into_the_scene(room_client: httpx.Client) -> None:
+    job = ended(room_client, room_client.post("/api/v1/room", json={"scene": ROOM}).json())
+    changes = job["result"]["changes"]
+    assert {one["table"] for one in changes} == {"furniture", "places"}
+    fixed = next(one for one in changes if one["measures"])
+    moved = next(one for one in changes if one["table"] == "furniture" and one["at_m"])
+    (piece,) = ROOM["furniture"]
+    other = {**piece, "measures": fixed["measures"]}
+    found = sp.verify_room(
+        sp.RoomScenario.parse({**ROOM, "furniture": [other]}), changes=False, progress=False
+    )
+    assert found.hit.estimate == pytest.approx(fixed["hit"]["estimate"])
+    other = {"name": piece["name"], "preset": piece["preset"], "at": moved["at_m"]}
+    scene = {**ROOM, "furniture": [{**other, "heading": moved["heading_rad"]}]}
+    assert room_client.post("/api/v1/room", json={"scene": scene, "changes": False}).status_code == 202
+
+
+def test_what_is_known_is_there_while_the_job_runs(
+    room_client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    verify, seen = room_api.verify_room, []
+
+    def held(scenario: Any, *, on_verdict: Any, **more: Any) -> RoomVerdict:
+        def told(verdict: RoomVerdict) -> None:
+            on_verdict(verdict)
+            wait_until(lambda: len(seen) > len(passed))
+            passed.append(verdict)
+
+        passed: list[RoomVerdict] = []
+        return verify(scenario, on_verdict=told, **more)
+
+    monkeypatch.setattr(room_api, "verify_room", held)
+    job = room_client.post("/api/v1/room", json={"scene": ROOM}).json()
+
+    def state() -> dict[str, Any]:
+        found = room_client.get(f"/api/v1/jobs/{job['id']}").json()
+        if found["result"] is not None and (not seen or found["result"] != seen[-1]):
+            seen.append(found["result"])
+        return found
+
+    wait_until(lambda: state()["state"] == "done")
+    assert [one["complete"] for one in seen[:-1]] == [False] * (len(seen) - 1)
+    assert seen[-1]["complete"]
+    assert [len(one["changes"]) for one in seen] == sorted(len(one["changes"]) for one in seen)
+    assert len(seen) >= 3
+
+
+def test_a_room_that_is_cancelled_stops(room_client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
+    verify = room_api.verify_room
+    began: list[Any] = []
+
+    def endless(scenario: Any, **more: Any) -> Any:
+        began.append(scenario)
+        while True:
+            verify(scenario, **more)
+
+    monkeypatch.setattr(room_api, "verify_room", endless)
+    job = room_client.post("/api/v1/room", json={"scene": ROOM}).json()
+    wait_until(lambda: bool(began))
+    assert room_client.delete(f"/api/v1/jobs/{job['id']}").json()["state"] == "cancelled"
+    monkeypatch.undo()
+    job = ended(room_client, room_client.post("/api/v1/room", json={"scene": ROOM, "changes": False}).json())
+    assert job["state"] == "done"
+
+
+@pytest.mark.parametrize(
+    ("changed", "field"),
+    [
+        ({"furniture": [{"name": "b", "preset": "bookcase", "at": [0.1, 0.1]}]}, "scene.furniture[0].at"),
+        ({"places": [{"kind": "bad", "at": [1.0, 1.0]}]}, "scene.places[0].kind"),
+        ({"doors": [{"wall": "right_wall", "start": 2.5}]}, "scene.doors[0]"),
+        ({"plan": {"width": 3.6}}, "scene.plan.length"),
+        ({"shaking": {"record": "/etc/passwd"}}, "scene.shaking.record"),
+        ({"uncertainty": {"samples": 3000}}, "scene.uncertainty.samples"),
+        (
+            {"furniture": [{"name": "m", "mesh": "chair.stl", "unit": "m", "mass": 3.0, "at": [1.0, 0.5]}]},
+            "scene.furniture[0].mesh",
+        ),
+        (
+            {"furniture": [{"name": f"c{n}", "preset": "chest", "at": [1.0, 1.0]} for n in range(25)]},
+            "scene.furniture",
+        ),
+        ({"title": "\ud800"}, "scene"),
+    ],
+)
+def test_a_room_that_is_refused_says_where(room_client: httpx.Client, changed: Any, field: str) -> None:
+
+    content = json.dumps({"scene": {**ROOM, **changed}})
+    headers = {"content-type": "application/json"}
+    answer = room_client.post("/api/v1/room", content=content, headers=headers)
+    assert answer.status_code == 422, answer.text
+    assert answer.json()["field"] == field
+    assert answer.json()["message"]
+
+
+def test_a_room_is_run_as_a_whole_written_and_read(room_client: httpx.Client) -> None:
+    run = room_client.post("/api/v1/simulate", json={"scene": ROOM_SCENE, "measures": []}).json()
+    assert [one["name"] for one in run["without"]["pieces"]] == ["bookcase", "wardrobe", "chest"]
+    written = room_client.post("/api/v1/scenario/toml", json={"scene": ROOM_SCENE, "measures": []})
+    read = room_client.post("/api/v1/scenario/read", json={"toml": written.text}).json()
+    assert read["scene"] == ROOM_SCENE
+    assert read["pieces"] == ["bookcase", "wardrobe", "chest"]
+
+
+def test_presets_say_where_people_are(room_client: httpx.Client) -> None:
+    places = {one["id"]: one for one in room_client.get("/api/v1/presets").json()["places"]}
+    bed = sp.PersonPlace.of("bed", (1.0, 1.0))
+    assert (places["bed"]["high_m"], places["bed"]["night"]) == (bed.high, bed.night)
+    assert all(one["label"]["ja"] for one in places.values())
