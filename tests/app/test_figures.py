@@ -44,7 +44,7 @@ def done(client: httpx.Client, **asked: Any) -> dict[str, Any]:
         job.update(client.get(f"/api/v1/jobs/{job['id']}").json())
         return job["state"] not in ("waiting", "running")
 
-    wait_until(ended, 300.0)
+    wait_until(ended)
     assert job["state"] == "done", job["error"]
     return job
 
