@@ -219,9 +219,9 @@ def test_a_program_of_several_pieces_runs_too(client: httpx.Client) -> None:
     scene = {
         "furniture": [
             {"preset": "chest", "name": 'a "low" one'},
-            {"preset": "television", "on": 'a "low" one'},
+            {"preset": "television", "name": "screen", "on": 'a "low" one'},
         ],
-        "shaking": {"builtin": "near-fault"},
+        "shaking": {"sine": {"amplitude": 4.0, "frequency": 2.0, "duration": 2.0}},
     }
     asked = {"scene": scene, "measures": []}
     made = executed(client, asked)
