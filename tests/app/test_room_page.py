@@ -403,6 +403,29 @@ def test_the_page_goes_on_when_the_server_is_back(browser: Browser, server: Runn
         assert place_of(judge.scene, "bookcase")["along"] == 0.4
 
 
+@pytest.mark.parametrize(
+    ("size", "rows"),
+    [({"width": 1440, "height": 900}, 2), (PHONE, 2), (SIDE, 1)],
+    ids=["desk", "phone", "side"],
+)
+def test_the_palette_leaves_room_for_the_plan(
+    browser: Browser, server: Running, size: Any, rows: int
+) -> None:
+    with room_page(browser, server, Judge(), size=size) as it:
+        tops = it.page.locator(".kind").evaluate_all("all => all.map(one => one.offsetTop)")
+        heights = it.page.locator(".kind").evaluate_all("all => all.map(one => one.offsetHeight)")
+        palette, plan = (it.page.locator(name).bounding_box() for name in ("#palette", "#plan"))
+        assert palette
+        assert plan
+        assert palette["height"] < rows * 90
+        assert max(tops) - min(tops) < (rows - 1) * 90 + max(heights) / 2
+        if size["width"] == 1440:
+            assert plan["y"] + plan["height"] <= size["height"]
+        it.page.locator(".kind").last.scroll_into_view_if_needed()
+        it.page.locator(".kind").last.click()
+        assert it.page.locator("#plan [data-thing=windows-1]").count() == 1
+
+
 def test_what_the_server_refuses_is_said(browser: Browser, server: Running) -> None:
     judge = Judge()
     with room_page(browser, server, judge, allowed=("status of 422",)) as it:
@@ -416,7 +439,21 @@ def test_what_the_server_refuses_is_said(browser: Browser, server: Running) -> N
         it.page.wait_for_selector("#answer[data-state=refused]")
         assert "It must stand beside it." in it.text("#verdict")
         assert "It must stand beside it." in it.text("#plan-problems")
-        it.page.unroute("**/api/v1/room")
+        assert it.page.locator("#plan-problems").is_visible()  # at the thing
+        general = {**sentence, "field": "scene.shaking"}
+        it.page.route("**/api/v1/room", lambda route: route.fulfill(status=422, json=general))
+        it.page.route("**/api/v1/simulate", lambda route: route.fulfill(status=422, json=general))
+        it.page.click("#plan-undo")
+        it.wait("() => document.getElementById('problem').textContent.includes('beside it.')")
+        it.wait("() => document.getElementById('plan-problems').classList.contains('general')")
+        said = it.page.get_by_text("It must stand beside it.").locator("visible=true")
+        assert said.count() == 1  # in the verdict
+        it.page.set_viewport_size(PHONE)  # where the verdict is on other screens
+        assert it.page.locator("#plan-problems").is_visible()
+        it.page.set_viewport_size(DESK)
+        it.page.click("#plan-redo")
+        for pattern in ("room", "simulate"):
+            it.page.unroute(f"**/api/v1/{pattern}")
         for pattern, answer in judge.routes.items():
             it.page.route(pattern, answer)
         after(it, judge, lambda: it.page.click("#plan-undo"))

@@ -141,7 +141,7 @@ def _add_general(router: APIRouter, service: Service) -> None:
         """Return a scene, of one piece or several, as a program that gives the same numbers to the bit."""
 
         def work() -> Response:
-            scenario = service.shaken(body.scene, body.measures)
+            scenario = service.stated(body.scene, body.measures)
             text = scene_python(scenario, scene_toml(scenario, service.motions), stayput.__version__)
             return attachment(text, "scenario.py", "text/x-python; charset=utf-8")
 
@@ -221,7 +221,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         job: Annotated[str | None, Query(description="The job whose verdict stands in the film.")] = None,
     ) -> Response:
         """Run a scene without or with measures; return a page that plays it, a GIF, or an MP4."""
-        note = "" if job is None else service.verdict(job)[1].sentence(lang)
+        note = "" if job is None else service.done(job)[1].sentence(lang)
 
         def work() -> Response:
             scenario = service.shaken(body.scene, body.measures)

@@ -70,7 +70,7 @@ def add_figures(router: APIRouter, service: Service) -> None:
         lang: Spoken = "en",
     ) -> Response:
         """Return a chart of a job's verdict, to keep; curves only of a job that made them."""
-        _, verdict = service.verdict(job)
+        _, verdict = service.done(job)
 
         def work() -> Response:
             return _file(verdict_figure(verdict, figure, lang, service.motions.named), figure, kind)

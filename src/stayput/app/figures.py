@@ -15,28 +15,36 @@ from stayput.report.charts.chances import ranking_chart, tens_chart
 from stayput.report.charts.chart import ChartSource
 from stayput.report.charts.histories import histories_chart
 from stayput.report.charts.over_intensity import MappedSizes, fragility_chart, sizes_chart
+from stayput.report.charts.rooms import changes_chart, hits_chart, plan_chart
 from stayput.report.names import motion_label
 from stayput.report.space.said import became, piece_became
 from stayput.report.summary import piece_sentences
 from stayput.report.verdict.assumptions import (
+    floor_assumption,
     furniture_assumption,
     room_assumptions,
     shaking_assumptions,
 )
+from stayput.rooms.verdict import RoomVerdict
 from stayput.scenario import AssemblyScenario, Scenario
+from stayput.scenario.room import RoomScenario
 from stayput.verification.options import YOURS
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from stayput.app.jobs import AnyVerdict
     from stayput.app.run_replies import SizeMapReply
     from stayput.catalogue import Language
     from stayput.report.charts.chart import Chart
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
 
-FigureName = Literal["tens", "ranking", "fragility"]
-"""Charts of a verdict."""
+FigureName = Literal["tens", "ranking", "fragility", "room_plan", "room_hits", "room_changes"]
+"""Charts of a verdict: on one piece, and on a room."""
+
+ROOM_CHARTS = {"room_plan": plan_chart, "room_hits": hits_chart, "room_changes": changes_chart}
+"""Those on a room."""
 
 FigureKind = Literal["svg", "pdf", "csv"]
 
@@ -91,13 +99,13 @@ def map_figure(
 
 
 def verdict_figure(
-    verdict: Verdict, name: FigureName, language: Language, named: Callable[[str], str]
+    verdict: AnyVerdict, name: FigureName, language: Language, named: Callable[[str], str]
 ) -> Chart:
     """Return a chart of a verdict.
 
     Parameters
     ----------
-    verdict : Verdict
+    verdict : Verdict or RoomVerdict
         The verdict.
     name : str
         Which one.
@@ -109,9 +117,15 @@ def verdict_figure(
     Raises
     ------
     RefusedError
-        Curves of a verdict that has none.
+        Curves of a verdict that has none, or a chart that is there for other verdicts.
     """
     source = _source(verdict.scenario, language, named, count=verdict.motions)
+    if isinstance(verdict, RoomVerdict):
+        if name not in ROOM_CHARTS:
+            raise refused(409, "app.of_a_room")
+        return ROOM_CHARTS[name](verdict, source)
+    if name in ROOM_CHARTS:
+        raise refused(409, "figures.of_one_piece")
     looked_at = [verdict.without, *_yours(verdict)]
     if name == "ranking":
         return ranking_chart(verdict, source)
@@ -143,7 +157,12 @@ def _source(
     ]
     if motion:
         shaking[0] = (shaking[0][0], motion)
-    still = [(one.what(language), one.value(language)) for one in (*piece, *room_assumptions(scenario))]
+    around = (
+        [floor_assumption(scenario, scenario.surroundings().floor)]
+        if isinstance(scenario, RoomScenario)
+        else room_assumptions(scenario)
+    )
+    still = [(one.what(language), one.value(language)) for one in (*piece, *around)]
     held = own_measures(scenario) if isinstance(scenario, Scenario) else ()
     labels = " + ".join(say(measure.label, language) for measure in held)
     measures = [(say("figures.measures", language), labels)] if held else []

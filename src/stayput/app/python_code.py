@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from stayput.app.running import own_measures
 from stayput.scenario import AssemblyScenario
+from stayput.scenario.room import RoomScenario
 
 if TYPE_CHECKING:
     from stayput.scenario import Scenario
@@ -49,6 +50,28 @@ run = scenario.run()
 print(run.outcome.value)
 '''
 
+_ROOM = '''\
+"""A room in an earthquake, as on the page of stayput {version}: the same numbers to the bit."""
+
+import tomllib
+
+import stayput as sp
+
+{note}scenario = sp.RoomScenario.parse(tomllib.loads("""
+{toml}"""))
+
+# As in "See it": one of the earthquakes, all as the scenario says.
+print(scenario.run().outcome.value)
+
+# As in "What to do": many earthquakes and samples of what is not known.
+verdict = sp.verify_room(scenario, progress=False)
+print(verdict.sentence())
+for place in verdict.places:
+    print(place.place.name, place.hit.estimate, place.hit.low, place.hit.high)
+for one in verdict.changes:
+    print(one.change.what, one.hit.estimate, one.hit.low, one.hit.high)
+'''
+
 
 def scene_python(scenario: Scenario | AssemblyScenario, toml: str, version: str) -> str:
     """Return the program.
@@ -56,7 +79,7 @@ def scene_python(scenario: Scenario | AssemblyScenario, toml: str, version: str)
     Parameters
     ----------
     scenario : Scenario or AssemblyScenario
-        The scene.
+        The scene, of a room too.
     toml : str
         Its scenario file, with a comment before it where a record's file must stand beside it.
     version : str
@@ -69,6 +92,8 @@ def scene_python(scenario: Scenario | AssemblyScenario, toml: str, version: str)
         "note": "".join(f"{line}\n" for line in comments),
         "toml": table.replace("\\", "\\\\").replace('"""', '\\"\\"\\"'),
     }
+    if isinstance(scenario, RoomScenario):
+        return _ROOM.format(**parts)
     if isinstance(scenario, AssemblyScenario):
         return _SEVERAL.format(**parts)
     return _ONE.format(**parts, held=_HELD if own_measures(scenario) else "")

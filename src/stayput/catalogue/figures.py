@@ -31,6 +31,27 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Marks: shares in the simulations; lines: isotonic regression of them, with 95 % bands; dotted: the shaking in question.",
         "印は計算で転倒した割合、線はその単調回帰（帯は95%信頼帯）、点線は今の揺れです。",
     ),
+    "room_plan": ("Where the pieces come to lie", "家具が行き着く場所"),
+    "room_plan_note": (
+        "Outlines: pieces as they stand; shaded cells: where each ends, strongest where it lies overturned in every run; blue: places of people.",
+        "輪郭は今の家具、塗りは揺れの後に行き着く場所で、倒れている割合が高いほど濃くしています。青は人のいる場所です。",
+    ),
+    "room_hits": ("Who is hit, and by what?", "だれに何が当たるか"),
+    "room_hits_note": (
+        "Bars: share of the runs in which somebody who is there is hit, by any piece and by each; lines: 95 % intervals. Whether a blow injures is not computed.",
+        "棒は、そこにいる人に家具（いずれか、または各家具）が当たる割合、線は95%信頼区間です。けがをするかどうかは計算していません。",
+    ),
+    "room_changes": ("Which single change helps most?", "どの変更が最も効くか"),
+    "room_changes_note": (
+        "Bars: share of the runs in which somebody is hit, with each change alone; lines: 95 % intervals.",
+        "棒は、それぞれの変更だけをした場合に人に当たる割合、線は95%信頼区間です。",
+    ),
+    "room_as_is": ("The room as it is", "今のままの部屋"),
+    "axis_hit": ("Hit [%]", "当たる割合 [%]"),
+    "of_one_piece": (
+        "The job is of one piece; this chart is there for the verification of a room.",
+        "家具1点の計算です。この図は部屋の検証で使えます。",
+    ),
     "sizes": ("Size against intensity", "大きさと震度"),
     "sizes_note": (
         "Share that overturns in {runs} runs of each size at each intensity; grey: not possible, or not known.",

@@ -53,6 +53,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "It weighs {mass} kg. Speed where it hits: {speed}. Energy: {energy}.",
         "重さは{mass} kg。当たる速さは{speed}。エネルギーは{energy}。",
     ),
+    "htmlOfRoom": ("Animation (HTML)", "動画（HTML）"),
+    "gifOfRoom": ("Animation, 10 s (GIF)", "動画、10秒（GIF）"),
+    "mp4OfRoom": ("Animation, 10 s (MP4)", "動画、10秒（MP4）"),
+    "figure_room_plan": ("The plan with where pieces come to lie", "家具が行き着く場所の平面図"),
+    "figure_room_hits": ("Who is hit", "だれに何が当たるかの図"),
+    "figure_room_changes": ("The changes", "変更の効果の図"),
     "stillNote": (
         "Beds and other places of people, doors and windows are drawn as outlines: they do not move and hold nothing up.",
         "ベッドなど人のいる場所、ドア、窓は線で示しています。動かず、家具を支えません。",

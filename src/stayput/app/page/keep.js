@@ -2,46 +2,24 @@
 
 import * as api from "./api.js";
 import { fill, offer, part } from "./dom.js";
+import { SECONDS, copyProgram, drawing, isDrawn, shortKind } from "./films.js";
 import * as pieces from "./pieces.js";
 import { worded } from "./refusals.js";
 import { current, sampled } from "./scene.js";
 import { spoken, t } from "./words.js";
 
-const drawn = new Set(); // the buttons whose films are being drawn
 let held = false, // whether there is a run with measures
   kind = "gif", // of the short films
   job = null; // the verdict that is said in them
-const SECONDS = 10;
 
 const say = (...content) => fill(part("kept"), content);
 
-/** Closes a button and says on it that a film is being drawn, for as long as that takes. */
-async function drawing(button, work) {
-  const usual = button.dataset.t;
-  const tell = (key) => {
-    button.dataset.t = key; // from which another language is written
-    button.textContent = t(key);
-  };
-  drawn.add(button);
-  button.disabled = true;
-  tell("drawingNow");
-  say(t("drawing"));
-  try {
-    await work();
-    say();
-  } finally {
-    drawn.delete(button);
-    button.disabled = shut(button);
-    tell(usual);
-  }
-}
-
 /** Whether a button of a run is closed: its film is being drawn, or there is no such run. */
-const shut = (button) => drawn.has(button) || (button.id.endsWith("-with") && !held);
+const shut = (button) => isDrawn(button) || (button.id.endsWith("-with") && !held);
 
 /** Takes the kinds of films that the server can make: the short ones are MP4 where it can. */
 export function films(kinds) {
-  kind = kinds.includes("mp4") ? "mp4" : "gif";
+  kind = shortKind(kinds);
   for (const which of ["Without", "With"]) {
     const button = part(`film-${which.toLowerCase()}`);
     button.dataset.t = `${kind}${which}`;
@@ -91,13 +69,7 @@ export function wire(request) {
   part("python").addEventListener(
     "click",
     attempt(async () => {
-      const text = await api.python(complete(request()));
-      try {
-        await navigator.clipboard.writeText(text);
-        say(t("copiedPython"));
-      } catch {
-        offer(text, "scenario.py", "text/x-python");
-      }
+      await copyProgram(await api.python(complete(request())), say);
     }),
   );
   for (const which of ["without", "with"]) {
@@ -108,13 +80,17 @@ export function wire(request) {
     const wireFilm = (button, asked) =>
       button.addEventListener(
         "click",
-        attempt(() =>
-          drawing(button, async () => {
-            const query = { which, lang: spoken(), ...asked() },
-              made = await api.film(request(), query);
-            offer(made, `run_${which}.${query.kind}`, made.type);
-          }),
-        ),
+        attempt(async () => {
+          try {
+            await drawing(button, say, async () => {
+              const query = { which, lang: spoken(), ...asked() },
+                made = await api.film(request(), query);
+              offer(made, `run_${which}.${query.kind}`, made.type);
+            });
+          } finally {
+            button.disabled = shut(button);
+          }
+        }),
       );
     wireFilm(part(`html-${which}`), () => ({ kind: "html" }));
     wireFilm(part(`film-${which}`), () => ({ kind, seconds: SECONDS, ...(job && { job }) }));

@@ -120,15 +120,19 @@ function tellLayers() {
 /** Says what the server refuses about the room, at the thing that it is about; null: nothing any more. */
 export function tellRefusal(error) {
   const [, table, index] = /(furniture|places|doors|windows)\[(\d+)\]/.exec(error?.field ?? "") ?? [];
-  refusal = error && { words: worded(error) };
-  markRefused(table && current()[table]?.[index] ? { table, index: Number(index) } : null);
+  const thing = table && current()[table]?.[index] ? { table, index: Number(index) } : null;
+  refusal = error && { words: worded(error), thing };
+  markRefused(thing);
 }
 
 /** The sentences about what is wrong: what is seen here, else the server's where one came. */
 function tellProblems(found) {
   const lines = found.map((one) => [clashSentence(shownRoom(), one)]);
   if (shownRoom().furniture.length === 0) lines.push([t("noFurniture")]);
-  if (refusal && !lines.length) lines.push(refusal.words);
+  const servers = refusal && !lines.length;
+  if (servers) lines.push(refusal.words);
+  // what is about no thing of the plan is said in the verdict alone where that stands beside the plan
+  part("plan-problems").classList.toggle("general", Boolean(servers && !refusal.thing));
   fill(part("plan-problems"), ...lines.map((words) => el("p", { class: "refusal" }, ...words)));
   plan().classList.toggle("wrong", lines.length > 0);
 }

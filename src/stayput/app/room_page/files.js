@@ -4,6 +4,8 @@ import * as api from "../api.js";
 import { patiently } from "../connection.js";
 import { toggle } from "../controls.js";
 import { fill, offer, part } from "../dom.js";
+import { build as keepFigures } from "../figures.js";
+import { SECONDS, copyProgram, drawing, shortKind } from "../films.js";
 import { utf8 } from "../packing.js";
 import { worded, wordedOfScenario } from "../refusals.js";
 import { spoken, t } from "../words.js";
@@ -12,12 +14,27 @@ import * as room from "./room.js";
 const ALLOWED = ["no_drilling", "tatami", "plasterboard", "dropped_ceiling"];
 const allowed = new Set();
 let newest = 0,
+  shortFilm = "gif",
   job = null;
 
 const say = (...content) => fill(part("kept"), content);
 
-/** Wires the buttons; "opened" is called after a file has become the room. */
-export function wire(opened) {
+/** What fetches the charts of the verdict; null where it is not there yet. */
+const figures = Object.fromEntries(
+  ["room_plan", "room_hits", "room_changes"].map((name) => [
+    name,
+    () => {
+      const mine = job;
+      return mine && ((query) => api.jobFigure(mine, name, query));
+    },
+  ]),
+);
+
+/** Wires the buttons; "opened" is called after a file has become the room, "kinds" are films that the server can make. */
+export function wire(opened, kinds) {
+  shortFilm = shortKind(kinds);
+  part("film").dataset.t = `${shortFilm}OfRoom`;
+  part("film").textContent = t(part("film").dataset.t);
   part("open").addEventListener("change", ({ target }) => {
     const [file] = target.files;
     target.value = "";
@@ -32,6 +49,28 @@ export function wire(opened) {
       say(...worded(error));
     }
   });
+  const asked = () => ({ scene: room.current(), measures: [] });
+  part("python").addEventListener("click", async () => {
+    try {
+      await copyProgram(await api.python(asked()), say);
+    } catch (error) {
+      say(...worded(error));
+    }
+  });
+  const film = (button, query) =>
+    button.addEventListener("click", async () => {
+      const { title } = room.current();
+      try {
+        await drawing(button, say, async () => {
+          const made = await api.film(asked(), { lang: spoken(), ...query() });
+          offer(made, `${title || "room"}.${query().kind}`, made.type);
+        });
+      } catch (error) {
+        say(...worded(error));
+      }
+    });
+  film(part("html"), () => ({ kind: "html", ...(job && { job }) }));
+  film(part("film"), () => ({ kind: shortFilm, seconds: SECONDS, ...(job && { job }) }));
   part("copy").addEventListener("click", async () => {
     const field = part("address");
     try {
@@ -66,6 +105,7 @@ export async function open(file, tell, opened) {
 
 /** Builds what is allowed in the plan to buy and do; called again for another language. */
 export function build() {
+  keepFigures(figures);
   fill(
     part("allowed"),
     ALLOWED.map((name) => {

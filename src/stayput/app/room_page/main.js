@@ -99,7 +99,7 @@ function wire() {
   part("cancel").addEventListener("click", judging.cancel);
   part("verify").addEventListener("click", judging.again);
   upload.wire((file) => files.open(file, (...said) => upload.tell(() => [el("p", { role: "status" }, ...said)]), scenes.leave));
-  files.wire(scenes.leave);
+  files.wire(scenes.leave, presets.films);
   const fields = beforeNextFrame(() => {
     for (const panel of PANELS) panel.update();
     upload.update();

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from stayput.fragility import Probability
     from stayput.report.charts.chart import ChartSource
     from stayput.verification import Verdict
     from stayput.verification.verdict import OptionVerdict
@@ -107,30 +108,33 @@ def ranking_chart(verdict: Verdict, source: ChartSource) -> Chart:
 
     def draw(figure: Figure) -> None:
         axis: Axes = figure.subplots()
-        style(axis, zero=False)
-        for place, option in enumerate(options):
-            chance = option.probabilities[OVERTURNED]
-            if chance.runs == 0:
-                continue
-            low, estimate, high = (100.0 * value for value in (chance.low, chance.estimate, chance.high))
-            axis.barh(place, estimate, 0.55, color=COMPONENT_COLOURS["x"])
-            axis.errorbar(
-                estimate,
-                place,
-                xerr=[[max(0.0, estimate - low)], [max(0.0, high - estimate)]],
-                color=INK,
-                capsize=3.0,
-                linewidth=1.0,
-            )
-            axis.text(
-                high + 1.5, place, numbers.share(chance.estimate, language), va="center", fontsize=FONT - 1.0
-            )
-        axis.set_yticks(range(len(options)), [drawable(label) for label in labels], fontsize=FONT - 1.0)
-        axis.invert_yaxis()
-        axis.set_xlim(0.0, 112.0)
-        axis.set_xticks(range(0, 101, 20))
+        draw_shares(axis, labels, [option.probabilities[OVERTURNED] for option in options], language)
         axis.set_xlabel(drawable(say("figures.axis_overturned", language)), fontsize=FONT)
 
     caption = verdict.sentence(language) + say("page.space", language) + say("figures.ranking_note", language)
     size = (8.4, 1.2 + 0.42 * len(options))
     return Chart(say("figures.ranking", language), caption, source, columns, draw, size)
+
+
+def draw_shares(axis: Axes, labels: Sequence[str], chances: Sequence[Probability], language: str) -> None:
+    """Draw a bar for each of some probabilities, from the top, with its 95 % interval and its value."""
+    style(axis, zero=False)
+    for place, chance in enumerate(chances):
+        if chance.runs == 0:
+            continue
+        low, estimate, high = (100.0 * value for value in (chance.low, chance.estimate, chance.high))
+        axis.barh(place, estimate, 0.55, color=COMPONENT_COLOURS["x"])
+        axis.errorbar(
+            estimate,
+            place,
+            xerr=[[max(0.0, estimate - low)], [max(0.0, high - estimate)]],
+            color=INK,
+            capsize=3.0,
+            linewidth=1.0,
+        )
+        text = numbers.share(chance.estimate, language)
+        axis.text(high + 1.5, place, text, va="center", fontsize=FONT - 1.0)
+    axis.set_yticks(range(len(labels)), [drawable(label) for label in labels], fontsize=FONT - 1.0)
+    axis.set_ylim(len(labels) - 0.4, -0.6)
+    axis.set_xlim(0.0, 112.0)
+    axis.set_xticks(range(0, 101, 20))

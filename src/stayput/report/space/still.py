@@ -98,7 +98,11 @@ def still_of(run: SpaceRun) -> tuple[StillShape, ...]:
     """Return what is drawn of the doors, windows and places of a run's room, below its ceiling."""
     if run.plan is None:
         return ()
-    plan, ceiling = run.plan, math.inf if run.room.ceiling is None else run.room.ceiling.height
+    return still_shapes(run.plan, math.inf if run.room.ceiling is None else run.room.ceiling.height)
+
+
+def still_shapes(plan: FloorPlan, ceiling: float = math.inf) -> tuple[StillShape, ...]:
+    """Return what is drawn of doors, windows and places; a ceiling, at its height [m], ends the openings."""
     found: list[StillShape] = []
     for window in plan.windows:
         top = min(window.sill + _WINDOW_HEIGHT, ceiling)
