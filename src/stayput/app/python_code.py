@@ -61,7 +61,8 @@ import stayput as sp
 {toml}"""))
 
 # As in "See it": one of the earthquakes, all as the scenario says.
-print(scenario.run().outcome.value)
+run = scenario.run()
+print(run.outcome.value)
 
 # As in "What to do": many earthquakes and samples of what is not known.
 verdict = sp.verify_room(scenario, progress=False)

@@ -47,6 +47,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "棒は、それぞれの変更だけをした場合に人に当たる割合、線は95%信頼区間です。",
     ),
     "room_as_is": ("The room as it is", "今のままの部屋"),
+    "axis_from_left": ("From the left wall [m]", "左の壁から [m]"),
+    "axis_from_near": ("From the near wall [m]", "手前の壁から [m]"),
     "axis_hit": ("Hit [%]", "当たる割合 [%]"),
     "of_one_piece": (
         "The job is of one piece; this chart is there for the verification of a room.",

@@ -130,18 +130,22 @@ export async function takeLinked(linked, { scaled, onFloor }) {
   }
 }
 
-/** Takes the record of a link into the scene; one that the server has no more is sent again, if the link holds it. */
-async function useLinked({ id, name, said, letters, vertical: up }) {
-  const on = (known) => patiently(() => api.motion(known, said.component));
-  let motion = await on(letters && sent.has(letters) ? sent.get(letters) : id).catch((error) => {
+/** Takes the record of a link into the scene; see `motionOf`. */
+async function useLinked({ vertical: up, ...linked }) {
+  await use(await motionOf(linked), linked.letters, up);
+}
+
+/** The record of a link as the server knows it; one that it has no more is sent again, if the link holds it. */
+export async function motionOf({ id, name, said, letters }) {
+  const on = (which) => patiently(() => api.motion(which, said.component));
+  const known = await on(letters && sent.has(letters) ? sent.get(letters) : id).catch((error) => {
     if (error.status !== 404 || !letters) throw error;
   });
-  if (!motion) {
-    const file = new File([await unpackedBytes(letters)], name ?? "");
+  if (known) return known;
+  const file = new File([await unpackedBytes(letters)], name ?? ""),
     motion = await patiently(() => api.upload(file, said));
-    sent.set(letters, motion.id);
-  }
-  await use(motion, letters, up);
+  sent.set(letters, motion.id);
+  return motion;
 }
 
 /** Whether a record holds a vertical component alone. */

@@ -3,6 +3,7 @@
 import { settled } from "../dom.js";
 import { tab } from "../memory.js";
 import { packed, unpacked } from "../packing.js";
+import * as environment from "./environment.js";
 import * as room from "./room.js";
 
 const LONGEST = 8000, // letters of a room in a link: longer ones are cut by much that links are sent with
@@ -12,7 +13,7 @@ let told = () => {},
   writing = null, // the room that is in the address, or on its way there
   at = -Infinity;
 
-/** Writes the room into the address after each change; "changed" is called with whether it is too long for that. */
+/** Writes the room into the address after each change; "changed" is called with whether it is too long for that, and with the name of a record that is not in it, or null. */
 export function wire(changed) {
   told = changed;
   writing = room.current();
@@ -32,8 +33,11 @@ const write = settled(250, async () => {
     letters = await packed(text);
   if (mine !== writing) return;
   tab.remember(HERE, text);
+  const record = environment.recordOf(mine),
+    held = Boolean(record?.letters) && letters.length + record.letters.length <= LONGEST,
+    wave = held ? `&${new URLSearchParams({ name: record.name, wave: record.letters })}` : "";
   const long = letters.length > LONGEST,
-    hash = long ? "" : `#room=${letters}`,
+    hash = long ? "" : `#room=${letters}${wave}`,
     state = { screen: document.body.dataset.screen };
   if (hash !== location.hash) {
     const now = performance.now(),
@@ -42,16 +46,17 @@ const write = settled(250, async () => {
     else history.replaceState(history.state ?? state, "", address);
     at = now;
   }
-  told(long);
+  told(long, record && !held ? record.name : null);
 });
 
-/** The room of an address, or that which this tab had; {room, damaged}: both may be missing. */
+/** The room of an address, or that which this tab had; {room, damaged, record}: they may be missing. */
 export async function read(hash) {
-  const letters = new URLSearchParams(hash.replace(/^#/, "")).get("room");
+  const pairs = new URLSearchParams(hash.replace(/^#/, "")),
+    [letters, name, wave] = ["room", "name", "wave"].map((key) => pairs.get(key));
   if (!letters) return { room: parsed(tab.recalled(HERE)), damaged: false };
   const text = await unpacked(letters).catch(() => null),
     found = parsed(text);
-  return { room: found, damaged: found === null };
+  return { room: found, damaged: found === null, record: wave ? { name: name ?? "", letters: wave } : null };
 }
 
 /** Whether a room is that which this tab had last, and is not another one, of a link. */
@@ -60,7 +65,8 @@ export const isOwn = (found) => JSON.stringify(found) === tab.recalled(HERE);
 /** Notes that the address already has the room. */
 export function settle() {
   writing = room.current();
-  told(false);
+  const record = environment.recordOf(writing);
+  told(false, record && !record.letters ? record.name : null);
 }
 
 /** A room of a text; null where it is none that could be drawn. */

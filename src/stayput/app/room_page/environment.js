@@ -14,6 +14,7 @@ let presets = null,
   wanted = null, // the record that the server is being asked for
   reading = false, // the room goes into the fields, which is no change of the room
   whenLost = () => {};
+const waves = new Map(); // the records that links hold, {name, letters} by their ids
 
 /** Begins with a room that is there; "lost" is called where the server does not have its record. */
 export function wire(known, lost) {
@@ -45,16 +46,36 @@ function put(part) {
 /** The record in the fields, where it is the room's. */
 const kept = (id) => (fields.current().record?.id === id ? fields.current().record : null);
 
-async function fetchRecord({ record: id, component, vertical: up }) {
+/** Notes what a link holds of a room's record: {name, letters}. */
+export function noteRecord(found, linked) {
+  if (linked && typeof found?.shaking?.record === "string") waves.set(found.shaking.record, linked);
+}
+
+/** What a link is to hold of the record of a room, {name, letters}; "letters" is null where it is too large. */
+export function recordOf({ shaking = {} }) {
+  const { record } = shaking,
+    now = fields.current().record;
+  if (now?.letters && now.id === record) waves.set(record, { name: now.name, letters: now.letters });
+  return record ? (waves.get(record) ?? { name: now?.id === record ? now.name : "", letters: null }) : null;
+}
+
+async function fetchRecord({ record: id, component, unit, dt, vertical: up }) {
   wanted = id;
+  const { name, letters } = recordOf(room.current());
   try {
-    const motion = await patiently(() => api.motion(id, component));
+    const motion = await upload.motionOf({ id, name, said: { component, unit, dt }, letters });
+    if (motion.id !== id) {
+      waves.set(motion.id, { name, letters });
+      const { shaking, ...rest } = room.current();
+      if (shaking?.record === id) room.replace({ ...rest, shaking: { ...shaking, record: motion.id } });
+      return;
+    }
     const vertical = typeof up === "string" ? { id: up, name: (await patiently(() => api.motion(up))).name } : null;
     if (room.current().shaking?.record !== id) return;
-    put({ record: { id, name: motion.name, shaking: motion.shaking, motion, vertical } });
+    put({ record: { id, name: motion.name, shaking: motion.shaking, motion, letters, vertical } });
     upload.update();
   } catch (error) {
-    if (!(error instanceof api.Refused)) throw error;
+    if (!(error instanceof api.Refused || letters)) throw error;
     if (room.current().shaking?.record === id) whenLost();
   } finally {
     wanted = null;

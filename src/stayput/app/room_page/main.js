@@ -85,7 +85,8 @@ function lost() {
 
 /** Takes the room of the address; where there is none, or it is damaged, that which the server proposes. */
 async function take(hash) {
-  const { room: found, damaged } = await address.read(hash);
+  const { room: found, damaged, record } = await address.read(hash);
+  environment.noteRecord(found, record);
   if (damaged) tellNotice("roomDamaged");
   return found ?? room.current() ?? presets.room_scene;
 }
@@ -134,7 +135,9 @@ async function begin() {
   wire();
   environment.wire(presets, lost);
   again();
-  address.wire((long) => {
+  address.wire((long, missing) => {
+    part("link-record").hidden = missing === null;
+    part("link-record").textContent = missing === null ? "" : t("linkRecord", { name: missing });
     part("link").hidden = long;
     part("link-long").hidden = !long;
     part("address").value = location.href;

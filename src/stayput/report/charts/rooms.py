@@ -33,6 +33,9 @@ if TYPE_CHECKING:
 _FELL, _STOOD = 0.75, 0.35
 """How opaque cells are on which a piece always lies, and always stands."""
 
+_AROUND = 0.1
+"""What is shown beyond the walls [m]."""
+
 _WIDTH = 8.4
 """Width of a chart [in]."""
 
@@ -68,8 +71,10 @@ def plan_chart(verdict: RoomVerdict, source: ChartSource) -> Chart:
         corners = [(0.0, 0.0), (plan.width, 0.0), (plan.width, plan.length), (0.0, plan.length)]
         axis.add_patch(Polygon(corners, fill=False, edgecolor=ROOM, linewidth=3.0))
         axis.set_aspect("equal")
-        axis.set_xlabel(drawable(say("space.axis_x", language)), fontsize=FONT)
-        axis.set_ylabel(drawable(say("space.axis_y", language)), fontsize=FONT)
+        axis.set_xlim(-_AROUND, plan.width + _AROUND)
+        axis.set_ylim(-_AROUND, plan.length + _AROUND)
+        axis.set_xlabel(drawable(say("figures.axis_from_left", language)), fontsize=FONT)
+        axis.set_ylabel(drawable(say("figures.axis_from_near", language)), fontsize=FONT)
 
     height = min(9.0, max(4.0, 0.85 * _WIDTH * plan.length / plan.width))
     caption = _caption(verdict, language, "room_plan_note")
