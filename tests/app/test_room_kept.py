@@ -7,7 +7,6 @@ import io
 import tomllib
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 import pytest
 from browsing import browser  # noqa: F401
 from PIL import Image

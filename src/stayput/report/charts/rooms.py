@@ -46,9 +46,15 @@ def plan_chart(verdict: RoomVerdict, source: ChartSource) -> Chart:
     columns: dict[str, list[object]] = {"piece": [], "x_m": [], "y_m": [], "fell": [], "stood": []}
     for piece in verdict.pieces:
         for i, j in np.argwhere(piece.covers > 0.0).tolist():
-            values = (piece.name, (i + 0.5) * CELL, (j + 0.5) * CELL, piece.fell[i, j], piece.stood[i, j])
+            values = (
+                piece.name,
+                (i + 0.5) * CELL,
+                (j + 0.5) * CELL,
+                float(piece.fell[i, j]),
+                float(piece.stood[i, j]),
+            )
             for column, value in zip(columns.values(), values, strict=True):
-                column.append(float(value) if isinstance(value, np.floating) else value)
+                column.append(value)
 
     def draw(figure: Figure) -> None:
         axis: Axes = figure.subplots()
