@@ -3,6 +3,7 @@
 # ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from contextlib import contextmanager
@@ -81,6 +82,20 @@ class Editor:
         self.page.mouse.move(*end, steps=6)
         if drop:
             self.page.mouse.up()
+
+    def point(self, *points: tuple[float, float]) -> None:
+        """Drag with a finger from the first of some points on the screen over the others [px]."""
+        touch = self.page.context.new_cdp_session(self.page)
+
+        def send(kind: str, *fingers: tuple[float, float]) -> None:
+            where = [{"x": x, "y": y} for x, y in fingers]
+            touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": where})
+
+        send("touchStart", points[0])
+        for (x0, y0), (x1, y1) in itertools.pairwise(points):
+            for step in range(1, 7):
+                send("touchMove", (x0 + (x1 - x0) * step / 6, y0 + (y1 - y0) * step / 6))
+        send("touchEnd")
 
     def handle(self, name: str) -> tuple[float, float]:
         """Return where the middle of a handle is on the screen."""
@@ -230,23 +245,23 @@ def test_what_follows_quickly_is_one_change(browser: Browser, server: Running) -
 
 def test_a_finger_drags_a_piece(browser: Browser, server: Running) -> None:
     with editing(browser, server, touch=True) as it:
-        start, end = it.at(2.0, 1.0), it.at(1.4, 1.6)
-        touch = it.page.context.new_cdp_session(it.page)
-
-        def send(kind: str, *points: tuple[float, float]) -> None:
-            touch.send(
-                "Input.dispatchTouchEvent",
-                {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in points]},
-            )
-
-        send("touchStart", start)
-        for step in range(1, 7):
-            send(
-                "touchMove",
-                (start[0] + (end[0] - start[0]) * step / 6, start[1] + (end[1] - start[1]) * step / 6),
-            )
-        send("touchEnd")
+        it.point(it.at(2.0, 1.0), it.at(1.4, 1.6))
         assert it.room()["furniture"][1]["at"] == pytest.approx([1.4, 1.6], abs=0.03)
+
+
+@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
+def test_a_finger_drags_a_kind_into_the_plan(browser: Browser, server: Running, size: dict[str, int]) -> None:
+    with editing(browser, server, size=size, touch=True) as it:
+        end = it.at(2.0, 1.6)
+        box = it.page.locator("#palette [data-kind=wardrobe]").bounding_box()
+        assert box is not None
+        start = (box["x"] + 20, box["y"] + 20)
+        # across the way in which the palette scrolls, then to the place
+        off = (start[0] + 60, start[1]) if size is DESK else (start[0], start[1] + 60)
+        it.point(start, off, end)
+        wardrobe = it.room()["furniture"][2]
+        assert wardrobe["preset"] == "wardrobe"
+        assert wardrobe["at"] == pytest.approx([2.0, 1.6], abs=0.1)
 
 
 def test_the_keyboard_moves_turns_doubles_and_removes(browser: Browser, server: Running) -> None:
