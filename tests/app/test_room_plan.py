@@ -553,6 +553,7 @@ def test_axe_finds_nothing_serious_in_the_editor(
                 )
             found = Axe().run(it.page, {"include": [["#editor"]]}).response["violations"]
             assert [one["id"] for one in found if one["impact"] in ("serious", "critical")] == []
+            assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
 
 
 def test_every_word_of_the_editor_is_there_and_the_japanese_has_no_english_left() -> None:
