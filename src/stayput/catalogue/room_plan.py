@@ -55,7 +55,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "layer_hit": ("Who is hit", "人に当たる割合"),
     "layer_blocked": ("Blocked doors", "ふさがるドア"),
     "layersHint": (
-        "Plain cells: where it lies overturned; chequered ones: where it stands. The darker, the more often.",
+        "Plain cells: where it lies overturned; chequered ones: where it stands. The stronger the colour, the more often.",
         "塗りは倒れている範囲、市松模様は立ったまま止まる範囲です。濃いほど多く起こります。",
     ),
     # Where something is
