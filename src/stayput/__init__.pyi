@@ -50,7 +50,9 @@ from .motion.suites import japanese_design as japanese_design
 from .motion.suites import read_suite as read_suite
 from .motion.suites import read_target as read_target
 from .motion.suites import synthetic_suite as synthetic_suite
+from .rooms import ActionPlan as ActionPlan
 from .rooms import RoomVerdict as RoomVerdict
+from .rooms import action_plan as action_plan
 from .rooms import verify_room as verify_room
 from .scenario import AssemblyScenario as AssemblyScenario
 from .scenario import RoomScenario as RoomScenario

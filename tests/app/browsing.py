@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import chromium
 import pytest
-from page_coverage import recorded
+from page_coverage import recorded, start
 from playwright.sync_api import sync_playwright
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Iterator
+    from collections.abc import Callable, Generator, Iterator, Mapping
 
     from playwright.sync_api import Browser, Page, Response, Route
     from serving import Running
@@ -83,6 +83,11 @@ class Opened:
         self.wait("parts => parts.every(part => location.hash.slice(1).split('&').includes(part))", parts)
         self.wait("() => document.getElementById('address').value === location.href")
 
+    def speak(self, language: str) -> None:
+        """Choose a language, whose words may have to be fetched first."""
+        self.page.click(f"#languages [lang={language}]")
+        self.page.wait_for_selector(f"html[lang={language}]")
+
     def go(self, screen: str) -> None:
         """Choose a step."""
         self.page.click(f"#steps button[data-screen={screen}]")
@@ -115,10 +120,12 @@ def opened(
     motion: str = "reduce",
     verify: bool = False,
     allowed: tuple[str, ...] = (),
+    routes: Mapping[str, Callable[[Route], None]] | None = None,
 ) -> Generator[Opened]:
     """Open the page; at the end nothing may have gone wrong, nor have been asked of anybody else.
 
-    Verifications are left out unless they are wanted, and then they are of a few motions.
+    Verifications are left out unless they are wanted, and then they are of a few motions; what "routes" match
+    is answered by their functions.
     """
     context = browser.new_context(
         viewport=size,  # type: ignore[arg-type]
@@ -138,11 +145,13 @@ def opened(
     else:
         page.route("**/api/v1/verify", lambda route: None)  # it is never answered
         page.route("**/api/v1/size-map", lambda route: None)
+    for pattern, answer in (routes or {}).items():
+        page.route(pattern, answer)
     with ExitStack() as ending:
         ending.callback(context.close)
         ending.callback(page.unroute_all, behavior="ignoreErrors")
         ending.enter_context(recorded(page))
-        page.goto(f"{server.address}/{address}")
+        page.goto(f"{server.address}/{start()}{address}")
         found.settle()
         yield found
     strangers = [

@@ -23,10 +23,19 @@ if TYPE_CHECKING:
     from playwright.sync_api import Page
 
 SOURCES = Path(__file__).parents[2] / "src" / "stayput"
-FOLDERS = {"": SOURCES / "app" / "page", "canvas/": SOURCES / "report" / "canvas"}
-"""The folders of the page's modules, by the paths under which the server has them."""
+FOLDERS = {
+    "": SOURCES / "app" / "page",
+    "room/": SOURCES / "app" / "room_page",
+    "canvas/": SOURCES / "report" / "canvas",
+}
+"""The folders of the pages' modules, by the paths under which the server has them."""
 
 COMMENT = re.compile(r"^[^\S\n]*//[^\n]*$|/\*.*?\*/", re.MULTILINE | re.DOTALL)
+
+
+def start() -> str:
+    """Return where the page begins: where it is recorded, at that which loads each module by itself."""
+    return "index.html" if os.environ.get("PAGE_COVERAGE") else ""
 
 
 @contextmanager

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
 import signal
 import socket
@@ -20,7 +21,7 @@ from serving import COMPILING, SCENE
 from typer.testing import CliRunner
 
 from stayput.app.addresses import address_of, bind
-from stayput.app.pages import WORDS
+from stayput.app.pages import WORDS, tables
 from stayput.cli import app
 from stayput.errors import InputError
 from waiting import PATIENCE, wait_until
@@ -29,7 +30,8 @@ if TYPE_CHECKING:
     from collections.abc import Generator
 
 ROOT = Path(__file__).parents[2]
-PAGE = ROOT / "src/stayput/app/page"
+APP = ROOT / "src/stayput/app"
+PAGE = APP / "page"
 CANVAS = ROOT / "src/stayput/report/canvas"
 RECORD = "1\n-1\n0\n2\n" * 500
 GIVEN = {"unit": "gal", "dt": "0.01"}
@@ -157,7 +159,9 @@ def test_the_page_is_in_the_wheel(tmp_path: Path) -> None:
     with zipfile.ZipFile(wheel) as archive:
         names = set(archive.namelist())
         archive.extractall(tmp_path / "unpacked")
-    files = {f"stayput/app/page/{file.name}" for file in PAGE.iterdir()}
+    files = {
+        f"stayput/app/{page}/{file.name}" for page in ("page", "room_page") for file in (APP / page).iterdir()
+    }
     files |= {f"stayput/report/canvas/{file.name}" for file in CANVAS.iterdir()}
     assert files <= names
     assert {"stayput/app/page/index.html", "stayput/app/templates/api.html"} <= names
@@ -177,7 +181,8 @@ def test_the_page_is_in_the_wheel(tmp_path: Path) -> None:
 def test_the_page_s_files_are_served_with_their_kinds(client: httpx.Client) -> None:
     kinds = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
     contents = {f"/{file.name}": file.read_bytes() for file in PAGE.iterdir()}
-    assert "/index.html" in contents
+    contents |= {f"/room/{file.name}": file.read_bytes() for file in (APP / "room_page").iterdir()}
+    assert {"/index.html", "/room/index.html"} <= contents.keys()
     for path, content in {**contents, WORDS: None}.items():
         answer = client.get(path)
         assert answer.status_code == 200
@@ -187,7 +192,37 @@ def test_the_page_s_files_are_served_with_their_kinds(client: httpx.Client) -> N
         again = client.get(path, headers={"if-none-match": answer.headers["etag"]})
         assert again.status_code == 304
         assert again.content == b""
-    assert client.get("/").content == client.get("/index.html").content
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_the_page_is_one_file_beside_one_script_that_is_kept(client: httpx.Client, language: str) -> None:
+    spoken = {"accept-language": f"{language}-XX, fr;q=0.5"}
+    page = client.get("/", headers=spoken)
+    assert page.headers["cache-control"] == "no-cache"
+    assert page.headers["vary"] == "Accept-Encoding, Accept-Language"
+    assert f'<html lang="{language}">' in page.text
+    assert ("See it shake" in page.text, "揺らしてみる" in page.text) == (language == "en", language == "ja")
+    again = client.get("/", headers={**spoken, "if-none-match": page.headers["etag"]})
+    assert (again.status_code, again.content) == (304, b"")
+    (name,) = re.findall(r'<script type="module" src="([^"]+)"></script>', page.text)
+    script = client.get(f"/{name}")
+    assert hashlib.sha256(script.content).hexdigest().startswith(name.split("-")[-1].removesuffix(".js"))
+    assert script.headers["content-type"].startswith("text/javascript")
+    assert script.headers["cache-control"] == "public, max-age=31536000, immutable"
+    assert script.headers["content-encoding"] == "gzip"
+    plain = client.get(f"/{name}", headers={"accept-encoding": "identity"})
+    assert "content-encoding" not in plain.headers
+    assert plain.content == script.content
+    others = re.findall(r"words-[a-z]+-[0-9a-f]+\.json", script.text)
+    assert len(others) == 2
+    for other in others:
+        words = client.get(f"/{other}")
+        assert words.headers["cache-control"].endswith("immutable")
+        assert words.json() == tables()["ja" if "-ja-" in other else "en"]
+
+
+def test_a_page_for_readers_of_other_languages_is_in_english(client: httpx.Client) -> None:
+    assert '<html lang="en">' in client.get("/", headers={"accept-language": "fr, de;q=0.5"}).text
 
 
 @pytest.mark.parametrize(

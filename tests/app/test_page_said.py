@@ -84,9 +84,9 @@ def test_a_link_whose_record_has_expired_says_so_above_the_picture(browser: Brow
     link = scene(record=32 * "0", name="my town.csv")
     with opened(browser, server, link, allowed=("404",)) as it:
         assert "“my town.csv” is no longer on the server" in it.text("#notices")
-        it.page.click("#languages [lang=ja]")
+        it.speak("ja")
         assert "「my town.csv」はサーバーに残っていません" in it.text("#notices")
-        it.page.click("#languages [lang=en]")
+        it.speak("en")
         it.page.click("text=Understood")
         it.page.locator("#notices").wait_for(state="hidden")
 
@@ -122,7 +122,7 @@ def test_what_has_no_wall_or_ceiling_is_said_to_be_left_out(browser: Browser, se
         for place in ("#notices", "#room"):
             assert "does not go under this ceiling" in it.text(place)
             assert "no ceiling above the piece: Tension poles." in it.text(place)
-        it.page.click("#languages [lang=ja]")
+        it.speak("ja")
         assert "家具が入りません" in it.text("#notices")
         assert "L型金具" in it.text("#room")
 
@@ -152,7 +152,7 @@ def test_the_component_of_a_record_is_said_and_chosen(
         it.page.reload()
         it.settle()
         assert it.page.locator("#uploaded select").input_value() == "z"
-        it.page.click("#languages [lang=ja]")
+        it.speak("ja")
         assert "上下動" in it.text("#uploaded")
         asked, _ = it.simulated(lambda: it.page.get_by_label("震度6強", exact=True).check())
         assert asked["scene"]["shaking"]["intensity"] == 6.25  # it is made as strong
@@ -170,8 +170,11 @@ def test_a_record_of_an_upper_floor_is_not_sent_through_a_building_without_a_wor
         it.simulated(
             lambda: it.page.set_input_files("#file", record(tmp_path, "floor42.csv", sp.near_fault()))
         )
-        assert "goes through a building once more" in it.text("#notices")
         assert "recorded on floor 42 of a building" in it.text("#uploaded")
+        assert "with no building between" in it.text("#uploaded")
+        asked, _ = it.simulated(lambda: it.page.get_by_label("The ground", exact=True).check())
+        assert asked["scene"]["shaking"]["building"]["storeys"] == 10
+        assert "goes through a building once more" in it.text("#notices")
         it.simulated(lambda: it.page.get_by_label("On the ground").check())
         assert not it.page.locator("#notices").is_visible()
 
@@ -250,7 +253,7 @@ def test_the_slider_of_the_time_and_the_title_speak_the_language(browser: Browse
         said = it.page.get_attribute("#time", "aria-valuetext")
         assert said is not None
         assert re.fullmatch(r"\d+秒のうち\d+\.\d秒", said)
-        it.page.click("#languages [lang=en]")
+        it.speak("en")
         assert it.page.title().startswith("stayput: will my furniture")
 
 
@@ -280,10 +283,10 @@ def test_what_is_not_possible_or_not_known_is_no_chance_of_zero(browser: Browser
             assert "%" not in title
         assert "not possible" in it.text("#map .key")
         assert "must be between floor and ceiling" in it.text("#map")
-        it.page.click("#languages [lang=ja]")
+        it.speak("ja")
         assert "設置不可" in it.text("#map .key")
         assert "床と天井の間" in it.text("#map")
-        it.page.click("#languages [lang=en]")
+        it.speak("en")
         ranks = it.page.eval_on_selector_all(
             "#ranking .bar", "all => all.map(one => Math.round(one.getBoundingClientRect().width))"
         )

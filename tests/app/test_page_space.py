@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import io
+import re
 import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -216,7 +217,7 @@ def test_chances_in_space_come_without_curves_until_they_are_asked_for(
         it.page.wait_for_selector("#whatif[data-state=done]", timeout=COMPILING)
         it.page.click("#ask-curves")
         it.page.wait_for_selector("#fragility svg.chart", timeout=COMPILING)
-        it.page.click("#languages button[lang=ja]")
+        it.speak("ja")
         it.page.wait_for_selector("#fragility svg.chart")
         assert "三次元で" in it.text("#also")
 
@@ -242,17 +243,17 @@ def test_a_film_that_is_being_drawn_says_so_and_so_does_one_that_failed(
     with opened(browser, server, LINK, allowed=("status of 503",)) as it:
         held: list[Route] = []
         it.page.route("**/simulate/film*", lambda route: held.append(route))
-        button, other = it.page.locator("#gif-without"), it.page.locator("#html-without")
+        button, other = it.page.locator("#film-without"), it.page.locator("#html-without")
         it.go("keep")
         button.click()
         expect(button).to_have_text("Drawing …")
         expect(button).to_be_disabled()
         expect(other).to_be_enabled()
-        it.page.click("#languages button[lang=ja]")
+        it.speak("ja")
         expect(button).to_have_text("作成中…")
-        it.page.click("#languages button[lang=en]")
+        it.speak("en")
         held.pop().fulfill(status=503, json={"message": "busy", "message_ja": "busy", "field": None})
-        expect(button).to_have_text("Animation without measures (GIF)")
+        expect(button).to_have_text(re.compile("Animation without measures, 10 s"))
         expect(button).to_be_enabled()
         expect(it.page.locator("#kept")).to_contain_text("busy")
         with it.page.expect_download():
@@ -283,7 +284,7 @@ def test_a_file_of_several_pieces_is_shown_until_the_scene_changes(browser: Brow
         assert Path(found.value.path()).read_text(encoding="utf-8") == PIECES
         it.page.wait_for_selector("#understand[data-state=pieces]")
         assert "for one piece" in it.text("#state")
-        it.page.click("#languages button[lang=ja]")
+        it.speak("ja")
         assert "「dresser.toml」の家具" in it.text("#pieces")
         with it.page.expect_download() as found:
             it.page.click("#csv-without")

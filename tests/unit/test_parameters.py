@@ -24,6 +24,7 @@ from stayput.model.furniture import FURNITURE, Preset
 from stayput.model.parameters import Parameter, check_fields, parameter_of, parameters
 from stayput.model.room import Floor
 from stayput.model.state import State
+from stayput.motion.ground_shaking import EarthquakeSource
 from stayput.motion.suites import synthetic_suite
 from stayput.scenario import Scenario
 from stayput.scenario.messages import kinds
@@ -47,6 +48,7 @@ NEEDED: dict[Any, dict[str, Any]] = {
     sp.Contents: {},
     sp.sine: {"amplitude": 1.0, "frequency": 1.0},
     synthetic_suite: {},
+    EarthquakeSource: {"magnitude": 7.0, "distance": 20.0},
 }
 """What is refused by itself, and what must be given beside a field."""
 
@@ -71,6 +73,7 @@ TABLES: dict[str, tuple[Any, dict[str, Any]]] = {
     "contents": (sp.Contents, {}),
     "shaking.sine": (sp.sine, {"amplitude": 1.0, "frequency": 1.0}),
     "shaking.suite": (synthetic_suite, {}),
+    "shaking.earthquake": (EarthquakeSource, {"magnitude": 7.0, "distance": 20.0}),
     "shaking.building": (Building, {"storeys": 3}),
 }
 """The tables of a scenario, what each makes, and what must be given beside one of its keys."""
@@ -104,6 +107,7 @@ LIMITED = {
 """Keys for which a server has limits of its own, and says these first."""
 
 DIMENSIONLESS = (
+    "magnitude",
     "friction",
     "share",
     "restitution",

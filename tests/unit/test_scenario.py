@@ -22,6 +22,7 @@ NEEDED = {  # what must stand beside a key so that only that key is wrong
     "room.far_side_wall": {"gap": 0.1},
     "room.ceiling": {"height": 2.4},
     "shaking.sine": {"amplitude": 1.0, "frequency": 1.0},
+    "shaking.earthquake": {"magnitude": 7.0, "distance": 20.0},
     "furniture": {"preset": "bookcase"},
 }
 

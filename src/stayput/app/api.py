@@ -8,19 +8,31 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from fastapi import APIRouter, Query, Request
-from fastapi import Path as InPath
 from starlette.responses import Response
 
 import stayput
+from stayput.app.action_plan_api import add_action_plan
+from stayput.app.differences import with_differences
 from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
+from stayput.app.figure_routes import add_figures
 from stayput.app.jobs import StoppedError
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.presets import presets
-from stayput.app.refusals import refused
-from stayput.app.replies import MotionReply, PingReply, PresetsReply, PreviewReply, SceneReply
+from stayput.app.python_code import scene_python
+from stayput.app.replies import (
+    MotionReply,
+    PingReply,
+    PresetsReply,
+    PreviewReply,
+    SceneReply,
+    ShakingReply,
+)
 from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotations
     EverydayRequest,
+    Name,
     ReadRequest,
+    RunsRequest,
+    ShakingRequest,
     SimulateRequest,
     SizeMapRequest,
     TomlRequest,
@@ -31,6 +43,7 @@ from stayput.app.run_replies import SimulateReply, SizeMapReply
 from stayput.app.running import simulated
 from stayput.app.scenes import several_pieces, uploaded_motions
 from stayput.app.service import Service, json_response, problems
+from stayput.app.shaking import shaking_reply
 from stayput.app.size_map import size_map
 from stayput.app.space_replies import SpaceSimulateReply
 from stayput.app.space_running import simulated_in_space, simulated_pieces
@@ -47,10 +60,8 @@ from stayput.verification.compare import curve_levels
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from stayput.app.jobs import AnyVerdict, Job
+    from stayput.app.jobs import Job
     from stayput.scenario import Scenario
-
-Name = Annotated[str, InPath(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")]
 
 ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
 
@@ -80,7 +91,7 @@ UPLOAD_FORM: dict[str, Any] = {
 """What the description of the API says of an upload, which is read here, not by FastAPI."""
 
 
-FILMS = {"html": "text/html; charset=utf-8", "gif": "image/gif"}
+FILMS = {"html": "text/html; charset=utf-8", "gif": "image/gif", "mp4": "video/mp4"}
 """Media types of films."""
 
 
@@ -91,7 +102,9 @@ def api(service: Service) -> APIRouter:
     _add_runs(router, service)
     _add_jobs(router, service)
     add_rooms(router, service)
+    add_action_plan(router, service)
     _add_motions(router, service)
+    add_figures(router, service)
     return router
 
 
@@ -124,6 +137,22 @@ def _add_general(router: APIRouter, service: Service) -> None:
         return await service.workers.run(work)
 
     @router.post(
+        "/scenario/python",
+        response_class=Response,
+        tags=["general"],
+        responses={200: {"content": {"text/x-python": {}}}, **problems(400, 413, 422, 503)},
+    )
+    async def python(body: SimulateRequest) -> Response:
+        """Return a scene, of one piece or several, as a program that gives the same numbers to the bit."""
+
+        def work() -> Response:
+            scenario = service.shaken(body.scene, body.measures)
+            text = scene_python(scenario, scene_toml(scenario, service.motions), stayput.__version__)
+            return attachment(text, "scenario.py", "text/x-python; charset=utf-8")
+
+        return await service.workers.run(work)
+
+    @router.post(
         "/scenario/read", response_model=SceneReply, tags=["general"], responses=problems(400, 413, 422, 503)
     )
     async def read(body: ReadRequest) -> Response:
@@ -144,7 +173,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post(
         "/simulate", response_model=SimulateReply | SpaceSimulateReply, tags=["runs"], responses=refusals
     )
-    async def simulate(body: SimulateRequest) -> Response:
+    async def simulate(body: RunsRequest) -> Response:
         """Run a scene without and with measures, in the plane or in space; several pieces in space."""
 
         def work() -> Response:
@@ -155,7 +184,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
                 run = simulated if scenario.dimensions == 2 else simulated_in_space
                 reply = run(scenario)
             reply.motion.name = service.motions.named(reply.motion.name)
-            return json_response(reply)
+            return json_response(reply, change=with_differences if body.histories == "differences" else None)
 
         workers = service.slow if several_pieces(body.scene) else service.workers
         return await workers.run(work)
@@ -182,24 +211,41 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         "/simulate/film",
         response_class=Response,
         tags=["runs"],
-        responses={200: {"content": {"text/html": {}, "image/gif": {}}}, **refusals},
+        responses={
+            200: {"content": {media.partition(";")[0]: {} for media in FILMS.values()}},
+            **refusals,
+            **problems(404, 409),
+        },
     )
     async def simulate_film(
         body: SimulateRequest,
         which: Annotated[Literal["without", "with"], Query()] = "without",
-        kind: Annotated[Literal["html", "gif"], Query()] = "html",
+        kind: Annotated[Literal["html", "gif", "mp4"], Query()] = "html",
         lang: Annotated[Language, Query()] = "en",
+        seconds: Annotated[float | None, Query(ge=2.0, le=60.0, description="How much of it.")] = None,
+        job: Annotated[str | None, Query(description="The job whose verdict stands in the film.")] = None,
     ) -> Response:
-        """Run a scene without or with measures; return a page that plays it, or a GIF."""
+        """Run a scene without or with measures; return a page that plays it, a GIF, or an MP4."""
+        note = "" if job is None else service.verdict(job)[1].sentence(lang)
 
         def work() -> Response:
             scenario = service.shaken(body.scene, body.measures)
-            content = film(scenario, kind, lang, service.limits, held=which == "with")
+            held = which == "with"
+            content = film(scenario, kind, lang, service.limits, held=held, seconds=seconds, note=note)
             answer = attachment(content, f"run_{which}.{kind}", FILMS[kind])
             answer.headers["Content-Security-Policy"] = REPORT_POLICY
             return answer
 
         return await service.slow.run(work)
+
+    @router.post("/shaking", response_model=ShakingReply, tags=["runs"], responses=refusals)
+    async def strength(body: ShakingRequest) -> Response:
+        """Return how strongly the ground shakes in a scene, as a JMA intensity with its scatter."""
+
+        def work() -> Response:
+            return json_response(shaking_reply(service.shaken(body.scene, [])))
+
+        return await service.workers.run(work)
 
     @router.post("/size-map", response_model=SizeMapReply, tags=["runs"], responses=refusals)
     async def map_of_sizes(body: SizeMapRequest, request: Request) -> Response:
@@ -278,12 +324,6 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
         job = service.jobs.cancel(name)
         return await service.workers.run(lambda: json_response(reply_of(job)))
 
-    def done(name: str) -> tuple[Job, AnyVerdict]:
-        job = service.jobs.get(name)
-        if job.state != "done" or job.verdict is None:
-            raise refused(409, "app.no_report_yet", state=job.state)
-        return job, job.verdict
-
     @router.put(
         "/jobs/{name}/everyday",
         response_model=EverydayReply,
@@ -292,16 +332,9 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     )
     async def put_everyday(name: Name, body: EverydayRequest) -> Response:
         """Put another scene's everyday use into a verdict that is done, whose runs it has no part in."""
-
-        def of_a_piece() -> tuple[Job, Verdict]:
-            job, verdict = done(name)
-            if not isinstance(verdict, Verdict):
-                raise refused(409, "app.no_everyday")
-            return job, verdict
-
-        of_a_piece()
+        service.verdict(name)
         scenario = await service.workers.run(service.scene, body.scene, [])
-        job, verdict = of_a_piece()
+        job, verdict = service.verdict(name)
         changed = with_everyday(verdict, scenario.everyday)
         job.verdict, job.reports = changed, {}
         return await service.workers.run(lambda: json_response(everyday_reply(changed)))
@@ -314,7 +347,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     )
     async def report(name: Name, lang: Annotated[Language, Query()] = "en") -> Response:
         """Return the report of a job: one HTML file."""
-        job, verdict = done(name)
+        job, verdict = service.done(name)
         reports = job.reports  # those of this verdict
 
         def work() -> Response:
@@ -334,7 +367,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     )
     async def table(name: Name) -> Response:
         """Return the ranking of a job as a table."""
-        _, verdict = done(name)
+        _, verdict = service.done(name)
 
         def work() -> Response:
             if isinstance(verdict, Verdict):

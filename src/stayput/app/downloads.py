@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import shutil
 import tempfile
 import threading
 from pathlib import Path
@@ -127,41 +128,60 @@ def _space_csv(scenario: Scenario | AssemblyScenario, *, held: bool) -> str:
     return text.getvalue()
 
 
+def film_kinds() -> tuple[str, ...]:
+    """Return the kinds of films that can be made here: MP4 where there is ffmpeg."""
+    return ("html", "gif", *(["mp4"] if shutil.which("ffmpeg") else []))
+
+
 def film(
-    scenario: Scenario | AssemblyScenario, kind: str, language: Language, limits: Limits, *, held: bool
+    scenario: Scenario | AssemblyScenario,
+    kind: str,
+    language: Language,
+    limits: Limits,
+    *,
+    held: bool,
+    seconds: float | None = None,
+    note: str = "",
 ) -> bytes:
-    """Return a run as a film: a page that plays it, or a GIF.
+    """Return a run as a film: a page that plays it, a GIF, or an MP4.
 
     Parameters
     ----------
     scenario : Scenario or AssemblyScenario
         The scene.
     kind : str
-        "html" or "gif".
+        "html", "gif" or "mp4".
     language : str
         "en" or "ja".
     limits : Limits
-        How long a GIF may be.
+        How long a GIF or MP4 may be.
     held : bool
         Whether the user's measures are in place.
+    seconds : float, optional
+        How much of the run is shown, in which something happens [s]; by default all.
+    note : str
+        A sentence that stands in every frame of a GIF or MP4.
 
     Raises
     ------
     RefusedError
-        The motion is too long for a GIF.
+        The motion is too long for a GIF or MP4, or there is nothing here that makes an MP4.
     """
+    if kind not in film_kinds():
+        raise refused(422, "app.no_video", "kind", value=kind, allowed=", ".join(film_kinds()))
     motion = scenario.motion()
-    if kind == "gif" and motion.duration > limits.film:
+    if kind != "html" and seconds is None and motion.duration > limits.film:
         raise refused(422, "app.long_film", "scene.shaking", value=motion.duration, most=limits.film)
     with tempfile.TemporaryDirectory(prefix="stayput-film-") as folder:
         path = Path(folder, f"run.{kind}")
         if isinstance(scenario, Scenario) and scenario.dimensions == 2:
             measures = own_measures(scenario) if held else ()
             name = name_in(scenario, language)
-            animate_run(run_of(scenario, motion, measures), path, name=name, language=language)
+            run = run_of(scenario, motion, measures)
+            animate_run(run, path, name=name, language=language, seconds=seconds, note=note)
         else:
             run, names = _shown_in_space(scenario, held=held)
-            animate_space_run(run, path, names=names(language), language=language)
+            animate_space_run(run, path, names=names(language), language=language, seconds=seconds, note=note)
         return path.read_bytes()
 
 

@@ -178,7 +178,7 @@ class Compression:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass a request on, and compress its answer."""
-        if scope["type"] != "http" or not _takes_gzip(Headers(scope=scope)):
+        if scope["type"] != "http" or not takes_gzip(Headers(scope=scope)):
             await self._app(scope, receive, send)
             return
         start: Message | None = None
@@ -198,7 +198,7 @@ class Compression:
         await self._app(scope, receive, answer)
 
 
-def _takes_gzip(headers: Headers) -> bool:
+def takes_gzip(headers: Headers) -> bool:
     """Return whether a client accepts gzip with a weight above zero."""
     for coding in headers.get("accept-encoding", "").lower().split(","):
         name, _, weight = coding.partition(";")
@@ -210,11 +210,11 @@ def _takes_gzip(headers: Headers) -> bool:
 async def _compress(start: Message, body: Message) -> None:
     """Change an answer's body and headers in place, where it is worth it."""
     headers = MutableHeaders(scope=start)
-    if not headers.get("content-type", "").startswith(COMPRESSED_KINDS):
+    if "content-encoding" in headers or not headers.get("content-type", "").startswith(COMPRESSED_KINDS):
         return
     headers.add_vary_header("Accept-Encoding")
     content: bytes = body.get("body", b"")
-    if len(content) < SHORTEST_COMPRESSED or "content-encoding" in headers:
+    if len(content) < SHORTEST_COMPRESSED:
         return
     packed = await asyncio.to_thread(gzip.compress, content, GZIP_LEVEL, mtime=0)
     headers["Content-Encoding"] = "gzip"

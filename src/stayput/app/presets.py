@@ -7,6 +7,7 @@ from dataclasses import MISSING
 from typing import TYPE_CHECKING, Any, Literal
 
 import stayput
+from stayput.app.downloads import film_kinds
 from stayput.app.replies import (
     FamilyReply,
     FurnitureReply,
@@ -46,8 +47,15 @@ from stayput.model.body import Body, Part
 from stayput.model.floor_plan import PLACES, Door, FloorPlan, PersonPlace, Window
 from stayput.model.furniture import FURNITURE as PIECES
 from stayput.model.parameters import parameter_of
+from stayput.model.parameters import parameters as parameters_of
 from stayput.model.room import SURFACES as FRICTIONS
 from stayput.model.room import Ceiling, Room, Wall
+from stayput.motion.ground_shaking import (
+    EarthquakeSource,
+    strength_of_mercalli,
+    strength_of_pga,
+    strength_of_pgv,
+)
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.suites import synthetic_suite
 from stayput.report.palette import MODE_COLOURS
@@ -102,6 +110,10 @@ NUMBERS = {
     "everyday.load": parameter_of(Everyday, "load"),
     "everyday.pull": parameter_of(Everyday, "pull"),
     "shaking.suite.count": parameter_of(synthetic_suite, "count"),
+    "shaking.pga": parameter_of(strength_of_pga, "pga"),
+    "shaking.pgv": parameter_of(strength_of_pgv, "pgv"),
+    "shaking.mmi": parameter_of(strength_of_mercalli, "mmi"),
+    **{f"shaking.earthquake.{about.name}": about for about in parameters_of(EarthquakeSource)},
     **{f"plan.{name}": parameter_of(FloorPlan, name) for name in ("width", "length")},
     **{f"doors.{name}": parameter_of(Door, name) for name in ("start", "width")},
     **{f"windows.{name}": parameter_of(Window, name) for name in ("start", "width", "sill")},
@@ -156,6 +168,7 @@ def presets(limits: Limits) -> PresetsReply:
         measures_shown=SCENE_MEASURES,
         places=[_place(name, preset) for name, preset in PLACES.items()],
         room_scene=ROOM_SCENE,
+        films=list(film_kinds()),
         limits=_limits(limits),
     )
 

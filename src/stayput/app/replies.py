@@ -195,6 +195,7 @@ class PresetsReply(Reply):
     measures_shown: list[dict[str, Any]]
     places: list[PlaceReply]
     room_scene: dict[str, Any] = Field(description="A room to begin with.")
+    films: list[str] = Field(description="The kinds of films that this server can make.")
     limits: LimitsReply
 
 
@@ -242,3 +243,13 @@ class PreviewReply(Reply):
     time_s: list[float]
     low_m_s2: list[float]
     high_m_s2: list[float]
+
+
+class ShakingReply(Reply):
+    """How strongly the ground shakes in a scene: the motions as strong as a verification has them."""
+
+    intensity: float = Field(description="Median JMA intensity of the motions.")
+    deviation: float = Field(description="Standard deviation of their JMA intensities.")
+    intensity_class: str
+    sentence: Words = Field(description="The same in words.")
+    about: Words | None = Field(description="What was stated, and the source of what it amounts to.")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
+from fastapi import Path as InPath
 from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema
 
 from stayput.montecarlo.counting import SLIDE_LIMIT
@@ -30,6 +31,8 @@ Lease = Annotated[
 MeasureData = Annotated[dict[str, Any], WithJsonSchema({STANDS_FOR: "Measure"})]
 """A measure as it came."""
 
+Name = Annotated[str, InPath(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")]
+
 Measures = Annotated[
     list[MeasureData], Field(default_factory=list, max_length=8, description="In place together.")
 ]
@@ -46,6 +49,21 @@ class SimulateRequest(Request):
 
     scene: AnySceneData
     measures: Measures
+
+
+class RunsRequest(SimulateRequest):
+    """The same, with the form of the histories in the reply."""
+
+    histories: Literal["numbers", "differences"] = Field(
+        default="numbers",
+        description="Differences are shorter; in space numbers are in base 64. See DifferencesReply.",
+    )
+
+
+class ShakingRequest(Request):
+    """A scene of which only the shaking is looked at."""
+
+    scene: AnySceneData
 
 
 class SizeMapRequest(Request):

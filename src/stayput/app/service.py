@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import json
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
@@ -14,15 +15,17 @@ from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import read_pieces, read_room_scene, read_scene, several_pieces
 from stayput.app.turns import CLIENT, Turns
 from stayput.errors import InputError
+from stayput.rooms.verdict import RoomVerdict
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from stayput.app.jobs import Jobs
+    from stayput.app.jobs import AnyVerdict, Job, Jobs
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
     from stayput.app.readers import ReaderPool
     from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.verification import Verdict
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -158,13 +161,51 @@ class Service:
             return read_room_scene(data, self.limits, self.motions)
         return self.shaken(data, measures)
 
+    def done(self, name: str) -> tuple[Job, AnyVerdict]:
+        """Return a job that is done, and its verdict.
+
+        Raises
+        ------
+        RefusedError
+            There is no such job, or it has no verdict yet.
+        """
+        job = self.jobs.get(name)
+        if job.state != "done" or job.verdict is None:
+            raise refused(409, "app.no_report_yet", state=job.state)
+        return job, job.verdict
+
+    def verdict(self, name: str) -> tuple[Job, Verdict]:
+        """Return a job of the verification of one piece that is done, and its verdict.
+
+        Raises
+        ------
+        RefusedError
+            There is no such job, it has no verdict yet, or it is of a room.
+        """
+        job, verdict = self.done(name)
+        if isinstance(verdict, RoomVerdict):
+            raise refused(409, "app.of_a_room")
+        return job, verdict
+
     def shaken(self, data: dict[str, Any], measures: list[dict[str, Any]]) -> Scenario | AssemblyScenario:
         """Make a scenario of a scene of one piece or several."""
         read = read_pieces if several_pieces(data) else read_scene
         return read(data, measures, self.limits, self.motions)
 
 
-def json_response(reply: Reply, status: int = 200, headers: dict[str, str] | None = None) -> Response:
-    """Return a reply as a JSON response; call it on a worker where the reply is large."""
-    text = reply.model_dump_json(by_alias=True)
+def json_response(
+    reply: Reply,
+    status: int = 200,
+    headers: dict[str, str] | None = None,
+    change: Callable[[dict[str, Any]], dict[str, Any]] | None = None,
+) -> Response:
+    """Return a reply as a JSON response; call it on a worker where the reply is large.
+
+    ``change`` makes other plain values of the reply's.
+    """
+    if change is None:
+        text = reply.model_dump_json(by_alias=True)
+    else:
+        changed = change(reply.model_dump(mode="json", by_alias=True))
+        text = json.dumps(changed, ensure_ascii=False, separators=(",", ":"))
     return Response(text, status, headers, "application/json")

@@ -117,8 +117,13 @@ def size_map(
     bodies = [scaled_body(body, float(a), float(u)) for a, u in zip(across, up, strict=True)]
     rows = [_rows_or_refusal(scaled, scenario, measures, drawn) for scaled in bodies]
     possible = {place: row for place, row in enumerate(rows) if isinstance(row, Rows)}
-    wanted = shaking.wanted_intensity
-    own = _own_intensity(ground, shaking.scale) if wanted is None else wanted
+    strength = shaking.strength
+    if strength is None:
+        own = _own_intensity(ground, shaking.scale)
+    elif strength.measure == "JMA":
+        own = strength.level
+    else:
+        own = hazard.stated(strength, None, uncertainty.seed, threads).median_intensity
     levels = intensities(own)
     share = np.full((len(bodies), len(levels)), np.nan)
     if possible:

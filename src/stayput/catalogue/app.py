@@ -93,9 +93,13 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The job is {state}; there is a report once it is done.",
         "計算はまだ終わっていません（{state}）。報告書は計算が終わると作成できます。",
     ),
-    "no_everyday": (
-        "The job is of a room; everyday use is looked at for a single piece.",
-        "部屋の計算です。日常の使い方は、家具が1点のときに確かめます。",
+    "of_a_room": (
+        "The job is of a room; this is there for the verification of a single piece.",
+        "部屋の計算です。これは家具1点の検証で使えます。",
+    ),
+    "no_plan_yet": (
+        "The job is {state}; there is a plan to buy and do once it is done, of a room.",
+        "計算の状態は{state}です。買うもの・することの計画は、部屋の計算が終わると作成できます。",
     ),
     "no_such_job": (
         "There is no such job; it may have expired.",
@@ -125,6 +129,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "suite_folder": (
         "shaking.suite is a folder; this server takes suites by family and count only.",
         "shaking.suiteにフォルダーは指定できません。familyとcountで指定してください。",
+    ),
+    "no_video": (
+        "kind is {value}, which needs ffmpeg where the server runs; it must be one of {allowed}.",
+        "kindが{value}になっていますが、サーバーにffmpegがありません。{allowed}のいずれかを指定してください。",
     ),
     "long_film": (
         "The motion lasts {value:.0f} s; this server draws a GIF of at most {most:g} s, and a page of any.",

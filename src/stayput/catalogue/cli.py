@@ -9,6 +9,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} is {value}; it must be written like {example}.",
         "{flag}が{value}になっています。{example}のように書いてください。",
     ),
+    "home_without_plan": (
+        "--no-drilling, --tatami, --plasterboard or --dropped-ceiling is given without --plan; each must come with it.",
+        "--no-drilling、--tatami、--plasterboard、--dropped-ceilingは--planと一緒に指定してください。",
+    ),
+    "plan_of_a_room": (
+        "--plan is given for a file without [plan]; it must be the file of a room.",
+        "--planが指定されていますが、[plan]がありません。部屋のファイルを指定してください。",
+    ),
     "length_in_the_plane": (
         "--length is {value:g} m, which changes nothing in the plane of the depth; with --dimensions 3 it does.",
         "--lengthが{value:g} mになっていますが、奥行き方向の平面の解析では結果に影響しません。--dimensions 3では影響します。",

@@ -93,8 +93,8 @@ FAMILIES: dict[str, tuple[tuple[str, str], tuple[str, str]]] = {
     "near-fault": (
         ("Right above the fault", "直下型地震"),
         (
-            "a shallow earthquake next to its fault: short, with a strong push",
-            "断層のすぐ近くの浅い地震。短く、強いパルス状の揺れが来る",
+            "a shallow earthquake next to its fault, in the manner of Kobe in 1995: short, with a strong push",
+            "断層のすぐ近くの浅い地震（1995年の神戸のような揺れ）。短く、強いパルス状の揺れが来る",
         ),
     ),
     "crustal": (
@@ -107,8 +107,8 @@ FAMILIES: dict[str, tuple[tuple[str, str], tuple[str, str]]] = {
     "subduction": (
         ("At the plate boundary", "海溝型の巨大地震"),
         (
-            "a great earthquake: minutes of shaking, in one or more bursts",
-            "巨大地震。何分も続き、強い揺れが何度か来ることもある",
+            "a great earthquake, in the manner of Tohoku in 2011: minutes of shaking, in one or more bursts",
+            "巨大地震（2011年の東北のような揺れ）。何分も続き、強い揺れが何度か来ることもある",
         ),
     ),
     "basin": (

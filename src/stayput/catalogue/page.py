@@ -29,6 +29,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "stayput：地震のとき、家具は倒れずにいられるか",
     ),
     "claim": ("Will my furniture stay put in an earthquake?", "地震のとき、家具は倒れずにいられるか"),
+    "toRoom": ("A whole room", "部屋全体"),
     "language": ("Language", "言語"),
     "steps": ("Steps", "手順"),
     "skip": ("Skip to the animation", "アニメーションへ移動"),
@@ -117,7 +118,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "Each one is different, even at one intensity. The animation shows this one; the chances below are worked out from many.",
         "同じ震度でも地震ごとに揺れ方が違います。アニメーションはこの地震のもので、下の確率は多くの地震から求めます。",
     ),
-    "scaled": ("Make the record as strong as the intensity above", "記録を上の震度に合わせて拡大・縮小する"),
+    "scaled": ("Make the record as strong as stated above", "記録を上で決めた強さに合わせて拡大・縮小する"),
     "meaningSource": (
         "Abridged from the explanation of the scale by the Japan Meteorological Agency (JMA).",
         "気象庁震度階級関連解説表を要約したものです。",
@@ -148,10 +149,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "linkDamaged": (
         "The link is damaged: it does not hold all of the file “{name}”.",
         "リンクが壊れています。ファイル「{name}」の内容がそろっていません。",
-    ),
-    "linkLong": (
-        "This file is too large for a link, and for the page to show it again when it is loaded anew: keep the file itself.",
-        "このファイルは大きいため、リンクにはできません。ページを読み込み直したときも、もう一度ファイルを開いてください。",
     ),
     "piecesTitle": ("The pieces in “{name}”", "「{name}」の家具"),
     "piecesNote": (
@@ -441,27 +438,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "mapNote": (
         "How often such a piece falls over, by its height and the strength of the shaking (earthquakes tried: {motions}; simulations of each size at each strength: {runs}). What is not known was varied as for the chances above. The mark is your piece.",
         "家具の高さと揺れの強さごとに、{motions}種類の地震による{runs}回ずつの計算から、倒れる割合を示します。ばらつきは上の確率と同じように考えています。印はこの家具です。",
-    ),
-    "addressLabel": ("A link that shows this scene again", "この条件を再現するリンク"),
-    "copy": ("Copy", "コピー"),
-    "copied": ("The link is on the clipboard.", "リンクをコピーしました。"),
-    "toml": ("Scenario (TOML)", "条件ファイル（TOML）"),
-    "report": ("Report (HTML)", "報告書（HTML）"),
-    "table": ("Verdict as a table (CSV)", "判定の表（CSV）"),
-    "csvWithout": ("Run without measures (CSV)", "対策なしの計算結果（CSV）"),
-    "csvWith": ("Run with the measures (CSV)", "対策ありの計算結果（CSV）"),
-    "htmlWithout": ("Animation without measures (HTML)", "対策なしの動画（HTML）"),
-    "htmlWith": ("Animation with the measures (HTML)", "対策ありの動画（HTML）"),
-    "gifWithout": ("Animation without measures (GIF)", "対策なしの動画（GIF）"),
-    "gifWith": ("Animation with the measures (GIF)", "対策ありの動画（GIF）"),
-    "drawingNow": ("Drawing …", "作成中…"),
-    "drawing": (
-        "Drawing the animation, which may take half a minute …",
-        "動画を作っています。30秒ほどかかることがあります…",
-    ),
-    "reportWait": (
-        "Report and table are there once the chances have been worked out.",
-        "報告書と表は、確率の計算が終わると保存できます。",
     ),
     "disclaimer": (
         "A computation with simple models and usual values, to help understand. It is no guarantee that a piece of furniture is safe.",

@@ -138,9 +138,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "shaking.vertical is {value} without shaking.record; it must be true or false there.",
         "shaking.recordがないのにshaking.verticalが{value}になっています。trueかfalseにしてください。",
     ),
-    "scale_and_intensity": (
-        "shaking.scale is {value:g} beside shaking.intensity; it must be one of the two.",
-        "shaking.scale（{value:g}）とshaking.intensityの両方があります。一方だけを指定してください。",
+    "scale_and_strength": (
+        "shaking.scale is {value:g} beside {other}; it must be one of the two.",
+        "shaking.scale（{value:g}）と{other}の両方があります。一方だけを指定してください。",
     ),
     "member_of_one": (
         "shaking.member is given for one motion; it belongs to a suite.",

@@ -1,6 +1,7 @@
 """Verdicts: what happens with each measure, and why; Monte Carlo sampling behind them."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    "strength": ("Strength of the ground's shaking: {strength}.", "地面の揺れの強さ：{strength}。"),
     "in_space": (
         "Simulated in space, under all components of the motions; the piece faces {heading:.0f}° from their x.",
         "三次元で、地震動のすべての成分を使って計算しました（家具の向きはx成分から{heading:.0f}°）。",
@@ -274,6 +275,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "floor_settlement": ("how far the floor gives", "床の沈み込み"),
     "floor_friction": ("friction on the floor", "床の摩擦"),
     "the_building": ("the building", "建物"),
+    "the_wall": ("what is behind the wall's surface", "壁の下地"),
+    "the_ceiling": ("what is above the ceiling's surface", "天井の下地"),
     "of_a_measure": ("{measure}: {parameter}", "{measure}：{parameter}"),
     # probability distributions and draws
     "mean": ("Mean", "平均"),

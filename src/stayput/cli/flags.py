@@ -74,6 +74,12 @@ def building_table(text: str) -> dict[str, Any]:
     return {**table, "structure": structure.strip()} if structure else table
 
 
+def earthquake_table(text: str) -> dict[str, float]:
+    """Return the earthquake table of ``MAGNITUDE,DISTANCE[,DEPTH[,VS30]]``."""
+    values = _numbers("--earthquake", text, text.split(","), (2, 3, 4), "7,20,10,300")
+    return dict(zip(("magnitude", "distance", "depth", "vs30"), values, strict=False))
+
+
 def friction_table(text: str) -> dict[str, Any]:
     """Return the floor table of ``STATIC[,KINETIC]``."""
     values = _numbers("--friction", text, text.split(","), (1, 2), "0.4,0.3")
@@ -125,7 +131,12 @@ def overlaid(
     if motion is not None:
         tables["shaking"] = shaking_table(motion)
     if stated := {key: value for key, value in shaking.items() if value is not None}:
-        tables["shaking"] = {**_table(tables, "shaking"), **stated}
+        from stayput.scenario.shaking import STRENGTHS
+
+        given = _table(tables, "shaking")
+        if not stated.keys().isdisjoint(STRENGTHS):  # in the place of what the file says
+            given = {key: value for key, value in given.items() if key not in STRENGTHS}
+        tables["shaking"] = {**given, **stated}
     if floor is not None:
         tables["room"] = {**_table(tables, "room"), "floor": floor}
     if friction is not None:

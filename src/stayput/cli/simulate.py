@@ -14,6 +14,7 @@ from stayput.cli.flags import (
     UnitOption,
     building_table,
     chosen_measures,
+    earthquake_table,
     intensity_value,
     overlaid,
     parsed,
@@ -57,6 +58,16 @@ def simulate(
     intensity: Annotated[
         str | None,
         typer.Option(help="JMA intensity of the ground to scale to: a number, or a class such as 6-upper."),
+    ] = None,
+    pga: Annotated[float | None, typer.Option(help="Peak ground acceleration to scale to [m/s²].")] = None,
+    pgv: Annotated[float | None, typer.Option(help="Peak ground velocity to scale to [m/s].")] = None,
+    mmi: Annotated[float | None, typer.Option(help="Modified Mercalli intensity to scale to.")] = None,
+    earthquake: Annotated[
+        str | None,
+        typer.Option(
+            metavar="M,KM[,DEPTH[,VS30]]",
+            help="An earthquake to scale to: magnitude, distance and depth [km], ground [m/s], such as 7,20.",
+        ),
     ] = None,
     building: Annotated[
         str | None,
@@ -138,6 +149,10 @@ def simulate(
             "dt": dt,
             "scale": scale,
             "intensity": None if intensity is None else intensity_value(intensity),
+            "pga": pga,
+            "pgv": pgv,
+            "mmi": mmi,
+            "earthquake": None if earthquake is None else earthquake_table(earthquake),
             "building": None if building is None else building_table(building),
             "storey": storey,
             "vertical": vertical,

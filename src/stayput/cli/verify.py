@@ -29,6 +29,20 @@ def verify(
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     markdown: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the verdict as .md.")] = None,
     csv: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the ranking as .csv.")] = None,
+    plan: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Write what to buy and do in a room: .html, to print."),
+    ] = None,
+    no_drilling: Annotated[
+        bool, typer.Option("--no-drilling", help="With --plan: nothing may be screwed to a wall.")
+    ] = False,
+    tatami: Annotated[bool, typer.Option("--tatami", help="With --plan: the floor is tatami.")] = False,
+    plasterboard: Annotated[
+        bool, typer.Option("--plasterboard", help="With --plan: the walls have no studs to screw to.")
+    ] = False,
+    dropped_ceiling: Annotated[
+        bool, typer.Option("--dropped-ceiling", help="With --plan: the ceiling hangs on wires.")
+    ] = False,
     slide_limit: Annotated[float | None, typer.Option(help="Slide that counts as too far [m].")] = None,
     every_run: EveryRunOption = False,
     threads: ThreadsOption = None,
@@ -37,22 +51,37 @@ def verify(
 
     Without measures in the file the usual ones are compared, those that can be applied there. Of several
     pieces ([[furniture]]) joints and measures on each are compared. Of a room with a [plan] it is said who is
-    hit, which door stays shut, and which single change helps most.
+    hit, which door stays shut, and which single change helps most; with --plan also what to move and to buy.
     """
-    from stayput.errors import within
+    from stayput.errors import InputError, within
     from stayput.files import check_target
     from stayput.wording import check_language
 
     check_language(lang)
-    for path, suffix in ((report, ".html"), (markdown, ".md"), (csv, ".csv")):
+    for path, suffix in ((report, ".html"), (markdown, ".md"), (csv, ".csv"), (plan, ".html")):
         if path is not None:
             check_target(path, (suffix,))
     if slide_limit is not None:
         within("--slide-limit", slide_limit, 0.0, 100.0, "m")
-    verdict = _verified(scenario, slide_limit, every_run, threads)
-    written = _write(verdict, report, markdown, csv, lang)
-
+    home = (no_drilling, tatami, plasterboard, dropped_ceiling)
+    if plan is None and any(home):
+        raise InputError("cli.home_without_plan")
+    verdict = _verified(scenario, slide_limit, every_run, threads, rooms_only=plan is not None)
     from stayput.rooms.verdict import RoomVerdict
+
+    written = _write(verdict, report, markdown, csv, lang)
+    if plan is not None and isinstance(verdict, RoomVerdict):
+        from stayput.rooms.planning import action_plan
+
+        made = action_plan(
+            verdict,
+            no_drilling=no_drilling,
+            tatami=tatami,
+            plasterboard=plasterboard,
+            dropped_ceiling=dropped_ceiling,
+            threads=threads,
+        )
+        written.append(made.report(plan, lang))
     from stayput.verification import AssemblyVerdict
 
     if json:
@@ -66,9 +95,10 @@ def verify(
 
 
 def _verified(
-    path: Path, slide_limit: float | None, every_run: bool, threads: int | None
+    path: Path, slide_limit: float | None, every_run: bool, threads: int | None, *, rooms_only: bool
 ) -> Verdict | AssemblyVerdict | RoomVerdict:
     from stayput.cli.flags import scenario_data
+    from stayput.errors import InputError
     from stayput.scenario import read_assembly, read_room, read_scenario
     from stayput.verification import SLIDE_LIMIT
 
@@ -80,6 +110,8 @@ def _verified(
         room = read_room(path)
         with room.naming_file(), compiling():
             return verify_room(room, slide_limit=limit, threads=threads)
+    if rooms_only:
+        raise InputError("cli.plan_of_a_room", "--plan").at(path.name)
     several = isinstance(given.get("furniture"), list)
     scenario = read_assembly(path) if several else read_scenario(path)
 

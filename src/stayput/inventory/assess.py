@@ -363,13 +363,17 @@ def _strengths(work: Work) -> Callable[[str, float | None], tuple[float, float |
 
     @lru_cache(maxsize=10_000)
     def strengths(station: str, level: float | None) -> tuple[float, float | None]:
-        ground, shaking = work.ground(places[station]), work.scenarios.all[places[station]].scenario.shaking
-        wanted = shaking.wanted_intensity if level is None else level
-        if period is None and wanted is not None:
-            return float(wanted), None
-        factors = ground.factors(wanted, 1.0 if shaking.scale is None else shaking.scale)
-        sa = None if period is None or level is None else 10.0**level
-        return ground.median_intensity(factors), sa
+        place = places[station]
+        ground, shaking = work.ground(place), work.scenarios.all[place].scenario.shaking
+        strength = shaking.strength
+        if level is None:
+            if strength is not None and strength.measure == "JMA":
+                return strength.level, None
+            factors = ground.stated(strength, shaking.scale, work.settings[place].seed)
+            return ground.median_intensity(factors), None
+        if period is None:
+            return float(level), None
+        return ground.median_intensity(ground.factors(level)), 10.0**level
 
     return strengths
 

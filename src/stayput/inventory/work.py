@@ -189,8 +189,10 @@ class Work:
         for spec, sites in self.store.grounds():
             station, level, building = ground_of(spec)
             ground, shaking = self.ground(station), self.scenarios.all[station].scenario.shaking
-            wanted = shaking.wanted_intensity if level is None else level
-            factors = ground.factors(wanted, 1.0 if shaking.scale is None else shaking.scale)
+            if level is None:
+                factors = ground.stated(shaking.strength, shaking.scale, self.settings[station].seed)
+            else:
+                factors = ground.factors(level)
             for batch in self._storeys_at_a_time(ground, sites):
                 storeys = tuple(storey for _, storey in batch)
                 request = FloorRequest(station, building, storeys, factors)

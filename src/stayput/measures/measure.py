@@ -96,6 +96,9 @@ class Measure(ABC):
     acts_on: ClassVar[str] = "the tie"
     """What it changes: "the body", "the room" and "the base" come before "the tie", whatever their order."""
 
+    drilled: ClassVar[bool] = False
+    """Whether it takes holes in a wall."""
+
     def __post_init__(self) -> None:
         for about in parameters(self):
             check(about, getattr(self, about.name), self.label)

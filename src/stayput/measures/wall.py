@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from stayput.catalogue import phrase
 from stayput.measures.fixing import FASTENINGS, SPAN, TOPS
@@ -25,6 +25,8 @@ AS_ROOM = "room"
 @dataclass(frozen=True, slots=True)
 class WallDevice(Measure):
     """Something between the piece and the wall, as strong as its weakest link or as given."""
+
+    drilled: ClassVar[bool] = True
 
     count: int = parameter(2, "", 1, 20, ("number of them", "個数"))
     strength: float | None = parameter(None, "N", 1.0, 1e6, ("strength of one", "1個の強さ"), decides=True)

@@ -1,8 +1,9 @@
 """Hazard levels: motions of the ground scaled to an intensity, and the floor motions under the furniture.
 
 A level says how strong the ground shakes: a JMA intensity, or the common logarithm of a spectral
-acceleration [g], to which each motion is scaled. Without a building, or in one that stays elastic, the
-floor's motion scales with the ground's; where storeys yield it does not, and is computed anew at each level.
+acceleration [g], to which each motion is scaled. A scenario may also state a peak, and a scatter. Without a
+building, or in one that stays elastic, the floor's motion scales with the ground's; where storeys yield it
+does not, and is computed anew at each level.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility import IntensityMeasure
     from stayput.motion import Motion
+    from stayput.motion.ground_shaking import GroundStrength
     from stayput.motion.suites import Suite
     from stayput.scenario.building import BuildingTable
 
@@ -131,11 +133,29 @@ class Ground:
             for motion in self.motions
         )
 
-    def factors(self, level: float | None, scale: float) -> NDArray[np.float64]:
-        """Return the factors to a level; without one, ``scale`` for each motion."""
-        if level is None:
-            return np.full(len(self.motions), scale)
+    def factors(self, level: float) -> NDArray[np.float64]:
+        """Return the factors to a level."""
         return 10.0 ** (level / growth(self.measure)) * self.to_zero
+
+    def stated(self, strength: GroundStrength | None, scale: float | None, seed: int) -> NDArray[np.float64]:
+        """Return the factors to what a scenario states: a strength with its scatter, or a factor (default 1).
+
+        Parameters
+        ----------
+        strength : GroundStrength, optional
+            The strength. To a peak, the motions have one of 1 (see `stayput.scenario.shaking`).
+        scale : float, optional
+            The factor, where there is no strength.
+        seed : int
+            Seed by which the motions have their strengths out of the scatter.
+        """
+        if strength is None:
+            return np.full(len(self.motions), 1.0 if scale is None else scale)
+        each = strength.drawn(len(self.motions), seed)
+        if strength.measure == "JMA":
+            steps = np.array([10.0 ** (one.level / growth(JMA_INTENSITY)) for one in each])
+            return steps * self.to_jma_zero
+        return np.array([one.median for one in each])
 
     def intensities(self, factors: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the JMA intensities of the motions times factors."""
@@ -214,6 +234,11 @@ class FloorMotions:
         """Median JMA intensity of the ground."""
         return float(np.median(self.measures[JMA_INTENSITY]))
 
+    @property
+    def intensity_deviation(self) -> float:
+        """Standard deviation of the JMA intensities of the ground."""
+        return float(np.std(self.measures[JMA_INTENSITY]))
+
 
 @dataclass(frozen=True, eq=False)
 class Hazard:
@@ -277,13 +302,13 @@ class Hazard:
         InputError
             A still motion.
         """
-        return self._with(self._scaled.factors(intensity, 1.0), threads)
+        return self._with(self._scaled.factors(intensity), threads)
 
     def stated(
-        self, intensity: float | None, scale: float | None, threads: int | None = None
+        self, strength: GroundStrength | None, scale: float | None, seed: int, threads: int | None = None
     ) -> FloorMotions:
-        """Return the motions at the shaking that a scenario states: an intensity, or a factor (default 1)."""
-        return self._with(self._scaled.factors(intensity, 1.0 if scale is None else scale), threads)
+        """Return the motions at the shaking that a scenario states; see `Ground.stated`."""
+        return self._with(self._scaled.stated(strength, scale, seed), threads)
 
     def _with(self, factors: NDArray[np.float64], threads: int | None) -> FloorMotions:
         if self.building is not None and self.building.yields:

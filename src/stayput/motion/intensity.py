@@ -38,6 +38,9 @@ CLASSES = (
 )
 """Names of the classes of intensity, and where each begins."""
 
+MERCALLI_OF_PGV = ((3.78, 1.47), (2.89, 3.16))
+"""Modified Mercalli intensity a + b·log₁₀ PGV[cm/s] of weak and of strong shaking (Worden et al. 2012)."""
+
 LONG_PERIODS: NDArray[np.float64] = np.arange(8, 40) / 5.0
 """Periods of the class of long-period motion: 1.6 to 7.8 s in steps of 0.2 s, shape (32,)."""
 LONG_PERIODS.setflags(write=False)
@@ -198,5 +201,16 @@ def mercalli(pga: float, pgv: float) -> float:
     """
     a, v = _logarithm("pga", pga, "m/s²"), _logarithm("pgv", pgv, "m/s")
     from_a = 1.78 + 1.55 * a if a <= 1.57 else -1.60 + 3.70 * a
-    from_v = 3.78 + 1.47 * v if v <= 0.53 else 2.89 + 3.16 * v
+    (low, rise), (high, steep) = MERCALLI_OF_PGV
+    from_v = low + rise * v if v <= 0.53 else high + steep * v
     return min(10.0, max(1.0, 0.5 * (from_a + from_v)))
+
+
+def pgv_of_mercalli(mercalli: float) -> float:
+    """Return the peak velocity [m/s] of a modified Mercalli intensity from 2 to 10 (Worden et al. 2012).
+
+    That paper fits its lines so that they may be read both ways; they meet at 4.56.
+    """
+    (low, rise), (high, steep) = MERCALLI_OF_PGV
+    v = (mercalli - low) / rise if mercalli < 4.56 else (mercalli - high) / steep
+    return 0.01 * 10.0**v

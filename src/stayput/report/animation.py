@@ -39,6 +39,8 @@ def animate_run(
     name: str | None = None,
     language: str = "en",
     progress: Progress | None = None,
+    seconds: float | None = None,
+    note: str = "",
 ) -> Path:
     """Animate a run: the shaken room in section, to scale, above the floor's acceleration.
 
@@ -65,6 +67,10 @@ def animate_run(
         Language of the texts, "en" or "ja".
     progress : callable, optional
         Called with the number of frames drawn and the number of all frames.
+    seconds : float, optional
+        How much of the run is shown, in which something happens [s]; by default all.
+    note : str
+        A sentence that stands in every frame of a GIF or MP4.
 
     Returns
     -------
@@ -78,7 +84,7 @@ def animate_run(
     """
     target = check_animation(path)
     settings = FilmSettings(fps, speed, hold, width, progress)
-    film = film_of(run, name, check_language(language))
+    film = film_of(run, name, check_language(language), seconds=seconds, note=note)
     with draft(target) as unfinished:
         if target.suffix.lower() == ".html":
             unfinished.write_text(player_page(film, speed, hold), encoding="utf-8")

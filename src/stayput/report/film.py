@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase, say
 from stayput.errors import InputError
+from stayput.report.history import history
 from stayput.report.movie import frame_times
 from stayput.report.names import motion_label
 from stayput.report.scene import DRIFT_CORNER, Scene, scene_of
 from stayput.report.summary import sentences
+from stayput.report.window import window_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -33,12 +35,15 @@ class Film:
         What the motion is called, and its peak.
     language : str
         Language of the texts, "en" or "ja".
+    note : str
+        A sentence that stands in every frame.
     """
 
     scene: Scene
     title: str
     motion_title: str
     language: str = "en"
+    note: str = ""
 
     def say(self, key: str, **values: object) -> str:
         """Return a text of `stayput.catalogue.runs` in the film's language."""
@@ -61,7 +66,14 @@ class Film:
         return frame_times(self.scene.start, self.scene.end, fps, speed, hold)
 
 
-def film_of(run: Run, name: str | None = None, language: str = "en") -> Film:
+def film_of(
+    run: Run,
+    name: str | None = None,
+    language: str = "en",
+    *,
+    seconds: float | None = None,
+    note: str = "",
+) -> Film:
     """Make a run ready for an animation.
 
     Parameters
@@ -72,6 +84,10 @@ def film_of(run: Run, name: str | None = None, language: str = "en") -> Film:
         What the body is called; "body" by default.
     language : str
         Language of the texts, "en" or "ja".
+    seconds : float, optional
+        How much is shown of it, in which something happens [s]; by default all.
+    note : str
+        A sentence that stands in every frame.
 
     Raises
     ------
@@ -83,4 +99,9 @@ def film_of(run: Run, name: str | None = None, language: str = "en") -> Film:
     motion = say("runs.motion_title", language, name=motion_label(run.motion, language), peak=run.motion.pga)
     called = phrase("runs.body") if name is None else (name, name)
     title = say(sentences(run, called), language)
-    return Film(scene_of([run], start=float(run.time[0])), title, motion, language)
+    start, end = float(run.time[0]), None
+    if seconds is not None:
+        shown = history(run)
+        start, end = window_of([(run, shown)], run.motion, seconds)
+        end = min(end, shown.end)
+    return Film(scene_of([run], start=start, end=end), title, motion, language, note)

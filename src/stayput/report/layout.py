@@ -26,19 +26,22 @@ class FrameLayout:
         Size of a frame [pixels].
     start, end : float
         The time that the strip spans [s].
+    noted : bool
+        Whether a note stands before the caption, which takes lines of its own.
     """
 
-    def __init__(self, width: int, height: int, start: float, end: float) -> None:
+    def __init__(self, width: int, height: int, start: float, end: float, noted: bool = False) -> None:
         self._size = (width, height)
         self._span = (start, end)
         unit = height / 480.0
         self._fonts = {size: font(size * unit) for size in (11, 13, 15)}
         self._header = round(40 * unit)
+        below = 76 if noted else 46
         self._strip = (
             round(46 * unit),
-            height - round(104 * unit),
+            height - round((58 + below) * unit),
             width - round(12 * unit),
-            height - round(46 * unit),
+            height - round(below * unit),
         )
         self.scene = (width * SMOOTH, (self._strip[1] - round(22 * unit) - self._header) * SMOOTH)
         self.line = max(1, round(unit * SMOOTH))

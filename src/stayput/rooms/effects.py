@@ -271,18 +271,36 @@ def harmful_pieces(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[in
 
 
 def events_with(
-    plan: FloorPlan, instead: Mapping[int, Sequence[Track]], as_it_is: Answer, ends: EndOfRuns
+    plan: FloorPlan,
+    instead: Mapping[int, Sequence[Track]],
+    as_it_is: Answer,
+    ends: EndOfRuns,
+    hits: Callable[[PersonPlace, Sequence[Track]], Hits] = hits_of,
 ) -> Events:
-    """Return what happens where some pieces have other tracks, and some places may be elsewhere."""
-    tracks = [list(instead.get(body, own)) for body, own in enumerate(as_it_is.tracks)]
-    hits = tuple(
+    """Return what happens where some pieces have other tracks, and some places may be elsewhere.
+
+    Parameters
+    ----------
+    plan : FloorPlan
+        The room with the places where they are.
+    instead : mapping of int to sequence of Track
+        The tracks of the pieces that have others.
+    as_it_is : Answer
+        What happens otherwise.
+    ends : EndOfRuns
+        Of the plan as it is.
+    hits : callable
+        Returns the contacts of a piece with a place.
+    """
+    tracks = [instead.get(body, own) for body, own in enumerate(as_it_is.tracks)]
+    found = tuple(
         tuple(
-            hits_of(place, own) if body in instead or place != was else known[body]
+            hits(place, own) if body in instead or place != was else known[body]
             for body, own in enumerate(tracks)
         )
         for place, was, known in zip(plan.places, ends.plan.places, as_it_is.events.hits, strict=True)
     )
-    return Events(hits, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
+    return Events(found, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
 
 
 def compared(move: Move, as_it_is: Answer, ends: EndOfRuns) -> ChangeVerdict:

@@ -24,6 +24,7 @@ from stayput.model.state import State
 from stayput.montecarlo.counting import Outcomes
 from stayput.montecarlo.sampling import drawn_body, drawn_place, drawn_surfaces
 from stayput.montecarlo.several import drawn_assembly, drawn_room, leaning, turned
+from stayput.rooms.forces import PeakForces, peak_forces
 from stayput.rooms.tracks import Track, at_rest, track_in_plane, tracks_of
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.placing import bare, planes_around, room_seen, standing_of
@@ -128,11 +129,14 @@ class PartRuns:
         Whether a device or joint failed.
     tracks : list, [run][body]
         Where each was; runs by motion and by sample within it.
+    peaks : list of PeakForces
+        Largest forces on devices, by run.
     """
 
     results: NDArray[np.void]
     device_failed: NDArray[np.bool_]
     tracks: list[list[Track]]
+    peaks: list[PeakForces]
 
     @property
     def missing(self) -> NDArray[np.bool_]:
@@ -185,6 +189,7 @@ def run_parts(
             np.zeros((motions, samples, len(part.bodies)), RESULT),
             np.zeros((motions, samples), np.bool_),
             [[] for _ in range(motions * samples)],
+            [{} for _ in range(motions * samples)],
         )
         for part in parts
     ]
@@ -193,9 +198,11 @@ def run_parts(
         part, runs, draw = parts[number], found[number], drawn[motion][sample]
         shaking = turned(floors.motions[motion], float(floors.scales[motion]), draw.direction)
         act = _run_in_plane if part.in_plane else _run_in_space
-        results, failed, tracks = act(part, draw.of(part.bodies), shaking, gravity)
-        runs.results[motion, sample], runs.device_failed[motion, sample] = results, failed
-        runs.tracks[motion * samples + sample] = tracks
+        results, devices, peaks, tracks = act(part, draw.of(part.bodies), shaking, gravity)
+        runs.results[motion, sample] = results
+        runs.device_failed[motion, sample] = (devices["failure"] != HOLDS).any()
+        row = motion * samples + sample
+        runs.tracks[row], runs.peaks[row] = tracks, peaks
 
     each = [(n, m, s) for m in range(motions) for s in range(samples) for n in range(len(parts))]
     with ThreadExecutor(threads) as executor:
@@ -207,8 +214,8 @@ def run_parts(
 
 def _run_in_space(
     part: RoomPart, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
-) -> tuple[NDArray[np.void], bool, list[Track]]:
-    """Return RESULT of the pieces of a part, whether a device or joint failed, and their tracks.
+) -> tuple[NDArray[np.void], NDArray[np.void], PeakForces, list[Track]]:
+    """Return RESULT of the pieces of a part, DEVICE of what holds and joins them, forces, and their tracks.
 
     The floor leans to the front of the first of them, as in the plane.
     """
@@ -222,13 +229,19 @@ def _run_in_space(
         friction=draw.room.friction,
     )
     results = results_of([one.standing for one in traced.bodies], traced.trace, shaking.times)
-    failed = bool((traced.trace.devices["failure"] != HOLDS).any())
-    return results, failed, tracks_of(traced, shaking.dt)
+    peaks: PeakForces = {}
+    first = 0
+    for place, one in enumerate(traced.bodies):
+        if one.held is not None:
+            last = first + len(one.springs)
+            peaks |= peak_forces(place, one.held, traced.trace.devices[first:last], 1.0)
+            first = last
+    return results, traced.trace.devices, peaks, tracks_of(traced, shaking.dt)
 
 
 def _run_in_plane(
     part: RoomPart, draw: DrawOfSeveral, shaking: SpaceShaking, gravity: float
-) -> tuple[NDArray[np.void], bool, list[Track]]:
+) -> tuple[NDArray[np.void], NDArray[np.void], PeakForces, list[Track]]:
     """Return the same of the one piece of a part, run in the plane across its length."""
     piece = part.assembly.members[0]
     assert isinstance(piece, Piece)
@@ -246,7 +259,7 @@ def _run_in_plane(
     history = traced.history
     x, z, tilt = (history[:, column] for column in (H_X, H_Z, H_TILT))
     track = track_in_plane(start, x - x[0], z - z[0], tilt)
-    return _result(traced), bool((devices["failure"] != HOLDS).any()), [track]
+    return _result(traced), devices, peak_forces(0, held, devices, held.body.mass), [track]
 
 
 def _far_as_stated(stated: Room, drawn: Room) -> Room:

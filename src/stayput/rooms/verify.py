@@ -148,7 +148,7 @@ def question_of(scenario: RoomScenario, threads: int | None) -> Question:
     )
     if room.direction is not None:
         drawn = [[draw._replace(direction=room.direction) for draw in row] for row in drawn]
-    floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
+    floors = hazard.stated(shaking.strength, shaking.scale, settings.seed, threads)
     return Question(room, plan, whole, drawn, floors, threads, _unheard)
 
 

@@ -84,10 +84,11 @@ def _clauses(verdict: RoomVerdict) -> list[Phrase]:
 
 def change_label(change: Change, verdict: RoomVerdict, language: str) -> str:
     """Return what a change consists of."""
-    return say(_label(change, verdict), language)
+    return say(label_of(change, verdict), language)
 
 
-def _label(change: Change, verdict: RoomVerdict) -> Phrase:
+def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
+    """Return the same in both languages."""
     if change.measure is not None:
         return phrase("rooms.fix", measure=change.measure.label, piece=piece_name(change.what))
     assert change.at is not None
@@ -110,7 +111,7 @@ def change_sentence(result: ChangeVerdict, verdict: RoomVerdict, language: str) 
     key, held, bare = "rooms.effect", result.hit.estimate, verdict.hit.estimate
     if not result.hit_change.clear and result.shut_in_change.clear:
         key, held, bare = "rooms.effect_shut", result.shut_in.estimate, verdict.shut_in.estimate
-    english, japanese = _label(result.change, verdict)
+    english, japanese = label_of(result.change, verdict)
     shares = {
         name: (of_the_cases(share), share_text(share)[1]) for name, share in (("held", held), ("bare", bare))
     }

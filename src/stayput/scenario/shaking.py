@@ -10,6 +10,17 @@ from pydantic import Discriminator, Field, Tag, model_validator
 from stayput.building.model import MOST_STOREYS
 from stayput.errors import InputError
 from stayput.motion import Motion, near_fault, read_motion, sine
+from stayput.motion.ground_shaking import (
+    EARTHQUAKE_TERMS,
+    EarthquakeSource,
+    GroundStrength,
+    horizontal_peak,
+    strength_of_earthquake,
+    strength_of_intensity,
+    strength_of_mercalli,
+    strength_of_pga,
+    strength_of_pgv,
+)
 from stayput.motion.intensity import CLASSES, intensity_of_class
 from stayput.motion.readers import read_vertical
 from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
@@ -75,6 +86,23 @@ Intensity = Annotated[
 ]
 
 
+EarthquakeKind = Annotated[str, one_of(EARTHQUAKE_TERMS), named(EARTHQUAKE_TERMS)]
+
+
+class EarthquakeTable(Table):
+    """An earthquake and the ground where it is felt; a ground-motion model gives how strongly it shakes."""
+
+    magnitude: float = of(EarthquakeSource, "magnitude")
+    distance: float = of(EarthquakeSource, "distance")
+    depth: float = of(EarthquakeSource, "depth")
+    kind: EarthquakeKind = of(EarthquakeSource, "kind", listed=True)
+    vs30: float = of(EarthquakeSource, "vs30")
+
+    def source(self) -> EarthquakeSource:
+        """Make the earthquake."""
+        return EarthquakeSource(**self.model_dump())
+
+
 class SuiteTable(Table):
     """A suite of synthetic motions."""
 
@@ -91,6 +119,8 @@ SuiteOrFolder = Annotated[
     Annotated[SuiteTable, Tag(TABLE)] | Annotated[Text, Tag(NAME)], Discriminator(kind_of)
 ]
 SOURCES = ("record", "sine", "builtin", "suite")
+STRENGTHS = ("intensity", "pga", "pgv", "mmi", "earthquake")
+"""Ways to say how strongly the ground shakes."""
 
 
 class ShakingTable(Table):
@@ -125,6 +155,14 @@ class ShakingTable(Table):
         description="JMA intensity of the ground that every motion is scaled to; a class is its middle. "
         "Where no motion is given, those of the built-in suite.",
     )
+    pga: float | None = of(strength_of_pga, "pga", default=None)
+    pgv: float | None = of(strength_of_pgv, "pgv", default=None)
+    mmi: float | None = of(strength_of_mercalli, "mmi", default=None)
+    earthquake: EarthquakeTable | None = Field(
+        default=None,
+        description="An earthquake and its distance, in the place of an intensity: motions are scaled to the "
+        "peak velocity and its scatter of Si and Midorikawa (1999).",
+    )
     vertical: Vertical = Field(
         default=True,
         description="Whether the vertical component acts; or the file that holds it, for a record: "
@@ -151,8 +189,13 @@ class ShakingTable(Table):
             if isinstance(self.vertical, str):
                 value = repr(self.vertical)
                 raise InputError("scenario.vertical_without_record", "shaking.vertical", value=value)
-        if self.scale is not None and self.intensity is not None:
-            raise InputError("scenario.scale_and_intensity", "shaking.scale", value=self.scale)
+        stated = [f"shaking.{key}" for key in STRENGTHS if getattr(self, key) is not None]
+        if len(stated) > 1:
+            raise InputError("scenario.only_one", stated[1], name=stated[1], other=stated[0])
+        if self.scale is not None and stated:
+            raise InputError(
+                "scenario.scale_and_strength", "shaking.scale", value=self.scale, other=stated[0]
+            )
         if self.member is not None and not self.of_a_suite:
             raise InputError("scenario.member_of_one", "shaking.member")
         self._check_building()
@@ -171,7 +214,7 @@ class ShakingTable(Table):
     def of_a_suite(self) -> bool:
         """Whether the shaking is a suite: one that is named, or the built-in one to an intensity."""
         single = (self.record, self.sine, self.builtin)
-        return self.suite is not None or (self.intensity is not None and all(one is None for one in single))
+        return self.suite is not None or (self.strength is not None and all(one is None for one in single))
 
     def motion(self, folder: Path) -> Motion:
         """Make the motion under the furniture; of a suite, that of its ``member``.
@@ -207,36 +250,56 @@ class ShakingTable(Table):
         return Suite(tuple(self._with_vertical(motion) for motion in ground), ground.name)
 
     def ground(self, folder: Path) -> Suite:
-        """Make the motions of the ground, not scaled and with all their components.
+        """Make the motions of the ground with all their components, not scaled.
+
+        Where a peak is stated, each has a peak of 1 m/s² or 1 m/s: a piece that faces another way has other
+        components, of which neither may be the larger one as stated.
 
         Raises
         ------
         InputError
             A record cannot be read.
         """
-        if self.of_a_suite:
-            return self._suite(folder)
-        if self.record is not None:
-            return Suite((self._recorded(self.record, folder),))
-        return Suite((self.sine.motion() if self.sine is not None else near_fault(),))
+        given = self._suite(folder) if self.of_a_suite else Suite((self._single(folder),))
+        strength = self.strength
+        if strength is None or strength.measure == "JMA":
+            return given
+        unit = (motion.scaled(1.0 / horizontal_peak(motion, strength.measure)) for motion in given)
+        return Suite(tuple(unit), given.name)
 
     @property
-    def wanted_intensity(self) -> float | None:
-        """JMA intensity that the ground is scaled to; None where the motions keep their own strength."""
+    def stated(self) -> str | None:
+        """Which of `STRENGTHS` says how strongly the ground shakes."""
+        return next((key for key in STRENGTHS if getattr(self, key) is not None), None)
+
+    @property
+    def strength(self) -> GroundStrength | None:
+        """What the ground is scaled to; None where the motions keep their own strength."""
         if isinstance(self.intensity, str):
-            return intensity_of_class(self.intensity)
-        return self.intensity
+            return strength_of_intensity(intensity_of_class(self.intensity))
+        if self.intensity is not None:
+            return strength_of_intensity(self.intensity)
+        if self.pga is not None:
+            return strength_of_pga(self.pga)
+        if self.pgv is not None:
+            return strength_of_pgv(self.pgv)
+        if self.mmi is not None:
+            return strength_of_mercalli(self.mmi)
+        return None if self.earthquake is None else strength_of_earthquake(self.earthquake.source())
 
     def _ground(self, folder: Path) -> Motion:
-        if self.of_a_suite:
-            return self._scaled(self._member(folder))
+        return self._scaled(self._member(folder) if self.of_a_suite else self._single(folder))
+
+    def _single(self, folder: Path) -> Motion:
         if self.record is not None:
-            return self._scaled(self._recorded(self.record, folder))
-        return self._scaled(self.sine.motion() if self.sine is not None else near_fault())
+            return self._recorded(self.record, folder)
+        return self.sine.motion() if self.sine is not None else near_fault()
 
     def _scaled(self, motion: Motion) -> Motion:
         if self.intensity is not None:
             return motion.to_intensity(self.intensity)
+        if self.strength is not None:
+            return motion.scaled(self.strength.factor(motion))
         return motion if self.scale is None or self.scale == 1.0 else motion.scaled(self.scale)
 
     def _under_furniture(self, ground: Motion) -> Motion:

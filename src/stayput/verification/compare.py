@@ -179,7 +179,7 @@ def verify(
             if on_progress is not None:
                 on_progress(seen, total)
 
-        floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
+        floors = hazard.stated(shaking.strength, shaking.scale, settings.seed, threads)
         batches: list[list[Rows]] = []
 
         def run(_: list[int], samples: int, start: int) -> list[Runs]:

@@ -10,8 +10,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
-from stayput.measures import hold
+from stayput.measures import TensionPole, hold
+from stayput.measures.floor import OtherFriction
 from stayput.measures.parameters import GRADE_OF, Grade
+from stayput.measures.wall import WallDevice
 from stayput.model.furniture import FURNITURE
 from stayput.model.parameters import GIVEN, parameters
 from stayput.uncertainty import Confidence
@@ -21,7 +23,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from stayput.catalogue import Phrase
-    from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.measures import Measure
+    from stayput.model.room import Floor
+    from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
     from stayput.scenario.building import BuildingTable
     from stayput.scenario.tables import FurnitureTable
     from stayput.verification.options import Option
@@ -77,27 +81,68 @@ def grade(option: Option, scenario: Scenario) -> Grade:
     return weakest(option, scenario)[0].grade
 
 
+def inputs_in_room(measures: tuple[Measure, ...], scenario: RoomScenario, number: int) -> tuple[Input, ...]:
+    """Return the inputs that decide what becomes of a piece of a room with measures on it.
+
+    Parameters
+    ----------
+    measures : tuple of Measure
+        The measures, which can be put in place.
+    scenario : RoomScenario
+        The room.
+    number : int
+        The piece.
+    """
+    table, room = scenario.furniture[number], scenario.surroundings()
+    known = table.preset is None or table.mass not in (None, FURNITURE[table.preset].mass)
+    found = [Input(phrase("verification.size_and_mass"), GIVEN if known else Confidence.LOW.value)]
+    found += _around(scenario, room.floor, any(isinstance(one, OtherFriction) for one in measures))
+    stated = scenario.room.model_fields_set
+    for measure in measures:
+        found += _of_measure(measure)
+        if isinstance(measure, WallDevice) and "walls" not in stated:
+            found.append(Input(phrase("verification.the_wall"), Confidence.LOW.value))
+    ceiling = scenario.room.ceiling
+    on_ceiling = any(isinstance(measure, TensionPole) for measure in measures)
+    if on_ceiling and ceiling is not None and "construction" not in ceiling.model_fields_set:
+        found.append(Input(phrase("verification.the_ceiling"), Confidence.LOW.value))
+    return tuple(found)
+
+
 def _inputs(option: Option, scenario: Scenario) -> Iterator[Input]:
     yield Input(phrase("verification.size_and_mass"), furniture_tag(scenario.furniture))
     room = scenario.room.room()
     held = hold(scenario.furniture.body(), room, option.measures)
     before, after = room.floor, held.room.floor
-    if (after.static_friction, after.kinetic_friction) == (before.static_friction, before.kinetic_friction):
+    replaced = (after.static_friction, after.kinetic_friction) != (
+        before.static_friction,
+        before.kinetic_friction,
+    )
+    yield from _around(scenario, after, replaced)
+    for measure in option.measures:
+        yield from _of_measure(measure)
+
+
+def _around(scenario: Scenario | RoomScenario, floor: Floor, replaced: bool) -> Iterator[Input]:
+    """Yield what decides of the floor, whose friction a measure may have replaced, and of the building."""
+    if not replaced:
         yield Input(phrase("verification.floor_friction"), floor_tag(scenario))
-    if after.settlement >= SOFT:
+    if floor.settlement >= SOFT:
         yield Input(phrase("verification.floor_settlement"), settlement_tag(scenario))
     building = scenario.shaking.building
     if building is not None:
         yield Input(phrase("verification.the_building"), building_tag(building))
-    for measure in option.measures:
-        for parameter in parameters(measure):
-            if parameter.decides:
-                label = phrase(
-                    "verification.of_a_measure",
-                    measure=(inside(measure.label[0]), measure.label[1]),
-                    parameter=parameter.label,
-                )
-                yield Input(label, parameter.tag(getattr(measure, parameter.name)))
+
+
+def _of_measure(measure: Measure) -> Iterator[Input]:
+    for parameter in parameters(measure):
+        if parameter.decides:
+            label = phrase(
+                "verification.of_a_measure",
+                measure=(inside(measure.label[0]), measure.label[1]),
+                parameter=parameter.label,
+            )
+            yield Input(label, parameter.tag(getattr(measure, parameter.name)))
 
 
 def furniture_tag(table: FurnitureTable) -> str:
@@ -120,7 +165,7 @@ def floor_tag(scenario: Scenario | AssemblyScenario) -> str:
     return GIVEN if surface is None else Confidence.MEDIUM.value
 
 
-def settlement_tag(scenario: Scenario) -> str:
+def settlement_tag(scenario: Scenario | AssemblyScenario) -> str:
     """Return the tag of how far the floor gives."""
     table = scenario.room.floor
     return Confidence.LOW.value if isinstance(table, str) or table.settlement is None else GIVEN

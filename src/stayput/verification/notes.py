@@ -67,6 +67,7 @@ def shaken_notes(verdict: Verdict, graded: Option) -> tuple[Phrase, ...]:
         The option whose grade is explained.
     """
     return (
+        *_strength(verdict),
         *_estimate(verdict),
         *_field(verdict),
         *_grade(graded, verdict),
@@ -74,6 +75,13 @@ def shaken_notes(verdict: Verdict, graded: Option) -> tuple[Phrase, ...]:
         *_contents(verdict),
         *_engine(verdict.scenario),
     )
+
+
+def _strength(verdict: Verdict) -> Iterator[Phrase]:
+    """Yield how strongly the ground shakes, where a published model says so."""
+    strength = verdict.scenario.shaking.strength
+    if strength is not None and strength.scatter:
+        yield phrase("verification.strength", strength=strength.told(verdict.motions))
 
 
 def _engine(scenario: Scenario) -> Iterator[Phrase]:

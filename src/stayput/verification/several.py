@@ -80,7 +80,7 @@ def verify_several(
             if on_progress is not None:
                 on_progress(done, total)
 
-        floors = hazard.stated(shaking.wanted_intensity, shaking.scale, threads)
+        floors = hazard.stated(shaking.strength, shaking.scale, settings.seed, threads)
 
         def run(_: list[int], samples: int, start: int) -> list[RunsOfSeveral]:
             drawn = draw(samples, start=start)

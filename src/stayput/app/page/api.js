@@ -1,6 +1,8 @@
 // The server's answers. Nothing else on this page speaks to it.
 
-const BASE = new URL("api/v1/", import.meta.url);
+// "data-home" says where the server's root is, seen from a page that is not there itself
+const HOME = new URL(document.documentElement.dataset.home ?? ".", document.baseURI),
+  BASE = new URL("api/v1/", HOME);
 
 /** A refusal by the server: its sentence in English, in Japanese if it has one, the field, the HTTP status (0: no answer). */
 export class Refused extends Error {
@@ -30,11 +32,18 @@ const sent = (content, signal) => ({
   signal,
 });
 
+const blob = async (path, query, content) =>
+  (await ask(`${path}?${new URLSearchParams(query)}`, content && sent(content))).blob();
+
 export const ping = () => json("ping");
 export const presets = () => json("presets");
-export const simulate = (content, signal) => json("simulate", sent(content, signal));
+export const words = (file) => json(`../../${file}`);
+export const simulate = (content, signal) =>
+  json("simulate", sent({ ...content, histories: "differences" }, signal));
+export const shaking = (content, signal) => json("shaking", sent(content, signal));
 export const sizeMap = (content, signal) => json("size-map", sent(content, signal));
 export const verify = (content, signal) => json("verify", sent(content, signal));
+export const room = (content, signal) => json("room", sent(content, signal));
 export const job = (id, signal) => json(`jobs/${id}`, { signal });
 export const everyday = (id, scene, signal) =>
   json(`jobs/${id}/everyday`, { ...sent({ scene }, signal), method: "PUT" });
@@ -42,8 +51,11 @@ export const cancel = (id) => ask(`jobs/${id}`, { method: "DELETE", keepalive: t
 export const toml = async (content) => (await ask("scenario/toml", sent(content))).text();
 export const runAsCsv = async (content, which) =>
   (await ask(`simulate/csv?which=${which}`, sent(content))).text();
-export const film = async (content, query) =>
-  (await ask(`simulate/film?${new URLSearchParams(query)}`, sent(content))).blob();
+export const film = (content, query) => blob("simulate/film", query, content);
+export const python = async (content) => (await ask("scenario/python", sent(content))).text();
+export const runFigure = (content, query) => blob("simulate/figure", query, content);
+export const mapFigure = (content, query) => blob("size-map/figure", query, content);
+export const jobFigure = (id, name, { kind, lang }) => blob(`jobs/${id}/figures/${name}.${kind}`, { lang });
 export const readScenario = (toml, name) => json("scenario/read", sent({ toml, name }));
 const chosen = (component) => (component ? `?component=${encodeURIComponent(component)}` : "");
 export const motion = (id, component) => json(`motions/${id}${chosen(component)}`);
@@ -60,3 +72,4 @@ export function upload(file, said, signal) {
 /** Where a job's report or table is fetched. */
 export const reportAddress = (id, language) => new URL(`jobs/${id}/report?lang=${language}`, BASE).href;
 export const tableAddress = (id) => new URL(`jobs/${id}/csv`, BASE).href;
+export const planAddress = (id, query) => new URL(`jobs/${id}/plan?${new URLSearchParams(query)}`, BASE).href;

@@ -4,10 +4,14 @@ import * as api from "./api.js";
 import { fill, offer, part } from "./dom.js";
 import * as pieces from "./pieces.js";
 import { worded } from "./refusals.js";
+import { current, sampled } from "./scene.js";
 import { spoken, t } from "./words.js";
 
 const drawn = new Set(); // the buttons whose films are being drawn
-let held = false; // whether there is a run with measures
+let held = false, // whether there is a run with measures
+  kind = "gif", // of the short films
+  job = null; // the verdict that is said in them
+const SECONDS = 10;
 
 const say = (...content) => fill(part("kept"), content);
 
@@ -34,6 +38,22 @@ async function drawing(button, work) {
 
 /** Whether a button of a run is closed: its film is being drawn, or there is no such run. */
 const shut = (button) => drawn.has(button) || (button.id.endsWith("-with") && !held);
+
+/** Takes the kinds of films that the server can make: the short ones are MP4 where it can. */
+export function films(kinds) {
+  kind = kinds.includes("mp4") ? "mp4" : "gif";
+  for (const which of ["Without", "With"]) {
+    const button = part(`film-${which.toLowerCase()}`);
+    button.dataset.t = `${kind}${which}`;
+    button.textContent = t(button.dataset.t);
+  }
+}
+
+/** The scene and its measures with the accuracy that is chosen, on which the chances rest. */
+const complete = ({ scene, measures }) => ({
+  scene: Array.isArray(scene.furniture) ? scene : sampled(scene, Number(part("samples").value)),
+  measures,
+});
 
 /** Wires the buttons; "request" gives the scene and its measures. */
 export function wire(request) {
@@ -62,32 +82,48 @@ export function wire(request) {
     "click",
     attempt(async () =>
       offer(
-        pieces.shownText() ?? (await api.toml(request())),
+        pieces.shownText() ?? (await api.toml(complete(request()))),
         pieces.shownName() ?? "scenario.toml",
         "application/toml",
       ),
     ),
+  );
+  part("python").addEventListener(
+    "click",
+    attempt(async () => {
+      const text = await api.python(complete(request()));
+      try {
+        await navigator.clipboard.writeText(text);
+        say(t("copiedPython"));
+      } catch {
+        offer(text, "scenario.py", "text/x-python");
+      }
+    }),
   );
   for (const which of ["without", "with"]) {
     part(`csv-${which}`).addEventListener(
       "click",
       attempt(async () => offer(await api.runAsCsv(request(), which), `run_${which}.csv`, "text/csv")),
     );
-    for (const kind of ["html", "gif"])
-      part(`${kind}-${which}`).addEventListener(
+    const wireFilm = (button, asked) =>
+      button.addEventListener(
         "click",
         attempt(() =>
-          drawing(part(`${kind}-${which}`), async () => {
-            const made = await api.film(request(), { which, kind, lang: spoken() });
-            offer(made, `run_${which}.${kind}`, made.type);
+          drawing(button, async () => {
+            const query = { which, lang: spoken(), ...asked() },
+              made = await api.film(request(), query);
+            offer(made, `run_${which}.${query.kind}`, made.type);
           }),
         ),
       );
+    wireFilm(part(`html-${which}`), () => ({ kind: "html" }));
+    wireFilm(part(`film-${which}`), () => ({ kind, seconds: SECONDS, ...(job && { job }) }));
   }
 }
 
 /** Points the links of the verdict at a finished job, or at nothing. */
-export function point(job) {
+export function point(done) {
+  job = done;
   for (const [id, address] of [
     ["report", job && api.reportAddress(job, spoken())],
     ["table", job && api.tableAddress(job)],
@@ -100,12 +136,16 @@ export function point(job) {
   part("report-wait").hidden = Boolean(job);
 }
 
-/** Shows the address of the scene, or that a file is too long for one, and whether there is a run with measures. */
+/** Shows the address of the scene, what is too long for one, and whether there is a run with measures. */
 export function update(measured) {
-  const long = pieces.tooLong();
+  const long = pieces.tooLong(),
+    { record } = current(),
+    alone = Boolean(record && !record.letters && !pieces.asked());
   part("link").hidden = long;
   part("link-long").hidden = !long;
+  part("link-record").hidden = !alone;
+  part("link-record").textContent = alone ? t("linkRecord", { name: record.name }) : "";
   part("address").value = location.href;
   held = measured && !pieces.asked();
-  for (const kind of ["csv", "html", "gif"]) part(`${kind}-with`).disabled = shut(part(`${kind}-with`));
+  for (const what of ["csv", "html", "film"]) part(`${what}-with`).disabled = shut(part(`${what}-with`));
 }

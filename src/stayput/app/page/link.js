@@ -1,5 +1,6 @@
 // The scene in the page's address, so that a link shows it again.
 
+import { fromText, written } from "./earthquake.js";
 import { clamp, limitsOf, plain, wordsOf } from "./scene.js";
 
 const round = (value) => String(Number(value.toPrecision(6)));
@@ -23,7 +24,16 @@ const NUMBERS = [
 const WHOLE = ["storeys", "storey", "member", "drawers"];
 const WORDS = ["wallConstruction", "ceilingConstruction"];
 const NAMES = ["piece", "floor", "structure", "family", "contents", "doors", ...WORDS];
-const FLAGS = ["inSpace", "wall", "scaled", "installed"];
+const SAID = ["component", "unit", "dt"];
+const FLAGS = ["inSpace", "wall", "scaled", "onFloor", "installed"];
+
+/** What was said of a record when it was sent, and the record itself where it is small. */
+const asSaid = ({ shaking, letters }) =>
+  Object.fromEntries(
+    Object.entries({ ...pick(shaking, SAID), wave: letters }).filter(([, value]) => value !== undefined && value !== null),
+  );
+
+const pick = (object, names) => Object.fromEntries(names.map((name) => [name, object[name]]));
 
 /** The scene as the part of an address after "#", and a file of several pieces {name, letters} that is shown instead. */
 export function toHash(scene, file = null) {
@@ -31,11 +41,16 @@ export function toHash(scene, file = null) {
   for (const name of NAMES) pairs.set(name, scene[name]);
   for (const name of NUMBERS) pairs.set(name, round(scene[name]));
   for (const name of FLAGS) pairs.set(name, scene[name] ? "1" : "0");
+  if (scene.entry) pairs.set("entry", written(scene.entry));
   if (scene.shelves) pairs.set("shelves", scene.shelves.map(round).join(","));
   if (scene.record) {
     pairs.set("record", scene.record.id);
     pairs.set("name", scene.record.name);
-    if (scene.record.shaking.component) pairs.set("component", scene.record.shaking.component);
+    for (const [key, value] of Object.entries(asSaid(scene.record))) pairs.set(key, value);
+    if (scene.record.vertical) {
+      pairs.set("vertical", scene.record.vertical.id);
+      pairs.set("verticalName", scene.record.vertical.name);
+    }
   }
   const measures = Object.entries(scene.measures).map(([type, settings]) =>
     [type, ...Object.entries(settings).map(([name, value]) => `${name}:${value}`)].join(";"),
@@ -74,7 +89,7 @@ function measured(text, presets) {
   return measures;
 }
 
-/** The scene, the record and the file of several pieces of an address; what is missing or makes no sense there is as in the scene given. */
+/** The scene, the record {id, name, said, letters} and the file of several pieces of an address; what is missing or makes no sense there is as in the scene given. */
 export function fromHash(hash, presets, start) {
   const within = (value, name) => clamp(value, limitsOf(presets, name));
   const pairs = new URLSearchParams(hash.replace(/^#/, ""));
@@ -103,12 +118,16 @@ export function fromHash(hash, presets, start) {
       ? loads.slice(0, 12).map((load) => within(load, "load"))
       : null;
   scene.measures = pairs.has("measures") ? measured(pairs.get("measures"), presets) : {};
+  scene.entry = fromText(pairs.get("entry"), presets);
   scene.record = null;
-  const [record, name, component] = ["record", "name", "component"].map((key) => pairs.get(key));
-  const [file, letters] = ["file", "pieces"].map((key) => pairs.get(key));
+  const [record, name, letters] = ["record", "name", "wave"].map((key) => pairs.get(key));
+  const said = Object.fromEntries(SAID.map((key) => [key, pairs.get(key)]));
+  const [up, upName] = ["vertical", "verticalName"].map((key) => pairs.get(key));
+  const vertical = up ? { id: up, name: upName ?? "" } : null;
+  const [file, several] = ["file", "pieces"].map((key) => pairs.get(key));
   return {
     scene,
-    record: record ? { id: record, name, component } : null,
-    file: letters ? { name: file ?? "", letters } : null,
+    record: record ? { id: record, name, said, letters, vertical } : null,
+    file: several ? { name: file ?? "", letters: several } : null,
   };
 }

@@ -6,9 +6,11 @@ import * as everyday from "./everyday.js";
 import { beforeNextFrame } from "./canvas/clock.js";
 import { readInks } from "./canvas/pen.js";
 import { fill, part, settled } from "./dom.js";
+import * as figures from "./figures.js";
 import * as keep from "./keep.js";
 import { fromHash, toHash } from "./link.js";
 import * as measures from "./panel_measures.js";
+import * as building from "./panel_building.js";
 import * as notices from "./notices.js";
 import * as piece from "./panel_piece.js";
 import * as pieces from "./pieces.js";
@@ -24,10 +26,14 @@ import * as understand from "./understand.js";
 import * as upload from "./upload.js";
 import { t } from "./words.js";
 
-const PANELS = [piece, room, shaking, measures, everyday];
+const PANELS = [piece, room, building, shaking, measures, everyday];
 const SLOW = 400,
   PAUSE = 1500,
   BUSY = [429, 503];
+const FIGURES = {
+  histories: () => shown && ((query) => api.runFigure(shown.asked, query)),
+  ...understand.figures,
+};
 let presets = null,
   shown = null,
   waiting = null,
@@ -56,17 +62,15 @@ async function simulate() {
   const scene = current(),
     file = pieces.shownName();
   try {
-    shown = { result: shake(pieces.answer() ?? (await api.simulate(request()))), scene, file };
+    const asked = request();
+    shown = { result: shake(pieces.answer() ?? (await api.simulate(asked))), scene, file, asked };
     tellProblem(null);
     display();
   } catch (error) {
     tellProblem(error);
     if (error.status === 0) untilBack().then(recover);
     if (BUSY.includes(error.status)) setTimeout(() => problem === error && simulate(), PAUSE);
-    if (scene.record && lacksRecord(error)) {
-      change({ record: null, gone: { name: scene.record.name }, scaled: false });
-      upload.lost();
-    }
+    if (scene.record && lacksRecord(error)) await upload.takeAgain(scene);
   }
   flying = false;
   clearTimeout(slow);
@@ -155,8 +159,10 @@ function again() {
   build();
   upload.again();
   understand.again(presets);
+  figures.build(FIGURES);
   see.again(presets);
   if (shown) display();
+  keep.update(measures.inPlace(current()).length > 0);
   tellWait(waiting);
   tellProblem(problem);
 }
@@ -199,13 +205,13 @@ function edit(keys) {
 }
 
 async function begin() {
-  screens.begin();
+  await screens.begin("see");
   readInks();
   screens.wire(() => {
     if (presets) again();
   });
   see.wire();
-  upload.wire(shakePieces);
+  upload.wire((file) => pieces.open(file, shakePieces));
   keep.wire(request);
   part("sizes").addEventListener("rebuild", () => piece.build(presets));
   try {
@@ -220,6 +226,8 @@ async function begin() {
   await take(location.hash);
   build();
   see.name(presets);
+  keep.films(presets.films);
+  figures.build(FIGURES);
   understand.build(presets, request);
   watch((keys) => {
     if (!taking) pieces.leave(); // what is set is set for the page's own piece
@@ -254,7 +262,7 @@ async function take(hash) {
   taking = true;
   try {
     change({ ...scene, gone });
-    if (record) await takeRecord(record, scene.scaled);
+    if (record) await upload.takeLinked(record, scene);
   } finally {
     taking = false;
   }
@@ -270,17 +278,6 @@ async function takeFile(linked) {
   } finally {
     clearTimeout(slow);
     tellWait(null);
-  }
-}
-
-async function takeRecord({ id, name, component }, scaled) {
-  try {
-    await upload.use(await patiently(() => api.motion(id, component)));
-    change({ scaled });
-  } catch (error) {
-    if (!(error instanceof api.Refused)) throw error;
-    change({ gone: { name } });
-    upload.lost();
   }
 }
 

@@ -1,19 +1,25 @@
 // What the browser remembers of the reader's choices: theme, language, speed, care, the building.
 
-/** What was remembered under a name, or null. */
-export function recalled(name) {
-  try {
-    return localStorage.getItem(`stayput-${name}`);
-  } catch {
-    return null;
-  }
-}
+/** A memory in one of the browser's storages: a text under a name, or null. */
+const memory = (storage) => ({
+  recalled(name) {
+    try {
+      return storage().getItem(`stayput-${name}`);
+    } catch {
+      return null;
+    }
+  },
+  remember(name, value) {
+    try {
+      storage().setItem(`stayput-${name}`, value);
+    } catch {
+      /* private mode: not remembered */
+    }
+  },
+});
 
-/** Remembers a text under a name. */
-export function remember(name, value) {
-  try {
-    localStorage.setItem(`stayput-${name}`, value);
-  } catch {
-    /* private mode: not remembered */
-  }
-}
+const { recalled, remember } = memory(() => localStorage);
+export { recalled, remember };
+
+/** What this tab remembers, until it is closed. */
+export const tab = memory(() => sessionStorage);

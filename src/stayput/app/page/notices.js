@@ -3,7 +3,7 @@
 import { el, fill, part } from "./dom.js";
 import { leftOut } from "./panel_measures.js";
 import { wordedOfScenario } from "./refusals.js";
-import { change, current } from "./scene.js";
+import { change, current, throughBuilding } from "./scene.js";
 import { length, t } from "./words.js";
 
 /** What is left out for want of a wall or a ceiling, as a sentence, or nothing. */
@@ -22,7 +22,7 @@ export const ceilingTooLow = (scene) =>
 
 /** That a record of an upper floor goes through a building once more, as a sentence, or nothing. */
 const twiceUp = (scene) =>
-  scene.storeys > 0 && scene.record?.motion.floor
+  throughBuilding(scene) && scene.record?.motion.floor
     ? t("twiceUp", { name: scene.record.name })
     : null;
 

@@ -1,24 +1,13 @@
-// "Set the scene": floor, wall, ceiling, and where in which building.
+// "Set the scene": floor, wall, ceiling.
 
-import { choice, oneOf, slider, toggle } from "./controls.js";
+import { choice, slider, toggle } from "./controls.js";
 import { fill, part } from "./dom.js";
-import { recalled, remember } from "./memory.js";
 import { ceilingTooLow, missing } from "./notices.js";
-import { change, current, limitsOf, numberOf, wordsOf } from "./scene.js";
+import { change, current, numberOf, wordsOf } from "./scene.js";
 import { both, choiceLabel, number, t } from "./words.js";
 
-const ROOM = ["floor", "wall", "gap", "wallConstruction", "ceiling", "ceilingConstruction"],
-  BUILDING = ["storeys", "storey", "structure"];
-let fields = {},
-  most = 1;
-
-/** The storey and the building that the reader last had: "5/10" for storey 5 of 10. */
-const building = () => {
-  const [storey, storeys] = (recalled("building") ?? "").split("/").map(Number);
-  return storeys >= 1 && storey >= 1 && storey <= storeys && storeys <= most
-    ? { storeys: Math.round(storeys), storey: Math.round(storey) }
-    : { storeys: 10, storey: 5 };
-};
+const ROOM = ["floor", "wall", "gap", "wallConstruction", "ceiling", "ceilingConstruction"];
+let fields = {};
 
 /** A choice of what a surface is made of, from those that the server has. */
 const construction = (presets, key) =>
@@ -30,8 +19,6 @@ const construction = (presets, key) =>
 
 /** Builds the panel; called again for another language. */
 export function build(presets) {
-  const named = (list) => list.map((one) => ({ id: one.id, label: both(one.label) }));
-  most = limitsOf(presets, "storeys")[1];
   fields = {
     floor: choice({
       label: t("floor"),
@@ -56,39 +43,10 @@ export function build(presets) {
       changed: (ceiling) => change({ ceiling }),
     }),
     ceilingConstruction: construction(presets, "ceilingConstruction"),
-    inside: oneOf({
-      label: t("where"),
-      options: [
-        { id: "ground", label: t("onGround") },
-        { id: "building", label: t("inBuilding") },
-      ],
-      changed: (where) => change(where === "ground" ? { storeys: 0, storey: 1 } : building()),
-    }),
-    storeys: slider({
-      label: t("storeys"),
-      range: [1, most],
-      step: 1,
-      changed: (storeys) => change({ storeys: Math.round(storeys) }),
-    }),
-    storey: slider({
-      label: t("storey"),
-      ...numberOf(presets, "storey"),
-      step: 1,
-      changed: (storey) => change({ storey: Math.round(storey) }),
-    }),
-    structure: choice({
-      label: t("structure"),
-      options: named(presets.structures),
-      changed: (structure) => change({ structure }),
-    }),
   };
   fill(
     part("room"),
     ROOM.map((key) => fields[key].element),
-  );
-  fill(
-    part("building"),
-    ["inside", ...BUILDING].map((key) => fields[key].element),
   );
   update();
 }
@@ -96,12 +54,9 @@ export function build(presets) {
 /** Puts the scene's values into the fields; fields that do not apply are hidden. */
 export function update() {
   const scene = current();
-  for (const key of [...ROOM, ...BUILDING]) fields[key].set(scene[key]);
-  fields.inside.set(scene.storeys > 0 ? "building" : "ground");
+  for (const key of ROOM) fields[key].set(scene[key]);
   fields.gap.element.hidden = fields.wallConstruction.element.hidden = !scene.wall;
   fields.ceilingConstruction.element.hidden = scene.ceiling <= scene.height;
   fields.wall.note(missing(scene, "wall"));
   fields.ceiling.note([ceilingTooLow(scene), missing(scene, "ceiling")].filter(Boolean).join(t("space")));
-  if (scene.storeys > 0) remember("building", `${scene.storey}/${scene.storeys}`);
-  for (const key of BUILDING) fields[key].element.hidden = scene.storeys === 0;
 }

@@ -1,11 +1,14 @@
 // "Set the scene": how strong the shaking is, and of which kind; or a record of the user's own.
 
 import { choice, oneOf, slider, toggle } from "./controls.js";
-import { fill, part } from "./dom.js";
-import { change, current, numberOf } from "./scene.js";
+import { el, fill, part } from "./dom.js";
+import * as earthquake from "./earthquake.js";
+import { change, current, forServer, numberOf, throughBuilding } from "./scene.js";
 import { both, number, t } from "./words.js";
 
 let fields = {},
+  entry = null,
+  families = [],
   classes = [];
 
 /** The class of an intensity, as the scale has it. */
@@ -18,6 +21,7 @@ export const classesKnown = () => classes;
 /** Builds the panel; called again for another language. */
 export function build(presets) {
   classes = presets.intensities;
+  families = presets.families;
   fields = {
     intensity: slider({
       label: t("intensity"),
@@ -50,8 +54,14 @@ export function build(presets) {
         }),
     }),
   };
+  entry = earthquake.build(part("entry"), {
+    get: () => current().entry,
+    set: (stated) => change({ entry: stated, ...(current().record ? { scaled: true } : {}) }),
+    presets,
+    scene: () => forServer(current()),
+  });
   fill(part("strength"), fields.quick.element, fields.intensity.element);
-  fill(part("kind"), fields.family.element, fields.member.element);
+  fill(part("kind"), fields.family.element, el("p", { class: "hint", id: "family-about" }), fields.member.element);
   fill(part("scaling"), fields.scaled.element);
   update();
 }
@@ -60,15 +70,21 @@ export function build(presets) {
 export function update() {
   const scene = current(),
     now = classOf(scene.intensity),
-    own = !scene.record || scene.scaled;
+    own = !scene.record || scene.scaled, // a record as it is has its own strength
+    byIntensity = own && !scene.entry;
   for (const key of ["intensity", "family", "member", "scaled"]) fields[key].set(scene[key]);
-  fields.quick.set(own ? now.id : null); // a record as it is has its own strength
-  fields.intensity.element.hidden = !own;
+  fields.quick.set(byIntensity ? now.id : null);
+  part("entry").hidden = !own;
+  entry.update();
+  part("strength").hidden = Boolean(own && scene.entry);
+  fields.intensity.element.hidden = !byIntensity;
   part("scaling").hidden = !scene.record;
   part("kind").hidden = Boolean(scene.record);
-  part("meaning").hidden = part("meaning-source").hidden = !own;
+  part("meaning").hidden = part("meaning-source").hidden = !byIntensity;
   fill(part("meaning"), both(now.about), t("space"), both(now.furniture));
   fields.intensity.range.setAttribute("aria-valuetext", `${number(scene.intensity, 2)}, ${both(now.label)}`);
+  const { about } = families.find((one) => one.id === scene.family);
+  fill(part("family-about"), t("familyAbout", { about: both(about) }));
 }
 
 /** How strong the ground shakes, in words. */
@@ -83,11 +99,11 @@ export const strengthOf = (motion) =>
 /** Where the piece is shaken, how strongly and by what, in words. */
 export function summary(scene, motion) {
   const place =
-    scene.storeys > 0
+    throughBuilding(scene)
       ? t("placeStorey", { storey: number(scene.storey), storeys: number(scene.storeys) })
-      : t("placeGround");
+      : t(scene.record && scene.onFloor ? "placeMeasured" : "placeGround");
   const felt =
-    scene.storeys > 0 && motion.floor_intensity !== null
+    throughBuilding(scene) && motion.floor_intensity !== null
       ? t("felt", { at: number(motion.floor_intensity, 2) })
       : "";
   const source = [

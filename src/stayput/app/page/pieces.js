@@ -3,16 +3,15 @@
 import * as api from "./api.js";
 import { patiently } from "./connection.js";
 import { el, fill, part } from "./dom.js";
-import { packed, unpacked } from "./packing.js";
+import { packed, unpacked, utf8 } from "./packing.js";
+import { wordedOfScenario } from "./refusals.js";
+import { refusal, tell } from "./upload.js";
 import { both, number, t } from "./words.js";
 
 const LONGEST = 8000; // letters of a file in a link: longer ones are cut by much that links are sent with
 
 let file = null, // {name, text, letters, asked, answer}
   newest = 0;
-
-/** Whether a dropped file is a scenario, by its name. */
-export const isScenario = ({ name }) => /\.toml$/i.test(name);
 
 /** The file that is shown, as the server is asked about it; null: the page's own scene is. */
 export const asked = () => file?.asked ?? null;
@@ -48,6 +47,21 @@ export async function take(name, text) {
   if (!wanted()) return null;
   file = { name, text, letters, asked: given, answer: simulated };
   return true;
+}
+
+/** Takes a file that was dropped, and says beside the drop place what becomes of it; "shake" is called where it is shown. */
+export async function open(dropped, shake) {
+  const content = await dropped.arrayBuffer().then(utf8).catch(() => null);
+  if (content === null) return tell(() => [refusal([t("notText")])]);
+  tell(() => [el("p", { role: "status", text: t("shaking") })]);
+  try {
+    const several = await take(dropped.name, content);
+    if (several === null) return;
+    tell(several ? null : () => [refusal([t("onePieceFile")])]);
+    if (several) shake();
+  } catch (error) {
+    tell(() => [refusal(wordedOfScenario(error))]);
+  }
 }
 
 /** Shows the file of a link; returns false where the link does not hold all of one. */

@@ -1,6 +1,7 @@
 // What helps most: every option with its chance of overturning, the interval, and why it stands there.
 
-import { el, fill, part, svg } from "./dom.js";
+import { bar } from "./bars.js";
+import { el, fill, part } from "./dom.js";
 import { both, percent, t } from "./words.js";
 
 /** Lists the options, the best first; "take" puts an option's measures in place. */
@@ -59,18 +60,4 @@ export function grade(one, text = t("grade", { grade: one.grade })) {
   const weakest = one.weakest.map(both).join(t("listed"));
   const meaning = t("gradeOf", { grade: one.grade, inputs: weakest });
   return el("span", { class: `tag grade${one.grade}`, title: meaning, text });
-}
-
-function bar({ estimate, low, high }) {
-  const at = (share) => (2 + 196 * share).toFixed(1);
-  const known = estimate !== null;
-  return svg(
-    "svg",
-    { viewBox: "0 0 200 18", class: "bar", preserveAspectRatio: "none", "aria-hidden": "true" },
-    svg("rect", { class: known ? "all" : "all unknown", x: 2, y: 3, width: 196, height: 12 }),
-    known ? svg("rect", { class: "part", x: 2, y: 3, width: Math.max(0.5, 196 * estimate), height: 12 }) : null,
-    known
-      ? svg("path", { class: "whisker", d: `M${at(low)} 9H${at(high)}M${at(low)} 4V14M${at(high)} 4V14` })
-      : null,
-  );
 }

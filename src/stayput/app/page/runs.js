@@ -1,16 +1,16 @@
 // The server's runs as the pictures read them: typed arrays, and what of their time is shown.
 
+import { numbers } from "./canvas/numbers.js";
 import { spaceScene } from "./canvas/space_scene.js";
 
 const ARRAYS = ["time_s", "x_m", "z_m", "tilt_rad", "slide_m"];
 const LYING = 1; // what has overturned in space is shown so long as it comes to lie [s]
-const floats = (values) => Float64Array.from(values);
 
 function prepared(run) {
   if (!run) return null;
   const made = { ...run, devices: devices(run) };
-  for (const name of ARRAYS) made[name] = floats(run[name]);
-  made.done_s = run.overturned ? run.time_s.at(-1) : 0;
+  for (const name of ARRAYS) made[name] = numbers(run[name]);
+  made.done_s = run.overturned ? made.time_s.at(-1) : 0;
   return made;
 }
 
@@ -18,8 +18,8 @@ const devices = (run) =>
   run.devices.map((one) => ({
     ...one,
     place: one.name,
-    pull_n: floats(one.pull_n),
-    shear_n: floats(one.shear_n),
+    pull_n: numbers(one.pull_n),
+    shear_n: numbers(one.shear_n),
   }));
 
 /** A run in space: what happens to a piece after it overturned is no longer told. */
@@ -42,28 +42,29 @@ function preparedInSpace(run, floor) {
 const building = (told) =>
   told && {
     ...told,
-    ground_x_m: told.ground_x_m && floats(told.ground_x_m),
-    roof_x_m: told.roof_x_m && floats(told.roof_x_m),
+    ground_x_m: told.ground_x_m && numbers(told.ground_x_m),
+    roof_x_m: told.roof_x_m && numbers(told.roof_x_m),
   };
 
 /** An answer of "simulate", ready to be drawn. */
 export function shake(answer) {
   if (answer.dimensions === 3) return shakeInSpace(answer);
   const floor = answer.floor,
-    values = floats(floor.acceleration_m_s2);
+    values = numbers(floor.acceleration_m_s2),
+    times = numbers(floor.time_s);
   return {
     inSpace: false,
     motion: answer.motion,
     view: answer.view,
     floor: {
-      time_s: floats(floor.time_s),
-      x_m: floats(floor.x_m),
-      accelerations: [{ axis: "", times: floats(floor.time_s), values }],
+      time_s: times,
+      x_m: numbers(floor.x_m),
+      accelerations: [{ axis: "", times, values }],
       scale: floor.scale_shown,
     },
     building: building(answer.building),
     runs: [prepared(answer.without), prepared(answer.with)].filter(Boolean),
-    end: floor.time_s.at(-1),
+    end: times.at(-1),
   };
 }
 

@@ -23,11 +23,13 @@ export const plain = {
   structure: "RC",
   storey: 1,
   intensity: 6.25,
+  entry: null,
   family: "mixed",
   member: 3,
   record: null,
   gone: null,
   scaled: false,
+  onFloor: false,
   measures: {},
   installed: false,
   drawers: 0,
@@ -47,6 +49,8 @@ const REACH = {
   gap: [0, 0.5],
   ceiling: [1.8, 3.5],
   intensity: [3.5, 7],
+  pga: [0.5, 12],
+  pgv: [0.05, 1.5],
   drawers: [0, 10],
   drawerLoad: [0, 100],
   pull: [0, 300],
@@ -66,6 +70,12 @@ const NAMES = {
   drawers: "everyday.drawers",
   drawerLoad: "everyday.load",
   pull: "everyday.pull",
+  pga: "shaking.pga",
+  pgv: "shaking.pgv",
+  magnitude: "shaking.earthquake.magnitude",
+  distance: "shaking.earthquake.distance",
+  depth: "shaking.earthquake.depth",
+  quakeKind: "shaking.earthquake.kind",
 };
 
 /** The smallest and the largest value of a number of the scene. */
@@ -149,6 +159,9 @@ export function balance({ mass, height, shelves, centre }) {
   return { mass: total, centre: moment / total / height, up: moment / total };
 }
 
+/** Whether the motion goes through a building: one that was measured on a floor does not. */
+export const throughBuilding = (s) => s.storeys > 0 && !(s.record && s.onFloor);
+
 /** The scene as the server's simulations read it. */
 export function forServer(s) {
   const furniture = { preset: s.piece, width: s.width, height: s.height, length: s.length, mass: s.mass };
@@ -159,8 +172,9 @@ export function forServer(s) {
   if (s.wall) room.left_wall = { gap: s.gap, construction: s.wallConstruction };
   if (s.ceiling > s.height) room.ceiling = { height: s.ceiling, construction: s.ceilingConstruction };
   const shaking = s.record ? { ...s.record.shaking } : { suite: { family: s.family }, member: s.member };
-  if (!s.record || s.scaled) shaking.intensity = s.intensity;
-  if (s.storeys > 0)
+  if (s.record?.vertical) shaking.vertical = s.record.vertical.id;
+  if (!s.record || s.scaled) Object.assign(shaking, s.entry ?? { intensity: s.intensity });
+  if (throughBuilding(s))
     Object.assign(shaking, { building: { storeys: s.storeys, structure: s.structure }, storey: s.storey });
   const everyday = { drawers: s.drawers, load: s.drawerLoad, pull: s.pull };
   const read = { furniture, room, shaking, everyday };

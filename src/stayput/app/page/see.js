@@ -1,25 +1,19 @@
 // "See it": the stages, the building, the clock's buttons, and the histories that go with them.
 
-import { icon } from "./icons.js";
 import { el, fill, part, svg } from "./dom.js";
 import { drawBuilding } from "./building.js";
 import { deviceKey, drawHistories, piecesKey, setHistories, timeAt } from "./histories.js";
-import { recalled, remember } from "./memory.js";
-import { player } from "./canvas/clock.js";
 import { shownSpan, telling } from "./runs.js";
 import { drawScene } from "./canvas/painter.js";
 import * as stages from "./stages.js";
+import * as transport from "./transport.js";
 import { both, length, number, t } from "./words.js";
 
 let result = null,
   look = null,
   modes = {};
 
-const mark = (playing) => {
-  fill(part("play"), icon(playing ? "pause" : "play"));
-  part("play").setAttribute("aria-label", t(playing ? "pause" : "play"));
-};
-export const clock = player(draw, mark);
+export const clock = transport.clock;
 
 function draw(now) {
   if (!result) return;
@@ -28,12 +22,6 @@ function draw(now) {
   if (result.building && part("tower").clientWidth)
     drawBuilding(part("tower"), result.building, result.floor, now);
   drawHistories(part("histories"), now);
-  part("time").value = String(Math.round((1000 * now) / (clock.end || 1)));
-  part("time").setAttribute(
-    "aria-valuetext",
-    t("timeText", { now: number(now, 1), end: number(clock.end, 0) }),
-  );
-  part("clock").textContent = `${number(now, 1)} / ${number(clock.end, 0)}\u00a0s`;
 }
 
 function drawInSpace(now) {
@@ -143,34 +131,16 @@ export const lookAt = () => part("stages").scrollIntoView({ block: "nearest" });
 /** Writes the words again, for another language or theme. */
 export function again(presets) {
   name(presets);
-  mark(clock.playing);
+  transport.again();
   stages.build();
   if (result) show(result, look);
 }
 
 /** Wires the buttons, the keys and the pictures that the time is chosen on. */
 export function wire() {
-  mark(false);
+  transport.wire(draw);
   stages.wire(() => clock.redraw());
   stages.build();
-  fill(part("again"), icon("again"));
-  part("play").addEventListener("click", () => clock.toggle());
-  part("again").addEventListener("click", () => {
-    clock.seek(clock.start);
-    clock.play(true);
-  });
-  part("time").addEventListener("input", (event) =>
-    clock.seek((clock.end * Number(event.target.value)) / 1000),
-  );
-  const speed = part("speed"),
-    usual = speed.value;
-  speed.value = recalled("speed") ?? usual;
-  if (!speed.value) speed.value = usual;
-  clock.faster(Number(speed.value));
-  speed.addEventListener("change", () => {
-    remember("speed", speed.value);
-    clock.faster(Number(speed.value));
-  });
   const strip = part("histories");
   const pick = (event) => clock.seek(timeAt(strip, event.clientX - strip.getBoundingClientRect().left));
   strip.addEventListener("pointerdown", (event) => {
@@ -180,20 +150,4 @@ export function wire() {
   strip.addEventListener("pointermove", (event) => {
     if (event.buttons) pick(event);
   });
-  addEventListener("keydown", (event) => {
-    if (
-      event.target.closest("button, select, input, textarea, summary, a") ||
-      event.ctrlKey ||
-      event.metaKey ||
-      event.altKey
-    )
-      return;
-    if (event.key === " ") {
-      clock.toggle();
-      event.preventDefault();
-    }
-    if (event.key === "ArrowRight") clock.step(0.05);
-    if (event.key === "ArrowLeft") clock.step(-0.05);
-  });
-  for (const name of ["resize", "shown"]) addEventListener(name, () => clock.redraw());
 }

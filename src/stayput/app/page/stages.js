@@ -8,8 +8,12 @@ import { oneOf, toggle } from "./controls.js";
 import { fill, part } from "./dom.js";
 import { t } from "./words.js";
 
-const IDS = ["space-without", "space-with"];
-const stages = IDS.map(() => ({ painter: null, camera: null, solid: true }));
+const stages = [...document.querySelectorAll("canvas.round-about")].map((canvas) => ({
+  canvas,
+  painter: null,
+  camera: null,
+  solid: true,
+}));
 let again = () => {},
   views = null,
   view = "free",
@@ -18,22 +22,21 @@ let again = () => {},
 /** Lets the cameras be led over the pictures; "changed" is called after each change. */
 export function wire(changed) {
   again = changed;
-  IDS.forEach((id, i) => {
-    const led = {};
-    for (const name of ["turn", "nearer", "move"])
-      led[name] = (...by) => stages.forEach(({ camera }) => camera?.[name](...by));
+  const led = {};
+  for (const name of ["turn", "nearer", "move"])
+    led[name] = (...by) => stages.forEach(({ camera }) => camera?.[name](...by));
+  for (const { canvas } of stages) {
     // the wheel scrolls the page; with Ctrl, as a pinch of two fingers says it, the picture comes nearer
-    part(id).parentElement.addEventListener("wheel", (event) => event.ctrlKey || event.stopPropagation(), {
+    canvas.parentElement.addEventListener("wheel", (event) => event.ctrlKey || event.stopPropagation(), {
       capture: true,
     });
-    lead(part(id), led, () => {
+    lead(canvas, led, () => {
       view = null;
       views?.set(null);
       again();
     });
-    part(id).addEventListener("webglcontextrestored", () => again());
-    stages[i].canvas = part(id);
-  });
+    canvas.addEventListener("webglcontextrestored", () => again());
+  }
 }
 
 /** Builds the choice of a view; called again for another language. */

@@ -32,6 +32,7 @@ let question = null,
   result = null,
   base = null,
   map = null,
+  mapAsked = null, // what it was asked with
   flight = null,
   asking = null,
   round = 0,
@@ -191,6 +192,7 @@ async function drawMap() {
     );
     if (!answer || mine !== round || own !== flight) return;
     map = answer;
+    mapAsked = content;
     date(["map"], false);
     showMap();
   } catch (error) {
@@ -210,7 +212,7 @@ async function askCurves() {
   try {
     const job = await curving.run(content, (running) => (bar.value = running.progress));
     if (!job || mine !== round) return;
-    curved = job.result;
+    curved = { ...job.result, job: job.id };
     showCurves();
   } catch (error) {
     if (mine === round) fill(part("fragility"), worded(error));
@@ -230,6 +232,19 @@ function display() {
     change({ measures: Object.fromEntries(chosen.map(({ type, ...values }) => [type, values])) }),
   );
 }
+
+/** What fetches a chart of the verdict or the map that is shown, by its name; null where it is not there. */
+export const figures = {
+  tens: () => ofJob("tens", jobShown()),
+  ranking: () => ofJob("ranking", jobShown()),
+  fragility: () => ofJob("fragility", curved?.job ?? (result?.options.some((one) => one.curve) ? jobShown() : null)),
+  size_map: () => {
+    const asked = part("map").dataset.old === "false" && map ? mapAsked : null;
+    return asked && ((query) => api.mapFigure(asked, query));
+  },
+};
+const jobShown = () => (part("understand").dataset.state === "done" ? part("understand").dataset.job : null);
+const ofJob = (name, job) => job && ((query) => api.jobFigure(job, name, query));
 
 /** Writes the words again, for another language. */
 export function again(presets) {

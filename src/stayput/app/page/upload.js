@@ -1,28 +1,34 @@
 // A record of the user's own: dropped on the page or chosen, sent to the server, shown, used.
 
 import * as api from "./api.js";
-import { choice } from "./controls.js";
+import { choice, oneOf } from "./controls.js";
 import { el, fill, part, svg } from "./dom.js";
 import { classOf } from "./panel_shaking.js";
-import { utf8 } from "./packing.js";
-import * as pieces from "./pieces.js";
-import { worded, wordedOfScenario } from "./refusals.js";
+import { patiently } from "./connection.js";
+import { packed, unpackedBytes, utf8 } from "./packing.js";
+import { worded } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { both, number, spoken, t } from "./words.js";
 
 const UNITS = ["m/s²", "gal", "g"];
+const LONGEST = 4096; // letters of a record in a link
+const sent = new Map(); // the ids of the records in links that were sent to the server again, by their letters
 let waiting = null,
   preview = null,
   trouble = null,
   shown = null; // the record that stands there
 
-/** Wires the file field and the place to drop a file on; "shake" is called with a file of several pieces read. */
-export function wire(shake) {
+/** Whether a dropped file is a scenario, by its name. */
+const isScenario = ({ name }) => /\.toml$/i.test(name);
+
+/** Wires the file field and the place to drop a file on; "takeScenario" is called with a scenario file. */
+export function wire(takeScenario) {
   const drop = part("drop"),
     field = part("file");
   const take = (file) => {
     if (!file) return;
-    if (pieces.isScenario(file)) sendPieces(file, shake);
+    waiting?.abort();
+    if (isScenario(file)) takeScenario(file);
     else send(file, {});
   };
   field.addEventListener("change", () => {
@@ -42,29 +48,16 @@ export function wire(shake) {
   for (const name of ["dragover", "drop"]) addEventListener(name, (event) => event.preventDefault());
 }
 
-async function sendPieces(file, shake) {
-  waiting?.abort();
-  const text = await file.arrayBuffer().then(utf8).catch(() => null);
-  if (text === null) return tell(() => [refusal([t("notText")])]);
-  tell(() => [el("p", { role: "status", text: t("shaking") })]);
-  try {
-    const several = await pieces.take(file.name, text);
-    if (several === null) return;
-    tell(several ? null : () => [refusal([t("onePieceFile")])]);
-    if (several) shake();
-  } catch (error) {
-    tell(() => [refusal(wordedOfScenario(error))]);
-  }
-}
-
 async function send(file, said) {
   waiting?.abort();
   waiting = new AbortController();
   tell(() => [el("p", { role: "status", text: t("sending") })]);
   try {
     const motion = await api.upload(file, said, waiting.signal);
+    const letters = await lettersOf(file);
     trouble = null;
-    use(motion);
+    if (vertical(motion)) tell(() => offering(motion));
+    else use(motion, letters);
   } catch (error) {
     if (error.name === "AbortError") return;
     tell(() => [refusal(worded(error, "unreadable")), asking(file, said, error.field)]);
@@ -72,7 +65,7 @@ async function send(file, said) {
 }
 
 /** Shows something in the place of the record, until the scene changes with a record in it. */
-function tell(made) {
+export function tell(made) {
   trouble = made;
   again();
 }
@@ -84,7 +77,7 @@ export function again() {
   fill(part("uploaded"), ...(trouble?.().filter(Boolean) ?? []), ...(record ? about(record) : []));
 }
 
-const refusal = (words) => el("p", { class: "refusal", role: "alert" }, ...words);
+export const refusal = (words) => el("p", { class: "refusal", role: "alert" }, ...words);
 
 /** Asks for what a file does not say: its unit and step, or which of its channels is wanted. */
 function asking(file, said, field) {
@@ -109,18 +102,76 @@ function asking(file, said, field) {
 }
 
 /** Says that the server no longer has the record. */
-export const lost = () => tell(() => [refusal([t("recordGone", { name: "" })])]);
+const lost = () => tell(() => [refusal([t("recordGone", { name: "" })])]);
 
-/** Takes a record that is on the server into the scene, as it is. */
-export async function use(motion) {
-  take(motion, { scaled: false });
+/** What a link holds of a record: its file in letters, or null where that is too long. */
+async function lettersOf(file) {
+  if (file.size > 16 * LONGEST) return null; // which no file of numbers is made smaller by
+  const letters = await packed(await file.arrayBuffer());
+  return letters.length <= LONGEST ? letters : null;
+}
+
+/** The server has the record of a scene no more: it is sent again where the link holds it, else said to be gone. */
+export const takeAgain = ({ record: { id, name, shaking, letters }, ...scene }) => {
+  const { component, unit, dt } = shaking;
+  return takeLinked({ id, name, said: { component, unit, dt }, letters, vertical: null }, scene);
+};
+
+/** Takes the record of a link into the scene, or says that it is gone. */
+export async function takeLinked(linked, { scaled, onFloor }) {
+  try {
+    await useLinked(linked);
+    change({ scaled, onFloor });
+  } catch (error) {
+    if (!(error instanceof api.Refused || linked.letters)) throw error;
+    change({ record: null, gone: { name: linked.name }, scaled: false, onFloor: false });
+    lost();
+  }
+}
+
+/** Takes the record of a link into the scene; one that the server has no more is sent again, if the link holds it. */
+async function useLinked({ id, name, said, letters, vertical: up }) {
+  const on = (known) => patiently(() => api.motion(known, said.component));
+  let motion = await on(letters && sent.has(letters) ? sent.get(letters) : id).catch((error) => {
+    if (error.status !== 404 || !letters) throw error;
+  });
+  if (!motion) {
+    const file = new File([await unpackedBytes(letters)], name ?? "");
+    motion = await patiently(() => api.upload(file, said));
+    sent.set(letters, motion.id);
+  }
+  await use(motion, letters, up);
+}
+
+/** Whether a record holds a vertical component alone. */
+const vertical = ({ channels: all }) => all.length > 0 && all.every((one) => one.vertical);
+
+/** Offers a vertical record as what it is: the vertical component of the horizontal record in use. */
+function offering(motion) {
+  const { record } = current(),
+    name = motion.name;
+  if (!record) return [refusal([t("verticalAlone", { name })])];
+  const taken = () => {
+    trouble = null;
+    change({ record: { ...current().record, vertical: { id: motion.id, name } } });
+  };
+  return [
+    el("p", { role: "status", text: t("verticalOffered", { name, record: record.name }) }),
+    el("button", { type: "button", text: t("takeVertical"), onclick: taken }),
+  ];
+}
+
+/** Takes a record that is on the server into the scene, as it is; "letters" are what a link holds of it, "up" is {id, name} of its vertical component. */
+async function use(motion, letters, up = null) {
+  take(motion, { scaled: false, onFloor: Boolean(motion.floor) }, letters, up);
   preview = await api.motionPreview(motion.id, motion.shaking.component).catch(() => null);
   update();
 }
 
-function take(motion, also) {
+function take(motion, also, letters, up) {
   preview = null;
-  const record = { id: motion.id, name: motion.name, shaking: motion.shaking, motion };
+  const { id, name, shaking } = motion;
+  const record = { id, name, shaking, motion, letters, vertical: up };
   change({ record, gone: null, ...also });
 }
 
@@ -130,7 +181,7 @@ async function turn(component) {
   try {
     const motion = await api.motion(record.id, component);
     if (current().record?.id !== motion.id) return;
-    take(motion, {});
+    take(motion, {}, record.letters, current().record.vertical);
     preview = await api.motionPreview(motion.id, component).catch(() => null);
     update();
   } catch (error) {
@@ -170,6 +221,21 @@ export function update() {
   if (choosing) place.querySelector("select")?.focus();
 }
 
+/** Asks where the record was measured: on a floor, there is no building between it and the piece. */
+function measured() {
+  const field = oneOf({
+    label: t("measuredWhere"),
+    options: [
+      { id: "ground", label: t("measuredGround") },
+      { id: "floor", label: t("measuredFloor") },
+    ],
+    changed: (place) => change({ onFloor: place === "floor" }),
+  });
+  field.set(current().onFloor ? "floor" : "ground");
+  const note = current().onFloor ? el("p", { class: "hint", text: t("measuredNote") }) : null;
+  return [field.element, ...(note ? [note] : [])];
+}
+
 /** What is known of the record in use, and the button that ends its use. */
 function about(record) {
   const { motion } = record;
@@ -188,12 +254,14 @@ function about(record) {
       ` ${number(motion.duration_s, 0)}\u00a0s, ${number(motion.pga_m_s2, 2)}\u00a0m/s²${strength}`,
     ),
     channels(motion) ?? [],
+    record.vertical ? el("p", { text: t("withVertical", { name: record.vertical.name }) }) : [],
+    measured(),
     ...warnings(motion),
     preview ? picture(preview) : [],
     el("button", {
       type: "button",
       text: t("withoutRecord"),
-      onclick: () => change({ record: null, scaled: false }),
+      onclick: () => change({ record: null, scaled: false, onFloor: false }),
     }),
   ].flat();
 }

@@ -14,8 +14,8 @@ addEventListener("pagehide", () => {
   for (const jobs of all) jobs.stop();
 });
 
-/** One line of jobs, where a new one takes the place of the one before it. */
-export function line() {
+/** One line of jobs that "start" begins, where a new one takes the place of the one before it. */
+export function line(start = api.verify) {
   let id = null,
     turn = 0;
 
@@ -33,7 +33,7 @@ export function line() {
       wanted = () => mine === turn;
     let lost = true;
     while (lost && wanted()) {
-      const begun = await accepted({ ...content, lease_s: LEASE }, wanted);
+      const begun = await patiently(() => start({ ...content, lease_s: LEASE }), wanted);
       if (begun === null) return null;
       if (!wanted()) {
         api.cancel(begun.id).catch(() => null);
@@ -66,5 +66,3 @@ export function line() {
   all.add(own);
   return own;
 }
-
-const accepted = (content, wanted) => patiently(() => api.verify(content), wanted);

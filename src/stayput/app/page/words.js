@@ -1,21 +1,23 @@
 // The page's language: one table of words for each, chosen at the start and switched at any time.
 
+import * as api from "./api.js";
 import { rounded } from "./canvas/digits.js";
-import { TABLES } from "./words_table.js"; // made by the server from its catalogue
+import { FILES, LANGUAGES, TABLES } from "./words_table.js"; // made by the server from its catalogue
 
-let language = "en";
-
-/** The languages there are. */
-export const LANGUAGES = Object.keys(TABLES);
+let [language] = Object.keys(TABLES), // the one whose words came with the page
+  awaited = language;
 
 /** The language now: "en" or "ja". */
 export const spoken = () => language;
 
-/** Chooses a language and puts its words into the page. */
-export function speak(wanted) {
-  language = LANGUAGES.includes(wanted) ? wanted : "en";
+/** Chooses a language, whose words are fetched where they are not here yet, and puts them into the page. */
+export async function speak(wanted) {
+  const chosen = LANGUAGES.includes(wanted) ? wanted : "en";
+  awaited = chosen;
+  TABLES[chosen] ??= await api.words(FILES[chosen]);
+  if (awaited !== chosen) return; // another one was chosen meanwhile
+  language = chosen;
   document.documentElement.lang = language;
-  document.title = t("title");
   translate(document);
 }
 
@@ -25,7 +27,7 @@ export const preferredLanguage = () =>
 
 /** The words for a key; "{name}" in them is replaced by the value of that name. */
 export function t(key, values = {}) {
-  const text = TABLES[language][key] ?? TABLES.en[key] ?? key;
+  const text = TABLES[language][key] ?? key;
   return tight(text.replace(/\{(\w+)\}/g, (whole, name) => (name in values ? values[name] : whole)));
 }
 

@@ -2,6 +2,7 @@
 
 import { svg } from "../dom.js";
 import { percent, t } from "../words.js";
+import { DEFAULTS } from "./kinds.js";
 
 /** What can be shown of a verdict. */
 export const LAYERS = ["fell", "stood", "hit", "blocked"];
@@ -12,12 +13,28 @@ const STEPS = 10, // of the share of the runs
 
 export const hueOf = (index) => index % HUES;
 
+/** A verdict with pieces, places and doors in the order of the room's own; null for those that it does not know. */
+export function inOrderOf(room, result) {
+  if (!result) return null;
+  const sorted = (table, judged) =>
+    (room[table] ?? []).map((one) => {
+      const name = one.name ?? one.kind ?? DEFAULTS[table].name ?? DEFAULTS[table].kind;
+      return judged.find((other) => other.name === name) ?? null;
+    });
+  return {
+    ...result,
+    pieces: sorted("furniture", result.pieces),
+    places: sorted("places", result.places),
+    doors: sorted("doors", result.doors),
+  };
+}
+
 /** The cells of the floor on which pieces come to lie, or to stand, darker where they do so more often. */
 export function zones(sheet, result, shown) {
   if (!result) return [];
   return result.pieces.flatMap((piece, index) =>
     ["stood", "fell"]
-      .filter((layer) => shown.includes(layer) && piece[layer])
+      .filter((layer) => shown.includes(layer) && piece?.[layer])
       .flatMap((layer) => cells(sheet, piece[layer], result.cell_m, index, layer)),
   );
 }

@@ -6,7 +6,7 @@ import { described } from "./described.js";
 import { extents, onWall, thing, things } from "./geometry.js";
 import { DEFAULTS, TABLES, nameOf } from "./kinds.js";
 import { nameTexts } from "./labels.js";
-import { LAYERS, hueOf, notes, shareOf, telling, zones } from "./layers.js";
+import { LAYERS, hueOf, inOrderOf, notes, shareOf, telling, zones } from "./layers.js";
 import { doorShapes, pieceShapes, placeShapes, windowShapes } from "./shapes.js";
 import { WALL, path, sheetFor } from "./sheet.js";
 
@@ -22,7 +22,8 @@ const groups = new WeakMap(); // of the pictures that were drawn: their groups, 
  * given [px/m].
  */
 export function drawPlan(element, room, options = {}) {
-  const { result = null, shown = LAYERS, selected = null, readOnly = false, bare = false } = options;
+  const { shown = LAYERS, selected = null, readOnly = false, bare = false } = options,
+    result = inOrderOf(room, options.result);
   const { clashing = new Set(), guides = [], wide = element.clientWidth || HIGH, high = HIGH } = options;
   const sheet = sheetFor(room, wide, high, { bare, scale: options.scale }),
     all = things(room, TABLES);

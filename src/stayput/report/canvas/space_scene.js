@@ -1,14 +1,8 @@
 // A scene in space as it is read from its data, and where everything is at a time. What the data hold is said
 // by stayput/report/space/scene.py.
 
+import { numbers } from "./numbers.js";
 import { between, mat, vec } from "./vectors.js";
-
-/** The numbers in a text of base 64. */
-function unpacked(text) {
-  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-  const view = new DataView(bytes.buffer);
-  return Float32Array.from({ length: bytes.length / 4 }, (_, i) => view.getFloat32(4 * i, true));
-}
 
 /** A scene whose bodies and floor tell where they are at a time. */
 export function spaceScene(data) {
@@ -29,9 +23,9 @@ export function spaceScene(data) {
   };
 
   const bodies = data.bodies.map((body) => {
-    const place = unpacked(body.place_m),
-      attitude = unpacked(body.attitude);
-    const [tilt, slide, yaw] = [body.tilt_rad, body.slide_m, body.yaw_rad].map(unpacked);
+    const place = numbers(body.place_m),
+      attitude = numbers(body.attitude);
+    const [tilt, slide, yaw] = [body.tilt_rad, body.slide_m, body.yaw_rad].map(numbers);
     const toCentre = mat.moved(vec.times(body.centre_of_gravity_m, -1));
     return {
       ...body,
@@ -51,10 +45,10 @@ export function spaceScene(data) {
     const seen = (owner, place) => (owner === null ? place : mat.image(matrices[owner], place).slice(0, 3));
     return { from: seen(body, point), to: seen(other, anchor), lost: lost !== null && t >= lost };
   });
-  const shift = unpacked(data.floor.shift_m),
+  const shift = numbers(data.floor.shift_m),
     dt = data.floor.dt_s;
   const accelerations = Object.entries(data.floor.acceleration_m_s2).map(([axis, text]) => {
-    const values = unpacked(text);
+    const values = numbers(text);
     return { axis, values, times: values.map((_, i) => i * dt) };
   });
   const { low_m: low, high_m: high, grid_m: grid, points_m: points } = data.view;

@@ -11,7 +11,7 @@ import stayput
 from stayput.motion.intensity import intensity_class
 from stayput.report.several.data import in_both
 from stayput.report.summary import number
-from stayput.report.verdict.data import quantiles_data
+from stayput.report.verdict.data import quantiles_data, strength_data
 from stayput.rooms.ways import CELL
 from stayput.rooms.words import best_sentence, change_label, change_sentence, sentence_of_room
 from stayput.spreadsheets import text_cell
@@ -37,26 +37,27 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
         "best": in_both(lambda language: best_sentence(verdict, language)),
         "jma_intensity": number(verdict.intensity),
         "intensity_class": intensity_class(verdict.intensity),
+        "strength": strength_data(verdict.scenario, verdict.motions),
         "motions": verdict.motions,
         "samples": verdict.samples,
         "runs": verdict.runs,
         "seed": verdict.seed,
         "seconds": number(verdict.seconds),
-        "hit": _chance(verdict.hit),
-        "shut_in": _chance(verdict.shut_in),
+        "hit": chance_data(verdict.hit),
+        "shut_in": chance_data(verdict.shut_in),
         "risk": number(verdict.risk),
         "places": [
             {
                 "name": place.place.name,
-                "hit": _chance(place.hit),
+                "hit": chance_data(place.hit),
                 "hit_by_day": number(place.by_day),
                 "hit_at_night": number(place.by_night),
-                "shut_in": _chance(place.shut_in),
+                "shut_in": chance_data(place.shut_in),
                 "by": [
                     {
                         "piece": one.piece,
                         "mass_kg": number(one.mass),
-                        "probability": _chance(one.probability),
+                        "probability": chance_data(one.probability),
                         "speed_m_s": quantiles_data(one.speed),
                         "energy_J": quantiles_data(one.energy),
                     }
@@ -66,14 +67,14 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
             for place in verdict.places
         ],
         "doors": [
-            {"name": door.door.name, "blocked": _chance(door.blocked), "blocked_at_rest": door.at_rest}
+            {"name": door.door.name, "blocked": chance_data(door.blocked), "blocked_at_rest": door.at_rest}
             for door in verdict.doors
         ],
         "pieces": [
             {
                 "name": piece.name,
                 "engine": "plane" if piece.in_plane else "space",
-                "probabilities": {event: _chance(one) for event, one in piece.probabilities.items()},
+                "probabilities": {event: chance_data(one) for event, one in piece.probabilities.items()},
                 "peak_slide_m": quantiles_data(piece.slide),
                 "risk": number(piece.risk),
                 "outline_m": piece.outline.tolist(),
@@ -82,7 +83,8 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
         ],
         "cell_m": CELL,
         "collisions": [
-            {"pieces": list(pair), "probability": _chance(one)} for pair, one in verdict.collisions.items()
+            {"pieces": list(pair), "probability": chance_data(one)}
+            for pair, one in verdict.collisions.items()
         ],
         "changes": [_change(one, verdict) for one in verdict.changes],
     }
@@ -97,16 +99,17 @@ def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
         "measure": None if change.measure is None else change.measure.kind,
         "at_m": None if change.at is None else list(change.at),
         "heading_rad": change.heading,
-        "hit": _chance(result.hit),
-        "hit_change": _chance(result.hit_change),
-        "shut_in": _chance(result.shut_in),
-        "shut_in_change": _chance(result.shut_in_change),
+        "hit": chance_data(result.hit),
+        "hit_change": chance_data(result.hit_change),
+        "shut_in": chance_data(result.shut_in),
+        "shut_in_change": chance_data(result.shut_in_change),
         "risk": number(result.risk),
         "helps": result.helps,
     }
 
 
-def _chance(chance: Probability | Difference) -> dict[str, float | None]:
+def chance_data(chance: Probability | Difference) -> dict[str, float | None]:
+    """Return a probability or a difference of two, with its interval."""
     return {"estimate": number(chance.estimate), "low": number(chance.low), "high": number(chance.high)}
 
 

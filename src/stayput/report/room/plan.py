@@ -65,6 +65,7 @@ def plan_svg(
     *,
     notes: Mapping[str, str] | None = None,
     moved: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None,
+    numbered: Mapping[str, str] | None = None,
 ) -> str:
     """Return the plan of a room, to scale and with y upwards; its style is canvas/plan.css.
 
@@ -82,11 +83,17 @@ def plan_svg(
         What is told of a piece, a place or a door, by its name.
     moved : tuple of ndarray, optional
         Outline before and after of what was moved [m].
+    numbered : mapping of str, optional
+        The number before the name of a piece or a place.
     """
-    sheet, told = PlanSheet(plan), notes or {}
-    places = [say(place_name(place), language) for place in plan.places]
+    sheet, told, marks = PlanSheet(plan), notes or {}, numbered or {}
+
+    def marked(key: str, name: str) -> str:
+        return f"{marks[key]} {name}" if key in marks else name
+
+    places = [marked(place.name, say(place_name(place), language)) for place in plan.places]
     doors = [say(door_name(door), language) for door in plan.doors]
-    called = [say(piece_name(piece.name), language) for piece in pieces]
+    called = [marked(piece.name, say(piece_name(piece.name), language)) for piece in pieces]
     colon = say("common.colon", language)
 
     def title(name: str, key: str) -> str:

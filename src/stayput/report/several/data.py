@@ -13,6 +13,7 @@ from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.intensity import intensity_class
 from stayput.report.several.tables import several_assumptions
 from stayput.report.summary import number
+from stayput.report.verdict.data import strength_data
 from stayput.spreadsheets import text_cell
 from stayput.verification.several_words import headline_of_several, reason_of_several, title_of_several
 
@@ -39,6 +40,7 @@ def several_data(verdict: AssemblyVerdict) -> dict[str, Any]:
         "best": verdict.best.option.name,
         "jma_intensity": number(verdict.intensity),
         "intensity_class": intensity_class(verdict.intensity),
+        "strength": strength_data(verdict.scenario, verdict.motions),
         "slide_limit_m": verdict.slide_limit,
         "motions": verdict.motions,
         "samples": verdict.samples,

@@ -12,8 +12,9 @@ from stayput.report.space.animation import space_player_page
 from stayput.report.space.film import space_film
 from stayput.report.space.plot import plot_space_run
 from stayput.report.space.said import became
-from stayput.report.verdict.in_space import cut_run, embedded, motion_in_space, moving_window
+from stayput.report.verdict.in_space import embedded, motion_in_space
 from stayput.report.verdict.words import word
+from stayput.report.window import cut_run, window_in_space
 from stayput.verification.several_words import title_of_several
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, m
     shaking, settings = scenario.shaking, scenario.uncertainty
     ground = scenario.ground()
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
-    floors = hazard.stated(shaking.wanted_intensity, shaking.scale)
+    floors = hazard.stated(shaking.strength, shaking.scale, verdict.seed)
     drawn = draws_of_several(
         len(scenario.names), len(ground), verdict.samples, verdict.seed, as_stated=settings.as_stated
     )
@@ -59,7 +60,7 @@ def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, m
 def _pair(kind: str, verdict: AssemblyVerdict, member: Member, language: str) -> dict[str, Any]:
     options = [verdict.without, verdict.best] if verdict.best.option.count else [verdict.without]
     runs = [replay_of_several(verdict, option, member) for option in options]
-    start, end = moving_window(runs)
+    start, end = window_in_space(runs)
     names, heading = verdict.scenario.names, word("histories", language)
     drawn = language if drawable(heading) == heading else "en"  # where no font has the letters
     sides: list[dict[str, Any]] = []

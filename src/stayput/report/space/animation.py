@@ -12,6 +12,7 @@ from stayput.report.embedding import filled, inks_css, script_json, script_modul
 from stayput.report.movie import FilmSettings, Progress, write_film
 from stayput.report.space.film import SpaceFilm, space_film
 from stayput.report.space.frames import SpacePainter
+from stayput.report.window import cut_run, window_in_space
 from stayput.wording import check_language
 
 if TYPE_CHECKING:
@@ -44,6 +45,8 @@ def animate_space_run(
     width: int = 640,
     language: str = "en",
     progress: Progress | None = None,
+    seconds: float | None = None,
+    note: str = "",
 ) -> Path:
     """Animate a run in space: the bodies in their room, above the floor's acceleration.
 
@@ -56,7 +59,7 @@ def animate_space_run(
         WebGL 2 to draw surfaces), by its ending.
     names : sequence of str, optional
         What the bodies are called; by default by their numbers.
-    fps, speed, hold, width, progress
+    fps, speed, hold, width, progress, seconds, note
         As for `stayput.report.animation.animate_run`.
     language : str
         Language of the texts, "en" or "ja".
@@ -74,7 +77,8 @@ def animate_space_run(
     """
     target = check_animation(path)
     settings = FilmSettings(fps, speed, hold, width, progress)
-    film = space_film(run, names, check_language(language))
+    shown = run if seconds is None else cut_run(run, *window_in_space([run], seconds))
+    film = space_film(shown, names, check_language(language), note=note)
     with draft(target) as unfinished:
         if target.suffix.lower() == ".html":
             unfinished.write_text(space_player_page(film, speed, hold), encoding="utf-8")

@@ -38,12 +38,15 @@ class SpaceFilm:
         Title of the strip with the floor's acceleration.
     language : str
         Language of the texts, "en" or "ja".
+    note : str
+        A sentence that stands in every frame.
     """
 
     scene: SpaceScene
     title: str
     strip_title: str
     language: str
+    note: str = ""
 
     @property
     def caption(self) -> str:
@@ -72,7 +75,12 @@ class SpaceFilm:
 
 
 def space_film(
-    run: SpaceRun, names: Sequence[str] | None, language: str, beside: Sequence[SpaceRun] = ()
+    run: SpaceRun,
+    names: Sequence[str] | None,
+    language: str,
+    beside: Sequence[SpaceRun] = (),
+    *,
+    note: str = "",
 ) -> SpaceFilm:
     """Make a run in space ready for an animation.
 
@@ -86,6 +94,8 @@ def space_film(
         Language of the texts, "en" or "ja".
     beside : sequence of SpaceRun
         Runs that are shown beside each other, this one among them, to one scale.
+    note : str
+        A sentence that stands in every frame.
 
     Raises
     ------
@@ -98,4 +108,6 @@ def space_film(
     name, peak = motion_label(run.motion, language), peak_of(run.motion)
     motion = say("space.motion_title", language, name=name, peak=peak)
     strip = say("runs.floor_acceleration", language, motion=motion)
-    return SpaceFilm(space_scene(run, called, beside), say(became(run, called), language), strip, language)
+    return SpaceFilm(
+        space_scene(run, called, beside), say(became(run, called), language), strip, language, note
+    )

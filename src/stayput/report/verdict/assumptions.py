@@ -58,7 +58,7 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
     scenario = verdict.scenario
     measured = scenario.uncertainty.as_stated
     return [
-        _furniture(scenario),
+        furniture_assumption(scenario),
         *room_assumptions(scenario),
         *_contents(scenario),
         *shaking_assumptions(scenario, verdict.motions),
@@ -68,8 +68,12 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
 
 
 def shaking_assumptions(scenario: Scenario | AssemblyScenario, count: int) -> Iterator[Assumption]:
-    """Yield the motions, of which there are so many, and the building."""
+    """Yield the motions, of which there are so many, how strong they are, and the building."""
     yield _motions(scenario, count)
+    strength = scenario.shaking.strength
+    if strength is not None and strength.measure != "JMA":  # whose intensity stands in the title
+        tag = GIVEN if strength.scatter == 0.0 else "medium"
+        yield Assumption((_text("strength"), strength.told(count)), tag)
     if scenario.shaking.building is not None:
         yield _building(scenario)
 
@@ -91,7 +95,8 @@ def _in_both(name: str) -> Phrase:
     return named(name, "en"), named(name, "ja")
 
 
-def _furniture(scenario: Scenario) -> Assumption:
+def furniture_assumption(scenario: Scenario) -> Assumption:
+    """Return the size, the mass and the centre of gravity of a scenario's piece."""
     table, body = scenario.furniture, scenario.furniture.body()
     x, z = body.centre_of_gravity
     forward = _text("forward", across=x) if x else ""

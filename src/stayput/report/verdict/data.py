@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility import Capacity, FragilityCurve, Probability
     from stayput.measures import Measure
-    from stayput.scenario import Scenario
+    from stayput.scenario import AssemblyScenario, Scenario
     from stayput.verification import AsInstalled, OptionVerdict, Quantiles, Verdict
 
 
@@ -50,6 +50,7 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
         "best": verdict.best.option.name,
         "jma_intensity": number(verdict.intensity),
         "intensity_class": intensity_class(verdict.intensity),
+        "strength": strength_data(verdict.scenario, verdict.motions),
         "slide_limit_m": verdict.slide_limit,
         "motions": verdict.motions,
         "samples": verdict.samples,
@@ -95,6 +96,20 @@ def verdict_data(verdict: Verdict) -> dict[str, Any]:
             for entry in assumptions(verdict)
         ],
         "scenario_toml": verdict.scenario.to_toml(),
+    }
+
+
+def strength_data(scenario: Scenario | AssemblyScenario, motions: int) -> dict[str, Any] | None:
+    """Return how strongly the ground was said to shake; None where the motions keep their own strength."""
+    strength = scenario.shaking.strength
+    if strength is None:
+        return None
+    return {
+        "stated": scenario.shaking.stated,
+        "measure": strength.measure,
+        "median": number(strength.median),
+        "scatter_of_log10": number(strength.scatter),
+        "about": _texts(strength.told(motions)),
     }
 
 

@@ -4,11 +4,7 @@ from __future__ import annotations
 
 import base64
 import io
-import math
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from stayput.catalogue import say
 from stayput.catalogue.names import ANY_PIECE, PIECES
@@ -19,8 +15,9 @@ from stayput.report.space.film import space_film
 from stayput.report.space.histories import peak_of
 from stayput.report.space.plot import plot_space_run
 from stayput.report.space.said import became
-from stayput.report.verdict.pairs import AFTER, BEFORE, LONGEST, floor_motion, replay_in_space, shown_options
+from stayput.report.verdict.pairs import floor_motion, replay_in_space, shown_options
 from stayput.report.verdict.words import word
+from stayput.report.window import cut_run, window_in_space
 from stayput.verification.words import title
 
 if TYPE_CHECKING:
@@ -28,12 +25,8 @@ if TYPE_CHECKING:
 
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
-    from stayput.simulation.space_run import SpaceRun
     from stayput.verification import Verdict
     from stayput.verification.verdict import Member
-
-_MOVED = 1e-3
-"""Tilt [rad] and slide [m] from which something moves."""
 
 
 def space_pairs(verdict: Verdict, ground: Suite, language: str) -> list[dict[str, Any]]:
@@ -56,7 +49,7 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite, language: 
     motion, scale = floor_motion(verdict, ground, member)
     options = shown_options(verdict)
     runs = [replay_in_space(verdict, option, member, motion, scale) for option in options]
-    start, end = moving_window(runs)
+    start, end = window_in_space(runs)
     piece = verdict.scenario.furniture
     name = piece.name or say(PIECES.get(piece.preset or "", ANY_PIECE), language)
     heading = word("histories", language)
@@ -111,37 +104,6 @@ def motion_in_space(
         start=f"{window[0]:.1f}",
         end=f"{window[1]:.1f}",
         duration=f"{motion.duration:g}",
-    )
-
-
-def moving_window(runs: list[SpaceRun]) -> tuple[float, float]:
-    """Return the start and the end of the time in which something moves [s]."""
-    times = runs[0].time
-    first, last = float(times[-1]), 0.0
-    for run in runs:
-        tilt, slide = run.tilt.max(axis=0), np.hypot(run.slide[..., 0], run.slide[..., 1]).max(axis=0)
-        moved = np.flatnonzero((tilt > _MOVED) | (slide > _MOVED))
-        if len(moved):
-            first = min(first, float(times[moved[0]]))
-        fell = run.overturn_time[run.overturned]
-        last = max(last, float(fell.max()) if len(fell) else float(times[tilt.argmax()]))
-    if first >= last:  # nothing moves: the strongest shaking is shown
-        first = last = float(times[np.abs(runs[0].motion.x).argmax()])
-    end = min(float(times[-1]), last + AFTER)
-    return max(0.0, math.floor(10.0 * max(first - BEFORE, end - LONGEST)) / 10.0), end
-
-
-def cut_run(run: SpaceRun, start: float, end: float) -> SpaceRun:
-    """Return the part of a run between two times [s]."""
-    kept = (run.time >= start - 1e-9) & (run.time <= end + 1e-9)
-    return replace(
-        run,
-        time=run.time[kept],
-        place=run.place[:, kept],
-        attitude=run.attitude[:, kept],
-        velocity=run.velocity[:, kept],
-        rotation_rate=run.rotation_rate[:, kept],
-        force=run.force[:, kept],
     )
 
 

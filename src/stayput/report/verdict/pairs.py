@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +18,7 @@ from stayput.report.scene import TIME_DIGITS, Scene, scene_of
 from stayput.report.summary import slides_off
 from stayput.report.verdict.numbers import peak_slide, peak_tilt
 from stayput.report.verdict.words import word
+from stayput.report.window import MOVED, window_of
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.outcome import Outcome
 from stayput.simulation.run import Case, run_of, trace_held
@@ -35,12 +35,6 @@ if TYPE_CHECKING:
     from stayput.simulation.space_run import SpaceRun
     from stayput.verification import Option, Verdict
     from stayput.verification.verdict import Member
-
-BEFORE, AFTER, LONGEST = 2.0, 4.0, 60.0
-"""What is shown before anything moves and after the last thing of note, and at most in all [s]."""
-
-_MOVED = 1e-3
-"""Tilt [rad] and slide [m] from which something moves."""
 
 _HARDLY_TILT, _HARDLY_SLIDE = 0.01, 0.005
 """Peaks [rad, m] below which a run is said to hardly move."""
@@ -120,7 +114,7 @@ class RunPair:
                 far = np.abs(side.history.tilt) > 0.5
                 return float(side.history.time[int(far.argmax())])
         bare = self.sides[0].history
-        largest = np.abs(bare.tilt) if np.abs(bare.tilt).max() > _MOVED else np.abs(bare.slide)
+        largest = np.abs(bare.tilt) if np.abs(bare.tilt).max() > MOVED else np.abs(bare.slide)
         return min(max(float(bare.time[int(largest.argmax())]), self.start), self.end)
 
 
@@ -183,30 +177,8 @@ def _pair(kind: str, verdict: Verdict, member: Member, ground: Suite) -> RunPair
     options = shown_options(verdict)
     runs = [replay_under(verdict, option, member, motion, scale) for option in options]
     sides = tuple(Side(option, run, history(run)) for option, run in zip(options, runs, strict=True))
-    start, end = _window(sides, motion)
+    start, end = window_of([(side.run, side.history) for side in sides], motion)
     return RunPair(kind, member, motion.scaled(scale), sides, start, end)
-
-
-def _window(sides: tuple[Side, ...], motion: Motion) -> tuple[float, float]:
-    """Return the start and the end of the time in which something moves [s]."""
-    first = motion.duration
-    for side in sides:
-        history = side.history
-        moved = (np.abs(history.tilt - history.tilt[0]) > _MOVED) | (np.abs(history.slide) > _MOVED)
-        if moved.any():
-            first = min(first, float(history.time[int(moved.argmax())]))
-    falls = [side.run.overturn_time for side in sides if side.run.overturned]
-    peaks = [
-        float(side.history.time[int(np.abs(values).argmax())])
-        for side in sides
-        for values in (side.history.tilt, side.history.slide)
-    ]
-    last = max(falls or peaks)
-    if first >= last:  # nothing moves: show the strongest shaking
-        first = last = float(motion.time[int(np.abs(motion.x).argmax())])
-    end = min(motion.duration, last + AFTER)
-    start = max(0.0, first - BEFORE, end - LONGEST)
-    return math.floor(10.0 * start) / 10.0, end
 
 
 def replay(verdict: Verdict, option: Option, member: Member, ground: Suite) -> Run:
@@ -243,7 +215,9 @@ def floor_motion(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motio
     one_motion = Suite((ground[member.motion],))
     dimensions = verdict.scenario.dimensions
     hazard = Hazard(one_motion, shaken.building, shaken.storey or 1, bool(shaken.vertical), dimensions)
-    floors = hazard.stated(shaken.wanted_intensity, shaken.scale)
+    strength = shaken.strength
+    own = None if strength is None else strength.drawn(len(ground), verdict.seed)[member.motion]
+    floors = hazard.stated(own, shaken.scale, verdict.seed)
     return floors.motions[0], float(floors.scales[0])
 
 

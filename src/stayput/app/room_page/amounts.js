@@ -1,0 +1,28 @@
+// Chances and what goes with them, as text.
+
+import { number, percent, t } from "../words.js";
+
+/** A chance with its interval: "83 % (65 to 92 %)"; less where it is not known. */
+export function chance({ estimate, low, high }) {
+  if (estimate === null) return t("notKnown");
+  if (low === null) return percent(estimate);
+  return t("chanceBetween", { share: percent(estimate), low: percent(low), high: percent(high) });
+}
+
+/** A difference of two chances in points, with its interval and its sign. */
+export function points({ estimate, low, high }) {
+  const signed = (share) => `${share > 0 ? "+" : share < 0 ? "−" : "±"}${number(Math.abs(100 * share))}`;
+  return t("pointsBetween", { by: signed(estimate), low: signed(low), high: signed(high) });
+}
+
+/** A quantity of runs in which something happened: its median and how far 90 % of them go. */
+export const quantile = ({ median, p90 }, unit, decimals) =>
+  median === null
+    ? t("notKnown")
+    : t("medianAndMost", {
+        median: `${number(median, decimals)}\u00a0${unit}`,
+        most: p90 === null ? t("notKnown") : `${number(p90, decimals)}\u00a0${unit}`,
+      });
+
+/** A text that begins large. */
+export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);

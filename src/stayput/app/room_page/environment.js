@@ -1,0 +1,120 @@
+// Shaking, floor, walls, ceiling and building. Their fields are those of the page of one piece, with a scene of its
+// own: what the room says goes into that scene, and what is set there into the room.
+
+import * as api from "../api.js";
+import { patiently } from "../connection.js";
+import * as fields from "../scene.js";
+import * as upload from "../upload.js";
+import * as room from "./room.js";
+
+const MOTIONS = ["record", "component", "unit", "dt", "vertical", "sine", "builtin", "suite", "member"],
+  STRENGTHS = ["intensity", "scale", "pga", "pgv", "mmi", "earthquake"];
+let presets = null,
+  wanted = null, // the record that the server is being asked for
+  reading = false, // the room goes into the fields, which is no change of the room
+  whenLost = () => {};
+
+/** Begins with a room that is there; "lost" is called where the server does not have its record. */
+export function wire(known, lost) {
+  presets = known;
+  whenLost = lost;
+  fields.watch((keys) => {
+    if (!reading) room.change(written(room.current(), keys), { mergeKey: keys.join() });
+  });
+  take();
+}
+
+/** Puts what the room says into the fields. */
+export function take() {
+  const { record, component } = room.current().shaking ?? {};
+  put({ ...told(room.current()), record: kept(record) });
+  if (record && record !== fields.current().record?.id && record !== wanted) fetchRecord(record, component);
+}
+
+function put(part) {
+  reading = true;
+  try {
+    fields.change(part);
+  } finally {
+    reading = false;
+  }
+}
+
+/** The record in the fields, where it is the room's. */
+const kept = (id) => (fields.current().record?.id === id ? fields.current().record : null);
+
+async function fetchRecord(id, component) {
+  wanted = id;
+  try {
+    const motion = await patiently(() => api.motion(id, component));
+    if (room.current().shaking?.record !== id) return;
+    put({ record: { id, name: motion.name, shaking: motion.shaking, motion } });
+    upload.update();
+  } catch (error) {
+    if (!(error instanceof api.Refused)) throw error;
+    if (room.current().shaking?.record === id) whenLost();
+  } finally {
+    wanted = null;
+  }
+}
+
+/** The room under a computed earthquake in the place of a record that is gone. */
+export function withoutRecord(before) {
+  const shaking = { ...before.shaking };
+  for (const key of MOTIONS) delete shaking[key];
+  shaking.suite = { family: fields.plain.family };
+  shaking.intensity ??= fields.plain.intensity;
+  return { ...before, shaking };
+}
+
+/** What a room says, as the fields have it. */
+function told({ shaking = {}, room: surfaces = {} }) {
+  const { suite, intensity, building, storey, member } = shaking,
+    { plain } = fields,
+    middle = presets.intensities.find((one) => one.id === intensity)?.middle;
+  return {
+    floor: typeof surfaces.floor === "string" ? surfaces.floor : plain.floor,
+    wallConstruction: surfaces.walls ?? plain.wallConstruction,
+    ceilingThere: Boolean(surfaces.ceiling),
+    ceiling: surfaces.ceiling?.height ?? plain.ceiling,
+    ceilingConstruction: surfaces.ceiling?.construction ?? plain.ceilingConstruction,
+    intensity: middle ?? (Number(intensity) || plain.intensity),
+    scaled: intensity !== undefined,
+    family: suite?.family ?? plain.family,
+    member: member ?? 1,
+    storeys: building?.storeys ?? 0,
+    storey: storey ?? 1,
+    structure: building?.structure ?? plain.structure,
+  };
+}
+
+const has = (keys, ...some) => some.some((one) => keys.includes(one));
+
+/** A room with what has been set in some of the fields. */
+function written(before, keys) {
+  const scene = fields.current(),
+    surfaces = { ...before.room },
+    shaking = { ...before.shaking };
+  if (has(keys, "floor")) surfaces.floor = scene.floor;
+  if (has(keys, "wallConstruction")) surfaces.walls = scene.wallConstruction;
+  if (has(keys, "ceilingThere", "ceiling", "ceilingConstruction")) {
+    const { ceiling: height, ceilingConstruction: construction } = scene;
+    if (scene.ceilingThere) surfaces.ceiling = { ...surfaces.ceiling, height, construction };
+    else delete surfaces.ceiling;
+  }
+  if (has(keys, "record", "family", "member")) {
+    const suite = { ...(typeof shaking.suite === "object" ? shaking.suite : {}), family: scene.family };
+    for (const key of MOTIONS) delete shaking[key];
+    Object.assign(shaking, scene.record ? scene.record.shaking : { suite, member: scene.member });
+  }
+  if (has(keys, "intensity", "scaled", "record")) {
+    for (const key of STRENGTHS) delete shaking[key];
+    if (!scene.record || scene.scaled) shaking.intensity = scene.intensity;
+  }
+  if (has(keys, "storeys", "storey", "structure")) {
+    const { storeys, structure, storey } = scene;
+    if (storeys > 0) Object.assign(shaking, { building: { ...shaking.building, storeys, structure }, storey });
+    else for (const key of ["building", "storey"]) delete shaking[key];
+  }
+  return { ...before, room: surfaces, shaking };
+}

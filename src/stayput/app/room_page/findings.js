@@ -1,0 +1,89 @@
+// Who is hit and by what, which door stays shut, which piece does most harm: what the verdict rests on.
+
+import { bar } from "../bars.js";
+import { el, fill, part } from "../dom.js";
+import { number, percent, t } from "../words.js";
+import { capital, chance, quantile } from "./amounts.js";
+import { kindName } from "./kinds.js";
+
+/** Writes all of them. */
+export function show(result) {
+  fill(part("who"), result.places.length ? result.places.map(place) : el("p", { text: t("noPlaces") }));
+  fill(part("ways"), ways(result));
+  fill(part("pieces"), pieces(result));
+  fill(part("meetings"), meetings(result));
+}
+
+/** A line with a name, a bar and a chance. */
+const row = (name, share, ...more) =>
+  el(
+    "li",
+    { class: "finding" },
+    el("strong", { text: capital(name) }),
+    el("span", { class: "optionbar" }, bar(share), el("span", { class: "share", text: chance(share) })),
+    ...more,
+  );
+
+const list = (rows) => el("ul", { class: "findings" }, ...rows);
+const hint = (text) => el("p", { class: "hint", text });
+
+function place(one) {
+  const when = hint(t("dayAndNight", { day: percent(one.hit_by_day), night: percent(one.hit_at_night) }));
+  return el(
+    "div",
+    {},
+    list([row(kindName("places", one.name), one.hit, when)]),
+    one.by.length ? list(one.by.map(hitBy)) : hint(t("hitByNothing")),
+  );
+}
+
+const hitBy = ({ piece, probability, mass_kg: mass, speed_m_s: speed, energy_J: energy }) =>
+  row(
+    t("byPiece", { piece: kindName("furniture", piece) }),
+    probability,
+    hint(
+      t("impact", {
+        mass: number(mass),
+        speed: quantile(speed, "m/s", 1),
+        energy: quantile(energy, "J", 0),
+      }),
+    ),
+  );
+
+function ways(result) {
+  const doors = result.doors.map((one) =>
+    row(
+      t("doorBlocked", { door: kindName("doors", one.name) }),
+      one.blocked,
+      one.blocked_at_rest ? el("p", { class: "hint alarm", text: t("blockedAtRest") }) : null,
+    ),
+  );
+  const shut = result.places.map((one) => row(t("shutInAt", { place: kindName("places", one.name) }), one.shut_in));
+  return result.doors.length ? [list([...doors, ...shut])] : [el("p", { text: t("noDoors") })];
+}
+
+function pieces(result) {
+  const all = result.pieces.reduce((sum, one) => sum + one.risk, 0);
+  const told = ({ name, risk, probabilities: p }) =>
+    row(
+      kindName("furniture", name),
+      p.overturned,
+      hint(
+        [
+          all > 0 ? t("contributes", { share: percent(risk / all) }) : "",
+          t("pieceSlides", { share: percent(p.slid.estimate) }),
+          p.device_failed?.estimate > 0 ? t("pieceFails", { share: percent(p.device_failed.estimate) }) : "",
+        ]
+          .filter(Boolean)
+          .join(t("space")),
+      ),
+    );
+  return [hint(t("piecesOrder")), list(result.pieces.map(told))];
+}
+
+function meetings({ collisions }) {
+  const told = ({ pieces: pair, probability }) =>
+    row(t("meet", { one: kindName("furniture", pair[0]), other: kindName("furniture", pair[1]) }), probability);
+  const some = collisions.filter(({ probability }) => probability.estimate > 0);
+  return some.length ? [el("h4", { text: t("meetTitle") }), list(some.map(told))] : [];
+}

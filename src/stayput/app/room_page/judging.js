@@ -1,0 +1,71 @@
+// What the server makes of the room: asked for anew after each change, the old question cancelled, the answer taken as
+// it gets better.
+
+import * as api from "../api.js";
+import { settled } from "../dom.js";
+import { line } from "../verification.js";
+import * as room from "./room.js";
+
+const SETTLED = 600; // after the last change [ms]
+const jobs = line(api.room);
+let round = 0,
+  asked = null, // the room that is asked about, or was last
+  tell = () => {},
+  now = { name: "waiting", job: null, result: null, old: true, error: null };
+
+/** The state of the question: its name, the newest job, the newest result and whether that is of another room. */
+export const state = () => now;
+
+function become(next) {
+  now = { ...now, ...next };
+  tell(now);
+}
+
+/** Calls a function with each new state. */
+export function wire(told) {
+  tell = told;
+}
+
+const soon = settled(SETTLED, () => work());
+
+/** Asks about the room as it now is: the first one at once, others once they have settled. */
+export function changed() {
+  if (room.current() === asked) return;
+  const first = asked === null;
+  asked = room.current();
+  round += 1;
+  jobs.stop();
+  become({ name: "waiting", job: null, old: true, error: null });
+  if (first) work();
+  else soon();
+}
+
+/** Asks again at once. */
+export function again() {
+  asked = room.current();
+  become({ old: true });
+  work();
+}
+
+/** Ends the question; what is known of the answer stays, as far as it came. */
+export function cancel() {
+  round += 1;
+  jobs.stop();
+  become({ name: "cancelled", job: null });
+}
+
+async function work() {
+  const mine = ++round;
+  const take = (job) => {
+    if (mine !== round) return;
+    const better = job.result ? { result: job.result, old: false } : {};
+    become({ name: job.state, job, error: null, ...better });
+  };
+  become({ name: "running", job: null, error: null });
+  try {
+    const job = await jobs.run({ scene: asked, changes: true }, take);
+    if (job) take(job);
+  } catch (error) {
+    if (mine === round) become({ name: "refused", job: null, error });
+  }
+}

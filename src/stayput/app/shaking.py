@@ -1,0 +1,56 @@
+"""How strongly the ground shakes in a scene, in words, before anything is simulated."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from stayput.app.refusals import refused
+from stayput.app.replies import ShakingReply, Words
+from stayput.catalogue import phrase
+from stayput.montecarlo.hazard import Ground
+from stayput.motion.intensity import intensity_class
+from stayput.verification.words import class_phrase
+
+if TYPE_CHECKING:
+    from stayput.catalogue import Phrase
+    from stayput.scenario import AssemblyScenario, Scenario
+
+ALIKE = 0.05
+"""A standard deviation of intensities that is not mentioned."""
+
+
+def shaking_reply(scenario: Scenario | AssemblyScenario) -> ShakingReply:
+    """Return how strongly the ground shakes in a scene.
+
+    Raises
+    ------
+    RefusedError
+        A motion that is still.
+    """
+    ground = Ground(scenario.ground())
+    shaking, strength = scenario.shaking, scenario.shaking.strength
+    factors = ground.stated(strength, shaking.scale, scenario.uncertainty.seed)
+    intensities = ground.intensities(factors)
+    if not np.isfinite(intensities).all():
+        raise refused(422, "motion.still_floor", "scene.shaking")
+    middle, deviation = float(np.median(intensities)), float(np.std(intensities))
+    told = None if strength is None else phrase("verification.strength", strength=strength.told(len(factors)))
+    return ShakingReply(
+        intensity=middle,
+        deviation=deviation,
+        intensity_class=intensity_class(middle),
+        sentence=Words.of(_sentence(middle, deviation)),
+        about=None if told is None else Words.of(told),
+    )
+
+
+def _sentence(middle: float, deviation: float) -> Phrase:
+    """Return an intensity in words, with the classes within a standard deviation."""
+    low, high = class_phrase(middle - deviation), class_phrase(middle + deviation)
+    if deviation < ALIKE:
+        return phrase("earthquake.amounts", at=middle, strength=class_phrase(middle))
+    if low == high:
+        return phrase("earthquake.amounts_about", at=middle, deviation=deviation, strength=low)
+    return phrase("earthquake.amounts_between", at=middle, deviation=deviation, low=low, high=high)

@@ -1,0 +1,53 @@
+"""Texts of the page's last step, where what was found is kept."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    "linkRecord": (
+        "The record “{name}” is too large for the link, which shows it only while this server still has it: send the file too.",
+        "記録「{name}」は大きいため、リンクには入りません。リンクで表示できるのは、このサーバーに記録が残っている間だけです。記録のファイルも一緒に渡してください。",
+    ),
+    "linkLong": (
+        "This file is too large for a link, and for the page to show it again when it is loaded anew: keep the file itself.",
+        "このファイルは大きいため、リンクにはできません。ページを読み込み直したときも、もう一度ファイルを開いてください。",
+    ),
+    "addressLabel": ("A link that shows this scene again", "この条件を再現するリンク"),
+    "copy": ("Copy", "コピー"),
+    "copied": ("The link is on the clipboard.", "リンクをコピーしました。"),
+    "toml": ("Scenario (TOML)", "条件ファイル（TOML）"),
+    "report": ("Report (HTML)", "報告書（HTML）"),
+    "table": ("Verdict as a table (CSV)", "判定の表（CSV）"),
+    "csvWithout": ("Run without measures (CSV)", "対策なしの計算結果（CSV）"),
+    "csvWith": ("Run with the measures (CSV)", "対策ありの計算結果（CSV）"),
+    "htmlWithout": ("Animation without measures (HTML)", "対策なしの動画（HTML）"),
+    "htmlWith": ("Animation with the measures (HTML)", "対策ありの動画（HTML）"),
+    "gifWithout": ("Animation without measures, 10 s (GIF)", "対策なしの動画、10秒（GIF）"),
+    "gifWith": ("Animation with the measures, 10 s (GIF)", "対策ありの動画、10秒（GIF）"),
+    "mp4Without": ("Animation without measures, 10 s (MP4)", "対策なしの動画、10秒（MP4）"),
+    "mp4With": ("Animation with the measures, 10 s (MP4)", "対策ありの動画、10秒（MP4）"),
+    "python": ("Copy as Python", "Pythonとしてコピー"),
+    "copiedPython": (
+        "The program is on the clipboard; it gives the same numbers to the bit.",
+        "プログラムをコピーしました。計算結果はこのページと完全に一致します。",
+    ),
+    "keepFigure": ("Keep this chart:", "図を保存："),
+    "keepFigureAs": ("{name} as {kind}", "{name}を{kind}で保存"),
+    "figure_histories": ("The histories", "時刻歴の図"),
+    "figure_tens": ("The chances", "起こりやすさの図"),
+    "figure_ranking": ("The ranking", "対策の比較の図"),
+    "figure_fragility": ("The curves", "曲線の図"),
+    "figure_size_map": ("The map of sizes", "大きさの図"),
+    "figureWait": (
+        "This chart can be kept once it has been worked out.",
+        "この図は、計算が終わると保存できます。",
+    ),
+    "figureDrawing": ("Drawing …", "作成中…"),
+    "drawingNow": ("Drawing …", "作成中…"),
+    "drawing": (
+        "Drawing the animation, which may take half a minute …",
+        "動画を作っています。30秒ほどかかることがあります…",
+    ),
+    "reportWait": (
+        "Report and table are there once the chances have been worked out.",
+        "報告書と表は、確率の計算が終わると保存できます。",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

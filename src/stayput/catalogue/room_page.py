@@ -1,0 +1,179 @@
+"""Texts of the page of a room, apart from its editor; its script fills in what stands in braces."""
+
+SHARED = ("rooms.door",)
+"""Texts of other modules that the page says too; their keys there are their keys on the page."""
+
+TEXTS: dict[str, tuple[str, str]] = {
+    "roomTitle": (
+        "stayput: is everybody in this room safe in an earthquake?",
+        "stayput：地震のとき、この部屋にいる人は安全か",
+    ),
+    "roomClaim": ("Is everybody in this room safe in an earthquake?", "地震のとき、この部屋にいる人は安全か"),
+    "toPiece": ("One piece", "家具1つ"),
+    "skipToVerdict": ("Skip to the verdict", "判定へ移動"),
+    "setUp": ("Set up the room", "部屋を作る"),
+    "whatToDo": ("What to do", "対策する"),
+    "toDo": ("What to do about it", "どう対策するか"),
+    "roomItself": ("The room and the house", "部屋と建物"),
+    "ceilingThere": ("There is a ceiling", "天井がある"),
+    "dropRoom": (
+        "The scenario file of a room opens that room.",
+        "部屋の条件ファイルをドロップすると、その部屋を開きます。",
+    ),
+    # The verdict
+    "answerTitle": ("What happens in this room", "この部屋で起こること"),
+    "rough": (
+        "First, rough numbers from few runs ({runs}); the intervals are still wide.",
+        "少ない計算（{runs}回）による最初の目安です。確率の幅はまだ広くなっています。",
+    ),
+    "before": ("Waiting for the server: {n} before you.", "順番を待っています。前に{n}件あります。"),
+    "roomBetter": ("More runs make the numbers surer …", "計算を続けて、数値を確かにしています…"),
+    "makeBest": ("Make this change", "この変更を行う"),
+    "basisOfRoom": (
+        "Runs of pieces: {runs}, under {motions} earthquakes; friction and weights were varied too. Seed {seed}, {seconds} s of computing.",
+        "{motions}種類の地震による、家具の計算{runs}回の結果です。摩擦や重さのばらつきも考えています。乱数の種は{seed}、計算時間は{seconds}秒です。",
+    ),
+    "careOwn": ("{n} runs", "{n}回"),
+    "chanceBetween": ("{share} ({low} to {high})", "{share}（{low}～{high}）"),
+    "pointsBetween": ("{by} points ({low} to {high})", "{by}ポイント（{low}～{high}）"),
+    "medianAndMost": ("{median}, in 1 of 10 hits over {most}", "{median}（10回に1回は{most}を超える）"),
+    # What it rests on
+    "whoIsHit": ("Who is hit, and by what?", "誰に何が当たるか"),
+    "noPlaces": (
+        "There is no bed, desk or other place of a person in the room yet.",
+        "ベッドや机など、人のいる場所がまだありません。",
+    ),
+    "dayAndNight": (
+        "Times how often somebody is there: {day} by day, {night} at night.",
+        "人がいる時間の割合を掛けると、昼は{day}、夜は{night}です。",
+    ),
+    "byPiece": ("by the piece “{piece}”", "「{piece}」が当たる"),
+    "hitByNothing": ("Nothing hits there.", "当たる家具はありません。"),
+    "impact": (
+        "It weighs {mass} kg. Speed where it hits: {speed}. Energy: {energy}.",
+        "重さは{mass} kg。当たる速さは{speed}。エネルギーは{energy}。",
+    ),
+    "noInjury": (
+        "Chances are for somebody who is there. Speed and energy are upper bounds: no bed and no person holds the piece up. Whether such a blow injures is not computed, and no threshold of injury is used.",
+        "確率は、その場所に人がいる場合のものです。速さとエネルギーは、ベッドや人が家具を支えないとした上限です。けがをするかどうかは計算しておらず、けがの基準値も使っていません。",
+    ),
+    "waysOut": ("Doors and ways out", "ドアと避難経路"),
+    "noDoors": ("There is no door in the room yet.", "部屋にまだドアがありません。"),
+    "doorBlocked": ("{door}: stays blocked", "{door}がふさがる"),
+    "shutInAt": ("No way out from here: {place}", "{place}から外に出られない"),
+    "blockedAtRest": (
+        "It is blocked already as the furniture stands.",
+        "家具を置いた状態で、すでにふさがっています。",
+    ),
+    "whichPieces": ("Which piece does most harm?", "最も危ない家具はどれか"),
+    "piecesOrder": (
+        "Most harm first. The bar is the chance of falling over.",
+        "危ない順です。棒は倒れる確率を表します。",
+    ),
+    "contributes": (
+        "{share} of the risk of being hit or shut in.",
+        "人に当たる、または出られなくなる危険の{share}を占めます。",
+    ),
+    "pieceSlides": ("Slides far in {share}.", "大きく滑る確率は{share}。"),
+    "pieceFails": ("What holds it fails in {share}.", "固定が外れる確率は{share}。"),
+    "meetTitle": ("Pieces that hit each other", "ぶつかり合う家具"),
+    "meet": ("{one} and {other}", "{one}と{other}"),
+    # What helps
+    "whatHelpsRoom": ("Which single change helps most?", "どの変更が最も効くか"),
+    "changesWait": (
+        "The changes are being worked out, one after the other …",
+        "変更を1つずつ計算しています…",
+    ),
+    "changesNote": (
+        "The bar is the chance that somebody is hit after the change, the thin line is how sure that is. Each change is tried alone, under the same earthquakes. One that was made can be undone in the plan.",
+        "棒は変更後に人に当たる確率、細い線はその確かさを表します。変更は1つずつ、同じ地震で試しています。行った変更は、間取り図で元に戻せます。",
+    ),
+    "helps": ("clearly better", "明らかに良くなる"),
+    "unclear": ("not clearly better", "はっきりした効果なし"),
+    "hitChange": ("Somebody is hit: {by}.", "人に当たる確率の差：{by}。"),
+    "shutChange": ("Shut in: {share}; {by}.", "出られない確率：{share}、差：{by}。"),
+    "make": ("Make it", "行う"),
+    "makeThis": ("Make this change: {change}", "この変更を行う：{change}"),
+    "planTitle": ("A plan to buy and do", "買う物とやること"),
+    "planOpen": ("Open the plan, to print", "印刷用の一覧を開く"),
+    "allowed_no_drilling": ("No drilling (rented)", "穴を開けられない（賃貸）"),
+    "allowed_tatami": ("The floor is tatami", "床が畳"),
+    "allowed_plasterboard": ("The walls are plasterboard without studs", "壁が石こうボードだけ"),
+    "allowed_dropped_ceiling": ("The ceiling is a dropped one", "天井が吊り天井"),
+    # The picture in space
+    "outdatedRoom": (
+        "What you see is the room before the change. The new one is being computed.",
+        "表示中の図は変更前の部屋のものです。新しい部屋で計算しています。",
+    ),
+    "slidBy": ("slides up to {slide}", "最大{slide}滑る"),
+    "sound": ("Sound", "音を出す"),
+    "soundHint": (
+        "A made rumble as strong as the shaking, and a knock where a piece hits; no recording.",
+        "揺れの強さに合わせた地鳴りと、家具がぶつかる音を合成します。録音ではありません。",
+    ),
+    # Rooms that are kept
+    "scenesTitle": ("Rooms kept on this device", "この端末に保存した部屋"),
+    "sceneName": ("Name of this room", "この部屋の名前"),
+    "keepScene": ("Keep this room", "この部屋を保存"),
+    "unnamed": ("Room", "部屋"),
+    "noScenes": (
+        "None yet. They stay on this device and are sent to nobody.",
+        "まだありません。保存した部屋はこの端末だけに残り、どこにも送られません。",
+    ),
+    "openScene": ("Open", "開く"),
+    "renameScene": ("Rename", "名前を変更"),
+    "removeScene": ("Remove", "削除"),
+    "markScene": ("Mark to compare", "比較する"),
+    "newName": ("New name of the room", "部屋の新しい名前"),
+    "removeSure": ("Remove “{name}” from this device?", "「{name}」をこの端末から削除しますか。"),
+    "keptScene": ("Kept as “{name}”.", "「{name}」として保存しました。"),
+    "keptBeside": (
+        "The room of this name was changed in another tab; this one is kept beside it, as “{name}”.",
+        "同じ名前の部屋が別のタブで変更されたため、「{name}」として別に保存しました。",
+    ),
+    "openedScene": ("“{name}” is open.", "「{name}」を開きました。"),
+    "removedScene": ("“{name}” has been removed.", "「{name}」を削除しました。"),
+    "scenesFull": (
+        "Not kept: the browser's storage for this page is full. Remove rooms that you no longer need, or save this one as a file.",
+        "保存できませんでした。このページ用の保存領域がいっぱいです。不要な部屋を削除するか、ファイルに保存してください。",
+    ),
+    "scenesClosed": (
+        "Not kept: this browser keeps nothing for the page, as in a private window. Save the room as a file, or keep its link.",
+        "保存できませんでした。このブラウザーでは、プライベートウィンドウなどのため保存が許されていません。ファイルかリンクで保存してください。",
+    ),
+    "planOf": ("Plan of “{name}”", "「{name}」の間取り図"),
+    # Two of them
+    "compare": ("Compare the two that are marked", "印を付けた2つを比べる"),
+    "compareTitle": ("Two rooms compared", "2つの部屋の比較"),
+    "compareNote": (
+        "Both under the same earthquakes, which are those of the first, and with the same random numbers.",
+        "どちらも同じ地震（1つ目の部屋の設定）と同じ乱数で計算しています。",
+    ),
+    "compareEnd": ("Close the comparison", "比較を閉じる"),
+    "somebodyHit": ("Somebody is hit", "誰かに当たる"),
+    "hitAt": ("Hit here: {place}", "{place}にいる人に当たる"),
+    "somebodyShutIn": ("Somebody is shut in", "誰かが出られなくなる"),
+    # Link and files
+    "filesTitle": ("Link and files", "リンクとファイル"),
+    "roomAddress": ("A link that shows this room again", "この部屋を再現するリンク"),
+    "roomLinkLong": (
+        "This room is too large for a link: save it as a file. This tab shows it again when it is loaded anew.",
+        "この部屋は大きいため、リンクにはできません。ファイルに保存してください。このタブでは、読み込み直しても表示されます。",
+    ),
+    "openFile": ("Open a scenario file", "条件ファイルを開く"),
+    "readingFile": ("Reading the file …", "ファイルを読み込んでいます…"),
+    "openedFile": ("“{name}” is open.", "「{name}」を開きました。"),
+    "noRoomInFile": (
+        "This scenario has no plan of a room: [plan] is missing. One piece is set on the other page.",
+        "この条件ファイルには部屋の間取りがありません。家具1つの条件は、もう一方のページで設定してください。",
+    ),
+    "roomDamaged": (
+        "The link is damaged: it does not hold all of a room. What you see is another one.",
+        "リンクが壊れていて、部屋の内容がそろっていません。表示しているのは別の部屋です。",
+    ),
+    "recordGoneHere": (
+        "The record of this room is no longer on the server; drop it again. Until then a computed earthquake takes its place.",
+        "この部屋の地震記録はサーバーに残っていません。もう一度ドロップしてください。それまでは、計算で作った地震の揺れを使います。",
+    ),
+}
+"""Texts by their keys: English, Japanese."""

@@ -1,0 +1,279 @@
+"""How strongly the ground shakes, from what people know: an intensity, a peak, or an earthquake's distance.
+
+Motions are scaled to an intensity. They are scaled to a peak acceleration or velocity too, each to that peak
+itself: to make an intensity of it first, by a regression, would add the regression's error. A modified
+Mercalli intensity and an earthquake become a peak velocity by published models, with their scatter:
+
+- Worden, Gerstenberger, Rhoades and Wald (2012), Bulletin of the Seismological Society of America 102,
+  204-221: peak velocity at a modified Mercalli intensity, for California.
+- Si and Midorikawa (1999), Journal of Structural and Construction Engineering (AIJ) 523, 63-70: peak velocity
+  on ground with a shear-wave velocity of 600 m/s, by moment magnitude, shortest distance to the fault, depth
+  and kind of earthquake, for Japan.
+- Fujimoto and Midorikawa (2006), Journal of Japan Association for Earthquake Engineering 6 (1), 11-22: how
+  much larger it is at the surface, by the mean shear-wave velocity of the uppermost 30 m.
+
+The scatter is between places and earthquakes that are the same to the model. None of this is a seismic
+hazard: it says how strong one earthquake is, and not how likely.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+from statistics import NormalDist
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from stayput.catalogue import phrase
+from stayput.errors import InputError
+from stayput.model.parameters import arguments, check_fields, parameter, quantity
+from stayput.motion.intensity import factor_to_intensity, pgv_of_mercalli
+from stayput.motion.processing import LARGEST_ACCELERATION
+from stayput.randomness import random_bits
+
+if TYPE_CHECKING:
+    from stayput.catalogue import Phrase
+    from stayput.motion.record import Motion
+
+StrengthMeasure = Literal["JMA", "PGA", "PGV"]
+"""What a strength is of: JMA's intensity, or the peak of the larger horizontal component."""
+
+EARTHQUAKE_TERMS = {"crustal": 0.0, "interface": -0.02, "intraslab": 0.12}
+"""Kinds of earthquake, and what each adds to log₁₀ PGV (Si and Midorikawa 1999)."""
+
+EARTHQUAKE_SCATTER = 0.23
+"""Standard deviation of log₁₀ PGV (Si and Midorikawa 1999)."""
+
+MERCALLI_SCATTER = 0.38
+"""Standard deviation of log₁₀ PGV at a modified Mercalli intensity (Worden et al. 2012)."""
+
+_STREAM = 200_000
+"""Key of the draws of strengths; other draws have the motion's number there, which is 100 000 at most."""
+
+
+@dataclass(frozen=True, slots=True)
+class EarthquakeSource:
+    """An earthquake and the ground where it is felt, as the ground-motion model takes them.
+
+    Outside the ranges of magnitude, distance and depth the model has no records behind it.
+
+    Parameters
+    ----------
+    magnitude : float
+        Moment magnitude.
+    distance : float
+        Shortest distance to the fault [km].
+    depth : float
+        Depth of the middle of the fault [km].
+    kind : str
+        Where it breaks, of `EARTHQUAKE_TERMS`.
+    vs30 : float
+        Mean shear-wave velocity of the uppermost 30 m of the ground [m/s].
+    """
+
+    magnitude: float = field(
+        metadata=quantity("", 5.8, 8.3, ("Magnitude", "マグニチュード"), "Moment magnitude.")
+    )
+    distance: float = field(
+        metadata=quantity("km", 3.0, 300.0, ("Distance", "断層からの距離"), "Shortest distance to the fault.")
+    )
+    depth: float = parameter(
+        10.0, "km", 0.0, 120.0, ("Depth", "震源の深さ"), "Depth of the middle of the fault."
+    )
+    kind: str = parameter(
+        "crustal",
+        "",
+        0.0,
+        0.0,
+        ("Kind of earthquake", "地震の種類"),
+        "Where it breaks: in the crust, between two plates or within a plate that dives.",
+        choices=tuple(EARTHQUAKE_TERMS),
+    )
+    vs30: float = parameter(
+        300.0,
+        "m/s",
+        100.0,
+        1500.0,
+        ("Ground", "地盤の平均S波速度"),
+        "Mean shear-wave velocity of the uppermost 30 m: about 600 on rock, 180 on soft soil.",
+    )
+
+    def __post_init__(self) -> None:
+        check_fields(self)
+
+    @property
+    def pgv(self) -> float:
+        """Median peak velocity at the surface, of the larger horizontal component [m/s]."""
+        m, x = self.magnitude, self.distance
+        on_rock = (
+            0.58 * m
+            + 0.0038 * self.depth
+            + EARTHQUAKE_TERMS[self.kind]
+            - 1.29
+            - math.log10(x + 0.0028 * 10.0 ** (0.5 * m))
+            - 0.002 * x
+        )
+        amplified = 2.367 - 0.852 * math.log10(self.vs30)
+        return 0.01 * 10.0 ** (on_rock + amplified)
+
+
+@dataclass(frozen=True, slots=True)
+class GroundStrength:
+    """What the motions of the ground are scaled to.
+
+    Parameters
+    ----------
+    measure : str
+        What the level is of.
+    level : float
+        The median: JMA's intensity, or the common logarithm of a peak [m/s², m/s].
+    scatter : float
+        Standard deviation of the level.
+    about : Phrase
+        What was stated, without a full stop.
+    source : Phrase
+        The model by which it is a strength, where it has scatter.
+    """
+
+    measure: StrengthMeasure
+    level: float
+    scatter: float = 0.0
+    about: Phrase = ("", "")
+    source: Phrase = ("", "")
+
+    @property
+    def median(self) -> float:
+        """JMA's intensity, or the peak [m/s², m/s]."""
+        return self.level if self.measure == "JMA" else 10.0**self.level
+
+    def drawn(self, motions: int, seed: int) -> list[GroundStrength]:
+        """Return the strength of each of several motions, without scatter.
+
+        The scatter is cut into as many equally likely parts as there are motions; each motion has the middle
+        of one of them, widened so that their standard deviation is the stated one. The seed says which motion
+        has which part. One motion alone has the median.
+
+        Parameters
+        ----------
+        motions : int
+            How many motions.
+        seed : int
+            Seed; the same seed gives the same bits.
+        """
+        if self.scatter == 0.0 or motions == 1:
+            return [replace(self, scatter=0.0)] * motions
+        normal = NormalDist()
+        steps = [normal.inv_cdf((i + 0.5) / motions) for i in range(motions)]
+        spread = math.sqrt(sum(step * step for step in steps) / motions)
+        order = np.argsort(random_bits(seed, _STREAM).random_raw(motions), kind="stable")
+        return [
+            replace(self, level=self.level + self.scatter * steps[place] / spread, scatter=0.0)
+            for place in order.tolist()
+        ]
+
+    def told(self, motions: int) -> Phrase:
+        """Return what was stated, and how so many motions have their strengths by it; without a full stop."""
+        if self.scatter == 0.0:
+            return self.about
+        key = "middle" if motions == 1 else "scattered"
+        return phrase(
+            f"ground_shaking.{key}",
+            about=self.about,
+            source=self.source,
+            pgv=100.0 * self.median,
+            spread=10.0**self.scatter,
+        )
+
+    def factor(self, motion: Motion) -> float:
+        """Return the factor on a motion that gives it the median strength.
+
+        Raises
+        ------
+        InputError
+            A still motion.
+        """
+        if self.measure == "JMA":
+            return factor_to_intensity(motion.intensity, self.level)
+        return self.median / horizontal_peak(motion, self.measure)
+
+
+def horizontal_peak(motion: Motion, measure: StrengthMeasure) -> float:
+    """Return PGA [m/s²] or PGV [m/s] of a motion: that of its larger horizontal component.
+
+    Raises
+    ------
+    InputError
+        A still motion.
+    """
+    single = (motion.component(name) for name in ("x", "y") if name in motion.components)
+    peak = max(one.pga if measure == "PGA" else one.pgv for one in single)
+    if not peak > 0.0:
+        raise InputError("motion.still_floor")
+    return peak
+
+
+def strength_of_intensity(intensity: float) -> GroundStrength:
+    """Return the strength of a JMA intensity."""
+    return GroundStrength("JMA", intensity, about=phrase("ground_shaking.intensity", value=intensity))
+
+
+@arguments(
+    pga=quantity(
+        "m/s²",
+        1e-3,
+        LARGEST_ACCELERATION,
+        ("Peak ground acceleration", "地面の最大加速度"),
+        "Peak acceleration of the ground, of the larger horizontal component, that every motion is scaled "
+        "to, in the place of an intensity.",
+    )
+)
+def strength_of_pga(pga: float) -> GroundStrength:
+    """Return the strength of a peak acceleration [m/s²]."""
+    return GroundStrength("PGA", math.log10(pga), about=phrase("ground_shaking.pga", value=pga))
+
+
+@arguments(
+    pgv=quantity(
+        "m/s",
+        1e-4,
+        10.0,
+        ("Peak ground velocity", "地面の最大速度"),
+        "Peak velocity of the ground, of the larger horizontal component, that every motion is scaled to, "
+        "in the place of an intensity.",
+    )
+)
+def strength_of_pgv(pgv: float) -> GroundStrength:
+    """Return the strength of a peak velocity [m/s]."""
+    return GroundStrength("PGV", math.log10(pgv), about=phrase("ground_shaking.pgv", value=pgv))
+
+
+@arguments(
+    mmi=quantity(
+        "",
+        2.0,
+        10.0,
+        ("Modified Mercalli intensity", "改正メルカリ震度"),
+        "Modified Mercalli intensity, in the place of a JMA intensity: motions are scaled to the peak "
+        "velocity and its scatter of Worden et al. (2012).",
+    )
+)
+def strength_of_mercalli(mmi: float) -> GroundStrength:
+    """Return the strength of a modified Mercalli intensity."""
+    about = phrase("ground_shaking.mmi", value=mmi)
+    source = phrase("ground_shaking.mmi_source")
+    return GroundStrength("PGV", math.log10(pgv_of_mercalli(mmi)), MERCALLI_SCATTER, about, source)
+
+
+def strength_of_earthquake(earthquake: EarthquakeSource) -> GroundStrength:
+    """Return the strength of an earthquake at a distance."""
+    about = phrase(
+        "ground_shaking.earthquake",
+        magnitude=earthquake.magnitude,
+        distance=earthquake.distance,
+        depth=earthquake.depth,
+        kind=phrase(f"ground_shaking.{earthquake.kind}"),
+        vs30=earthquake.vs30,
+    )
+    source = phrase("ground_shaking.earthquake_source")
+    return GroundStrength("PGV", math.log10(earthquake.pgv), EARTHQUAKE_SCATTER, about, source)

@@ -1,0 +1,1 @@
+"""A plan to buy and do as a card to print, and as data."""

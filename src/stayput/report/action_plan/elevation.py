@@ -1,0 +1,187 @@
+"""A piece with its devices from the front and from the side, to scale on paper."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from stayput.catalogue import say
+from stayput.measures import Belt, GelMats, TensionPole, WedgeStopper, shapes
+from stayput.measures.element import at_rest
+from stayput.measures.wall import WallDevice
+from stayput.model.state import State, standing_corners, wall_faces
+from stayput.report.verdict import svg
+from stayput.rooms.step_words import elements_of, held_by
+from stayput.rooms.words import piece_name
+from stayput.simulation.placing import bare
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from stayput.measures import Element, Held
+    from stayput.rooms.steps import Fix
+
+UNIT = 1e-4
+"""A unit of the drawing on paper [m]: a tenth of a millimetre."""
+
+MARGIN, ABOVE, BELOW = 75.0, 14.0, 52.0
+"""Space at the sides for heights, above, and below for lengths and names."""
+
+HEAD = 0.08
+"""What is seen above a piece and its devices [m]."""
+
+
+def elevation_svg(fix: Fix, name: str, scale: int, language: str) -> str:
+    """Return a piece with its measures in place, from the front and from the side.
+
+    Parameters
+    ----------
+    fix : Fix
+        The measures, and the piece with them.
+    name : str
+        The piece.
+    scale : int
+        Metres of the room in a metre of paper.
+    language : str
+        "en" or "ja".
+    """
+    held = held_by(fix)
+    base = bare(fix.part.assembly.members[fix.place]).at[2]
+    view = _View(held, base, 1.0 / (scale * UNIT))
+    parts = [*view.front(fix), *view.side(), *view.names(language)]
+    label = say("action_plan.elevation_alt", language, piece=say(piece_name(name), language))
+    millimetres = [f"{1e3 * UNIT * size:.1f}mm" for size in (view.width, view.height)]
+    return svg.element(
+        "svg",
+        "".join(parts),
+        viewBox=f"0 0 {view.width:.1f} {view.height:.1f}",
+        class_="elevation",
+        role="img",
+        aria_label=label,
+        style=f"width:{millimetres[0]};height:{millimetres[1]}",
+    )
+
+
+class _View:
+    """Where front and side stand on the paper.
+
+    Parameters
+    ----------
+    held : Held
+        The piece with its devices, each by itself.
+    base : float
+        How high its base is above the floor [m].
+    metre : float
+        A metre of the room in units of the drawing.
+    """
+
+    def __init__(self, held: Held, base: float, metre: float) -> None:
+        self.held, self.base, self.metre = held, base, metre
+        body = held.body
+        self.length, self.depth = body.length or body.width, body.width
+        tops = [base + body.height, *(self.base + end for end in _upper_ends(held))]
+        ceiling = held.room.ceiling
+        poles = any(isinstance(measure, TensionPole) for measure in held.measures)
+        self.ceiling = ceiling.height if poles and ceiling is not None else None
+        self.top = (self.ceiling or max(tops)) + HEAD
+        behind, _ = wall_faces(body, held.room) if held.room.left_wall is not None else (-0.5 * self.depth, 0)
+        self.wall = behind
+        self.front_at = MARGIN + 0.5 * self.metre * self.length
+        self.side_at = MARGIN + self.metre * (self.length + 0.12) - self.metre * self.wall + 30.0
+        self.width = self.side_at + self.metre * (0.5 * self.depth + 0.1) + 12.0
+        self.height = ABOVE + self.metre * self.top + BELOW
+
+    def up(self, z: float) -> float:
+        """Return where a height above the floor [m] is on the paper."""
+        return ABOVE + self.metre * (self.top - z)
+
+    def front(self, fix: Fix) -> Iterator[str]:
+        """Yield the front, with the devices where they are along it, and their heights and distances."""
+        half, high, held = 0.5 * self.length, self.base + self.held.body.height, self.held
+        left, right = self.front_at - self.metre * half, self.front_at + self.metre * half
+        yield svg.line(left - 25.0, self.up(0.0), right + 25.0, self.up(0.0), "face")
+        if self.ceiling is not None:
+            yield svg.line(left - 25.0, self.up(self.ceiling), right + 25.0, self.up(self.ceiling), "face")
+        yield svg.box(left, self.up(self.base), right, self.up(high), "piece")
+        dimension: Element | None = None
+        heights = {high}
+        for purchase in fix.purchases:
+            measure, elements = purchase.measure, elements_of(held, purchase.measure.kind)
+            for element in elements:
+                x = self.front_at + self.metre * element.across
+                z = self.base + element.point[1]
+                match measure:
+                    case Belt():
+                        end = z + (element.to_anchor or (0.0, 0.0))[1]
+                        yield svg.line(x, self.up(z), x, self.up(end), "shape tie")
+                        yield svg.box(x - 3.0, self.up(end) - 3.0, x + 3.0, self.up(end) + 3.0, "shape metal")
+                        heights.add(end)
+                    case WallDevice():
+                        yield svg.box(x - 3.0, self.up(z), x + 3.0, self.up(z + 0.06), "shape metal")
+                        heights.add(z)
+                    case TensionPole():
+                        end = self.ceiling or z
+                        yield svg.line(x, self.up(z), x, self.up(end), "shape metal")
+                        heights.add(end)
+                    case _:
+                        thick = self.up(self.base)
+                        yield svg.box(x - 4.0, thick - 4.0, x + 4.0, thick, "shape pad")
+            if isinstance(measure, WedgeStopper):
+                yield svg.box(left, self.up(0.0) - 3.0, right, self.up(0.0), "shape rubber")
+            elif elements and not isinstance(measure, GelMats):
+                dimension = elements[0]
+        for height in sorted(heights):
+            yield svg.line(left - 22.0, self.up(height), left - 4.0, self.up(height), "size")
+            yield svg.label(left - 24.0, self.up(height) + 7.0, f"{height:.2f}", anchor="end")
+        if dimension is not None:
+            yield from self._distances(dimension.kind)
+
+    def _distances(self, kind: str) -> Iterator[str]:
+        """Yield marks below the floor where devices are, and how far they are apart."""
+        places = sorted({element.across for element in elements_of(self.held, kind)})
+        marks = [self.front_at + self.metre * x for x in (-0.5 * self.length, *places, 0.5 * self.length)]
+        level = self.up(0.0) + 10.0
+        yield svg.line(marks[0], level, marks[-1], level, "size")
+        for x in marks:
+            yield svg.line(x, level - 4.0, x, level + 4.0, "size")
+        if len(places) > 1:
+            yield svg.label(
+                0.5 * (marks[1] + marks[2]), level + 20.0, f"{places[1] - places[0]:.2f}", anchor="middle"
+            )
+
+    def side(self) -> Iterator[str]:
+        """Yield the side, with the wall behind, and the devices as they are."""
+        held, body = self.held, self.held.body
+        wall = self.side_at + self.metre * self.wall
+        right = self.side_at + self.metre * (0.5 * self.depth + 0.1)
+        yield svg.line(wall, self.up(0.0), right, self.up(0.0), "face")
+        if held.room.left_wall is not None:
+            yield svg.box(wall - 10.0, self.up(self.top), wall, self.up(0.0), "room")
+            yield svg.line(wall, self.up(self.top), wall, self.up(0.0), "face")
+        if self.ceiling is not None:
+            yield svg.line(wall, self.up(self.ceiling), right, self.up(self.ceiling), "face")
+
+        def place(x: float, z: float) -> tuple[float, float]:
+            return self.side_at + self.metre * x, self.up(self.base + z)
+
+        a, b, c, d = standing_corners(body, State())
+        yield svg.polygon([place(*corner) for corner in (a, b, d, c)], "piece")
+        x, z = at_rest(body, body.centre_of_gravity)
+        for shape in shapes(held, x, z, body.resting_tilt):
+            points = [place(*point) for point in shape["points"]]
+            if shape["kind"] == "polygon":
+                yield svg.polygon(points, f"shape {shape['role']}")
+            else:
+                across, up = zip(*points, strict=True)
+                yield svg.polyline(across, up, f"shape {shape['role']} open")
+
+    def names(self, language: str) -> Iterator[str]:
+        """Yield which view is which."""
+        level = self.height - 3.0
+        yield svg.label(self.front_at, level, say("action_plan.front", language))
+        yield svg.label(self.side_at, level, say("action_plan.side", language))
+
+
+def _upper_ends(held: Held) -> Iterator[float]:
+    """Yield how high belts end on the wall, above the base [m]."""
+    for element in held.elements:
+        yield element.point[1] + (element.to_anchor or (0.0, 0.0))[1]

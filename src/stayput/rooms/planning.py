@@ -1,0 +1,432 @@
+"""`action_plan`: which moves and measures help most in a room, how strong they must be, and in which order.
+
+One thing at most is moved, what brings most. On each piece that does harm comes the set of measures that
+helps most by itself; a device on a wall comes in such a number that what it is screwed to bears it, as far as
+the studs behind the piece allow. All runs are under the same earthquakes and draws as the room as it is.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from stayput.errors import InputError, instance_of
+from stayput.fragility import difference, probability
+from stayput.measures import MEASURES
+from stayput.measures.wall import WallDevice
+from stayput.progress import bar
+from stayput.rooms.changes import can_be_held
+from stayput.rooms.effects import (
+    anybody,
+    events_with,
+    harmful_pieces,
+    hits_by,
+    moves_of,
+    risk_of,
+    tracks_of_part,
+)
+from stayput.rooms.events import hits_of
+from stayput.rooms.forces import MARGIN, Purchase, more_than, quantile_of, strengths_of, unbreakable
+from stayput.rooms.runs import part_with, with_member
+from stayput.rooms.steps import SETS, STUD_PITCH, ActionPlan, Fix, Home, PlanStep, RoomEffect
+from stayput.rooms.verdict import RoomVerdict
+from stayput.rooms.verify import question_of, states, verdict_of
+from stayput.simulation.placing import placed
+from stayput.simulation.standing import Piece
+from stayput.verification.grades import inputs_in_room
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Mapping, Sequence
+
+    from numpy.typing import NDArray
+
+    from stayput.fragility import Probability
+    from stayput.measures import Measure
+    from stayput.model.floor_plan import FloorPlan, PersonPlace
+    from stayput.rooms.effects import Move, Question
+    from stayput.rooms.events import Hits
+    from stayput.rooms.runs import PartRuns, RoomPart
+    from stayput.rooms.tracks import Track
+    from stayput.rooms.verify import RoomState
+    from stayput.simulation.standing import Assembly
+
+ALIKE = 0.005
+"""Risks that differ by no more than this are equal in the order of steps: half a per cent."""
+
+
+def action_plan(
+    verdict: RoomVerdict,
+    *,
+    no_drilling: bool = False,
+    tatami: bool = False,
+    plasterboard: bool = False,
+    dropped_ceiling: bool = False,
+    threads: int | None = None,
+    progress: bool | None = None,
+    on_progress: Callable[[int], None] | None = None,
+) -> ActionPlan:
+    """Say what to move in a room, what to buy for which piece and how strong, and what each brings.
+
+    Parameters
+    ----------
+    verdict : RoomVerdict
+        The room. Its earthquakes and draws are used again; its single changes are not needed.
+    no_drilling : bool
+        Whether nothing may be screwed to a wall.
+    tatami, plasterboard, dropped_ceiling : bool
+        What floor, walls and ceiling are, whatever the scenario says: tatami; plasterboard without studs that
+        can be used; a ceiling on wires, against which no pole may push. The room is verified anew with them.
+    threads : int, optional
+        As many as there are cores by default. The bits do not depend on them.
+    progress : bool, optional
+        Whether to draw a bar on standard error; default on a terminal.
+    on_progress : callable, optional
+        Called with the number of runs just made; an exception that it raises stops the work.
+    """
+    began = time.perf_counter()
+    asked = instance_of("verdict", verdict, RoomVerdict)
+    home = Home(no_drilling, tatami, plasterboard, dropped_ceiling)
+    made = 0
+    with bar(None, "Planning", progress) as advance:
+
+        def count(runs: int) -> None:
+            nonlocal made
+            made += runs
+            advance(runs)
+            if on_progress is not None:
+                on_progress(runs)
+
+        question = question_of(home.of(asked.scenario), threads)._replace(advance=count)
+        (*_, state) = states(question)
+        steps, unsolved = _Planner(question, state, home).steps()
+    as_it_is = verdict_of(question, state, asked.slide_limit)
+    now = replace(as_it_is, complete=True, runs=made, seconds=time.perf_counter() - began)
+    return ActionPlan(now, home, steps, unsolved)
+
+
+class _Way(NamedTuple):
+    """How some pieces move otherwise: their tracks, and which of their runs were given up."""
+
+    tracks: Mapping[int, Sequence[Track]]
+    missing: NDArray[np.bool_]
+
+    def joined(self, other: _Way) -> _Way:
+        """Return this with other pieces, or the same once more otherwise."""
+        return _Way({**self.tracks, **other.tracks}, self.missing | other.missing)
+
+
+class _Tried(NamedTuple):
+    """Measures on a piece that have run where it stands; ``own`` is the risk from its part of the room."""
+
+    measures: tuple[Measure, ...]
+    way: _Way
+    effect: RoomEffect
+    own: float
+    overturns: Probability
+
+
+class _Chosen(NamedTuple):
+    """A step before its place in the order is known.
+
+    ``here`` is how the piece moves then where it stands; ``there``, once it has been moved. ``plan`` is that
+    with the place of a person moved, where one is.
+    """
+
+    step: PlanStep
+    plan: FloorPlan | None
+    here: _Way
+    there: _Way
+
+
+class _Planner:
+    """The steps of a plan.
+
+    Parameters
+    ----------
+    question : Question
+        The room, its motions and draws.
+    state : RoomState
+        The room as it is.
+    home : Home
+        What the home is like.
+    """
+
+    def __init__(self, question: Question, state: RoomState, home: Home) -> None:
+        self.question, self.state, self.home = question, state, home
+        hits = state.as_it_is.events.hits
+        struck = {body for own in hits for body, one in enumerate(own) if one.happened.any()}
+        self.harmful = struck | harmful_pieces(state.as_it_is, question.plan, state.ends)
+        self._known: dict[tuple[int, PersonPlace], tuple[Sequence[Track], Hits]] = {}
+
+    def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
+        """Return the steps in their order, and the pieces on which nothing helps."""
+        names = self.question.scenario.names
+        move = self._best_move()
+        chosen = [] if move is None else [self._moving(move)]
+        whole = self.question.whole if move is None else self._after(move)
+        unsolved: list[str] = []
+        for body in sorted(self.harmful):
+            fixing = self._fixing(body, whole)
+            if fixing is not None:
+                chosen.append(fixing)
+            elif move is None or move.change.what != names[body]:
+                unsolved.append(names[body])
+        return tuple(self._in_order(chosen)), tuple(unsolved)
+
+    def _in_order(self, chosen: list[_Chosen]) -> Iterable[PlanStep]:
+        """Yield the steps, each time that which brings most with those before it."""
+        done: list[_Chosen] = []
+        reached = _order(self._together(done))
+        while chosen:
+            effects = [self._together([*done, one]) for one in chosen]
+            number = min(
+                range(len(chosen)),
+                key=lambda n: (_order(effects[n]), chosen[n].step.cost_class, _order(chosen[n].step.alone)),
+            )
+            one, effect = chosen.pop(number), effects[number]
+            if one.step.move is not None and not _order(effect) < reached:
+                continue  # what is fixed by then need not be moved
+            done.append(one)
+            reached = _order(effect)
+            yield replace(one.step, together=effect)
+
+    def _together(self, done: list[_Chosen]) -> RoomEffect:
+        """Return what some of the steps bring together."""
+        plan = next((one.plan for one in done if one.plan is not None), self.question.plan)
+        relocated = next((one for one in done if one.step.move is not None), None)
+        way = _Way({}, self.state.as_it_is.missing) if relocated is None else relocated.here
+        for one in done:
+            if one is not relocated:
+                there = relocated is not None and one.step.what == relocated.step.what
+                way = way.joined(one.there if there else one.here)
+        return self._effect(plan, way)
+
+    def _hits(self, place: PersonPlace, tracks: Sequence[Track]) -> Hits:
+        """Return the contacts of a piece with a place, which are looked for once."""
+        key = id(tracks), place
+        if key not in self._known:
+            self._known[key] = tracks, hits_of(place, tracks)  # its tracks stay, so that the id is theirs
+        return self._known[key][1]
+
+    def _effect(self, plan: FloorPlan, way: _Way) -> RoomEffect:
+        as_it_is, shape = self.state.as_it_is, self.state.as_it_is.missing.shape
+        missing = as_it_is.missing | way.missing
+        events = events_with(plan, way.tracks, as_it_is, self.state.ends, self._hits)
+        before = as_it_is.events
+        hit, was_hit = (anybody(hits_by(one), shape) for one in (events, before))
+        shut, was_shut = (anybody(one.shut_in, shape) for one in (events, before))
+        blocked, was_blocked = (anybody(one.blocked, shape) for one in (events, before))
+        return RoomEffect(
+            probability(hit, missing),
+            difference(hit, was_hit, missing),
+            probability(shut, missing),
+            difference(shut, was_shut, missing),
+            probability(blocked, missing),
+            difference(blocked, was_blocked, missing),
+            risk_of(hits_by(events), plan.places, missing),
+        )
+
+    def _best_move(self) -> Move | None:
+        """Return the move that clearly helps and helps most."""
+        found: list[tuple[tuple[float, ...], Move]] = []
+        parts, as_it_is, ends = self.state.parts, self.state.as_it_is, self.state.ends
+        for move in moves_of(self.question, parts, as_it_is, ends, self.harmful):
+            effect = self._effect(move.plan, _Way(move.instead, move.missing))
+            if effect.helps:
+                found.append((_order(effect), move))
+        return min(found, key=lambda pair: pair[0])[1] if found else None
+
+    def _moving(self, move: Move) -> _Chosen:
+        scenario, what = self.question.scenario, move.change.what
+        effect = self._effect(move.plan, _Way(move.instead, move.missing))
+        bodies = list(move.instead) or sorted(self.harmful)
+        deciding = {one: None for body in bodies for one in inputs_in_room((), scenario, body)}
+        overturned = self._overturned(bodies[0]) if move.instead else None
+        step = PlanStep(what, move.change, None, effect, effect, overturned, None, tuple(deciding))
+        way = _Way(move.instead, move.missing)
+        return _Chosen(step, None if move.instead else move.plan, way, way)
+
+    def _after(self, move: Move) -> Assembly:
+        """Return the pieces with one moved."""
+        whole, change = self.question.whole, move.change
+        for body in move.instead:
+            assert change.at is not None
+            assert change.heading is not None
+            member = whole.members[body]
+            elsewhere = replace(member, at=(*change.at, member.at[2]), heading=change.heading)
+            whole = with_member(whole, body, elsewhere)
+        return whole
+
+    def _overturned(self, body: int) -> Probability:
+        return self.state.as_it_is.outcomes[body].probability_of_overturning()
+
+    def _fixing(self, body: int, whole: Assembly) -> _Chosen | None:
+        """Return the best measures on a piece, which stands in ``whole`` as it is to stand."""
+        as_it_is = self.state.as_it_is
+        bare = self._own_risk(
+            _Way({one: as_it_is.tracks[one] for one in self._group(body)}, as_it_is.missing)
+        )
+        tried = [
+            one
+            for one in self._tried(body)
+            if (one.own < bare or _frees(one.effect)) and self._held(body, one.measures, whole) is not None
+        ]
+        if not tried:
+            return None
+        best = min(tried, key=_merit)
+        fix, here, there = self._fitted(best, body, whole)
+        undrilled = [one for one in tried if not any(measure.drilled for measure in one.measures)]
+        instead = None
+        if fix.drilled and undrilled:
+            instead = self._fitted(min(undrilled, key=_merit), body, whole)[0]
+        scenario = self.question.scenario
+        deciding = inputs_in_room(tuple(one.measure for one in fix.purchases), scenario, body)
+        step = PlanStep(
+            scenario.names[body],
+            None,
+            fix,
+            fix.alone,
+            fix.alone,
+            self._overturned(body),
+            instead,
+            deciding,
+        )
+        return _Chosen(step, None, here, there)
+
+    def _tried(self, body: int) -> list[_Tried]:
+        """Run every set of measures that may be put on a piece."""
+        parts: list[tuple[tuple[Measure, ...], RoomPart]] = []
+        for kinds in SETS:
+            measures = tuple(MEASURES[kind]() for kind in kinds)
+            if self.home.no_drilling and any(one.drilled for one in measures):
+                continue
+            part = self._held(body, measures, self.question.whole)
+            if part is not None:
+                parts.append((measures, part))
+        runs = self.question.run([part for _, part in parts])
+        return [
+            self._as_tried(measures, part, own, body)
+            for (measures, part), own in zip(parts, runs, strict=True)
+        ]
+
+    def _as_tried(self, measures: tuple[Measure, ...], part: RoomPart, runs: PartRuns, body: int) -> _Tried:
+        way = _Way(tracks_of_part(part, runs), runs.missing)
+        effect, own = self._effect(self.question.plan, way), self._own_risk(way)
+        return _Tried(measures, way, effect, own, _overturns(runs, part.bodies.index(body)))
+
+    def _own_risk(self, way: _Way) -> float:
+        """Return the chance that a person is hit by some pieces, whatever others do."""
+        places, missing = self.question.plan.places, self.state.as_it_is.missing | way.missing
+        hits = [[self._hits(place, own).happened for own in way.tracks.values()] for place in places]
+        return risk_of(np.any(hits, axis=1), places, missing) if places else 0.0
+
+    def _group(self, body: int) -> tuple[int, ...]:
+        return next(part.bodies for part in self.state.parts if body in part.bodies)
+
+    def _held(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart | None:
+        """Return the part of a piece with measures on it, or None where they cannot be put there."""
+        group, piece = self._group(body), whole.members[body]
+        if not isinstance(piece, Piece):
+            return None
+        try:
+            held = replace(piece, measures=(*piece.measures, *measures))
+            part = part_with(self.question.scenario, group, with_member(whole, body, held))
+        except InputError:  # another measure at the same place
+            return None
+        return part if can_be_held(part, group.index(body), self.question.plan) else None
+
+    def _fitted(self, tried: _Tried, body: int, whole: Assembly) -> tuple[Fix, _Way, _Way]:
+        """Return measures as they are bought, and how the piece moves where it stands and where it will.
+
+        Where the studs allow it there are as many devices as what they are screwed to asks for.
+        """
+        measures, part = tried.measures, self._held(body, tried.measures, whole)
+        assert part is not None
+        purchases = self._purchases(part, measures, body)
+        fitted = tuple(_more(one, _length(whole, body)) for one in purchases)
+        more, here = self._held(body, fitted, whole), self._held(body, fitted, self.question.whole)
+        if fitted != measures and more is not None and here is not None:
+            measures, part = fitted, more
+            purchases = self._purchases(part, measures, body)
+            tried = self._as_tried(measures, here, self.question.run([here])[0], body)
+        there = tried.way
+        if whole is not self.question.whole:
+            runs = self.question.run([part])[0]
+            there = _Way(tracks_of_part(part, runs), runs.missing)
+        place = part.bodies.index(body)
+        held = placed(part.assembly.members, part.room)[place].held
+        assert held is not None
+        cautions = tuple(
+            caution for measure in measures for caution in measure.cautions(held.body, held.room)
+        )
+        return Fix(part, place, purchases, tried.effect, tried.overturns, cautions), tried.way, there
+
+    def _purchases(self, part: RoomPart, measures: tuple[Measure, ...], body: int) -> tuple[Purchase, ...]:
+        """Return what to buy: how strong one must be, and how strong what it is fixed to is."""
+        place = part.bodies.index(body)
+        piece = part.assembly.members[place]
+        held = placed(part.assembly.members, part.room)[place].held
+        assert isinstance(piece, Piece)
+        assert held is not None
+        kinds = {measure.kind for measure in measures}
+        strong = tuple(
+            unbreakable(measure.fitted_to(piece.body)) if measure.kind in kinds else measure
+            for measure in piece.measures
+        )
+        member = replace(piece, measures=strong)
+        runs = self.question.run([part._replace(assembly=with_member(part.assembly, place, member))])[0]
+        found: list[Purchase] = []
+        for measure in measures:
+            strengths = strengths_of(held, measure.kind)
+            if strengths is None:
+                found.append(Purchase(measure))
+                continue
+            holds, fails = strengths
+            needed = quantile_of(runs.peaks, (place, measure.kind)).times(MARGIN)
+            found.append(Purchase(measure, needed, holds, fails))
+        return tuple(found)
+
+
+def _overturns(runs: PartRuns, place: int) -> Probability:
+    return runs.of_body(place).probability_of_overturning()
+
+
+def _order(effect: RoomEffect) -> tuple[float, ...]:
+    """Return the sort key of what something brings, the best first."""
+    return (
+        round(effect.risk / ALIKE),
+        round(effect.shut_in.estimate / ALIKE),
+        round(effect.blocked.estimate / ALIKE),
+    )
+
+
+def _merit(tried: _Tried) -> tuple[float, ...]:
+    """Return the sort key of measures on a piece: of those that bring the same, what it falls with least."""
+    own, effect = round(tried.own / ALIKE), tried.effect
+    ways = round(effect.shut_in.estimate / ALIKE), round(effect.blocked.estimate / ALIKE)
+    return (own, *ways, round(tried.overturns.estimate / ALIKE), len(tried.measures))
+
+
+def _frees(effect: RoomEffect) -> bool:
+    """Return whether a way out is free more often, clearly or not."""
+    return any(one.estimate < 0.0 for one in (effect.shut_in_change, effect.blocked_change))
+
+
+def _length(whole: Assembly, body: int) -> float:
+    piece = whole.members[body]
+    assert isinstance(piece, Piece)
+    return piece.body.length or 0.0
+
+
+def _more(purchase: Purchase, length: float) -> Measure:
+    """Return a device on a wall in the number that its fixing needs, one on each stud at most."""
+    measure = purchase.measure
+    if not isinstance(measure, WallDevice) or purchase.needed is None or purchase.holds is None:
+        return measure
+    most = max(measure.count, math.floor(length / STUD_PITCH[0]) + 1)
+    needed = math.ceil(measure.count * more_than(purchase.needed, purchase.holds))
+    return replace(measure, count=min(most, max(measure.count, needed)))

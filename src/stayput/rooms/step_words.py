@@ -1,0 +1,214 @@
+"""The sentences of a plan to buy and do; they are in `stayput.catalogue.action_plan`."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from stayput.catalogue import phrase
+from stayput.fragility.probabilities import percent
+from stayput.measures import Belt, GelMats, TensionPole, WedgeStopper
+from stayput.measures.fixing import SCREW_IN_STUD
+from stayput.measures.wall import WallDevice
+from stayput.rooms.steps import STUD_PITCH
+from stayput.rooms.words import label_of, piece_name
+from stayput.simulation.placing import placed
+from stayput.simulation.standing import Piece
+from stayput.verification.words import share_text
+from stayput.wording import inside
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from stayput.catalogue import Phrase
+    from stayput.fragility import Probability
+    from stayput.measures import Element, Held
+    from stayput.rooms.forces import DeviceForces, Purchase
+    from stayput.rooms.steps import ActionPlan, Fix, PlanStep, RoomEffect
+
+KILOGRAM = 9.80665
+"""Weight of a kilogram, for people who read loads in kgf [N]."""
+
+
+def joined(parts: Iterable[Phrase], by: str = "common.listed") -> Phrase:
+    """Return phrases as a list in one."""
+    english, japanese = zip(*parts, strict=True)
+    between = phrase(by)
+    return between[0].join(english), between[1].join(japanese)
+
+
+def newtons(force: float) -> Phrase:
+    """Return a force that is asked for, rounded up, in newtons and kgf."""
+    step = 10.0 if force < 1000.0 else 50.0
+    asked = step * math.ceil(force / step - 1e-9)
+    return phrase("action_plan.newtons", newtons=asked, kilograms=math.ceil(asked / KILOGRAM))
+
+
+def forces_asked(purchase: Purchase) -> list[tuple[str, float]]:
+    """Return in which directions a product is rated, and how strong it must be there [N].
+
+    It is not in a direction in which nothing can fail, or in which there is hardly any force.
+    """
+    if purchase.needed is None or purchase.holds is None:
+        return []
+    return [
+        (name, getattr(purchase.needed, name))
+        for name, holds in purchase.holds._asdict().items()
+        if math.isfinite(holds) and getattr(purchase.needed, name) >= 1.0
+    ]
+
+
+def product(purchase: Purchase) -> Phrase:
+    """Return what to buy and how many: "Screwed L-brackets × 3"."""
+    return phrase("action_plan.product", measure=purchase.measure.label, count=purchase.count)
+
+
+def products(fix: Fix) -> Phrase:
+    """Return all that is put on a piece, as it stands within a sentence."""
+    english, japanese = joined((product(one) for one in fix.purchases), "action_plan.plus")
+    return inside(english), japanese
+
+
+def to_buy(purchase: Purchase, fix: Fix) -> Phrase:
+    """Return what to buy, with its rated strength."""
+    measure, body = purchase.measure, _piece(fix).body
+    called = product(purchase)
+    if isinstance(measure, WedgeStopper):
+        thick = 1e3 * measure.thickness
+        return phrase("action_plan.wedge", product=called, length=body.length, thickness=thick)
+    if isinstance(measure, GelMats):
+        fitted = measure.fitted_to(body).area
+        assert fitted is not None
+        called = phrase("action_plan.mats", product=called, side=100.0 * math.sqrt(fitted), mass=body.mass)
+    forces = [phrase(f"action_plan.{name}", force=newtons(force)) for name, force in forces_asked(purchase)]
+    if not forces:
+        return called
+    return phrase("action_plan.rated", product=called, forces=joined(forces, "action_plan.and"))
+
+
+def where(purchase: Purchase, fix: Fix) -> Phrase:
+    """Return where a device goes."""
+    held, measure, length = held_by(fix), purchase.measure, _piece(fix).body.length or 0.0
+    elements = elements_of(held, measure.kind)
+    apart = _apart(elements, length)
+    base = _piece(fix).at[2]
+    match measure:
+        case Belt():
+            height = base + elements[0].point[1] + (elements[0].to_anchor or (0.0, 0.0))[1]
+            return phrase("action_plan.belt_top", setback=measure.setback, height=height, apart=apart)
+        case WallDevice():
+            assert held.room.left_wall is not None
+            studs = measure.fixed_to(held.room.left_wall) == "stud"
+            key = "action_plan.at_wall" if studs else "action_plan.at_wall_plain"
+            return phrase(key, height=base + elements[0].point[1], apart=apart)
+        case TensionPole():
+            assert held.room.ceiling is not None
+            space = held.room.ceiling.height - base - elements[0].point[1]
+            return phrase("action_plan.pole_top", setback=measure.setback, apart=apart, length=space)
+        case GelMats():
+            return phrase("action_plan.mats_below")
+        case _:
+            return phrase("action_plan.wedge_below")
+
+
+def _apart(elements: list[Element], length: float) -> Phrase:
+    if len(elements) < 2:
+        return phrase("action_plan.in_the_middle")
+    places = sorted(element.across for element in elements)
+    return phrase("action_plan.apart", apart=places[1] - places[0], edge=0.5 * length - places[-1])
+
+
+def checks(fix: Fix) -> Iterator[Phrase]:
+    """Yield what to look at before the measures are bought, each once."""
+    held = held_by(fix)
+    seen: dict[str, Phrase] = {}
+    for purchase in fix.purchases:
+        match purchase.measure:
+            case WallDevice():
+                assert held.room.left_wall is not None
+                near, far = (1e3 * pitch for pitch in STUD_PITCH)
+                seen[purchase.measure.fixed_to(held.room.left_wall)] = {
+                    "stud": phrase("action_plan.check_stud", near=near, far=far, depth=1e3 * SCREW_IN_STUD),
+                    "plasterboard": phrase("action_plan.check_board"),
+                    "concrete": phrase("action_plan.check_concrete"),
+                    "hanging strip": phrase("action_plan.check_strip"),
+                }[purchase.measure.fixed_to(held.room.left_wall)]
+                seen["top"] = phrase("action_plan.check_top")
+            case TensionPole():
+                seen["ceiling"] = phrase("action_plan.check_ceiling")
+            case GelMats():
+                seen["floor"] = phrase("action_plan.check_floor")
+            case _:
+                seen.setdefault("floor", phrase("action_plan.check_hard"))
+    yield from seen.values()
+
+
+def cautions(fix: Fix) -> Iterator[Phrase]:
+    """Yield why the measures may not do much, and what is not strong enough."""
+    yield from fix.cautions
+    for purchase in fix.purchases:
+        if not purchase.enough:
+            assert purchase.holds is not None
+            assert purchase.fails is not None
+            yield phrase(
+                "action_plan.not_enough",
+                measure=purchase.measure.label,
+                holds=newtons(min(_finite(purchase.holds))),
+                fails=purchase.fails,
+            )
+
+
+def _finite(forces: DeviceForces) -> list[float]:
+    return [force for force in forces if math.isfinite(force)]
+
+
+def effects(effect: RoomEffect, plan: ActionPlan) -> Phrase:
+    """Return what changes of who is hit, who is shut in, and which door is blocked."""
+    verdict = plan.verdict
+    now = {
+        "hit": (effect.hit, effect.hit_change.estimate),
+        "shut_in": (effect.shut_in, effect.shut_in_change.estimate),
+        "blocked": (effect.blocked, effect.blocked_change.estimate),
+    }
+    told = [
+        phrase(f"action_plan.{key}", was=share_text(chance.estimate - change), now=with_ends(chance))
+        for key, (chance, change) in now.items()
+        if (key == "hit" and verdict.places) or chance.estimate != 0.0 or change != 0.0
+    ]
+    return joined(told)
+
+
+def with_ends(chance: Probability) -> Phrase:
+    """Return a probability with its interval: "12 % (7–20 %)"."""
+    ends = f"{percent(chance.low)}–{percent(chance.high)}"
+    english, japanese = share_text(chance.estimate)
+    return f"{english} ({ends} %)", f"{japanese}（{ends.replace('–', '～')}%）"
+
+
+def heading(step: PlanStep, plan: ActionPlan) -> Phrase:
+    """Return what a step consists of."""
+    if step.fix is None:
+        assert step.move is not None
+        english, japanese = label_of(step.move, plan.verdict)
+        return english[:1].upper() + english[1:], japanese
+    english, japanese = piece_name(step.what)
+    called = english[:1].upper() + english[1:], japanese
+    return phrase("action_plan.fix", piece=called, products=products(step.fix))
+
+
+def held_by(fix: Fix) -> Held:
+    """Return a piece with its measures in place, each device by itself."""
+    held = placed(fix.part.assembly.members, fix.part.room)[fix.place].held
+    assert held is not None
+    return held
+
+
+def elements_of(held: Held, kind: str) -> list[Element]:
+    """Return the devices of a kind."""
+    return [element for element in held.elements if element.kind == kind]
+
+
+def _piece(fix: Fix) -> Piece:
+    piece = fix.part.assembly.members[fix.place]
+    assert isinstance(piece, Piece)
+    return piece

@@ -1,0 +1,251 @@
+"""The plan to buy and do: what to move, what to put on which piece, how strong, and what it brings."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from stayput.verification.options import COMBINED
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from stayput.catalogue import Phrase
+    from stayput.fragility import Difference, Probability
+    from stayput.measures.parameters import Grade
+    from stayput.rooms.changes import Change
+    from stayput.rooms.forces import Purchase
+    from stayput.rooms.runs import RoomPart
+    from stayput.rooms.verdict import RoomVerdict
+    from stayput.scenario.room import RoomScenario
+    from stayput.verification.grades import Input
+
+TATAMI = "tatami, along the weave"
+"""The floor of a home with tatami: the lower of its two frictions."""
+
+SETS = (
+    ("l_bracket",),
+    ("belt",),
+    ("tension_pole",),
+    ("gel_mats",),
+    COMBINED,
+    ("gel_mats", "tension_pole"),
+)
+"""What is tried on a piece: one measure, or two together."""
+
+COST_CLASSES = {
+    "l_bracket": 1,
+    "belt": 1,
+    "wedge_stopper": 1,
+    "gel_mats": 2,
+    "tension_pole": 2,
+}
+"""Cost of a measure for one piece: a convention of this program, and no price."""
+
+COST_BOUNDS = ((2_000, 15), (6_000, 40))
+"""Upper ends of the cost classes 1 and 2, in yen and in euros: a convention; class 3 is all above."""
+
+STUD_PITCH = (0.303, 0.455)
+"""Usual distances between studs in Japan [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Home:
+    """What a home is like, and what is allowed in it.
+
+    Parameters
+    ----------
+    no_drilling : bool
+        Whether nothing may be screwed to a wall.
+    tatami : bool
+        Whether the floor is tatami, whatever the scenario says: gel does not stick there.
+    plasterboard : bool
+        Whether the walls are plasterboard without studs that can be used.
+    dropped_ceiling : bool
+        Whether the ceiling hangs on wires, so that no pole may push against it.
+    """
+
+    no_drilling: bool = False
+    tatami: bool = False
+    plasterboard: bool = False
+    dropped_ceiling: bool = False
+
+    def of(self, scenario: RoomScenario) -> RoomScenario:
+        """Return a room as it is in this home."""
+        room = scenario.room
+        changed: dict[str, Any] = {}
+        if self.tatami and not (isinstance(room.floor, str) and room.floor.startswith("tatami")):
+            changed["floor"] = TATAMI
+        if self.plasterboard:
+            changed["walls"] = "plasterboard"
+        if self.dropped_ceiling and room.ceiling is not None:
+            changed["ceiling"] = room.ceiling.model_copy(update={"construction": "dropped"})
+        if not changed:
+            return scenario
+        return scenario.model_copy(update={"room": room.model_copy(update=changed)})
+
+
+@dataclass(frozen=True, slots=True)
+class RoomEffect:
+    """What happens in a room with changes, beside the room as it is, run by run.
+
+    Parameters
+    ----------
+    hit, shut_in, blocked : Probability
+        That anybody who is there is hit; that anybody is shut in; that any door is blocked.
+    hit_change, shut_in_change, blocked_change : Difference
+        Those less the same as the room is.
+    risk : float
+        Chance that a person is hit, weighted by how long somebody is at each place.
+    """
+
+    hit: Probability
+    hit_change: Difference
+    shut_in: Probability
+    shut_in_change: Difference
+    blocked: Probability
+    blocked_change: Difference
+    risk: float
+
+    @property
+    def helps(self) -> bool:
+        """Whether it is clearly for the better, and nothing clearly for the worse."""
+        clear = [one for one in (self.hit_change, self.shut_in_change, self.blocked_change) if one.clear]
+        return bool(clear) and all(one.estimate < 0.0 for one in clear)
+
+
+@dataclass(frozen=True, slots=True)
+class Fix:
+    """Measures on a piece: what to buy, and what they bring alone.
+
+    Parameters
+    ----------
+    part : RoomPart
+        The pieces that run together, as they are then held where they are to stand.
+    place : int
+        The piece's place among them.
+    purchases : tuple of Purchase
+        What to buy.
+    alone : RoomEffect
+        What they bring by themselves, with everything where it is.
+    overturns : Probability
+        That the piece overturns with them.
+    cautions : tuple of Phrase
+        Why they may not do much, each as a clause.
+    """
+
+    part: RoomPart
+    place: int
+    purchases: tuple[Purchase, ...]
+    alone: RoomEffect
+    overturns: Probability
+    cautions: tuple[Phrase, ...]
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of its measures."""
+        return tuple(one.measure.kind for one in self.purchases)
+
+    @property
+    def drilled(self) -> bool:
+        """Whether it takes holes in a wall."""
+        return any(one.measure.drilled for one in self.purchases)
+
+    @property
+    def cost_class(self) -> int:
+        """Its cost: 1 to 3; see `COST_CLASSES`."""
+        return min(len(COST_BOUNDS) + 1, sum(COST_CLASSES[kind] for kind in self.kinds))
+
+
+@dataclass(frozen=True, slots=True)
+class PlanStep:
+    """One thing to do: to move something, or to put measures on a piece.
+
+    Parameters
+    ----------
+    what : str
+        The piece, or the place of a person that is moved.
+    move : Change or None
+        Where it goes, if it is moved.
+    fix : Fix or None
+        What is put on it, if it is not.
+    alone : RoomEffect
+        What it brings by itself.
+    together : RoomEffect
+        What it brings with all steps before it.
+    overturned : Probability or None
+        That the piece overturns as the room is; None of the place of a person.
+    instead : Fix or None
+        What may be done without drilling, where the fix needs holes.
+    inputs : tuple of Input
+        The inputs that decide its numbers, and how well each is founded.
+    """
+
+    what: str
+    move: Change | None
+    fix: Fix | None
+    alone: RoomEffect
+    together: RoomEffect
+    overturned: Probability | None
+    instead: Fix | None
+    inputs: tuple[Input, ...]
+
+    @property
+    def grade(self) -> Grade:
+        """Its grade: that of the weakest of its inputs."""
+        return max(one.grade for one in self.inputs)
+
+    @property
+    def weakest(self) -> tuple[Input, ...]:
+        """The inputs of that grade."""
+        return tuple(one for one in self.inputs if one.grade == self.grade)
+
+    @property
+    def cost_class(self) -> int:
+        """Its cost: 0 for moving, else 1 to 3; see `COST_CLASSES`."""
+        return 0 if self.fix is None else self.fix.cost_class
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ActionPlan:
+    """Result of `stayput.action_plan`.
+
+    Parameters
+    ----------
+    verdict : RoomVerdict
+        The room as it is in this home; single changes are not in it.
+    home : Home
+        What the home is like.
+    steps : tuple of PlanStep
+        What to do, in order of importance.
+    unsolved : tuple of str
+        Pieces that do harm and on which nothing that may be done helps.
+    """
+
+    verdict: RoomVerdict
+    home: Home
+    steps: tuple[PlanStep, ...]
+    unsolved: tuple[str, ...]
+
+    @property
+    def together(self) -> RoomEffect | None:
+        """What all steps bring together; None where there is none."""
+        return self.steps[-1].together if self.steps else None
+
+    def to_html(self, language: str = "en") -> str:
+        """Return the plan as a page to print, in "en" or "ja"; see `stayput.report.action_plan`."""
+        from stayput.report.action_plan.html import plan_html
+
+        return plan_html(self, language)
+
+    def to_json(self) -> str:
+        """Return the plan as JSON; keys carry their units."""
+        from stayput.report.action_plan.data import plan_json
+
+        return plan_json(self)
+
+    def report(self, path: str | Path, language: str = "en") -> Path:
+        """Write the plan, one HTML file with everything in it, to print."""
+        from stayput.report.action_plan.html import write_plan
+
+        return write_plan(self, path, language)

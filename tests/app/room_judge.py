@@ -1,0 +1,178 @@
+"""A verdict on a room that a test makes up, and what answers for the server with it."""
+
+from __future__ import annotations
+
+import base64
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from playwright.sync_api import Route
+
+QUEUED, ROUGH, DONE = "queued", "rough", "done"
+CELLS = (72, 54)
+
+
+def chance(estimate: float, low: float | None = None, high: float | None = None) -> dict[str, float | None]:
+    return {
+        "estimate": estimate,
+        "low": max(-1.0, estimate - 0.1) if low is None else low,
+        "high": min(1.0, estimate + 0.1) if high is None else high,
+    }
+
+
+def zone(share: float) -> dict[str, Any]:
+    nx, ny = CELLS
+    cells = bytes(round(255 * share) if i < 30 and j > 30 else 0 for i in range(nx) for j in range(ny))
+    return {"nx": nx, "ny": ny, "shares": base64.b64encode(cells).decode()}
+
+
+def words(english: str, japanese: str) -> dict[str, str]:
+    return {"en": english, "ja": japanese}
+
+
+def piece(name: str, overturned: float, risk: float) -> dict[str, Any]:
+    slid, spread = chance(0.2), {"median": 0.1, "p90": 0.4}
+    return {
+        "name": name,
+        "engine": "plane",
+        "probabilities": {"overturned": chance(overturned), "slid": slid, "device_failed": chance(0.0)},
+        "peak_slide_m": spread,
+        "risk": risk,
+        "outline_m": [(0.0, 1.5), (0.3, 1.5), (0.3, 2.3), (0.0, 2.3)],
+        "fell": zone(overturned),
+        "stood": zone(1.0 - overturned),
+    }
+
+
+def change(what: str, hit: float, **more: Any) -> dict[str, Any]:
+    english, japanese = more.pop("label", (f"{what} moved", f"「{what}」を移動"))
+    return {
+        "what": what,
+        "table": "furniture",
+        "label": words(english, japanese),
+        "sentence": words(
+            f"With {english}, somebody is hit less often.", f"{japanese}で、人に当たる割合が減ります。"
+        ),
+        "measure": None,
+        "measures": None,
+        "at_m": None,
+        "heading_rad": None,
+        "hit": chance(hit),
+        "hit_change": chance(hit - 0.8),
+        "shut_in": chance(0.1),
+        "shut_in_change": chance(0.0),
+        "risk": hit,
+        "helps": hit < 0.7,
+        **more,
+    }
+
+
+def made() -> dict[str, Any]:
+    """Return a verdict on the room of examples/bedroom.toml."""
+    by = {
+        "piece": "bookcase",
+        "mass_kg": 200.0,
+        "probability": chance(0.8),
+        "speed_m_s": {"median": 5.9, "p90": 6.0},
+        "energy_J": {"median": 1310.0, "p90": 1670.0},
+    }
+    belt = {
+        "measure": "belt",
+        "measures": [{"type": "belt"}],
+        "label": ("belts on bookcase", "「本棚」にベルト"),
+    }
+    return {
+        "complete": True,
+        "verdict": words(
+            "In 8 of 10 earthquakes bookcase hits who is at the bed.",
+            "「本棚」がベッドにいる人に当たります。",
+        ),
+        "best": words("Best single change: bookcase moved.", "最も効果のある変更：「本棚」を移動。"),
+        "jma_intensity": 6.25,
+        "intensity_class": "6-upper",
+        "motions": 20,
+        "samples": 2,
+        "runs": 360,
+        "seed": 1,
+        "seconds": 1.5,
+        "hit": chance(0.8),
+        "shut_in": chance(0.1),
+        "risk": 0.3,
+        "places": [
+            {
+                "name": "bed",
+                "hit": chance(0.8),
+                "hit_by_day": 0.0,
+                "hit_at_night": 0.8,
+                "shut_in": chance(0.1),
+                "by": [by],
+            }
+        ],
+        "doors": [{"name": "door", "blocked": chance(0.3), "blocked_at_rest": False}],
+        "pieces": [piece("bookcase", 0.8, 0.3), piece("chest", 0.1, 0.03), piece("wardrobe", 0.0, 0.0)],
+        "cell_m": 0.05,
+        "collisions": [{"pieces": ("bookcase", "chest"), "probability": chance(0.1)}],
+        "changes": [
+            change("bookcase", 0.1, at_m=(0.17, 0.4), heading_rad=0.0),
+            change("bookcase", 0.4, **belt),
+            change("bed", 0.75, table="places", at_m=(1.6, 1.26), heading_rad=0.0),
+        ],
+    }
+
+
+@dataclass
+class Judge:
+    """Answers for the server about rooms.
+
+    Attributes
+    ----------
+    stage : str
+        How far its jobs are: waiting behind two others, with few runs, or at their end.
+    asked : list of dict
+        What was asked, in order.
+    ended : list of int
+        Which of these jobs the page has ended, by their places in ``asked``.
+    """
+
+    stage: str = DONE
+    asked: list[dict[str, Any]] = field(default_factory=list)
+    ended: list[int] = field(default_factory=list)
+
+    @property
+    def routes(self) -> dict[str, Callable[[Route], None]]:
+        return {"**/api/v1/room": self._start, "**/api/v1/jobs/*": self._job}
+
+    @property
+    def scene(self) -> dict[str, Any]:
+        """The room that was asked about last."""
+        return self.asked[-1]["scene"]
+
+    def _start(self, route: Route) -> None:
+        self.asked.append(route.request.post_data_json)
+        route.fulfill(status=202, json=self._reply(len(self.asked) - 1, QUEUED))
+
+    def _job(self, route: Route) -> None:
+        place = int(route.request.url.rsplit("/", 1)[1], 16)
+        if route.request.method == "DELETE":
+            self.ended.append(place)
+        route.fulfill(json=self._reply(place, self.stage))
+
+    def _reply(self, place: int, stage: str) -> dict[str, Any]:
+        verdict = made()
+        if not self.asked[place]["changes"]:
+            verdict["changes"] = []
+        rough = {**verdict, "complete": False, "runs": 24, "changes": []}
+        return {
+            "id": f"{place:032x}",
+            "state": {QUEUED: "waiting", ROUGH: "running", DONE: "done"}[stage],
+            "done": {QUEUED: 0, ROUGH: 24, DONE: 360}[stage],
+            "total": 360,
+            "progress": {QUEUED: 0.0, ROUGH: 0.2, DONE: 1.0}[stage],
+            "seconds": 1.5,
+            "position": 2 if stage == QUEUED else None,
+            "error": None,
+            "result": {QUEUED: None, ROUGH: rough, DONE: verdict}[stage],
+        }

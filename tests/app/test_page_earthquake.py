@@ -1,0 +1,141 @@
+"""The page in Chromium: how strong the earthquake is by what people know of it, and records of their own."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from browsing import DESK, PHONE, browser, opened  # noqa: F401
+
+import stayput as sp
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from playwright.sync_api import Browser
+    from serving import Running
+
+AMOUNTS = "() => /intensity \\d/.test(document.querySelector('#entry .amounts').textContent)"
+"""Whether the page says what the entry amounts to."""
+
+
+def test_an_earthquake_by_magnitude_and_distance(browser: Browser, server: Running) -> None:
+    with opened(browser, server) as it:
+        way = it.page.get_by_label("What do you know of it?")
+        assert it.page.locator("#strength").is_visible()
+        asked, answer = it.simulated(lambda: way.select_option("earthquake"))
+        shaking = asked["scene"]["shaking"]
+        assert "intensity" not in shaking
+        assert shaking["earthquake"] == {
+            "magnitude": 7,
+            "distance": 20,
+            "depth": 10,
+            "kind": "crustal",
+            "vs30": 300,
+        }
+        it.wait(AMOUNTS)
+        weak = it.text("#entry .amounts")
+        assert "About JMA intensity" in weak
+        assert "±" in weak
+        assert "Si and Midorikawa (1999)" in it.text("#entry")
+        assert "not the seismic hazard at your site" in it.text("#entry")
+        assert not it.page.locator("#strength").is_visible()  # another way to say it, at one time
+        assert not it.page.locator("#meaning").is_visible()
+        field = it.page.get_by_label("Shortest distance to the fault (km)")
+        asked, nearer = it.simulated(lambda: field.fill("5"))
+        assert asked["scene"]["shaking"]["earthquake"]["distance"] == 5
+        assert nearer["motion"]["ground_intensity"] > answer["motion"]["ground_intensity"]
+        it.wait("before => document.querySelector('#entry .amounts').textContent !== before", weak)
+        it.wait(AMOUNTS)
+        asked, _ = it.simulated(lambda: it.page.get_by_label("Ground", exact=True).select_option("180"))
+        assert asked["scene"]["shaking"]["earthquake"]["vs30"] == 180
+        field.fill("1000")
+        assert "From 3 to 300 km." in it.text("#entry")  # as far as the model goes
+        it.kept("entry=earthquake%3A7%3B300%3B10%3Bcrustal%3B180")
+        it.page.reload()
+        it.settle()
+        assert field.input_value() == "300"
+        asked, _ = it.simulated(lambda: way.select_option("intensity"))
+        assert asked["scene"]["shaking"]["intensity"] == 6.25
+        assert it.page.locator("#strength").is_visible()
+
+
+def test_other_ways_to_say_it_in_japanese_on_a_phone(browser: Browser, server: Running) -> None:
+    with opened(browser, server, language="ja", size=PHONE) as it:
+        it.go("scene")
+        way = it.page.get_by_label("揺れの強さを何で決めますか")
+        asked, _ = it.simulated(lambda: way.select_option("mmi"))
+        assert asked["scene"]["shaking"]["mmi"] == 8
+        it.wait("() => document.querySelector('#entry .amounts').textContent.includes('震度5')")
+        assert "地震危険度を示すものではありません" in it.text("#entry")
+        asked, _ = it.simulated(
+            lambda: it.page.get_by_label("改正メルカリ震度", exact=True).select_option("9")
+        )
+        assert asked["scene"]["shaking"]["mmi"] == 9
+        asked, _ = it.simulated(lambda: way.select_option("pga"))
+        assert asked["scene"]["shaking"]["pga"] == 4
+        asked, _ = it.simulated(lambda: it.page.get_by_label("地面の最大加速度 (gal)").fill("800"))
+        assert asked["scene"]["shaking"]["pga"] == 8
+        asked, _ = it.simulated(lambda: way.select_option("pgv"))
+        assert asked["scene"]["shaking"]["pgv"] == 0.4
+        it.kept("entry=pgv%3A0.4")
+        wide = it.page.evaluate("() => document.documentElement.scrollWidth")
+        assert wide <= PHONE["width"]
+
+
+def test_an_entry_of_a_link_that_makes_no_sense_is_an_intensity(browser: Browser, server: Running) -> None:
+    for entry in ("earthquake:7", "mmi:much", "quake:3", "earthquake:7;20;10;volcanic;300"):
+        with opened(browser, server, f"#piece=bookcase&entry={entry}") as it:
+            it.settle()
+            assert it.page.get_by_label("What do you know of it?").input_value() == "intensity"
+
+
+def test_synthetic_earthquakes_are_called_so(browser: Browser, server: Running) -> None:
+    with opened(browser, server, size=DESK) as it:
+        it.simulated(lambda: it.page.get_by_label("Kind of earthquake").select_option("near-fault"))
+        told = it.text("#family-about")
+        assert told.startswith("Computed motions, no recordings")
+        assert "in the manner of Kobe in 1995" in told
+
+
+def test_a_record_is_asked_where_it_was_measured(browser: Browser, server: Running, tmp_path: Path) -> None:
+    file = tmp_path / "mine.csv"
+    sp.near_fault().write(file)
+    with opened(browser, server) as it:
+        it.simulated(lambda: it.page.get_by_label("In a building").check())
+        asked, _ = it.simulated(lambda: it.page.set_input_files("#file", file))
+        assert asked["scene"]["shaking"]["building"]["storeys"] == 10
+        assert "Where was it measured?" in it.text("#uploaded")
+        asked, _ = it.simulated(lambda: it.page.get_by_label("A floor of a building").check())
+        assert "building" not in asked["scene"]["shaking"]
+        assert "with no building between" in it.text("#uploaded")
+        assert it.text("#summary").startswith("On the floor where it was recorded, JMA intensity")
+        it.kept("onFloor=1")
+        it.page.reload()
+        it.settle()
+        assert it.page.get_by_label("A floor of a building").is_checked()
+
+
+def test_a_vertical_record_is_taken_as_one(browser: Browser, server: Running, tmp_path: Path) -> None:
+    level, up = tmp_path / "level.csv", tmp_path / "up.csv"
+    motion = sp.near_fault()
+    motion.write(level)
+    rows = "\n".join(f"{t:.4f},{a:.6g}" for t, a in zip(motion.time, 0.5 * motion.x, strict=True))
+    up.write_text(f"time [s],UD [m/s²]\n{rows}\n", encoding="utf-8")
+    with opened(browser, server) as it:
+        it.settle()
+        it.page.set_input_files("#file", up)
+        it.page.wait_for_selector("#uploaded [role=alert]")
+        assert "holds a vertical component alone" in it.text("#uploaded")
+        asked, _ = it.simulated(lambda: it.page.set_input_files("#file", level))
+        assert asked["scene"]["shaking"].get("vertical") is None
+        it.page.set_input_files("#file", up)
+        take = it.page.get_by_role("button", name="Take it as vertical")
+        asked, _ = it.simulated(take.click)
+        shaking = asked["scene"]["shaking"]
+        assert shaking["vertical"] != shaking["record"]
+        assert "Vertical component: up.csv." in it.text("#uploaded")
+        it.kept("verticalName=up.csv")
+        it.page.reload()
+        it.settle()
+        assert "Vertical component: up.csv." in it.text("#uploaded")

@@ -1,0 +1,117 @@
+"""The page in Chromium: reload, back, forward and shared links keep everything, or say what they lack."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from browsing import browser, opened  # noqa: F401
+
+import stayput as sp
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from browsing import Opened
+    from playwright.sync_api import Browser
+    from serving import Running
+
+    from stayput.app.motions import Motions
+
+LOST = ("status of 404", "status of 422")
+
+
+def small_record(folder: Path) -> Path:
+    """Return a record of a small sensor: 20 s in steps of 20 ms, with two digits."""
+    motion = sp.near_fault()
+    time = np.arange(0.0, 20.0, 0.02)
+    values = np.interp(time, motion.time, motion.x)
+    path = folder / "my town.csv"
+    lines = "\n".join(f"{one:.2f}" for one in values)
+    path.write_text(f"x (m/s2)\n{lines}\n", encoding="utf-8")
+    return path
+
+
+def sent(it: Opened, path: Path) -> None:
+    """Drop a record whose file does not say its time step, and say it."""
+    it.page.set_input_files("#file", path)
+    it.page.fill("#step", "0.02")
+    it.simulated(lambda: it.page.get_by_role("button", name="Send again").click())
+
+
+def forget(server: Running) -> None:
+    motions: Motions = server.app.state.service.motions
+    for name in list(motions._stored):
+        motions.remove(name)
+
+
+def test_a_small_record_travels_in_the_link(browser: Browser, server: Running, tmp_path: Path) -> None:
+    with opened(browser, server, "#piece=chest") as it:
+        sent(it, small_record(tmp_path))
+        it.kept("dt=0.02")
+        it.simulated(lambda: it.page.get_by_label("Make the record as strong").check())
+        it.kept("scaled=1")
+        summary = it.text("#says-without"), it.text("#summary")
+        address = it.page.input_value("#address")
+        assert it.page.locator("#link-record").is_hidden()
+    assert len(address) < 5500
+    forget(server)
+    with opened(browser, server, address.removeprefix(f"{server.address}/"), allowed=LOST) as it:
+        assert (it.text("#says-without"), it.text("#summary")) == summary
+        assert "my town.csv" in it.text("#uploaded")
+        assert it.page.locator("#notices").is_hidden()
+        it.page.reload()
+        it.settle()
+        assert (it.text("#says-without"), it.text("#summary")) == summary
+
+
+def test_a_small_record_that_the_server_forgets_is_sent_again(
+    browser: Browser, server: Running, tmp_path: Path
+) -> None:
+    with opened(browser, server, "#piece=chest", allowed=LOST) as it:
+        sent(it, small_record(tmp_path))
+        forget(server)
+        with it.page.expect_response(lambda answer: answer.url.endswith("/motions")):
+            it.page.get_by_label("Height (cm)").fill("140")
+        it.wait("() => document.getElementById('uploaded').textContent.includes('my town.csv')")
+        it.settle()
+        assert it.page.locator("#notices").is_hidden()
+        assert "my town.csv" in it.text("#summary")
+
+
+def test_a_record_that_is_too_large_for_the_link_is_said_to_be(
+    browser: Browser, server: Running, tmp_path: Path
+) -> None:
+    path = tmp_path / "large.csv"
+    sp.near_fault().write(path)
+    with opened(browser, server, "#piece=chest") as it:
+        it.simulated(lambda: it.page.set_input_files("#file", path))
+        it.go("keep")
+        assert "“large.csv” is too large for the link" in it.text("#link-record")
+        address = it.page.input_value("#address")
+        assert "wave=" not in address
+    forget(server)
+    with opened(browser, server, address.removeprefix(f"{server.address}/"), allowed=LOST) as it:
+        assert "“large.csv” is no longer on the server" in it.text("#notices")
+
+
+def test_a_damaged_record_in_a_link_is_said_to_be_missing(browser: Browser, server: Running) -> None:
+    link = f"#piece=chest&record={32 * '0'}&name=town.csv&wave=abc*"
+    with opened(browser, server, link, allowed=LOST) as it:
+        assert "“town.csv” is no longer on the server" in it.text("#notices")
+
+
+def test_back_and_forward_bring_records_and_screens_back(
+    browser: Browser, server: Running, tmp_path: Path
+) -> None:
+    with opened(browser, server, "#piece=chest", allowed=LOST) as it:
+        sent(it, small_record(tmp_path))
+        it.kept("dt=0.02")
+        it.simulated(lambda: it.page.click("text=Without this record"))
+        it.wait("() => !location.hash.includes('record=')")
+        forget(server)
+        it.simulated(lambda: it.page.go_back())
+        assert "my town.csv" in it.text("#summary")
+        it.simulated(lambda: it.page.go_forward())
+        assert "my town.csv" not in it.text("#summary")

@@ -1,0 +1,471 @@
+"""The page of a room in Chromium: its verdict, its changes, its picture in space, and what is kept of it."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+import re
+import tomllib
+from contextlib import contextmanager
+from importlib import resources
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
+from room_judge import DONE, QUEUED, ROUGH, Judge, made
+
+from stayput.app.room_replies import RoomVerdictReply
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
+
+    from browsing import Opened
+    from playwright.sync_api import Browser, Page, Route
+    from serving import Running
+
+SOURCES = resources.files("stayput.app").joinpath("room_page")
+EXAMPLES = Path(__file__).parents[2] / "examples"
+SIDE = {"width": 844, "height": 390}
+SCREENS = ("scene", "see", "understand", "keep")
+
+
+@contextmanager
+def room_page(
+    browser: Browser, server: Running, judge: Judge, address: str = "", **more: Any
+) -> Generator[Opened]:
+    """Open the page of a room, about which the judge answers."""
+    with opened(browser, server, f"room/{address}", routes=judge.routes, **more) as it:
+        judged(it)
+        yield it
+
+
+def judged(it: Opened) -> None:
+    """Wait until the verdict is that on the room as it stands."""
+    it.page.wait_for_selector("#answer[data-state=done][data-old=false]", state="attached")
+
+
+def after(it: Opened, judge: Judge, act: Any) -> dict[str, Any]:
+    """Do something that changes the room, and return the room that is asked about then."""
+    before = len(judge.asked)
+    act()
+    it.wait("() => document.getElementById('answer').dataset.old === 'true'")
+    judged(it)
+    assert len(judge.asked) > before
+    return judge.scene
+
+
+def place_of(room: dict[str, Any], name: str) -> dict[str, Any]:
+    (piece,) = (one for one in room["furniture"] if one["name"] == name)
+    return {key: piece[key] for key in ("against", "along")}
+
+
+def test_the_made_up_verdict_is_one_of_the_server() -> None:
+    RoomVerdictReply.model_validate(made())
+
+
+def few(route: Route) -> None:
+    asked: dict[str, Any] = route.request.post_data_json
+    asked["scene"]["shaking"]["suite"]["count"] = FEW
+    asked["scene"]["uncertainty"] = {"samples": FEW}
+    route.continue_(post_data=asked)
+
+
+def test_the_verdict_is_the_servers(browser: Browser, server: Running) -> None:
+    with opened(browser, server, "room/", routes={"**/api/v1/room": few}) as it:
+        it.page.wait_for_selector("#answer[data-state=done]", timeout=COMPILING)
+        job = it.page.get_attribute("#answer", "data-job")
+        reply = it.page.request.get(f"{server.address}/api/v1/jobs/{job}").json()
+        result = reply["result"]
+        assert it.text("#verdict") == result["verdict"]["en"].replace("\u00a0", " ")
+        assert it.page.locator("#ranking > li").count() == len(result["changes"])
+        assert it.page.locator("#pieces .finding").count() == len(result["pieces"])
+        for link in ("report", "table"):
+            address = it.page.get_attribute(f"#{link}", "href")
+            assert it.page.request.get(address).ok
+        assert "mixed" not in it.text("#summary")
+
+
+def test_the_verdict_comes_bit_by_bit(browser: Browser, server: Running) -> None:
+    judge = Judge(QUEUED)
+    with opened(browser, server, "room/", routes=judge.routes) as it:
+        it.wait("() => document.getElementById('state').textContent.includes('2 before you')")
+        assert it.text("#verdict") == ""
+        judge.stage = ROUGH
+        it.page.wait_for_selector("#rough:visible")
+        assert "few runs (24)" in it.text("#rough")
+        assert "8 of 10" in it.text("#verdict")
+        assert it.page.locator("#changes-wait").is_visible()
+        assert it.page.locator("#ranking > li").count() == 0
+        assert it.page.get_attribute("#report", "aria-disabled") == "true"
+        judge.stage = DONE
+        judged(it)
+        assert not it.page.locator("#rough").is_visible()
+        assert it.page.locator("#ranking > li").count() == 3
+        assert it.page.get_attribute("#report", "aria-disabled") == "false"
+
+
+def test_what_the_verdict_rests_on_is_told(browser: Browser, server: Running) -> None:
+    with room_page(browser, server, Judge()) as it:
+        who = it.text("#who")
+        assert "80 % (70 % to 90 %)" in who
+        assert "0 % by day, 80 % at night" in who
+        assert "200 kg" in who
+        assert "5.9 m/s, in 1 of 10 hits over 6.0 m/s" in who
+        assert "1,310 J" in who
+        assert "Door: stays blocked\n30 % (20 % to 40 %)" in it.text("#ways")
+        harm = it.page.locator("#pieces .finding strong").all_inner_texts()
+        assert harm == ["Bookcase", "Chest of drawers", "Wardrobe"]
+        assert "91 % of the risk" in it.text("#pieces")
+        assert "Bookcase and Chest of drawers" in it.text("#meetings")
+
+
+def test_a_change_is_made_and_taken_back(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        first = judge.scene
+        assert place_of(first, "bookcase") == {"against": "left_wall", "along": 1.9}
+        moved = after(it, judge, lambda: it.page.click("#best button"))
+        assert place_of(moved, "bookcase") == {"against": "left_wall", "along": 0.4}
+        held = after(it, judge, lambda: it.page.click("#ranking > li:nth-child(2) button"))
+        assert held["furniture"][0]["measures"] == [{"type": "belt"}]
+        turned = after(it, judge, lambda: it.page.click("#ranking > li:nth-child(3) button"))
+        assert (turned["places"][0]["at"], turned["places"][0]["heading"]) == ([1.6, 1.26], 0)
+        for room in (held, moved, first):  # one entry each
+            assert after(it, judge, lambda: it.page.click("#plan-undo")) == room
+
+
+def test_the_old_verdict_is_marked_and_its_question_ends(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        judge.stage = ROUGH
+        it.page.click("#best button")
+        it.wait("() => document.getElementById('answer').dataset.old === 'true'")
+        assert it.page.locator("#answer .stale").is_visible()
+        assert it.page.locator("#understand > .stale").is_visible()
+        assert it.page.locator("#plan.old").count() == 1
+        assert it.page.get_attribute("#report", "aria-disabled") == "true"
+        it.page.wait_for_selector("#rough:visible")  # the second question is at work
+        it.page.click("#plan-undo")
+        it.wait("() => document.getElementById('answer').dataset.old === 'true'")
+        judge.stage = DONE
+        judged(it)
+        assert len(judge.asked) == 3
+        assert {0, 1} <= set(judge.ended)
+
+
+def test_stop_and_again(browser: Browser, server: Running) -> None:
+    judge = Judge(ROUGH)
+    with opened(browser, server, "room/", routes=judge.routes) as it:
+        it.page.wait_for_selector("#rough:visible")
+        it.page.click("#cancel")
+        assert it.text("#state") == "Stopped."
+        it.wait("() => !document.getElementById('verify').hidden")
+        judge.stage = DONE
+        it.page.click("#verify")
+        judged(it)
+        assert judge.ended[0] == 0
+
+
+def test_the_fields_are_the_rooms(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        room = after(it, judge, it.page.get_by_label("6-lower", exact=True).check)
+        assert room["shaking"]["intensity"] == 5.75
+        room = after(it, judge, lambda: it.page.get_by_label("Kind of earthquake").select_option(index=1))
+        assert room["shaking"]["suite"]["family"] != "mixed"
+        assert room["shaking"]["suite"]["count"] == 20  # as it was
+        room = after(it, judge, it.page.get_by_label("In a building").check)
+        assert room["shaking"]["building"]["storeys"] == 10
+        room = after(it, judge, it.page.get_by_label("On the ground").check)
+        assert not {"building", "storey"} & room["shaking"].keys()
+        room = after(it, judge, lambda: it.page.get_by_label("On what floor").select_option(index=2))
+        assert room["room"]["floor"] != "wood flooring"
+        walls = it.page.get_by_label("What the wall offers to fix things to")
+        room = after(it, judge, lambda: walls.select_option("plasterboard"))
+        assert room["room"]["walls"] == "plasterboard"
+        room = after(it, judge, it.page.get_by_label("There is a ceiling").uncheck)
+        assert "ceiling" not in room["room"]
+        room = after(it, judge, lambda: it.page.select_option("#samples", "20"))
+        assert room["uncertainty"]["samples"] == 20
+        room = after(it, judge, lambda: it.page.click("#plan-undo"))
+        assert it.page.input_value("#samples") == "40"
+        after(it, judge, lambda: it.page.click("#plan-undo"))
+        assert it.page.get_by_label("There is a ceiling").is_checked()
+
+
+def test_the_room_is_shaken_in_space(browser: Browser, server: Running) -> None:
+    with room_page(browser, server, Judge()) as it:
+        fates = it.page.locator("#fates li").all_inner_texts()
+        assert [one.split(":")[0] for one in fates] == ["Bookcase", "Wardrobe", "Chest of drawers"]
+        assert it.page.get_attribute("#space", "aria-label")
+        before = float(it.page.input_value("#time"))
+        it.page.focus("#time")
+        it.page.keyboard.press("End")
+        assert float(it.page.input_value("#time")) > before
+        assert not it.page.locator("#sound input").is_checked()
+        it.page.locator("#sound input").check()
+        it.page.click("#play")
+        it.wait("() => document.getElementById('play').ariaLabel === 'Pause'")
+        it.page.click("#play")
+        with it.page.expect_response("**/api/v1/simulate"):
+            it.page.click("#best button")
+            it.wait("() => document.getElementById('see').dataset.old === 'true'")
+        it.wait("() => document.getElementById('see').dataset.old === 'false'")
+
+
+def test_rooms_are_kept_renamed_removed(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        it.page.once("dialog", lambda one: one.accept("Bedroom"))
+        it.page.fill("#scene-name", "As it is")
+        it.page.click("#keep-scene button")
+        first = judge.scene
+        assert it.text("#scenes-said") == "Kept as “As it is”."
+        it.page.get_by_role("button", name="Rename: As it is").click()
+        assert it.text("#scenes strong") == "Bedroom"
+        after(it, judge, lambda: it.page.click("#best button"))
+        it.page.fill("#scene-name", "Moved")
+        it.page.click("#keep-scene button")
+        assert it.page.locator("#scenes strong").all_inner_texts() == ["Bedroom", "Moved"]
+        opened_again = after(it, judge, it.page.get_by_role("button", name="Open: Bedroom").click)
+        assert opened_again == first
+        it.page.reload()
+        it.page.wait_for_selector("#scenes strong")
+        assert it.page.input_value("#scene-name") == "Bedroom"
+        it.page.once("dialog", lambda one: one.accept())
+        it.page.get_by_role("button", name="Remove: Moved").click()
+        assert it.page.locator("#scenes strong").all_inner_texts() == ["Bedroom"]
+
+
+def test_two_tabs_do_not_write_over_each_other(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        it.page.fill("#scene-name", "Bedroom")
+        it.page.click("#keep-scene button")
+        other = another_tab(it, judge)
+        other.get_by_role("button", name="Open: Bedroom").click()
+        other.click("#best button")
+        other.click("#keep-scene button")  # over the one of this name
+        assert other.locator("#scenes strong").all_inner_texts() == ["Bedroom"]
+        it.page.click("#keep-scene button")
+        assert "in another tab" in it.text("#scenes-said")
+        assert it.page.locator("#scenes strong").all_inner_texts() == ["Bedroom", "Bedroom (2)"]
+        other.wait_for_selector("#scenes > li:nth-child(2)")  # it hears of the other tab's
+        along = other.evaluate(
+            "() => Object.values(localStorage).map((text) => text.startsWith('{') && JSON.parse(text))"
+            ".filter((one) => one.room).map((one) => one.room.furniture[0].along).sort()"
+        )
+        assert along == [0.4, 1.9]
+
+
+def another_tab(it: Opened, judge: Judge) -> Page:
+    page = it.page.context.new_page()
+    page.set_default_timeout(WAIT)
+    for pattern, answer in judge.routes.items():
+        page.route(pattern, answer)
+    page.goto(it.page.url.split("#")[0])
+    page.wait_for_selector("#ranking > li", state="attached")
+    return page
+
+
+@pytest.mark.parametrize(
+    ("error", "said"),
+    [("QuotaExceededError", "storage for this page is full"), ("SecurityError", "private window")],
+)
+def test_it_is_said_where_nothing_can_be_kept(
+    browser: Browser, server: Running, error: str, said: str
+) -> None:
+    with room_page(browser, server, Judge()) as it:
+        it.page.evaluate(
+            """(name) => {
+              localStorage.setItem("other", "1");
+              Storage.prototype.setItem = function () { throw new DOMException("", name); };
+            }""",
+            error,
+        )
+        it.page.click("#keep-scene button")
+        assert said in it.text("#scenes-said")
+        assert it.page.locator("#scenes strong").count() == 0
+
+
+def test_two_rooms_are_compared_under_one_earthquake(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        it.page.fill("#scene-name", "A")
+        it.page.click("#keep-scene button")
+        after(it, judge, lambda: it.page.click("#best button"))
+        after(it, judge, it.page.get_by_label("7", exact=True).check)
+        it.page.fill("#scene-name", "B")
+        it.page.click("#keep-scene button")
+        for mark in it.page.get_by_label("Mark to compare").all():
+            mark.check()
+        it.page.click("#compare")
+        it.page.wait_for_selector("#comparison section:nth-child(2) dl")
+        first, second = judge.asked[-2:]
+        assert (first["changes"], second["changes"]) == (False, False)
+        assert first["scene"]["shaking"] == second["scene"]["shaking"]
+        assert first["scene"]["shaking"]["intensity"] == "6-upper"
+        assert first["scene"]["uncertainty"] == second["scene"]["uncertainty"]
+        assert place_of(first["scene"], "bookcase") != place_of(second["scene"], "bookcase")
+        assert it.page.locator("#comparison svg .cover").count() > 0
+        assert it.page.locator("#comparison dd").count() == 8
+        it.page.get_by_role("button", name="Close the comparison").click()
+        assert not it.page.locator("#comparison").is_visible()
+
+
+def test_links_loading_again_and_back_keep_the_room(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        first = judge.scene
+        it.wait("() => location.hash.startsWith('#room=')")
+        before = it.page.evaluate("location.hash")
+        it.page.evaluate("(now => { performance.now = () => now; })(performance.now() + 1e4)")
+        moved = after(it, judge, lambda: it.page.click("#best button"))
+        it.wait("before => location.hash !== before", before)
+        link = it.page.evaluate("location.href")
+        it.wait("() => document.getElementById('address').value === location.href")
+        it.page.reload()
+        it.settle()
+        judged(it)
+        assert judge.scene == moved
+        assert after(it, judge, it.page.go_back) == first
+        assert after(it, judge, it.page.go_forward) == moved
+    with room_page(browser, server, judge, "#" + link.split("#")[1]):
+        assert judge.scene == moved
+    with room_page(browser, server, judge, link.split("/room/")[1][:-9]) as it:
+        assert "damaged" in it.text("#notices")
+        assert judge.scene == first  # the one that the server proposes
+
+
+def test_files_are_opened_and_saved(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge, allowed=("status of 422",)) as it:
+        with it.page.expect_download() as found:
+            it.page.click("#toml")
+        kept = tomllib.loads(Path(found.value.path()).read_text("utf-8"))
+        assert kept["furniture"] == judge.scene["furniture"]
+        after(it, judge, lambda: it.page.click("#best button"))
+        it.page.set_input_files("#open", EXAMPLES / "bedroom.toml")
+        it.wait("() => document.getElementById('kept').textContent.includes('bedroom.toml')")
+        judged(it)
+        assert place_of(judge.scene, "bookcase")["along"] == 1.9
+        it.page.set_input_files("#file", EXAMPLES / "bookcase.toml")
+        it.wait("() => document.getElementById('uploaded').textContent.includes('no plan of a room')")
+        it.page.set_input_files("#open", {"name": "a.toml", "mimeType": "", "buffer": b"plan = 3"})
+        it.wait("() => document.getElementById('kept').textContent.includes('cannot be used')")
+
+
+def test_the_page_goes_on_when_the_server_is_back(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge, allowed=("Failed to load",)) as it:
+        it.page.route("**/api/v1/**", lambda route: route.abort())
+        it.page.click("#best button")
+        it.page.wait_for_selector("#away:visible")
+        assert it.page.get_attribute("#answer", "data-old") == "true"
+        assert it.page.get_attribute("#see", "data-old") == "true"
+        it.page.unroute("**/api/v1/**")  # nobody clicks
+        judged(it)
+        it.wait("() => document.getElementById('see').dataset.old === 'false'")
+        assert not it.page.locator("#away").is_visible()
+        assert place_of(judge.scene, "bookcase")["along"] == 0.4
+
+
+def test_what_the_server_refuses_is_said(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge, allowed=("status of 422",)) as it:
+        sentence = {
+            "message": "It must stand beside it.",
+            "message_ja": None,
+            "field": "scene.furniture[1].at",
+        }
+        it.page.route("**/api/v1/room", lambda route: route.fulfill(status=422, json=sentence))
+        it.page.click("#best button")
+        it.page.wait_for_selector("#answer[data-state=refused]")
+        assert "It must stand beside it." in it.text("#verdict")
+        assert "It must stand beside it." in it.text("#plan-problems")
+        it.page.unroute("**/api/v1/room")
+        for pattern, answer in judge.routes.items():
+            it.page.route(pattern, answer)
+        after(it, judge, lambda: it.page.click("#plan-undo"))
+        assert "8 of 10" in it.text("#verdict")
+        assert it.text("#plan-problems") == ""
+
+
+@pytest.mark.parametrize("size", [PHONE, SIDE], ids=["upright", "on its side"])
+def test_a_phone_shows_one_step_at_a_time(browser: Browser, server: Running, size: dict[str, int]) -> None:
+    with room_page(browser, server, Judge(), size=size) as it:
+        for screen in SCREENS:
+            it.go(screen)
+            assert it.page.locator(".screen:visible").evaluate_all("all => all.map(one => one.id)") == [
+                screen
+            ]
+            assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+            assert it.page.locator("#verdict").is_visible() == (screen in ("see", "understand"))
+        it.page.go_back()
+        it.page.wait_for_selector("body[data-screen=understand]")
+
+
+@pytest.mark.parametrize(
+    ("theme", "language", "size"),
+    [("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE), ("dark", "en", PHONE)],
+)
+def test_axe_finds_nothing_serious(
+    browser: Browser, server: Running, theme: str, language: str, size: dict[str, int]
+) -> None:
+    with room_page(browser, server, Judge(), theme=theme, language=language, size=size) as it:
+        it.go("keep")
+        it.page.click("#keep-scene button")
+        for screen in SCREENS if size is PHONE else ("scene",):
+            it.go(screen)
+            assert grave(it.page) == []
+
+
+def grave(page: Page) -> list[str]:
+    found = Axe().run(page).response["violations"]
+    return [
+        f"{one['id']}: {one['nodes'][0]['html'][:120]} {one['nodes'][0]['failureSummary'][:160]}"
+        for one in found
+        if one["impact"] in ("serious", "critical")
+    ]
+
+
+def test_both_pages_lead_to_each_other(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        moved = after(it, judge, lambda: it.page.click("#best button"))
+        it.wait("() => sessionStorage.getItem('stayput-room')?.includes('0.4')")
+        it.page.click("header .elsewhere")
+        it.page.wait_for_selector("#presets button")
+        it.page.click("header .elsewhere")
+        it.page.wait_for_selector("#plan .thing")
+        judged(it)
+        assert judge.scene == moved  # the room that this tab had
+
+
+def test_the_language_is_switched_with_everything(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        it.page.click("#languages [lang=ja]")
+        assert it.page.title() == "stayput：地震のとき、この部屋にいる人は安全か"
+        assert it.text("#verdict") == "「本棚」がベッドにいる人に当たります。"
+        assert "「本棚」にベルト" in it.text("#ranking")
+        assert "確率の差" in it.text("#ranking")
+        assert len(judge.asked) == 1  # nothing is worked out again
+
+
+def test_every_word_and_file_of_the_page_is_there(browser: Browser, server: Running) -> None:
+    with room_page(browser, server, Judge()) as it:
+        words = it.page.evaluate("import('/words_table.js').then((module) => module.TABLES)")["en"]
+    sources = {
+        one.name: one.read_text("utf-8")
+        for one in SOURCES.iterdir()
+        if one.name.endswith((".js", ".html", ".css"))
+    }
+    used = set(re.findall(r'\bt\("(\w+)"', "".join(sources.values())))
+    used |= set(re.findall(r'data-t(?:-label)?="(\w+)"', sources["index.html"]))
+    assert used - words.keys() == set()
+    for name, text in sources.items():
+        assert len(text.splitlines()) < 300, name
+        assert "http://" not in text.replace("http://www.w3.org/2000/svg", ""), name
+        assert "https://" not in text, name

@@ -1,0 +1,93 @@
+"""The strength of an earthquake and of a modified Mercalli intensity, against the papers and their users.
+
+Si and Midorikawa (1999) as Japan's hazard maps take it (National Research Institute for Earth Science and
+Disaster Prevention, Technical Note 336, 2009, equation 3.5.1-1; OpenQuake's hazard library has it too);
+Fujimoto and Midorikawa (2006); Worden et al. (2012) as the US Geological Survey's ShakeMap has it;
+Midorikawa, Fujimoto and Muramatsu (1999), I = 2.68 + 1.72 log PGV.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from stayput.motion.ground_shaking import (
+    EARTHQUAKE_SCATTER,
+    MERCALLI_SCATTER,
+    EarthquakeSource,
+    horizontal_peak,
+    strength_of_earthquake,
+    strength_of_mercalli,
+)
+from stayput.motion.intensity import jma_from_pgv, mercalli, pgv_of_mercalli
+from stayput.motion.suites import FAMILIES, synthetic_suite
+
+ROCK = 600.0
+"""Shear-wave velocity of the ground that the paper's equation is for [m/s]."""
+
+
+@pytest.mark.parametrize(
+    ("magnitude", "distance", "depth", "kind", "cm_s"),
+    [
+        # log PGV = 0.58 M + 0.0038 D + d - 1.29 - log(X + 0.0028 10^(0.5 M)) - 0.002 X, worked out by hand
+        (6.0, 10.0, 10.0, "crustal", 12.61),
+        (7.0, 20.0, 10.0, "crustal", 20.31),
+        (8.0, 100.0, 30.0, "interface", 13.70),
+        (7.0, 60.0, 50.0, "intraslab", 13.25),
+    ],
+)
+def test_peak_velocity_on_rock_is_that_of_si_and_midorikawa(
+    magnitude: float, distance: float, depth: float, kind: str, cm_s: float
+) -> None:
+    source = EarthquakeSource(magnitude, distance, depth, kind, ROCK)
+    assert 100.0 * source.pgv == pytest.approx(cm_s, rel=0.001)
+
+
+def test_the_kinds_of_earthquake_are_as_far_apart_as_in_the_paper() -> None:
+    logs = {
+        kind: math.log10(EarthquakeSource(7.0, 50.0, 30.0, kind, ROCK).pgv)
+        for kind in ("crustal", "interface", "intraslab")
+    }
+    assert logs["interface"] - logs["crustal"] == pytest.approx(-0.02)
+    assert logs["intraslab"] - logs["crustal"] == pytest.approx(0.12)
+
+
+def test_ground_of_400_metres_a_second_amplifies_by_the_factor_of_the_hazard_maps() -> None:
+    """The maps take 1.41 from 600 to 400 m/s (Technical Note 336)."""
+    rock, ground = (EarthquakeSource(7.0, 30.0, vs30=vs30).pgv for vs30 in (600.0, 400.0))
+    assert ground / rock == pytest.approx(1.41, abs=0.005)
+    assert EarthquakeSource(7.0, 30.0, vs30=600.0).pgv > EarthquakeSource(7.0, 30.0, vs30=1500.0).pgv
+
+
+def test_the_scatter_is_the_papers() -> None:
+    assert strength_of_earthquake(EarthquakeSource(7.0, 30.0)).scatter == EARTHQUAKE_SCATTER == 0.23
+    assert strength_of_mercalli(8.0).scatter == MERCALLI_SCATTER == 0.38
+
+
+@pytest.mark.parametrize(
+    ("mmi", "cm_s"),
+    [(3.0, 0.295), (5.0, 4.65), (6.0, 9.64), (7.0, 20.0), (8.0, 41.4), (9.0, 85.8)],
+)
+def test_peak_velocity_of_a_mercalli_intensity_is_that_of_worden(mmi: float, cm_s: float) -> None:
+    """Table of ShakeMap's scale by Worden et al. (2012): 4.65, 9.64, 20, 41.4 and 85.8 cm/s of V to IX."""
+    assert 100.0 * pgv_of_mercalli(mmi) == pytest.approx(cm_s, rel=0.005)
+
+
+@pytest.mark.parametrize("mmi", [3.0, 5.0, 7.0, 9.0])
+def test_the_regression_read_backwards_gives_the_intensity(mmi: float) -> None:
+    """The acceleration is that which the same paper's other line has at this intensity."""
+    a = (mmi - 1.78) / 1.55 if mmi < 4.22 else (mmi + 1.60) / 3.70
+    assert mercalli(0.01 * 10.0**a, pgv_of_mercalli(mmi)) == pytest.approx(mmi, abs=1e-9)
+
+
+def test_built_in_motions_have_the_intensity_that_recorded_ones_have_at_their_peak_velocity() -> None:
+    """Scaled to a peak velocity they are as strong as Midorikawa et al. (1999) found records, within 0.1."""
+    apart = [
+        motion.intensity - jma_from_pgv(horizontal_peak(motion, "PGV"))
+        for family in FAMILIES
+        for motion in synthetic_suite(family, 12, 1).to_intensity(5.75)
+    ]
+    assert abs(float(np.mean(apart))) < 0.1
+    assert float(np.std(apart)) < 0.3
