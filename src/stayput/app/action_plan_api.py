@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
-import threading
 from typing import TYPE_CHECKING, Annotated
 
 from fastapi import Path, Query, Request
@@ -20,12 +18,11 @@ from stayput.rooms.steps import Home
 from stayput.rooms.verdict import RoomVerdict
 
 if TYPE_CHECKING:
+    import threading
+
     from fastapi import APIRouter
 
     from stayput.app.service import Service
-
-POLL_INTERVAL = 0.5
-"""How often it is looked whether the client has left [s]."""
 
 
 def add_action_plan(router: APIRouter, service: Service) -> None:
@@ -52,16 +49,15 @@ def add_action_plan(router: APIRouter, service: Service) -> None:
         if job.state != "done" or not isinstance(verdict, RoomVerdict):
             raise refused(409, "app.no_plan_yet", state=job.state)
         home = Home(no_drilling, tatami, plasterboard, dropped_ceiling)
-        reports, client_left = job.reports, threading.Event()
+        reports = job.reports
 
-        def go_on(_runs: int) -> None:
-            if client_left.is_set():
-                raise StoppedError
+        def work(client_left: threading.Event) -> Response:
+            def go_on(_runs: int) -> None:
+                if client_left.is_set():
+                    raise StoppedError
 
-        def work() -> bytes:
             key = f"{lang} {home}"
             if key not in reports:
-                go_on(0)
                 made = action_plan(
                     verdict,
                     no_drilling=home.no_drilling,
@@ -74,19 +70,7 @@ def add_action_plan(router: APIRouter, service: Service) -> None:
                 )
                 for language in LANGUAGES:  # the page's language may be changed
                     reports[f"{language} {home}"] = plan_html(made, language).encode("utf-8")
-            return reports[key]
+            headers = {"Content-Security-Policy": REPORT_POLICY}
+            return Response(reports[key], headers=headers, media_type="text/html; charset=utf-8")
 
-        async def watch() -> None:
-            while not await request.is_disconnected():
-                await asyncio.sleep(POLL_INTERVAL)
-            client_left.set()
-
-        watcher = asyncio.create_task(watch())
-        try:
-            page = await service.slow.run(work)
-        except StoppedError:
-            return Response(status_code=204)  # which nobody reads
-        finally:
-            watcher.cancel()
-        headers = {"Content-Security-Policy": REPORT_POLICY}
-        return Response(page, headers=headers, media_type="text/html; charset=utf-8")
+        return await service.while_awaited(request, work)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
-import threading
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -15,7 +13,6 @@ from stayput.app.action_plan_api import add_action_plan
 from stayput.app.differences import with_differences
 from stayput.app.downloads import attachment, film, report_page, run_csv, scene_toml
 from stayput.app.figure_routes import add_figures
-from stayput.app.jobs import StoppedError
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.presets import presets
 from stayput.app.python_code import scene_python
@@ -58,15 +55,13 @@ from stayput.verification import Verdict, verify
 from stayput.verification.compare import curve_levels
 
 if TYPE_CHECKING:
+    import threading
     from collections.abc import Callable
 
     from stayput.app.jobs import Job
     from stayput.scenario import Scenario
 
 ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
-
-POLL_INTERVAL = 0.5
-"""How often a long request checks whether its client has left [s]."""
 
 UPLOAD_FORM: dict[str, Any] = {
     "requestBody": {
@@ -250,27 +245,13 @@ def _add_runs(router: APIRouter, service: Service) -> None:
     @router.post("/size-map", response_model=SizeMapReply, tags=["runs"], responses=refusals)
     async def map_of_sizes(body: SizeMapRequest, request: Request) -> Response:
         """Return which pieces of this kind overturn in which shaking; it stops when the client has left."""
-        client_left = threading.Event()
 
-        def work() -> Response:
-            if client_left.is_set():
-                raise StoppedError
+        def work(client_left: threading.Event) -> Response:
             scenario = service.scene(body.scene, body.measures)
             threads = service.limits.threads
             return json_response(size_map(scenario, body.axis, threads, lambda: not client_left.is_set()))
 
-        async def watch() -> None:
-            while not await request.is_disconnected():
-                await asyncio.sleep(POLL_INTERVAL)
-            client_left.set()
-
-        watcher = asyncio.create_task(watch())
-        try:
-            return await service.slow.run(work)
-        except StoppedError:
-            return Response(status_code=204)  # which nobody reads
-        finally:
-            watcher.cancel()
+        return await service.while_awaited(request, work)
 
 
 def _add_jobs(router: APIRouter, service: Service) -> None:

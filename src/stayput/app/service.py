@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import asyncio
 import json
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 from starlette.responses import Response
 
+from stayput.app.jobs import StoppedError
 from stayput.app.refusals import RefusedError, refused
 from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import read_pieces, read_room_scene, read_scene, several_pieces
@@ -20,12 +22,17 @@ from stayput.rooms.verdict import RoomVerdict
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from starlette.requests import Request
+
     from stayput.app.jobs import AnyVerdict, Job, Jobs
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
     from stayput.app.readers import ReaderPool
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.verification import Verdict
+
+POLL_INTERVAL = 0.5
+"""How often a long request checks whether its client has left [s]."""
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -150,6 +157,36 @@ class Service:
         self.slow.close()
         self.readers.close()
         self.motions.close()
+
+    async def while_awaited(self, request: Request, work: Callable[[threading.Event], Response]) -> Response:
+        """Do slow work on a thread; it is told by an event when its client has left.
+
+        Parameters
+        ----------
+        request : Request
+            The request that it answers.
+        work : callable
+            Does it; called with the event, after which it raises `StoppedError` as soon as it can.
+        """
+        client_left = threading.Event()
+
+        def unless_left() -> Response:
+            if client_left.is_set():
+                raise StoppedError
+            return work(client_left)
+
+        async def watch() -> None:
+            while not await request.is_disconnected():
+                await asyncio.sleep(POLL_INTERVAL)
+            client_left.set()
+
+        watcher = asyncio.create_task(watch())
+        try:
+            return await self.slow.run(unless_left)
+        except StoppedError:
+            return Response(status_code=204)  # which nobody reads
+        finally:
+            watcher.cancel()
 
     def scene(self, data: dict[str, Any], measures: list[dict[str, Any]]) -> Scenario:
         """Make a scenario of a scene."""

@@ -12,10 +12,13 @@ export class Refused extends Error {
   }
 }
 
+// which page at this address asks: the server lets pages take turns
+const CLIENT = { "x-stayput-client": `${Date.now()}-${Math.random()}` };
+
 async function ask(path, options = {}) {
   let answer;
   try {
-    answer = await fetch(new URL(path, BASE), options);
+    answer = await fetch(new URL(path, BASE), { ...options, headers: { ...CLIENT, ...options.headers } });
   } catch (error) {
     if (error.name === "AbortError") throw error;
     throw new Refused({}, 0);

@@ -8,7 +8,8 @@ import * as upload from "../upload.js";
 import * as room from "./room.js";
 
 const MOTIONS = ["record", "component", "unit", "dt", "vertical", "sine", "builtin", "suite", "member"],
-  STRENGTHS = ["intensity", "scale", "pga", "pgv", "mmi", "earthquake"];
+  WAYS = ["pga", "pgv", "mmi", "earthquake"],
+  STRENGTHS = ["intensity", "scale", ...WAYS];
 let presets = null,
   wanted = null, // the record that the server is being asked for
   reading = false, // the room goes into the fields, which is no change of the room
@@ -26,9 +27,10 @@ export function wire(known, lost) {
 
 /** Puts what the room says into the fields. */
 export function take() {
-  const { record, component } = room.current().shaking ?? {};
+  const shaking = room.current().shaking ?? {},
+    { record } = shaking;
   put({ ...told(room.current()), record: kept(record) });
-  if (record && record !== fields.current().record?.id && record !== wanted) fetchRecord(record, component);
+  if (record && record !== fields.current().record?.id && record !== wanted) fetchRecord(shaking);
 }
 
 function put(part) {
@@ -43,12 +45,13 @@ function put(part) {
 /** The record in the fields, where it is the room's. */
 const kept = (id) => (fields.current().record?.id === id ? fields.current().record : null);
 
-async function fetchRecord(id, component) {
+async function fetchRecord({ record: id, component, vertical: up }) {
   wanted = id;
   try {
     const motion = await patiently(() => api.motion(id, component));
+    const vertical = typeof up === "string" ? { id: up, name: (await patiently(() => api.motion(up))).name } : null;
     if (room.current().shaking?.record !== id) return;
-    put({ record: { id, name: motion.name, shaking: motion.shaking, motion } });
+    put({ record: { id, name: motion.name, shaking: motion.shaking, motion, vertical } });
     upload.update();
   } catch (error) {
     if (!(error instanceof api.Refused)) throw error;
@@ -71,6 +74,7 @@ export function withoutRecord(before) {
 function told({ shaking = {}, room: surfaces = {} }) {
   const { suite, intensity, building, storey, member } = shaking,
     { plain } = fields,
+    way = WAYS.find((one) => shaking[one] !== undefined),
     middle = presets.intensities.find((one) => one.id === intensity)?.middle;
   return {
     floor: typeof surfaces.floor === "string" ? surfaces.floor : plain.floor,
@@ -79,7 +83,8 @@ function told({ shaking = {}, room: surfaces = {} }) {
     ceiling: surfaces.ceiling?.height ?? plain.ceiling,
     ceilingConstruction: surfaces.ceiling?.construction ?? plain.ceilingConstruction,
     intensity: middle ?? (Number(intensity) || plain.intensity),
-    scaled: intensity !== undefined,
+    entry: way ? { [way]: shaking[way] } : null,
+    scaled: intensity !== undefined || way !== undefined,
     family: suite?.family ?? plain.family,
     member: member ?? 1,
     storeys: building?.storeys ?? 0,
@@ -106,14 +111,15 @@ function written(before, keys) {
     const suite = { ...(typeof shaking.suite === "object" ? shaking.suite : {}), family: scene.family };
     for (const key of MOTIONS) delete shaking[key];
     Object.assign(shaking, scene.record ? scene.record.shaking : { suite, member: scene.member });
+    if (scene.record?.vertical) shaking.vertical = scene.record.vertical.id;
   }
-  if (has(keys, "intensity", "scaled", "record")) {
+  if (has(keys, "intensity", "entry", "scaled", "record")) {
     for (const key of STRENGTHS) delete shaking[key];
-    if (!scene.record || scene.scaled) shaking.intensity = scene.intensity;
+    if (!scene.record || scene.scaled) Object.assign(shaking, scene.entry ?? { intensity: scene.intensity });
   }
-  if (has(keys, "storeys", "storey", "structure")) {
+  if (has(keys, "storeys", "storey", "structure", "onFloor", "record")) {
     const { storeys, structure, storey } = scene;
-    if (storeys > 0) Object.assign(shaking, { building: { ...shaking.building, storeys, structure }, storey });
+    if (fields.throughBuilding(scene)) Object.assign(shaking, { building: { ...shaking.building, storeys, structure }, storey });
     else for (const key of ["building", "storey"]) delete shaking[key];
   }
   return { ...before, room: surfaces, shaking };

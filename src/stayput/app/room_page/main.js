@@ -118,7 +118,7 @@ function wire() {
 }
 
 async function begin() {
-  screens.begin("scene");
+  await screens.begin("scene");
   readInks();
   screens.wire(() => presets && again());
   try {
