@@ -66,6 +66,18 @@ class Editor:
         """Put another room into the editor."""
         self.page.evaluate("async (room) => (await import('/room/room.js')).replace(room)", room)
 
+    def ask(self) -> None:
+        """Put the room into the editor once more, and wait until the page has asked for its verdict.
+
+        It is never answered, so that what the editor is told then is what it shows.
+        """
+        with self.page.expect_request(
+            lambda one: (
+                one.url.endswith("/api/v1/room") and one.post_data_json["scene"].get("title") == "asked"
+            )
+        ):
+            self.take({**ROOM, "title": "asked"})
+
     def at(self, x: float, y: float) -> tuple[float, float]:
         """Return where a point of the plan is on the screen, scrolled to."""
         self.page.locator("#plan").scroll_into_view_if_needed()
@@ -429,7 +441,7 @@ def test_what_stands_in_something_else_is_said_at_once(browser: Browser, server:
         assert it.wrong == ""
         it.take({**ROOM, "furniture": []})
         assert it.wrong == "The room is empty; put at least one piece of furniture into it."
-        it.take(ROOM)
+        it.ask()
         it.page.evaluate(
             """async () => (await import("/room/editor.js")).tellRefusal(
               new (await import("/api.js")).Refused(
@@ -520,6 +532,7 @@ def test_a_verdict_is_drawn_in_layers(browser: Browser, server: Running) -> None
         places: [{ name: "bed", hit: { estimate: 0.3 } }],
         doors: [{ name: "door", blocked: { estimate: 0 } }] }"""
     with editing(browser, server) as it:
+        it.ask()
         assert not it.page.locator("#plan-layers").is_visible()
         it.page.evaluate(f"async () => {{ {grid}); }}")
         classes = it.page.eval_on_selector_all(
