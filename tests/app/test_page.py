@@ -268,7 +268,7 @@ def test_a_record_that_the_server_forgets_is_missed(
 ) -> None:
     file = tmp_path / "record.csv"
     sp.near_fault().write(file)
-    with opened(browser, server, allowed=("422",)) as it:
+    with opened(browser, server, allowed=("404", "422")) as it:
         asked, _ = it.simulated(lambda: it.page.set_input_files("#file", file))
         it.page.wait_for_selector("#uploaded svg path")
         name = asked["scene"]["shaking"]["record"]

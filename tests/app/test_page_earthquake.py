@@ -121,7 +121,7 @@ def test_a_vertical_record_is_taken_as_one(browser: Browser, server: Running, tm
     motion = sp.near_fault()
     motion.write(level)
     rows = "\n".join(f"{t:.4f},{a:.6g}" for t, a in zip(motion.time, 0.5 * motion.x, strict=True))
-    up.write_text(f"time [s],UD [m/s²]\n{rows}\n", encoding="utf-8")
+    up.write_text(f"# acceleration, unit: m/s²\nt,UD\n{rows}\n", encoding="utf-8")
     with opened(browser, server) as it:
         it.settle()
         it.page.set_input_files("#file", up)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+import time
 import tomllib
 from contextlib import contextmanager
 from importlib import resources
@@ -15,14 +16,18 @@ from axe_playwright_python.sync_playwright import Axe
 from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
 from room_judge import DONE, QUEUED, ROUGH, Judge, made
 
+from stayput.app import room_api
 from stayput.app.room_replies import RoomVerdictReply
+from waiting import wait_until
 
 if TYPE_CHECKING:
-    from collections.abc import Generator
+    from collections.abc import Callable, Generator
 
     from browsing import Opened
     from playwright.sync_api import Browser, Page, Route
     from serving import Running
+
+    from stayput.app.service import Service
 
 SOURCES = resources.files("stayput.app").joinpath("room_page")
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -154,6 +159,26 @@ def test_the_old_verdict_is_marked_and_its_question_ends(browser: Browser, serve
         assert {0, 1} <= set(judge.ended)
 
 
+def test_a_page_that_is_left_takes_its_question_along(
+    browser: Browser, server: Running, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def held(*_: Any, on_progress: Callable[[int, int], None], **__: Any) -> None:
+        while True:
+            on_progress(1, 1000)  # which ends it by an exception
+            time.sleep(0.01)
+
+    monkeypatch.setattr(room_api, "verify_room", held)
+    service: Service = server.app.state.service
+    with opened(browser, server, "room/") as it:
+        with it.page.expect_response(
+            lambda answer: "/jobs/" in answer.url and answer.json()["done"] > 0, timeout=COMPILING
+        ) as found:
+            it.page.reload()
+        job = found.value.json()
+        it.page.goto(f"{server.address}/api/v1/ping")
+        wait_until(lambda: service.jobs.get(job["id"]).state == "cancelled")
+
+
 def test_stop_and_again(browser: Browser, server: Running) -> None:
     judge = Judge(ROUGH)
     with opened(browser, server, "room/", routes=judge.routes) as it:
@@ -172,6 +197,13 @@ def test_the_fields_are_the_rooms(browser: Browser, server: Running) -> None:
     with room_page(browser, server, judge) as it:
         room = after(it, judge, it.page.get_by_label("6-lower", exact=True).check)
         assert room["shaking"]["intensity"] == 5.75
+        known = it.page.locator("#entry select").first
+        room = after(it, judge, lambda: known.select_option("pgv"))
+        assert "pgv" in room["shaking"]
+        assert "intensity" not in room["shaking"]
+        room = after(it, judge, lambda: known.select_option("intensity"))
+        assert room["shaking"]["intensity"] == 5.75
+        assert "pgv" not in room["shaking"]
         room = after(it, judge, lambda: it.page.get_by_label("Kind of earthquake").select_option(index=1))
         assert room["shaking"]["suite"]["family"] != "mixed"
         assert room["shaking"]["suite"]["count"] == 20  # as it was
@@ -447,10 +479,10 @@ def test_the_language_is_switched_with_everything(browser: Browser, server: Runn
     judge = Judge()
     with room_page(browser, server, judge) as it:
         it.page.click("#languages [lang=ja]")
+        it.wait("() => document.getElementById('ranking').textContent.includes('確率の差')")
         assert it.page.title() == "stayput：地震のとき、この部屋にいる人は安全か"
         assert it.text("#verdict") == "「本棚」がベッドにいる人に当たります。"
         assert "「本棚」にベルト" in it.text("#ranking")
-        assert "確率の差" in it.text("#ranking")
         assert len(judge.asked) == 1  # nothing is worked out again
 
 

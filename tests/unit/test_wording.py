@@ -12,8 +12,7 @@ import report_runs
 import verdict_cases
 
 import stayput as sp
-from stayput.catalogue import LANGUAGES
-from stayput.catalogue.page import TEXTS
+from stayput.catalogue import LANGUAGES, earthquake, page
 from stayput.fragility import probability
 from stayput.fragility.probabilities import percent
 from stayput.inventory.report import storey_map
@@ -30,6 +29,9 @@ from stayput.verification.words import headline, reason, title
 from stayput.wording import FAR, counted, inside
 
 PAGE = Path(sp.__file__).parent / "app" / "page"
+
+TEXTS = page.TEXTS | earthquake.TEXTS
+"""All texts of the page."""
 
 
 def moved(tilt, slide, outcome, room=None):
@@ -96,6 +98,12 @@ def test_the_page_names_the_sides_as_its_labels_do(sign, outcome):
 def test_no_text_of_the_page_speaks_of_right_and_left(language):
     text = "\n".join(words[LANGUAGES.index(language)] for words in TEXTS.values())
     assert not re.search(r"to the (right|left)|右へ|左へ|右側|左側", text)
+
+
+def test_no_text_of_the_page_takes_the_place_of_another():
+    shared = {name.rpartition(".")[2] for name in page.SHARED}
+    assert len(TEXTS) == len(page.TEXTS) + len(earthquake.TEXTS)
+    assert shared.isdisjoint(TEXTS)
 
 
 def test_no_text_of_the_page_counts_with_a_plural():

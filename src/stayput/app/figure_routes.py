@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from stayput.report.charts.chart import Chart
 
-Kind = Annotated[FigureKind, Query(description="A picture with its caption, or the numbers.")]
+ChartKind = Annotated[FigureKind, Query(description="A picture with its caption, or the numbers.")]
 Spoken = Annotated[Language, Query()]
 
 
@@ -37,7 +37,7 @@ def add_figures(router: APIRouter, service: Service) -> None:
     refusals = {**content, **problems(400, 413, 422, 503)}
 
     @router.post("/simulate/figure", response_class=Response, tags=["runs"], responses=refusals)
-    async def run_figures(body: SimulateRequest, kind: Kind = "svg", lang: Spoken = "en") -> Response:
+    async def run_figures(body: SimulateRequest, kind: ChartKind = "svg", lang: Spoken = "en") -> Response:
         """Run a scene without and with measures; return its histories as a chart to keep."""
 
         def work() -> Response:
@@ -47,7 +47,7 @@ def add_figures(router: APIRouter, service: Service) -> None:
         return await service.slow.run(work)
 
     @router.post("/size-map/figure", response_class=Response, tags=["runs"], responses=refusals)
-    async def map_figures(body: SizeMapRequest, kind: Kind = "svg", lang: Spoken = "en") -> Response:
+    async def map_figures(body: SizeMapRequest, kind: ChartKind = "svg", lang: Spoken = "en") -> Response:
         """Return the map of sizes as a chart to keep."""
 
         def work() -> Response:

@@ -122,6 +122,7 @@ export async function takeLinked(linked, { scaled, onFloor }) {
   try {
     await useLinked(linked);
     change({ scaled, onFloor });
+    update(); // which the page does by itself only once it has begun
   } catch (error) {
     if (!(error instanceof api.Refused || linked.letters)) throw error;
     change({ record: null, gone: { name: linked.name }, scaled: false, onFloor: false });

@@ -82,7 +82,7 @@ function told({ shaking = {}, room: surfaces = {} }) {
     ceilingThere: Boolean(surfaces.ceiling),
     ceiling: surfaces.ceiling?.height ?? plain.ceiling,
     ceilingConstruction: surfaces.ceiling?.construction ?? plain.ceilingConstruction,
-    intensity: middle ?? (Number(intensity) || plain.intensity),
+    intensity: middle ?? (Number(intensity) || fields.current().intensity),
     entry: way ? { [way]: shaking[way] } : null,
     scaled: intensity !== undefined || way !== undefined,
     family: suite?.family ?? plain.family,

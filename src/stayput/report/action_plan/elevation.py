@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 UNIT = 1e-4
 """A unit of the drawing on paper [m]: a tenth of a millimetre."""
 
-MARGIN, ABOVE, BELOW = 75.0, 14.0, 52.0
+MARGIN, ABOVE, BELOW = 75.0, 14.0, 60.0
 """Space at the sides for heights, above, and below for lengths and names."""
 
 HEAD = 0.08
@@ -145,7 +145,7 @@ class _View:
             yield svg.line(x, level - 4.0, x, level + 4.0, "size")
         if len(places) > 1:
             yield svg.label(
-                0.5 * (marks[1] + marks[2]), level + 20.0, f"{places[1] - places[0]:.2f}", anchor="middle"
+                0.5 * (marks[1] + marks[2]), level + 22.0, f"{places[1] - places[0]:.2f}", anchor="middle"
             )
 
     def side(self) -> Iterator[str]:

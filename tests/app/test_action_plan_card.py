@@ -1,0 +1,68 @@
+"""The plan to buy and do: over the API, and on paper, where five pieces fit on one page."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from browsing import browser
+from test_room_api import ROOM, ended
+
+import stayput as sp
+from stayput.catalogue import LANGUAGES, say
+from stayput.report.action_plan.html import FEW
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    import httpx
+    from playwright.sync_api import Browser
+
+__all__ = ["browser"]
+
+
+@pytest.fixture(scope="module")
+def plan() -> sp.ActionPlan:
+    verdict = sp.verify_room(sp.RoomScenario.parse(ROOM), changes=False, progress=False)
+    return sp.action_plan(verdict, progress=False)
+
+
+def test_the_plan_of_a_room_that_is_done(client: httpx.Client, plan: sp.ActionPlan) -> None:
+    asked: dict[str, Any] = {"scene": ROOM, "changes": False}
+    job = ended(client, client.post("/api/v1/room", json=asked).json())
+    address = f"/api/v1/jobs/{job['id']}/plan"
+    answer = client.get(address)
+    assert answer.status_code == 200
+    assert answer.headers["content-type"] == "text/html; charset=utf-8"
+    assert "script-src" in answer.headers["content-security-policy"]
+    assert answer.text == plan.to_html("en")
+    assert client.get(address, params={"lang": "ja"}).text == plan.to_html("ja")
+    rented = client.get(address, params={"lang": "ja", "no_drilling": "true", "tatami": "true"})
+    assert say("action_plan.no_drilling", "ja") in rented.text
+    assert say("action_plan.tatami", "ja") in rented.text
+    assert client.get(address, params={"tatami": "often"}).status_code == 422
+    assert client.get(f"/api/v1/jobs/{'0' * 32}/plan").status_code == 404
+
+
+def pages(opened: Browser, file: Path) -> int:
+    page = opened.new_page()
+    page.goto(file.as_uri())
+    paper = page.pdf(prefer_css_page_size=True, print_background=True)
+    page.close()
+    return len(re.findall(rb"/Type\s*/Page\b", paper))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_five_pieces_are_on_one_page_and_more_go_on(
+    browser: Browser, plan: sp.ActionPlan, tmp_path: Path, language: str
+) -> None:
+    fixed = next(step for step in plan.steps if step.fix is not None)
+    assert fixed.fix is not None
+    assert FEW < 5
+    longest = replace(fixed, instead=fixed.instead or replace(fixed.fix))
+    card = tmp_path / "card.html"
+    for count, expected in ((5, {1}), (12, {2, 3})):
+        replace(plan, steps=(longest,) * count).report(card, language)
+        assert pages(browser, card) in expected
