@@ -3,6 +3,7 @@
 # ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from contextlib import contextmanager
@@ -16,7 +17,8 @@ from browsing import DESK, LOCALES, PHONE, WAIT, browser  # noqa: F401
 from page_coverage import recorded
 
 import stayput as sp
-from stayput.catalogue import page, room_plan
+from stayput.app.pages import TEXTS_OF, tables
+from stayput.catalogue import room_plan
 from stayput.scenario.pieces import StandingTable
 from stayput.scenario.room import DoorTable, PlaceTable, WindowTable
 
@@ -64,6 +66,18 @@ class Editor:
         """Put another room into the editor."""
         self.page.evaluate("async (room) => (await import('/room/room.js')).replace(room)", room)
 
+    def ask(self) -> None:
+        """Put the room into the editor once more, and wait until the page has asked for its verdict.
+
+        It is never answered, so that what the editor is told then is what it shows.
+        """
+        with self.page.expect_request(
+            lambda one: (
+                one.url.endswith("/api/v1/room") and one.post_data_json["scene"].get("title") == "asked"
+            )
+        ):
+            self.take({**ROOM, "title": "asked"})
+
     def at(self, x: float, y: float) -> tuple[float, float]:
         """Return where a point of the plan is on the screen, scrolled to."""
         self.page.locator("#plan").scroll_into_view_if_needed()
@@ -82,10 +96,25 @@ class Editor:
         if drop:
             self.page.mouse.up()
 
+    def point(self, *points: tuple[float, float]) -> None:
+        """Drag with a finger from the first of some points on the screen over the others [px]."""
+        touch = self.page.context.new_cdp_session(self.page)
+
+        def send(kind: str, *fingers: tuple[float, float]) -> None:
+            where = [{"x": x, "y": y} for x, y in fingers]
+            touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": where})
+
+        send("touchStart", points[0])
+        for (x0, y0), (x1, y1) in itertools.pairwise(points):
+            for step in range(1, 7):
+                send("touchMove", (x0 + (x1 - x0) * step / 6, y0 + (y1 - y0) * step / 6))
+        send("touchEnd")
+
     def handle(self, name: str) -> tuple[float, float]:
         """Return where the middle of a handle is on the screen."""
-        box = self.page.locator(f"[data-handle={name}] .felt").bounding_box()
-        assert box is not None
+        box = self.page.locator(f"[data-handle={name}] .felt").evaluate(
+            "one => one.getBoundingClientRect().toJSON()"
+        )
         return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
     def select(self, thing: str) -> None:
@@ -137,7 +166,8 @@ def editing(
         for path in ("room", "simulate"):
             page.route(f"**/api/v1/{path}", lambda route: None)  # it is never answered
         with recorded(page):
-            page.goto(f"{server.address}/room/")
+            # where each module is loaded by itself, so that a test can ask it
+            page.goto(f"{server.address}/room/index.html")
             page.wait_for_selector("#plan .thing", state="attached")
             editor = Editor(page)
             editor.take(room)
@@ -230,23 +260,24 @@ def test_what_follows_quickly_is_one_change(browser: Browser, server: Running) -
 
 def test_a_finger_drags_a_piece(browser: Browser, server: Running) -> None:
     with editing(browser, server, touch=True) as it:
-        start, end = it.at(2.0, 1.0), it.at(1.4, 1.6)
-        touch = it.page.context.new_cdp_session(it.page)
-
-        def send(kind: str, *points: tuple[float, float]) -> None:
-            touch.send(
-                "Input.dispatchTouchEvent",
-                {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in points]},
-            )
-
-        send("touchStart", start)
-        for step in range(1, 7):
-            send(
-                "touchMove",
-                (start[0] + (end[0] - start[0]) * step / 6, start[1] + (end[1] - start[1]) * step / 6),
-            )
-        send("touchEnd")
+        it.point(it.at(2.0, 1.0), it.at(1.4, 1.6))
         assert it.room()["furniture"][1]["at"] == pytest.approx([1.4, 1.6], abs=0.03)
+
+
+@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
+def test_a_finger_drags_a_kind_into_the_plan(browser: Browser, server: Running, size: dict[str, int]) -> None:
+    with editing(browser, server, size=size, touch=True) as it:
+        end = it.at(2.0, 1.6)
+        box = it.page.locator("#palette [data-kind=wardrobe]").bounding_box()
+        assert box is not None
+        start = (box["x"] + 20, box["y"] + 20)
+        scrolls = it.page.eval_on_selector("#palette .kind", "one => getComputedStyle(one).touchAction")
+        # across the way in which the palette scrolls, then to the place
+        off = (start[0] + 60, start[1]) if scrolls == "pan-y" else (start[0], start[1] + 60)
+        it.point(start, off, end)
+        wardrobe = it.room()["furniture"][2]
+        assert wardrobe["preset"] == "wardrobe"
+        assert wardrobe["at"] == pytest.approx([2.0, 1.6], abs=0.1)
 
 
 def test_the_keyboard_moves_turns_doubles_and_removes(browser: Browser, server: Running) -> None:
@@ -364,6 +395,7 @@ def test_sides_are_pulled_and_a_wall_stays_at_the_back(browser: Browser, server:
 
 def test_a_piece_is_turned_in_steps_of_15_degrees(browser: Browser, server: Running) -> None:
     with editing(browser, server) as it:
+        it.at(2.0, 1.0)  # which scrolls
         it.select("furniture-1")
         angle = math.radians(50)
         it.pull(it.handle("turn"), it.at(2.0 + 0.8 * math.cos(angle), 1.0 + 0.8 * math.sin(angle)))
@@ -375,8 +407,9 @@ def test_a_piece_is_turned_in_steps_of_15_degrees(browser: Browser, server: Runn
 def test_a_smaller_room_takes_everything_with_it(browser: Browser, server: Running) -> None:
     with editing(browser, server) as it:
         it.page.evaluate("async () => (await import('/room/room.js')).select(null)")
+        left, _ = it.at(3.0, 0.0)  # which scrolls
         x, y = it.handle("room-width")
-        it.pull((x, y), (it.at(3.0, 0.0)[0], y))
+        it.pull((x, y), (left, y))
         room = it.room()
         assert room["plan"]["width"] == pytest.approx(3.0, abs=0.05)
         assert room["places"][0]["at"][0] == pytest.approx(room["plan"]["width"] - 0.5)
@@ -411,7 +444,7 @@ def test_what_stands_in_something_else_is_said_at_once(browser: Browser, server:
         assert it.wrong == ""
         it.take({**ROOM, "furniture": []})
         assert it.wrong == "The room is empty; put at least one piece of furniture into it."
-        it.take(ROOM)
+        it.ask()
         it.page.evaluate(
             """async () => (await import("/room/editor.js")).tellRefusal(
               new (await import("/api.js")).Refused(
@@ -502,6 +535,7 @@ def test_a_verdict_is_drawn_in_layers(browser: Browser, server: Running) -> None
         places: [{ name: "bed", hit: { estimate: 0.3 } }],
         doors: [{ name: "door", blocked: { estimate: 0 } }] }"""
     with editing(browser, server) as it:
+        it.ask()
         assert not it.page.locator("#plan-layers").is_visible()
         it.page.evaluate(f"async () => {{ {grid}); }}")
         classes = it.page.eval_on_selector_all(
@@ -538,16 +572,18 @@ def test_axe_finds_nothing_serious_in_the_editor(
                 )
             found = Axe().run(it.page, {"include": [["#editor"]]}).response["violations"]
             assert [one["id"] for one in found if one["impact"] in ("serious", "critical")] == []
+            assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
 
 
 def test_every_word_of_the_editor_is_there_and_the_japanese_has_no_english_left() -> None:
-    own = page.TEXTS.keys() | {name.rpartition(".")[2] for name in (*page.SHARED, *room_plan.SHARED)}
-    assert own & room_plan.TEXTS.keys() == set()
+    words = tables("room")["en"].keys()
+    for part in TEXTS_OF["room"]:
+        assert part is room_plan or part.TEXTS.keys() & room_plan.TEXTS.keys() == set(), part
     sources = {
         one.name: one.read_text("utf-8") for one in SOURCES.iterdir() if one.name.endswith((".js", ".html"))
     }
     used = set(re.findall(r'\bt\("(\w+)"', "".join(sources.values())))
-    assert used - own - room_plan.TEXTS.keys() == set()
+    assert used - words == set()
     for name, text in sources.items():
         assert len(text.splitlines()) < 300, name
         assert "http://" not in text.replace("http://www.w3.org/2000/svg", ""), name

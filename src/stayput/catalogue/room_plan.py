@@ -55,7 +55,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "layer_hit": ("Who is hit", "人に当たる割合"),
     "layer_blocked": ("Blocked doors", "ふさがるドア"),
     "layersHint": (
-        "Plain cells: where it lies overturned; chequered ones: where it stands. The darker, the more often.",
+        "Plain cells: where it lies overturned; chequered ones: where it stands. The stronger the colour, the more often.",
         "塗りは倒れている範囲、市松模様は立ったまま止まる範囲です。濃いほど多く起こります。",
     ),
     # Where something is
@@ -102,8 +102,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "fromLeft": ("Its middle from the left wall", "左の壁から中心まで"),
     "fromNear": ("Its middle from the near wall", "手前の壁から中心まで"),
     "turnedDegrees": ("Turned by", "向き"),
-    "depth": ("Depth, back to front", "奥行き"),
-    "breadth": ("Length, side to side", "幅"),
+    "pieceDepth": ("Depth, back to front", "奥行き"),
+    "pieceLength": ("Length, side to side", "幅"),
     "filling": ("What is in it", "中身"),
     "filling_full": ("full", "いっぱい"),
     "filling_empty": ("empty", "空"),

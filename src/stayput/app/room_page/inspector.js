@@ -193,8 +193,8 @@ function pieceRows(what) {
     row(gap, (room) => room.furniture[what.index].gap ?? DEFAULTS.furniture.gap, against),
     ...freeRows(what, standsFree(what)),
     size("height", "height"),
-    size("width", "depth"),
-    size("length", "breadth"),
+    size("width", "pieceDepth"),
+    size("length", "pieceLength"),
     own(what, "mass", "mass", { unit: "kg", decimals: 1 }, (room, value) =>
       given(room, what, { mass: value }),
     )(box),
