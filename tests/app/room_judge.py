@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import base64
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
+from browsing import opened
 
-    from playwright.sync_api import Route
+if TYPE_CHECKING:
+    from collections.abc import Callable, Generator
+
+    from browsing import Opened
+    from playwright.sync_api import Browser, Route
+    from serving import Running
 
 QUEUED, ROUGH, DONE = "queued", "rough", "done"
 CELLS = (72, 54)
@@ -176,3 +181,33 @@ class Judge:
             "error": None,
             "result": {QUEUED: None, ROUGH: rough, DONE: verdict}[stage],
         }
+
+
+@contextmanager
+def room_page(
+    browser: Browser, server: Running, judge: Judge, address: str = "", **more: Any
+) -> Generator[Opened]:
+    """Open the page of a room, about which the judge answers."""
+    with opened(browser, server, f"room/{address}", routes=judge.routes, **more) as it:
+        judged(it)
+        yield it
+
+
+def judged(it: Opened) -> None:
+    """Wait until the verdict is that on the room as it stands."""
+    it.page.wait_for_selector("#answer[data-state=done][data-old=false]", state="attached")
+
+
+def after(it: Opened, judge: Judge, act: Any) -> dict[str, Any]:
+    """Do something that changes the room, and return the room that is asked about then."""
+    before = len(judge.asked)
+    act()
+    it.wait("() => document.getElementById('answer').dataset.old === 'true'")
+    judged(it)
+    assert len(judge.asked) > before
+    return judge.scene
+
+
+def place_of(room: dict[str, Any], name: str) -> dict[str, Any]:
+    (piece,) = (one for one in room["furniture"] if one["name"] == name)
+    return {key: piece[key] for key in ("against", "along")}

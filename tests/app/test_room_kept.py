@@ -10,13 +10,12 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from browsing import browser  # noqa: F401
 from PIL import Image
-from room_judge import Judge
+from room_judge import Judge, after, judged, room_page
 from serving import client_of
 from test_figures import JAPANESE, executed, numbers
 from test_figures import done as done_of_one_piece
 from test_page_links import LOST, forget, small_record
 from test_room_api import ROOM, ended
-from test_room_page import after, judged, room_page
 
 import stayput as sp
 from stayput.report.space.animation import animate_space_run
