@@ -73,4 +73,4 @@ def add_action_plan(router: APIRouter, service: Service) -> None:
             headers = {"Content-Security-Policy": REPORT_POLICY}
             return Response(reports[key], headers=headers, media_type="text/html; charset=utf-8")
 
-        return await service.while_awaited(request, work)
+        return await service.while_awaited(service.planners, request, work)

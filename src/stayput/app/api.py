@@ -251,7 +251,7 @@ def _add_runs(router: APIRouter, service: Service) -> None:
             threads = service.limits.threads
             return json_response(size_map(scenario, body.axis, threads, lambda: not client_left.is_set()))
 
-        return await service.while_awaited(request, work)
+        return await service.while_awaited(service.slow, request, work)
 
 
 def _add_jobs(router: APIRouter, service: Service) -> None:

@@ -132,14 +132,18 @@ class Jobs:
         Raises
         ------
         RefusedError
-            Too many jobs already, of all or of this address.
+            Too many jobs already, of all, of this address or of this page.
         """
         client, limits = CLIENT.get(), self._limits
         with self._lock:
             self._expire()
             active = [job for job in self._jobs.values() if job.ended is None]
-            own = sum(job.client.address == client.address for job in active)
-            if len(active) >= limits.jobs_running + limits.jobs_waiting or own >= limits.jobs_per_address:
+            own = [job for job in active if job.client.address == client.address]
+            if (
+                len(active) >= limits.jobs_running + limits.jobs_waiting
+                or len(own) >= limits.jobs_per_address
+                or sum(job.client == client for job in own) >= limits.jobs_per_page
+            ):
                 raise refused(429, "app.many_jobs", retry_after=10, count=len(active))
             job = Job(secrets.token_hex(16), total, motions, lease, client)
             self._jobs[job.id] = job

@@ -69,8 +69,8 @@ class Limits:
         Longest motion of a scene of several, times their number [s].
     jobs_running, jobs_waiting, jobs_kept : int
         Most jobs at work, waiting for their turn, and known at all.
-    jobs_per_address : int
-        Most jobs of one address that are at work or wait.
+    jobs_per_address, jobs_per_page : int
+        Most jobs of one address, and of one page there, that are at work or wait.
     workers : int
         Threads for requests that compute something short.
     waiting : int
@@ -114,7 +114,8 @@ class Limits:
     jobs_running: int = 1
     jobs_waiting: int = 31
     jobs_kept: int = 48
-    jobs_per_address: int = 16
+    jobs_per_address: int = 24
+    jobs_per_page: int = 5
     workers: int = max(2, cores())
     waiting: int = 64
     slow_workers: int = 1

@@ -82,9 +82,10 @@ def create_app(host: str = "127.0.0.1", limits: Limits | None = None, *, warming
     folder = Path(tempfile.mkdtemp(prefix="stayput-"))
     quick = Workers(allowed.workers, allowed.waiting)
     slow = Workers(allowed.slow_workers, allowed.slow_waiting)
+    planners = Workers(allowed.slow_workers, allowed.slow_waiting)
     readers, jobs = ReaderPool(allowed), Jobs(allowed)
     motions = Motions(folder, allowed, readers, jobs.motions)
-    service = Service(allowed, quick, slow, readers, motions, jobs)
+    service = Service(allowed, quick, slow, planners, readers, motions, jobs)
 
     @asynccontextmanager
     async def life(_app: FastAPI) -> AsyncGenerator[None]:

@@ -126,8 +126,8 @@ class Service:
     ----------
     limits : Limits
         What is accepted.
-    workers, slow : Workers
-        Threads that compute: what is short, and what is not.
+    workers, slow, planners : Workers
+        Threads that compute: what is short, what is not, and plans to buy and do, which take longest.
     readers : ReaderPool
         Processes that read uploads.
     motions : Motions
@@ -143,6 +143,7 @@ class Service:
     limits: Limits
     workers: Workers
     slow: Workers
+    planners: Workers
     readers: ReaderPool
     motions: Motions
     jobs: Jobs
@@ -155,14 +156,19 @@ class Service:
         self.jobs.close()
         self.workers.close()
         self.slow.close()
+        self.planners.close()
         self.readers.close()
         self.motions.close()
 
-    async def while_awaited(self, request: Request, work: Callable[[threading.Event], Response]) -> Response:
+    async def while_awaited(
+        self, workers: Workers, request: Request, work: Callable[[threading.Event], Response]
+    ) -> Response:
         """Do slow work on a thread; it is told by an event when its client has left.
 
         Parameters
         ----------
+        workers : Workers
+            Whose thread it is.
         request : Request
             The request that it answers.
         work : callable
@@ -182,7 +188,7 @@ class Service:
 
         watcher = asyncio.create_task(watch())
         try:
-            return await self.slow.run(unless_left)
+            return await workers.run(unless_left)
         except StoppedError:
             return Response(status_code=204)  # which nobody reads
         finally:

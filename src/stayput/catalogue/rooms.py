@@ -31,6 +31,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "場所{name}が部屋の外に出ています。x方向に0～{width:g} m、y方向に0～{length:g} mの範囲に置いてください。",
     ),
+    "in_the_ceiling": (
+        "{name} is {high:.3g} m high; under the ceiling it must be at most {height:.3g} m.",
+        "{name}の高さは{high:.3g} mです。天井の高さ{height:.3g} m以下にしてください。",
+    ),
     "in_a_wall": (
         (
             "{name} reaches from {low_x:.3g} to {high_x:.3g} m along x and from {low_y:.3g} to {high_y:.3g} m along y; it "

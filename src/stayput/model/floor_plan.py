@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-ROOM_SIZE = (0.5, 100.0)
+ROOM_SIZE = (0.5, 30.0)
 """Least and largest side of a room [m]."""
 
 HINGES = ("start", "end")

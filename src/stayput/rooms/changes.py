@@ -42,7 +42,10 @@ FRAME = 0.05
 """Nearest to a door or a window that something is screwed to the wall [m]: there is its frame."""
 
 STRIDE = 0.2
-"""Distance between the places that are tried [m]."""
+"""Distance between the places that are tried, in a room where they are no more than `MOST_SPREAD` [m]."""
+
+MOST_SPREAD = 20
+"""Most steps between places that are tried along a side: in a large room they are further apart."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -270,10 +273,11 @@ def places_at_walls(
 
 
 def _spread(low: float, high: float) -> list[float]:
-    """Return places from low to high, `STRIDE` apart at most; none where high is below low."""
+    """Return places from low to high, `STRIDE` apart or more; none where high is below low."""
     if high < low:
         return []
-    return np.linspace(low, high, max(1, math.ceil((high - low) / STRIDE)) + 1).tolist()
+    steps = min(MOST_SPREAD, max(1, math.ceil((high - low) / STRIDE)))
+    return np.linspace(low, high, steps + 1).tolist()
 
 
 def other_places(place: PersonPlace, floor: FreeFloor) -> list[PersonPlace]:

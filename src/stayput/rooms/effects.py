@@ -121,8 +121,9 @@ class Answer(NamedTuple):
 
         def joined(own: NDArray[Any], other: NDArray[Any]) -> NDArray[Any]:
             """Join what is of runs along the last axis, motion by motion."""
-            rows = [one.reshape(*one.shape[:-1], motions, -1) for one in (own, other)]
-            return np.concatenate(rows, axis=-1).reshape(*own.shape[:-1], -1)
+            pair = ((one, one.shape[-1] // motions) for one in (own, other))
+            rows = [one.reshape(*one.shape[:-1], motions, samples) for one, samples in pair]
+            return np.concatenate(rows, axis=-1).reshape(*own.shape[:-1], own.shape[-1] + other.shape[-1])
 
         hits = tuple(
             tuple(Hits(*map(joined, one, other)) for one, other in zip(own, others, strict=True))
@@ -210,6 +211,7 @@ def changes_of(
     scenario, plan, whole = question.scenario, question.plan, question.whole
     harmful = harmful_pieces(as_it_is, plan, ends)
     for move in moves_of(question, parts, as_it_is, ends, harmful):
+        question.advance(0)
         yield compared(move, as_it_is, ends)
 
     def harm(body: int) -> float:
@@ -351,6 +353,7 @@ def _best_at_wall(
         shift = np.array(middle) - origin
         if same and np.hypot(*shift) < 1e-3:
             continue
+        question.advance(0)  # who has left may end it here
         over = swept(ways, [outline + shift for outline in outlines])
         hits = np.array(
             [
@@ -374,11 +377,15 @@ def _best_place(
     """Return where a place is hit least, the nearest of those that are alike."""
     if not others:
         return None
-    over = np.any([swept(ways, [reach(track) for track in own]) for own in as_it_is.tracks], axis=0)
+    over = swept(ways, [reach(track) for track in as_it_is.tracks[0]])
+    for own in as_it_is.tracks[1:]:
+        over |= swept(ways, [reach(track) for track in own])
     here = question.plan.places[number]
 
     def key(place: PersonPlace) -> tuple[float, float]:
-        share = (over & ways.covered([place.corners]).ravel()).any(axis=1).mean()
+        question.advance(0)  # who has left may end it here
+        cells = np.flatnonzero(ways.covered([place.corners]))
+        share = over[:, cells].any(axis=1).mean()
         away = math.hypot(place.at[0] - here.at[0], place.at[1] - here.at[1])
         return float(share), away + abs(math.remainder(place.heading - here.heading, math.pi))
 

@@ -178,21 +178,27 @@ class _Planner:
         return tuple(self._in_order(chosen)), tuple(unsolved)
 
     def _in_order(self, chosen: list[_Chosen]) -> Iterable[PlanStep]:
-        """Yield the steps, each time that which brings most with those before it."""
+        """Yield the steps, each time that which brings most with those before it; none without which all the
+        others bring as much.
+        """
+        needed = self._by_gain(chosen)
+        for one in reversed(needed):
+            others = [other for other in needed if other is not one]
+            if not _order(self._together(needed)) < _order(self._together(others)):
+                needed = others
+        for number, one in enumerate(needed, start=1):
+            yield replace(one.step, together=self._together(needed[:number]))
+
+    def _by_gain(self, chosen: list[_Chosen]) -> list[_Chosen]:
         done: list[_Chosen] = []
-        reached = _order(self._together(done))
         while chosen:
             effects = [self._together([*done, one]) for one in chosen]
             number = min(
                 range(len(chosen)),
                 key=lambda n: (_order(effects[n]), chosen[n].step.cost_class, _order(chosen[n].step.alone)),
             )
-            one, effect = chosen.pop(number), effects[number]
-            if one.step.move is not None and not _order(effect) < reached:
-                continue  # what is fixed by then need not be moved
-            done.append(one)
-            reached = _order(effect)
-            yield replace(one.step, together=effect)
+            done.append(chosen.pop(number))
+        return done
 
     def _together(self, done: list[_Chosen]) -> RoomEffect:
         """Return what some of the steps bring together."""

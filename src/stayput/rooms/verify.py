@@ -168,7 +168,7 @@ def states(question: Question) -> Iterator[RoomState]:
 
 
 def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Assembly) -> None:
-    """Raise `InputError` where a piece stands in a wall, in another piece, or where a person is."""
+    """Raise `InputError` where a piece stands in a wall, the ceiling, another piece, or where a person is."""
     names, standing_all = scenario.names, [bare(member) for member in whole.members]
     sides = np.array([plan.width, plan.length])
     for number, standing in enumerate(standing_all):
@@ -186,6 +186,15 @@ def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Ass
                 high_y=float(high[1]),
                 width=plan.width,
                 length=plan.length,
+            )
+        ceiling = scenario.room.ceiling
+        if ceiling is not None and high[2] > ceiling.height + 1e-6:
+            raise InputError(
+                "rooms.in_the_ceiling",
+                f"furniture[{number}]",
+                name=repr(names[number]),
+                high=float(high[2]),
+                height=ceiling.height,
             )
         others: list[tuple[Standing | PersonPlace, str]] = [
             (other, repr(names[before])) for before, other in enumerate(standing_all[:number])

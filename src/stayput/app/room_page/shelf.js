@@ -25,11 +25,17 @@ export function all() {
     .sort((one, other) => one.name.localeCompare(other.name));
 }
 
+/** Whether something has the form of a room, which another program or version may have written there. */
+const isRoom = (room) =>
+  Number.isFinite(room?.plan?.width) &&
+  Number.isFinite(room.plan.length) &&
+  ["furniture", "places", "doors", "windows"].every((table) => Array.isArray(room[table] ?? []));
+
 /** A room that is kept, or null. */
 export function get(id) {
   try {
     const { name, room, revision } = JSON.parse(localStorage.getItem(PREFIX + id));
-    return { id, name, room, revision };
+    return typeof name === "string" && isRoom(room) ? { id, name, room, revision } : null;
   } catch {
     return null;
   }
@@ -43,7 +49,7 @@ export function keep(name, room, over = null) {
   const before = over && get(over.id),
     mine = before?.revision === over?.revision ? before : null,
     names = all().flatMap((one) => (one.id === mine?.id ? [] : [one.name]));
-  return put({ id: mine?.id ?? crypto.randomUUID(), name: free(name, names), room });
+  return put({ id: mine?.id ?? `${Date.now()}-${Math.random()}`, name: free(name, names), room });
 }
 
 /** Gives a room that is kept another name. */

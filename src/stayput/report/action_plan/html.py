@@ -120,7 +120,9 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
         "checks": listed_once(plan, _checks, language),
         "weakest": listed_once(plan, lambda step: [joined(one.label for one in step.weakest)], language),
         "notes": [say(note, language) for note in _notes(plan)],
-        "style": Markup(inks_css() + _file("room/plan.css") + _file("action_plan/card.css")),
+        "style": Markup(
+            inks_css() + _file("canvas/plan.css") + _file("room/plan.css") + _file("action_plan/card.css")
+        ),
     }
 
 
