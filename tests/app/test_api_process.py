@@ -218,7 +218,7 @@ def test_the_page_is_one_file_beside_one_script_that_is_kept(client: httpx.Clien
     for other in others:
         words = client.get(f"/{other}")
         assert words.headers["cache-control"].endswith("immutable")
-        assert words.json() == tables()["ja" if "-ja-" in other else "en"]
+        assert words.json() == tables("")["ja" if "-ja-" in other else "en"]
 
 
 def test_a_page_for_readers_of_other_languages_is_in_english(client: httpx.Client) -> None:

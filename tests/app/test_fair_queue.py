@@ -104,6 +104,19 @@ def test_one_address_may_not_fill_the_queue(monkeypatch: pytest.MonkeyPatch) -> 
         go_on.set()
 
 
+def test_a_greedy_page_leaves_room_for_the_others_of_its_address(monkeypatch: pytest.MonkeyPatch) -> None:
+    go_on = slow_where(monkeypatch, "long")
+    with running(replace(Limits(), threads=1)) as server:
+        asked = {**ASKED, "scene": {**FEW, "title": "long"}, "lease_s": 300.0}
+        with page(server, "greedy") as greedy:
+            answers = [greedy.post("/api/v1/verify", json=asked).status_code for _ in range(8)]
+        assert answers == [202] * 5 + [429] * 3
+        for number in range(9):
+            with page(server, str(number)) as own:
+                assert own.post("/api/v1/verify", json=asked).status_code == 202
+        go_on.set()
+
+
 def test_requests_of_one_page_let_another_pass(monkeypatch: pytest.MonkeyPatch) -> None:
     held, order, simulated = threading.Event(), [], api.run_csv
 

@@ -228,6 +228,30 @@ def test_nobody_is_hit_by_what_is_fixed_well():
     assert "nobody" in safe.sentence()
 
 
+@pytest.mark.parametrize("table", ["doors", "places"])
+def test_a_room_without_doors_or_places_can_be_verified_in_several_blocks(table: str):
+    shaking = {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 2}}
+    fewer = changed(shaking=shaking, uncertainty={"samples": 24}, **{table: []})
+    found = sp.verify_room(fewer, progress=False)
+    assert (found.motions, found.samples) == (2, 12)
+    assert found.complete
+
+
+def test_what_is_higher_than_the_ceiling_is_refused():
+    low = changed(room={"ceiling": {"height": 1.5}})
+    with pytest.raises(sp.InputError, match="'bookcase' is 1.8 m high; under the ceiling it must be at most"):
+        sp.verify_room(low, progress=False)
+
+
+def test_a_large_room_is_searched_in_as_many_steps_as_a_smaller_one():
+    whole = changed(plan={"width": 30.0, "length": 30.0})
+    floor = FreeFloor(whole.floor_plan(), tuple(bare(one) for one in whole.assembly().members))
+    (bed,) = whole.floor_plan().places
+    assert 600 < len(other_places(bed, floor)) <= 2 * 21 * 21
+    with pytest.raises(sp.InputError, match="must be between 0.5 and 30 m"):
+        changed(plan={"width": 31.0, "length": 3.0})
+
+
 def test_a_room_without_doors_and_places_can_be_verified():
     empty = sp.verify_room(changed(doors=[], places=[]), progress=False)
     assert empty.places == empty.doors == ()

@@ -178,8 +178,9 @@ class _Planner:
         return tuple(self._in_order(chosen)), tuple(unsolved)
 
     def _in_order(self, chosen: list[_Chosen]) -> Iterable[PlanStep]:
-        """Yield the steps, each time that which brings most with those before it; none without which all the
-        others bring as much.
+        """Yield the steps that are needed, each time that which brings most with those before it.
+
+        One without which the others bring as much is not needed.
         """
         needed = self._by_gain(chosen)
         for one in reversed(needed):

@@ -84,6 +84,10 @@ class CardRow(NamedTuple):
     drawing: Markup
     lines: tuple[tuple[str, str], ...]
 
+SHEETS = ("canvas/plan.css", "room/plan.css", "action_plan/card.css")
+"""Style sheets of the card: the look of plans, of their figures, and its own."""
+
+
 
 def write_plan(plan: ActionPlan, path: str | Path, language: str = "en") -> Path:
     """Write a plan: one HTML file that loads nothing from elsewhere, to print.
@@ -120,9 +124,7 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
         "checks": listed_once(plan, _checks, language),
         "weakest": listed_once(plan, lambda step: [joined(one.label for one in step.weakest)], language),
         "notes": [say(note, language) for note in _notes(plan)],
-        "style": Markup(
-            inks_css() + _file("canvas/plan.css") + _file("room/plan.css") + _file("action_plan/card.css")
-        ),
+        "style": Markup(inks_css() + "".join(map(_file, SHEETS))),
     }
 
 
