@@ -248,7 +248,7 @@ def test_a_large_room_is_searched_in_as_many_steps_as_a_smaller_one():
     floor = FreeFloor(whole.floor_plan(), tuple(bare(one) for one in whole.assembly().members))
     (bed,) = whole.floor_plan().places
     assert 600 < len(other_places(bed, floor)) <= 2 * 21 * 21
-    with pytest.raises(sp.InputError, match="must be between 0.5 and 30 m"):
+    with pytest.raises(sp.InputError, match="must be a number between 0.5 and 30 m"):
         changed(plan={"width": 31.0, "length": 3.0})
 
 
