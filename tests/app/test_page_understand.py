@@ -5,22 +5,26 @@ from __future__ import annotations
 
 import csv
 import io
+import threading
 import tomllib
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 from browsing import COMPILING, browser, opened  # noqa: F401
 from serving import hold_verifications
 
+from stayput.app import api
 from stayput.scenario import Scenario
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from browsing import Opened
     from playwright.sync_api import Browser, Route
     from serving import Running
+
+    from stayput.verification import Verdict
 
 
 def finished(it: Opened) -> dict:
@@ -37,7 +41,7 @@ def finished(it: Opened) -> dict:
 
 def _ranked(answer) -> bool:
     result = answer.json().get("result") if answer.ok and answer.request.method == "GET" else None
-    return bool(result) and len(result["options"]) > 3
+    return bool(result) and result["complete"] and len(result["options"]) > 3
 
 
 @pytest.fixture(scope="module")
@@ -175,6 +179,31 @@ def test_a_measure_is_taken_from_the_ranking_and_the_new_verification_stopped(
         it.page.click("#cancel")
     assert it.text("#state") == "Stopped."
     assert it.page.locator("#verify").is_visible()
+
+
+def test_the_ranking_is_there_before_its_curves(
+    browser: Browser, server: Running, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    go_on, verify = threading.Event(), api.verify
+
+    def held(scenario: Scenario, *, on_verdict: Callable[[Verdict], None], **more: Any) -> Verdict:
+        def told(known: Verdict) -> None:
+            on_verdict(known)
+            assert len(scenario.measures) < 3 or go_on.wait(COMPILING / 1000)
+
+        return verify(scenario, on_verdict=told, **more)
+
+    monkeypatch.setattr(api, "verify", held)
+    with opened(browser, server, verify=True) as it:
+        it.page.wait_for_selector("#ranking-rough:not([hidden])", timeout=COMPILING)
+        assert "it may still change" in it.text("#ranking-rough")
+        assert it.page.locator("#ranking .option").count() > 3
+        assert it.page.get_attribute("#ranking", "data-old") == "false"
+        assert it.page.get_attribute("#fragility", "data-old") == "true"
+        assert it.page.get_attribute("#report", "href") is None
+        go_on.set()
+        it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
+        assert it.page.locator("#ranking-rough").is_hidden()
 
 
 def test_what_this_floor_refuses_stands_below_the_ranking_with_the_reason(

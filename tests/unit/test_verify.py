@@ -112,6 +112,28 @@ def test_bits_do_not_depend_on_threads(verdict):
         assert [d.peak for d in one.devices] == [d.peak for d in two.devices]
 
 
+def test_the_ranking_is_told_as_it_gets_better_and_its_bits_do_not_depend_on_that():
+    asked, told = scenario(uncertainty={"samples": 30}), []
+    plain, heard = verify(asked, levels=FEW), verify(asked, levels=FEW, on_verdict=told.append)
+    assert [(one.samples, one.complete, one.without.curves) for one in told] == [
+        (4, False, {}),
+        (6, False, {}),
+    ]
+    assert heard.complete
+    for known, final in zip(told[-1].options, heard.options, strict=True):
+        assert (known.option, known.probabilities) == (final.option, final.probabilities)
+    for one, other in zip(plain.options, heard.options, strict=True):
+        assert (one.probabilities, one.slide, one.tilt, one.change) == (
+            other.probabilities,
+            other.slide,
+            other.tilt,
+            other.change,
+        )
+        for measure, curve in one.curves.items():
+            assert np.array_equal(curve.probability(FEW), other.curves[measure].probability(FEW))
+    assert (plain.runs, plain.settled, plain.precise) == (heard.runs, heard.settled, heard.precise)
+
+
 def test_an_option_does_not_depend_on_what_stands_beside_it(verdict):
     alone = verify(scenario(measures=[{"type": "felt_glides"}]), levels=())
     glides = next(one for one in verdict.options if one.option.name == "felt_glides")

@@ -276,7 +276,10 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
 
         scenario, levels, runs = await service.workers.run(prepare)
 
-        def work(_job: Job, on_progress: Callable[[int, int], None]) -> Verdict:
+        def work(job: Job, on_progress: Callable[[int, int], None]) -> Verdict:
+            def known(verdict: Verdict) -> None:
+                job.verdict = verdict
+
             return verify(
                 scenario,
                 levels=levels,
@@ -284,6 +287,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
                 threads=service.limits.threads,
                 progress=False,
                 on_progress=on_progress,  # which stops it by an exception
+                on_verdict=known,
             )
 
         job = service.jobs.start(work, runs, uploaded_motions(scenario), body.lease_s)

@@ -220,6 +220,7 @@ class EverydayReply(Reply):
 class VerdictReply(Reply):
     """The outcome of a verification, the best option first."""
 
+    complete: bool = Field(description="Whether it is final; else samples or curves are still to come.")
     headline: Words
     notes: list[Words] = Field(description="What must be said beside the numbers.")
     grades: dict[str, Words] = Field(description="What each grade of inputs means.")
@@ -251,5 +252,5 @@ class JobReply(Reply):
     position: int | None = Field(description="How many jobs have their turn before it, while it waits.")
     error: Problem | None
     result: VerdictReply | RoomVerdictReply | None = Field(
-        description="Once it is done; of a room before, as far as it is known."
+        description="As far as it is known; final once it is `complete`."
     )

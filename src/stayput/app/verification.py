@@ -150,6 +150,7 @@ def verdict_reply(verdict: Verdict) -> VerdictReply:
     pairs = zip(verdict.options, data["options"], strict=True)
     looked_at = _looked_at(verdict)
     data |= {
+        "complete": verdict.complete,
         "headline": data["verdict"],
         "notes": [Words.of(note) for note in shaken_notes(verdict, looked_at.option)],
         "intensity": data["jma_intensity"],

@@ -347,6 +347,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "state_cancelled": ("Stopped.", "中止しました。"),
     "state_refused": ("", ""),
     "whatHelps": ("What helps most?", "どの対策が最も効くか"),
+    "rankingRough": (
+        "So far, from {runs} runs of each; it may still change.",
+        "ここまで各{runs}回の計算による順位です。まだ変わることがあります。",
+    ),
     "rankingNote": (
         "The bar is the chance of falling over, the thin line is how sure that is. Best first. The letter is the grade of the inputs.",
         "棒は倒れる確率、細い線はその確かさを表します。効果の高い順です。「根拠」は入力の区分です。",

@@ -353,6 +353,7 @@ def sample_until_precise(
     run: Callable[[list[int], int, int], Sequence[OutcomesT]],
     *,
     together: bool,
+    on_batch: Callable[[list[OutcomesT], int], None] | None = None,
 ) -> tuple[list[OutcomesT], int, bool]:
     """Run batches of samples, each doubling their number, until the probabilities are as precise as asked.
 
@@ -368,6 +369,9 @@ def sample_until_precise(
     together : bool
         Whether all items go on until the last one is precise enough, so that they can be compared sample by
         sample; else each stops by itself.
+    on_batch : callable, optional
+        Called after each batch but the last with the outcomes so far and the samples of each motion; where no
+        precision is asked, all samples are one batch without it.
 
     Returns
     -------
@@ -383,12 +387,17 @@ def sample_until_precise(
     chances: dict[int, Probability] = {}
     most, precision = settings.samples, settings.precision
     while active:
-        wanted = most if precision is None else min(most, max(FIRST_SAMPLES, 2 * done))
+        at_once = precision is None and on_batch is None
+        wanted = most if at_once else min(most, max(FIRST_SAMPLES, 2 * done))
         for place, outcome in zip(active, run(active, wanted - done, done), strict=True):
             outcomes[place].append(outcome)
             joined[place] = type(outcome).joined(outcomes[place])
         done = wanted
+        if on_batch is not None and done < most:
+            on_batch([joined[place] for place in range(count)], done)
         if precision is None:
+            if done < most:
+                continue
             break
         chances |= {place: joined[place].probability_of_overturning() for place in active}
         more = [place for place in active if _needs_more(chances[place], precision, done)]

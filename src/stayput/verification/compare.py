@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from functools import cache, partial
 from typing import TYPE_CHECKING, NamedTuple, overload
 
@@ -64,6 +65,7 @@ def verify(
     threads: int | None = ...,
     progress: bool | None = ...,
     on_progress: Callable[[int, int], None] | None = ...,
+    on_verdict: Callable[[Verdict], None] | None = ...,
 ) -> Verdict: ...
 
 
@@ -104,6 +106,7 @@ def verify(
     threads: int | None = None,
     progress: bool | None = None,
     on_progress: Callable[[int, int], None] | None = None,
+    on_verdict: Callable[[Verdict], None] | None = None,
 ) -> Verdict | AssemblyVerdict:
     """Compare a scenario's measures over its motions and over draws of the uncertain quantities.
 
@@ -131,6 +134,9 @@ def verify(
     on_progress : callable, optional
         Called with the runs made or settled and with all runs, for a bar of one's own; an exception that it
         raises stops the work.
+    on_verdict : callable, optional
+        Called with the ranking of one piece as it gets better, before it is `complete`: after some samples,
+        after all, and then come the curves and all else. The samples' bits do not depend on it.
 
     Returns
     -------
@@ -168,6 +174,8 @@ def verify(
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), dimensions)
     settings = Settings.of(scenario, len(ground), limit)
     faulty = _faulty(options, scenario)
+    body, room = scenario.furniture.body(), scenario.room.room()
+    held = [hold(body, room, option.measures, dimensions=dimensions) for option in options]
     total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
     with bar(total, "Verifying", progress) as advance:
         seen = 0
@@ -186,8 +194,37 @@ def verify(
             batches.append(_rows(options, scenario, settings, samples, start))
             return run_level(batches[-1], floors, threads=threads, progress=count)
 
+        estimates = Estimates.of(body, floors, scenario, threads)
+
+        def ranked(outcomes: list[Runs], samples: int) -> Verdict:
+            made = len(options) * len(ground) * samples
+            return Verdict(
+                scenario=scenario,
+                intensity=floors.median_intensity,
+                slide_limit=limit,
+                options=_verdicts(options, held, outcomes, [], [], limit, {}, [None] * len(options)),
+                estimates=estimates,
+                levels=np.empty(0),
+                motions=len(ground),
+                samples=samples,
+                runs=made,
+                settled=0,
+                precise=False,
+                seed=settings.seed,
+                seconds=time.perf_counter() - began,
+                impossible=impossible,
+                complete=False,
+            )
+
+        def tell(outcomes: list[Runs], samples: int) -> None:
+            if on_verdict is not None:
+                on_verdict(ranked(outcomes, samples))
+
         # All options go on together, since they are compared sample by sample.
-        here, samples, precise = sample_until_precise(len(options), settings, run, together=True)
+        here, samples, precise = sample_until_precise(
+            len(options), settings, run, together=True, on_batch=None if on_verdict is None else tell
+        )
+        tell(here, samples)
         at_a_level, badly = len(options) * len(ground) * samples, len(faulty) * len(ground) * samples
         if unneeded := total - at_a_level * (1 + len(rows)) - badly:  # samples beyond the asked precision
             count(unneeded)
@@ -208,24 +245,14 @@ def verify(
                 drawn, rows, floors_at, every_run=every_run, threads=threads, progress=count
             )
         measures = [floors_at(float(level)) for level in rows]
-    body, room = scenario.furniture.body(), scenario.room.room()
-    held = [hold(body, room, option.measures, dimensions=dimensions) for option in options]
-    verdicts = _verdicts(options, held, here, falls, measures, limit, installed, inside)
-    return Verdict(
-        scenario=scenario,
-        intensity=floors.median_intensity,
-        slide_limit=limit,
-        options=verdicts,
-        estimates=Estimates.of(body, floors, scenario, threads),
+    return replace(
+        ranked(here, samples),
+        options=_verdicts(options, held, here, falls, measures, limit, installed, inside),
         levels=rows,
-        motions=len(ground),
-        samples=samples,
         runs=at_a_level + badly + made,
         settled=at_a_level * len(rows) - made,
         precise=precise,
-        seed=settings.seed,
-        seconds=time.perf_counter() - began,
-        impossible=impossible,
+        complete=True,
     )
 
 

@@ -277,6 +277,8 @@ class Verdict:
         How long it took.
     impossible : tuple of Impossible
         Options that cannot be put in place here, with the reason.
+    complete : bool
+        Whether it is final; else more samples or the curves are still to come.
     """
 
     scenario: Scenario
@@ -293,6 +295,7 @@ class Verdict:
     seed: int
     seconds: float
     impossible: tuple[Impossible, ...] = ()
+    complete: bool = True
 
     @property
     def without(self) -> OptionVerdict:

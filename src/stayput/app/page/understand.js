@@ -67,6 +67,7 @@ export function build(presets, request) {
 /** What is shown no longer belongs to the scene; the answer is asked for when it has settled. */
 export function outdated() {
   part("understand").dataset.old = "true";
+  part("ranking-rough").hidden = true;
   date([...FIRST, ...REST], true);
   base = null;
   stop();
@@ -139,9 +140,13 @@ async function work() {
     estimates.show(first.result);
     base = first.result;
     const all = { ...content, compare_usual: true, curves: !inSpace(scene) };
-    const job = await jobs.run(all, (running) => progress(running.progress));
+    const job = await jobs.run(all, (running) => {
+      progress(running.progress);
+      if (running.result && mine === round) early(running.result);
+    });
     if (!job || mine !== round) return;
     result = job.result;
+    part("ranking-rough").hidden = true;
     curved = null;
     part("understand").dataset.job = job.id;
     state("done");
@@ -155,6 +160,14 @@ async function work() {
     problem = error;
     state("refused");
   }
+}
+
+/** Shows the ranking before its curves are there, marked as what may still change. */
+function early(known) {
+  part("ranking-rough").hidden = false;
+  part("ranking-rough").textContent = t("rankingRough", { runs: number(known.motions * known.samples) });
+  ranking.show(known, takeMeasures);
+  date(["ranking"], false);
 }
 
 /** Lets the reader choose whether the map is of the piece without measures or with them. */
@@ -225,12 +238,13 @@ function elsewhere() {
   if (base) whatif.ask(base, question().measures, samples());
 }
 
+const takeMeasures = (chosen) =>
+  change({ measures: Object.fromEntries(chosen.map(({ type, ...values }) => [type, values])) });
+
 function display() {
   verdict.show(result);
   showCurves();
-  ranking.show(result, (chosen) =>
-    change({ measures: Object.fromEntries(chosen.map(({ type, ...values }) => [type, values])) }),
-  );
+  ranking.show(result, takeMeasures);
 }
 
 /** What fetches a chart of the verdict or the map that is shown, by its name; null where it is not there. */

@@ -84,9 +84,9 @@ class CardRow(NamedTuple):
     drawing: Markup
     lines: tuple[tuple[str, str], ...]
 
+
 SHEETS = ("canvas/plan.css", "room/plan.css", "action_plan/card.css")
 """Style sheets of the card: the look of plans, of their figures, and its own."""
-
 
 
 def write_plan(plan: ActionPlan, path: str | Path, language: str = "en") -> Path:
