@@ -239,7 +239,7 @@ def test_a_room_without_doors_or_places_can_be_verified_in_several_blocks(table:
 
 def test_what_is_higher_than_the_ceiling_is_refused():
     low = changed(room={"ceiling": {"height": 1.5}})
-    with pytest.raises(sp.InputError, match="'bookcase' is 1.8 m high; under the ceiling it must be at most"):
+    with pytest.raises(sp.InputError, match=r"'bookcase' is 1[.]8 m high"):
         sp.verify_room(low, progress=False)
 
 
@@ -248,7 +248,7 @@ def test_a_large_room_is_searched_in_as_many_steps_as_a_smaller_one():
     floor = FreeFloor(whole.floor_plan(), tuple(bare(one) for one in whole.assembly().members))
     (bed,) = whole.floor_plan().places
     assert 600 < len(other_places(bed, floor)) <= 2 * 21 * 21
-    with pytest.raises(sp.InputError, match="must be a number between 0.5 and 30 m"):
+    with pytest.raises(sp.InputError, match=r"must be a number between 0[.]5 and 30 m"):
         changed(plan={"width": 31.0, "length": 3.0})
 
 

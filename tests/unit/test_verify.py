@@ -115,10 +115,8 @@ def test_bits_do_not_depend_on_threads(verdict):
 def test_the_ranking_is_told_as_it_gets_better_and_its_bits_do_not_depend_on_that():
     asked, told = scenario(uncertainty={"samples": 30}), []
     plain, heard = verify(asked, levels=FEW), verify(asked, levels=FEW, on_verdict=told.append)
-    assert [(one.samples, one.complete, one.without.curves) for one in told] == [
-        (4, False, {}),
-        (6, False, {}),
-    ]
+    assert [one.samples for one in told] == [4, 6]
+    assert not any(one.complete or one.without.curves for one in told)
     assert heard.complete
     for known, final in zip(told[-1].options, heard.options, strict=True):
         assert (known.option, known.probabilities) == (final.option, final.probabilities)
@@ -130,7 +128,9 @@ def test_the_ranking_is_told_as_it_gets_better_and_its_bits_do_not_depend_on_tha
             other.change,
         )
         for measure, curve in one.curves.items():
-            assert np.array_equal(curve.probability(FEW), other.curves[measure].probability(FEW))
+            assert np.array_equal(
+                curve.probability(FEW), other.curves[measure].probability(FEW), equal_nan=True
+            )
     assert (plain.runs, plain.settled, plain.precise) == (heard.runs, heard.settled, heard.precise)
 
 
