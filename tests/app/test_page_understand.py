@@ -196,7 +196,7 @@ def test_the_ranking_is_there_before_its_curves(
     monkeypatch.setattr(api, "verify", held)
     with opened(browser, server, verify=True) as it:
         it.page.wait_for_selector("#ranking-rough:not([hidden])", timeout=COMPILING)
-        assert "it may still change" in it.text("#ranking-rough")
+        assert "It may still change" in it.text("#ranking-rough")
         assert it.page.locator("#ranking .option").count() > 3
         assert it.page.get_attribute("#ranking", "data-old") == "false"
         assert it.page.get_attribute("#fragility", "data-old") == "true"

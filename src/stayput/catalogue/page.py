@@ -348,7 +348,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "state_refused": ("", ""),
     "whatHelps": ("What helps most?", "どの対策が最も効くか"),
     "rankingRough": (
-        "So far, from {runs} runs of each; it may still change.",
+        "So far; runs of each: {runs}. It may still change.",
         "ここまで各{runs}回の計算による順位です。まだ変わることがあります。",
     ),
     "rankingNote": (
