@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated
 
-from fastapi import Path, Query, Request
+from fastapi import Query, Request
 from starlette.responses import Response
 
 from stayput.app.jobs import StoppedError
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.refusals import refused
+from stayput.app.requests import Name  # noqa: TC001 - FastAPI reads the annotations
 from stayput.app.service import problems
 from stayput.catalogue import LANGUAGES, Language
 from stayput.report.action_plan.html import plan_html
@@ -36,7 +37,7 @@ def add_action_plan(router: APIRouter, service: Service) -> None:
     )
     async def plan(
         request: Request,
-        name: Annotated[str, Path(pattern="^[0-9a-f]{32}$", description="An id that this server gave.")],
+        name: Name,
         lang: Annotated[Language, Query()] = "en",
         no_drilling: Annotated[bool, Query(description="Nothing may be screwed to a wall.")] = False,
         tatami: Annotated[bool, Query(description="The floor is tatami.")] = False,

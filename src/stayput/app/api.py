@@ -38,7 +38,7 @@ from stayput.app.requests import (  # noqa: TC001 - FastAPI reads the annotation
 from stayput.app.room_api import add_rooms
 from stayput.app.run_replies import SimulateReply, SizeMapReply
 from stayput.app.running import simulated
-from stayput.app.scenes import several_pieces, uploaded_motions
+from stayput.app.scenes import several_pieces
 from stayput.app.service import Service, json_response, problems
 from stayput.app.shaking import shaking_reply
 from stayput.app.size_map import size_map
@@ -46,7 +46,7 @@ from stayput.app.space_replies import SpaceSimulateReply
 from stayput.app.space_running import simulated_in_space, simulated_pieces
 from stayput.app.uploads import read_upload
 from stayput.app.verdict_replies import EverydayReply, JobReply
-from stayput.app.verification import everyday_reply, job_reply, runs_of, with_everyday, with_options
+from stayput.app.verification import everyday_reply, runs_of, with_everyday, with_options
 from stayput.catalogue import Language  # noqa: TC001 - FastAPI reads the annotations
 from stayput.report.verdict.tables import verdict_csv
 from stayput.scenario import AssemblyScenario
@@ -58,7 +58,6 @@ if TYPE_CHECKING:
     import threading
     from collections.abc import Callable
 
-    from stayput.app.jobs import Job
     from stayput.scenario import Scenario
 
 ComponentQuery = Annotated[str | None, Query(max_length=60, description="Channel that is to be x.")]
@@ -255,9 +254,6 @@ def _add_runs(router: APIRouter, service: Service) -> None:
 
 
 def _add_jobs(router: APIRouter, service: Service) -> None:
-    def reply_of(job: Job) -> JobReply:
-        return job_reply(job, service.jobs.position(job), service.motions.with_file_names)
-
     @router.post(
         "/verify",
         status_code=202,
@@ -276,10 +272,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
 
         scenario, levels, runs = await service.workers.run(prepare)
 
-        def work(job: Job, on_progress: Callable[[int, int], None]) -> Verdict:
-            def known(verdict: Verdict) -> None:
-                job.verdict = verdict
-
+        def work(on_progress: Callable[[int, int], None], on_verdict: Callable[[Verdict], None]) -> Verdict:
             return verify(
                 scenario,
                 levels=levels,
@@ -287,11 +280,10 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
                 threads=service.limits.threads,
                 progress=False,
                 on_progress=on_progress,  # which stops it by an exception
-                on_verdict=known,
+                on_verdict=on_verdict,
             )
 
-        job = service.jobs.start(work, runs, uploaded_motions(scenario), body.lease_s)
-        return json_response(reply_of(job), 202, {"Location": f"/api/v1/jobs/{job.id}"})
+        return service.begun(work, runs, scenario, body.lease_s)
 
     @router.get(
         "/jobs/{name}", response_model=JobReply, tags=["verification"], responses=problems(404, 422, 503)
@@ -299,7 +291,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     async def get_job(name: Name) -> Response:
         """Return how a job stands, and its verdict once it is done."""
         job = service.jobs.get(name)
-        return await service.workers.run(lambda: json_response(reply_of(job)))
+        return await service.workers.run(lambda: json_response(service.reply_of(job)))
 
     @router.delete(
         "/jobs/{name}", response_model=JobReply, tags=["verification"], responses=problems(404, 422, 503)
@@ -307,7 +299,7 @@ def _add_jobs(router: APIRouter, service: Service) -> None:
     async def cancel_job(name: Name) -> Response:
         """Stop a job; forget one that has ended."""
         job = service.jobs.cancel(name)
-        return await service.workers.run(lambda: json_response(reply_of(job)))
+        return await service.workers.run(lambda: json_response(service.reply_of(job)))
 
     @router.put(
         "/jobs/{name}/everyday",

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from stayput.verification import Verdict
 
     AnyVerdict = Verdict | RoomVerdict
+    JobWork = Callable[[Callable[[int, int], None], Callable[[AnyVerdict], None]], AnyVerdict]
 
 JobState = Literal["waiting", "running", "done", "cancelled", "failed"]
 _log = logging.getLogger("stayput.app")
@@ -57,7 +58,7 @@ class Job:
     client : Client
         Who has asked for it.
     verdict : Verdict, RoomVerdict or None
-        Its result: of a room while it runs too, as far as it is known.
+        Its result; while it runs, as far as it is known.
     error : InputError or None
         Why it failed.
     lease : float or None
@@ -110,7 +111,7 @@ class Jobs:
 
     def start(
         self,
-        work: Callable[[Job, Callable[[int, int], None]], AnyVerdict],
+        work: JobWork,
         total: int,
         motions: frozenset[str] = frozenset(),
         lease: float | None = None,
@@ -120,8 +121,8 @@ class Jobs:
         Parameters
         ----------
         work : callable
-            Does it; called with the job, and with a function that takes its progress, waits there for the
-            job's turn, and raises when it is to stop.
+            Does it; called with a function that takes its progress, waits there for the job's turn, and
+            raises when it is to stop, and with one that takes what is known of the verdict.
         total : int
             About how many simulations there are.
         motions : frozenset of str
@@ -204,14 +205,19 @@ class Jobs:
                 job.stop.set()
             self._lock.notify_all()
 
-    def _run(self, job: Job, work: Callable[[Job, Callable[[int, int], None]], AnyVerdict]) -> None:
+    def _run(self, job: Job, work: JobWork) -> None:
+        def note_verdict(verdict: AnyVerdict) -> None:
+            with self._lock:
+                if job.ended is None:
+                    job.verdict = verdict
+
         def note_progress(done: int, total: int) -> None:
             job.done, job.total = done, total
             self._let_others(job)
 
         try:
             self._await_turn(job)
-            verdict = work(job, note_progress)
+            verdict = work(note_progress, note_verdict)
         except StoppedError:
             self._end(job, "cancelled")
         except RefusedError as refusal:

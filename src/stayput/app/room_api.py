@@ -6,10 +6,9 @@ from typing import TYPE_CHECKING
 
 from stayput.app.refusals import refused
 from stayput.app.requests import RoomRequest  # noqa: TC001 - FastAPI reads the annotations
-from stayput.app.scenes import motions_of, read_room_scene, refusal, uploaded_motions
-from stayput.app.service import json_response, problems
+from stayput.app.scenes import motions_of, read_room_scene, refusal
+from stayput.app.service import problems
 from stayput.app.verdict_replies import JobReply
-from stayput.app.verification import job_reply
 from stayput.errors import InputError
 from stayput.rooms.runs import groups_of
 from stayput.rooms.verify import refuse_what_stands_wrong, verify_room
@@ -20,7 +19,6 @@ if TYPE_CHECKING:
     from fastapi import APIRouter
     from starlette.responses import Response
 
-    from stayput.app.jobs import Job
     from stayput.app.limits import Limits
     from stayput.app.service import Service
     from stayput.rooms.verdict import RoomVerdict
@@ -46,10 +44,9 @@ def add_rooms(router: APIRouter, service: Service) -> None:
 
         scenario, runs = await service.workers.run(prepare)
 
-        def work(job: Job, on_progress: Callable[[int, int], None]) -> RoomVerdict:
-            def known(verdict: RoomVerdict) -> None:
-                job.verdict = verdict
-
+        def work(
+            on_progress: Callable[[int, int], None], on_verdict: Callable[[RoomVerdict], None]
+        ) -> RoomVerdict:
             return verify_room(
                 scenario,
                 changes=body.changes,
@@ -57,12 +54,10 @@ def add_rooms(router: APIRouter, service: Service) -> None:
                 threads=service.limits.threads,
                 progress=False,
                 on_progress=on_progress,  # which stops it by an exception
-                on_verdict=known,
+                on_verdict=on_verdict,
             )
 
-        job = service.jobs.start(work, runs, uploaded_motions(scenario), body.lease_s)
-        reply = job_reply(job, service.jobs.position(job), service.motions.with_file_names)
-        return json_response(reply, 202, {"Location": f"/api/v1/jobs/{job.id}"})
+        return service.begun(work, runs, scenario, body.lease_s)
 
 
 def _checked(scenario: RoomScenario, limits: Limits) -> int:

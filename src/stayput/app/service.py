@@ -14,8 +14,15 @@ from starlette.responses import Response
 from stayput.app.jobs import StoppedError
 from stayput.app.refusals import RefusedError, refused
 from stayput.app.replies import Problem, Reply
-from stayput.app.scenes import read_pieces, read_room_scene, read_scene, several_pieces
+from stayput.app.scenes import (
+    read_pieces,
+    read_room_scene,
+    read_scene,
+    several_pieces,
+    uploaded_motions,
+)
 from stayput.app.turns import CLIENT, Turns
+from stayput.app.verification import job_reply
 from stayput.errors import InputError
 from stayput.rooms.verdict import RoomVerdict
 
@@ -24,10 +31,11 @@ if TYPE_CHECKING:
 
     from starlette.requests import Request
 
-    from stayput.app.jobs import AnyVerdict, Job, Jobs
+    from stayput.app.jobs import AnyVerdict, Job, Jobs, JobWork
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
     from stayput.app.readers import ReaderPool
+    from stayput.app.verdict_replies import JobReply
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.verification import Verdict
 
@@ -203,6 +211,17 @@ class Service:
         if "plan" in data and not measures:
             return read_room_scene(data, self.limits, self.motions)
         return self.shaken(data, measures)
+
+    def reply_of(self, job: Job) -> JobReply:
+        """Return how a job stands."""
+        return job_reply(job, self.jobs.position(job), self.motions.with_file_names)
+
+    def begun(
+        self, work: JobWork, runs: int, scenario: Scenario | AssemblyScenario, lease: float | None
+    ) -> Response:
+        """Begin a job, and return where it stands and where to look for it; see `Jobs.start`."""
+        job = self.jobs.start(work, runs, uploaded_motions(scenario), lease)
+        return json_response(self.reply_of(job), 202, {"Location": f"/api/v1/jobs/{job.id}"})
 
     def done(self, name: str) -> tuple[Job, AnyVerdict]:
         """Return a job that is done, and its verdict.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -9,10 +10,12 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from stayput.files import PLOT_SUFFIXES, check_target, draft
+from stayput.motion.intensity import CLASSES
 from stayput.report.fonts import with_fallback
 from stayput.report.palette import FAINT, INK, MUTED
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from pathlib import Path
 
     from matplotlib.axes import Axes
@@ -63,3 +66,29 @@ def plain_log(axis: Axes, *, x: bool = True, y: bool = True) -> None:
         if wanted:
             line.set_major_formatter(FuncFormatter(_plain_number))
             line.set_minor_formatter(NullFormatter())
+
+
+def shaded_classes(axis: Axes, first: float, last: float) -> Iterator[tuple[float, str]]:
+    """Shade every second class of JMA's intensity along x, and yield where the names of wide ones stand.
+
+    Parameters
+    ----------
+    axis : Axes
+        The axis, along whose x are intensities.
+    first, last : float
+        Its ends.
+
+    Yields
+    ------
+    tuple
+        The middle of a class within the ends, and its name.
+    """
+    ends = [start for _, start in CLASSES[1:]] + [math.inf]
+    for place, ((name, start), end) in enumerate(zip(CLASSES, ends, strict=True)):
+        low, high = max(start, first), min(end, last)
+        if high <= low:
+            continue
+        if place % 2:
+            axis.axvspan(low, high, color=FAINT, alpha=0.35, linewidth=0.0, zorder=0)
+        if high - low > 0.05 * (last - first):
+            yield 0.5 * (low + high), name

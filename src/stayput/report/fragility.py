@@ -10,10 +10,9 @@ import numpy as np
 from stayput.catalogue import say
 from stayput.errors import InputError
 from stayput.fragility.curve import CurveState
-from stayput.motion.intensity import CLASSES
-from stayput.report.figures import FONT, new_figure, plain_log, saved, style
+from stayput.report.figures import FONT, new_figure, plain_log, saved, shaded_classes, style
 from stayput.report.fonts import drawable
-from stayput.report.palette import FAINT, INK, MUTED
+from stayput.report.palette import INK, MUTED
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -197,14 +196,5 @@ def _round_numbers(first: float, last: float) -> list[float]:
 
 def _mark_classes(axis: Axes, first: float, last: float) -> None:
     """Shade every second class of JMA's intensity and write their names along the top."""
-    ends = [start for _, start in CLASSES[1:]] + [math.inf]
-    for place, ((name, start), end) in enumerate(zip(CLASSES, ends, strict=True)):
-        low, high = max(start, first), min(end, last)
-        if high <= low:
-            continue
-        if place % 2:
-            axis.axvspan(low, high, color=FAINT, alpha=0.35, linewidth=0.0, zorder=0)
-        if high - low > 0.05 * (last - first):
-            axis.text(
-                0.5 * (low + high), 1.06, name, ha="center", va="center", fontsize=FONT - 1.5, color=MUTED
-            )
+    for middle, name in shaded_classes(axis, first, last):
+        axis.text(middle, 1.06, name, ha="center", va="center", fontsize=FONT - 1.5, color=MUTED)

@@ -22,7 +22,7 @@ from stayput.rooms.changes import (
 )
 from stayput.rooms.events import EndOfRuns, Events, Hits, collisions, events_of, hits_of
 from stayput.rooms.runs import placed_elsewhere, run_parts
-from stayput.rooms.verdict import ChangeVerdict, presence
+from stayput.rooms.verdict import ChangeVerdict, RoomEffect, presence
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from stayput.fragility import Difference, Probability
     from stayput.model.floor_plan import FloorPlan, PersonPlace
     from stayput.montecarlo.hazard import FloorMotions
     from stayput.montecarlo.several import DrawOfSeveral
@@ -239,13 +240,16 @@ def moves_of(
     """Yield the best spot for each place at which somebody is hit, and for harmful pieces at each wall."""
     scenario, plan, whole = question.scenario, question.plan, question.whole
     floor = FreeFloor(plan, tuple(bare(one) for one in whole.members))
-    for number, place in enumerate(plan.places):
-        if as_it_is.events.hit(number).any():
-            other = _best_place(number, other_places(place, floor), question, as_it_is, ends.ways)
-            if other is not None:
-                places = (*plan.places[:number], other, *plan.places[number + 1 :])
-                change = Change(other.name, at=other.at, heading=other.heading)
-                yield Move(change, replace(plan, places=places), {}, as_it_is.missing)
+    struck = [number for number in range(len(plan.places)) if as_it_is.events.hit(number).any()]
+    over = _swept_by_any(as_it_is, ends.ways) if struck else None
+    for number in struck:
+        assert over is not None
+        place = plan.places[number]
+        other = _best_place(place, other_places(place, floor), over, question, ends.ways)
+        if other is not None:
+            places = (*plan.places[:number], other, *plan.places[number + 1 :])
+            change = Change(other.name, at=other.at, heading=other.heading)
+            yield Move(change, replace(plan, places=places), {}, as_it_is.missing)
     for part in parts:
         (body, *others) = part.bodies
         if others or body not in harmful or not scenario.furniture[body].is_furniture:
@@ -305,21 +309,44 @@ def events_with(
     return Events(found, *(ends if plan == ends.plan else EndOfRuns(plan)).of_all(tracks))
 
 
+def effect_of(
+    plan: FloorPlan,
+    instead: Mapping[int, Sequence[Track]],
+    given_up: NDArray[np.bool_],
+    as_it_is: Answer,
+    ends: EndOfRuns,
+    hits: Callable[[PersonPlace, Sequence[Track]], Hits] = hits_of,
+) -> RoomEffect:
+    """Return what changes bring, beside the room as it is, of the runs that neither gave up.
+
+    Parameters
+    ----------
+    plan, instead, as_it_is, ends, hits
+        As of `events_with`.
+    given_up : ndarray of bool, shape (motions, samples)
+        The runs with the changes that were given up.
+    """
+    events, before = events_with(plan, instead, as_it_is, ends, hits), as_it_is.events
+    missing = as_it_is.missing | given_up
+    shape, after = missing.shape, hits_by(events)
+
+    def chance(own: NDArray[np.bool_], without: NDArray[np.bool_]) -> tuple[Probability, Difference]:
+        flags = anybody(own, shape)
+        return probability(flags, missing), difference(flags, anybody(without, shape), missing)
+
+    return RoomEffect(
+        *chance(after, hits_by(before)),
+        *chance(events.shut_in, before.shut_in),
+        *chance(events.blocked, before.blocked),
+        risk_of(after, plan.places, missing),
+    )
+
+
 def compared(move: Move, as_it_is: Answer, ends: EndOfRuns) -> ChangeVerdict:
-    """Return what a change brings, beside the room as it is, of the runs that neither gave up."""
-    events = events_with(move.plan, move.instead, as_it_is, ends)
-    missing = as_it_is.missing | move.missing
-    shape = missing.shape
-    before, after = hits_by(as_it_is.events), hits_by(events)
-    hit, was_hit = anybody(after, shape), anybody(before, shape)
-    shut, was_shut = anybody(events.shut_in, shape), anybody(as_it_is.events.shut_in, shape)
+    """Return what a change brings, beside the room as it is."""
+    effect = effect_of(move.plan, move.instead, move.missing, as_it_is, ends)
     return ChangeVerdict(
-        move.change,
-        probability(hit, missing),
-        difference(hit, was_hit, missing),
-        probability(shut, missing),
-        difference(shut, was_shut, missing),
-        risk_of(after, move.plan.places, missing),
+        move.change, effect.hit, effect.hit_change, effect.shut_in, effect.shut_in_change, effect.risk
     )
 
 
@@ -347,6 +374,7 @@ def _best_at_wall(
         tracks, missing = runs.of_tracks(0), runs.missing
         origin = np.array(at)
     places, outlines = question.plan.places, [reach(track) for track in tracks]
+    cells = [ways.cells(place.corners) for place in places]
     others = hits_by(as_it_is.events, but=body)
     best, least = None, math.inf
     for middle in middles:
@@ -355,12 +383,7 @@ def _best_at_wall(
             continue
         question.advance(0)  # who has left may end it here
         over = swept(ways, [outline + shift for outline in outlines])
-        hits = np.array(
-            [
-                own | (over & ways.covered([place.corners]).ravel()).any(axis=1)
-                for place, own in zip(places, others, strict=True)
-            ]
-        )
+        hits = np.array([own | over[:, one].any(axis=1) for one, own in zip(cells, others, strict=True)])
         risk = risk_of(hits, places, missing)
         if risk < least - 1e-12:
             best, least = (middle, shift), risk
@@ -371,22 +394,23 @@ def _best_at_wall(
     return Move(change, question.plan, {body: [track.shifted(shift) for track in tracks]}, missing)
 
 
+def _swept_by_any(as_it_is: Answer, ways: Ways) -> NDArray[np.bool_]:
+    """Return over which cells any piece moves in each run at most, shape (runs, nx · ny)."""
+    (over, *others) = (swept(ways, [reach(track) for track in own]) for own in as_it_is.tracks)
+    for other in others:
+        over |= other
+    return over
+
+
 def _best_place(
-    number: int, others: list[PersonPlace], question: Question, as_it_is: Answer, ways: Ways
+    here: PersonPlace, others: list[PersonPlace], over: NDArray[np.bool_], question: Question, ways: Ways
 ) -> PersonPlace | None:
     """Return where a place is hit least, the nearest of those that are alike."""
-    if not others:
-        return None
-    over = swept(ways, [reach(track) for track in as_it_is.tracks[0]])
-    for own in as_it_is.tracks[1:]:
-        over |= swept(ways, [reach(track) for track in own])
-    here = question.plan.places[number]
 
     def key(place: PersonPlace) -> tuple[float, float]:
         question.advance(0)  # who has left may end it here
-        cells = np.flatnonzero(ways.covered([place.corners]))
-        share = over[:, cells].any(axis=1).mean()
+        share = over[:, ways.cells(place.corners)].any(axis=1).mean()
         away = math.hypot(place.at[0] - here.at[0], place.at[1] - here.at[1])
         return float(share), away + abs(math.remainder(place.heading - here.heading, math.pi))
 
-    return min(others, key=key)
+    return min(others, key=key, default=None)

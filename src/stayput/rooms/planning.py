@@ -15,24 +15,15 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from stayput.errors import InputError, instance_of
-from stayput.fragility import difference, probability
 from stayput.measures import MEASURES
 from stayput.measures.wall import WallDevice
 from stayput.progress import bar
 from stayput.rooms.changes import can_be_held
-from stayput.rooms.effects import (
-    anybody,
-    events_with,
-    harmful_pieces,
-    hits_by,
-    moves_of,
-    risk_of,
-    tracks_of_part,
-)
+from stayput.rooms.effects import effect_of, harmful_pieces, moves_of, risk_of, tracks_of_part
 from stayput.rooms.events import hits_of
 from stayput.rooms.forces import MARGIN, Purchase, more_than, quantile_of, strengths_of, unbreakable
 from stayput.rooms.runs import part_with, with_member
-from stayput.rooms.steps import SETS, STUD_PITCH, ActionPlan, Fix, Home, PlanStep, RoomEffect
+from stayput.rooms.steps import SETS, STUD_PITCH, ActionPlan, Fix, Home, PlanStep
 from stayput.rooms.verdict import RoomVerdict
 from stayput.rooms.verify import question_of, states, verdict_of
 from stayput.simulation.placing import placed
@@ -51,6 +42,7 @@ if TYPE_CHECKING:
     from stayput.rooms.events import Hits
     from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
+    from stayput.rooms.verdict import RoomEffect
     from stayput.rooms.verify import RoomState
     from stayput.simulation.standing import Assembly
 
@@ -165,15 +157,16 @@ class _Planner:
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
         """Return the steps in their order, and the pieces on which nothing helps."""
         names = self.question.scenario.names
-        move = self._best_move()
-        chosen = [] if move is None else [self._moving(move)]
-        whole = self.question.whole if move is None else self._after(move)
+        best = self._best_move()
+        chosen = [] if best is None else [self._moving(*best)]
+        moved = None if best is None else best[0].change.what
+        whole = self.question.whole if best is None else self._after(best[0])
         unsolved: list[str] = []
         for body in sorted(self.harmful):
             fixing = self._fixing(body, whole)
             if fixing is not None:
                 chosen.append(fixing)
-            elif move is None or move.change.what != names[body]:
+            elif moved != names[body]:
                 unsolved.append(names[body])
         return tuple(self._in_order(chosen)), tuple(unsolved)
 
@@ -183,10 +176,12 @@ class _Planner:
         One without which the others bring as much is not needed.
         """
         needed = self._by_gain(chosen)
+        reached = _order(self._together(needed))
         for one in reversed(needed):
             others = [other for other in needed if other is not one]
-            if not _order(self._together(needed)) < _order(self._together(others)):
-                needed = others
+            without = _order(self._together(others))
+            if without <= reached:
+                needed, reached = others, without
         for number, one in enumerate(needed, start=1):
             yield replace(one.step, together=self._together(needed[:number]))
 
@@ -220,36 +215,20 @@ class _Planner:
         return self._known[key][1]
 
     def _effect(self, plan: FloorPlan, way: _Way) -> RoomEffect:
-        as_it_is, shape = self.state.as_it_is, self.state.as_it_is.missing.shape
-        missing = as_it_is.missing | way.missing
-        events = events_with(plan, way.tracks, as_it_is, self.state.ends, self._hits)
-        before = as_it_is.events
-        hit, was_hit = (anybody(hits_by(one), shape) for one in (events, before))
-        shut, was_shut = (anybody(one.shut_in, shape) for one in (events, before))
-        blocked, was_blocked = (anybody(one.blocked, shape) for one in (events, before))
-        return RoomEffect(
-            probability(hit, missing),
-            difference(hit, was_hit, missing),
-            probability(shut, missing),
-            difference(shut, was_shut, missing),
-            probability(blocked, missing),
-            difference(blocked, was_blocked, missing),
-            risk_of(hits_by(events), plan.places, missing),
-        )
+        return effect_of(plan, way.tracks, way.missing, self.state.as_it_is, self.state.ends, self._hits)
 
-    def _best_move(self) -> Move | None:
-        """Return the move that clearly helps and helps most."""
-        found: list[tuple[tuple[float, ...], Move]] = []
+    def _best_move(self) -> tuple[Move, RoomEffect] | None:
+        """Return the move that clearly helps and helps most, and what it brings."""
+        found: list[tuple[Move, RoomEffect]] = []
         parts, as_it_is, ends = self.state.parts, self.state.as_it_is, self.state.ends
         for move in moves_of(self.question, parts, as_it_is, ends, self.harmful):
             effect = self._effect(move.plan, _Way(move.instead, move.missing))
             if effect.helps:
-                found.append((_order(effect), move))
-        return min(found, key=lambda pair: pair[0])[1] if found else None
+                found.append((move, effect))
+        return min(found, key=lambda pair: _order(pair[1]), default=None)
 
-    def _moving(self, move: Move) -> _Chosen:
+    def _moving(self, move: Move, effect: RoomEffect) -> _Chosen:
         scenario, what = self.question.scenario, move.change.what
-        effect = self._effect(move.plan, _Way(move.instead, move.missing))
         bodies = list(move.instead) or sorted(self.harmful)
         deciding = {one: None for body in bodies for one in inputs_in_room((), scenario, body)}
         overturned = self._overturned(bodies[0]) if move.instead else None

@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     from stayput.fragility import Probability
     from stayput.measures import Element, Held
     from stayput.rooms.forces import DeviceForces, Purchase
-    from stayput.rooms.steps import ActionPlan, Fix, PlanStep, RoomEffect
+    from stayput.rooms.steps import ActionPlan, Fix, PlanStep
+    from stayput.rooms.verdict import RoomEffect
 
 KILOGRAM = 9.80665
 """Weight of a kilogram, for people who read loads in kgf [N]."""

@@ -11,12 +11,12 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.catalogue import Phrase
-    from stayput.fragility import Difference, Probability
+    from stayput.fragility import Probability
     from stayput.measures.parameters import Grade
     from stayput.rooms.changes import Change
     from stayput.rooms.forces import Purchase
     from stayput.rooms.runs import RoomPart
-    from stayput.rooms.verdict import RoomVerdict
+    from stayput.rooms.verdict import RoomEffect, RoomVerdict
     from stayput.scenario.room import RoomScenario
     from stayput.verification.grades import Input
 
@@ -83,35 +83,6 @@ class Home:
         if not changed:
             return scenario
         return scenario.model_copy(update={"room": room.model_copy(update=changed)})
-
-
-@dataclass(frozen=True, slots=True)
-class RoomEffect:
-    """What happens in a room with changes, beside the room as it is, run by run.
-
-    Parameters
-    ----------
-    hit, shut_in, blocked : Probability
-        That anybody who is there is hit; that anybody is shut in; that any door is blocked.
-    hit_change, shut_in_change, blocked_change : Difference
-        Those less the same as the room is.
-    risk : float
-        Chance that a person is hit, weighted by how long somebody is at each place.
-    """
-
-    hit: Probability
-    hit_change: Difference
-    shut_in: Probability
-    shut_in_change: Difference
-    blocked: Probability
-    blocked_change: Difference
-    risk: float
-
-    @property
-    def helps(self) -> bool:
-        """Whether it is clearly for the better, and nothing clearly for the worse."""
-        clear = [one for one in (self.hit_change, self.shut_in_change, self.blocked_change) if one.clear]
-        return bool(clear) and all(one.estimate < 0.0 for one in clear)
 
 
 @dataclass(frozen=True, slots=True)

@@ -210,11 +210,12 @@ def refuse_what_stands_wrong(scenario: RoomScenario, plan: FloorPlan, whole: Ass
 
 def _verdicts(question: Question, slide_limit: float, *, changes: bool) -> Iterator[RoomVerdict]:
     """Yield the verdict as it gets better: from some of the runs, from all, then change by change."""
-    state: RoomState | None = None
+    known: tuple[RoomState, RoomVerdict] | None = None
     for state in states(question):
-        yield verdict_of(question, state, slide_limit)
-    if changes and state is not None:
-        verdict, found = verdict_of(question, state, slide_limit), list[ChangeVerdict]()
+        known = state, verdict_of(question, state, slide_limit)
+        yield known[1]
+    if changes and known is not None:
+        (state, verdict), found = known, list[ChangeVerdict]()
         for change in changes_of(question, state.parts, state.as_it_is, state.ends):
             found.append(change)
             yield replace(verdict, changes=in_order(found))

@@ -56,3 +56,17 @@ export function offer(content, name, type) {
   link.remove();
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }
+
+/** Lets a button copy the address in a field, which is chosen as a whole where it is entered; "done" is called after. */
+export function copying(button, field, done) {
+  button.addEventListener("click", async () => {
+    try {
+      await navigator.clipboard.writeText(field.value);
+    } catch {
+      field.select();
+      document.execCommand("copy");
+    }
+    done();
+  });
+  field.addEventListener("focus", () => field.select());
+}

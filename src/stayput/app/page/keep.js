@@ -1,7 +1,7 @@
 // "Keep it": the link, the scenario as TOML, the report, the data.
 
 import * as api from "./api.js";
-import { fill, offer, part } from "./dom.js";
+import { copying, fill, offer, part } from "./dom.js";
 import { SECONDS, copyProgram, drawing, isDrawn, shortKind } from "./films.js";
 import * as pieces from "./pieces.js";
 import { worded } from "./refusals.js";
@@ -42,20 +42,7 @@ export function wire(request) {
       say(...worded(error));
     }
   };
-  part("copy").addEventListener(
-    "click",
-    attempt(async () => {
-      const field = part("address");
-      try {
-        await navigator.clipboard.writeText(field.value);
-      } catch {
-        field.select();
-        document.execCommand("copy");
-      }
-      say(t("copied"));
-    }),
-  );
-  part("address").addEventListener("focus", (event) => event.target.select());
+  copying(part("copy"), part("address"), () => say(t("copied")));
   part("toml").addEventListener(
     "click",
     attempt(async () =>

@@ -3,7 +3,7 @@
 import * as api from "../api.js";
 import { patiently } from "../connection.js";
 import { toggle } from "../controls.js";
-import { fill, offer, part } from "../dom.js";
+import { copying, fill, offer, part } from "../dom.js";
 import { build as keepFigures } from "../figures.js";
 import { SECONDS, copyProgram, drawing, shortKind } from "../films.js";
 import { utf8 } from "../packing.js";
@@ -71,17 +71,7 @@ export function wire(opened, kinds) {
     });
   film(part("html"), () => ({ kind: "html", ...(job && { job }) }));
   film(part("film"), () => ({ kind: shortFilm, seconds: SECONDS, ...(job && { job }) }));
-  part("copy").addEventListener("click", async () => {
-    const field = part("address");
-    try {
-      await navigator.clipboard.writeText(field.value);
-    } catch {
-      field.select();
-      document.execCommand("copy");
-    }
-    say(t("copied"));
-  });
-  part("address").addEventListener("focus", ({ target }) => target.select());
+  copying(part("copy"), part("address"), () => say(t("copied")));
 }
 
 /** Opens a scenario file in the room's place; "tell" shows what becomes of it. What is refused changes nothing. */

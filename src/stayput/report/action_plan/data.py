@@ -13,7 +13,8 @@ from stayput.rooms.forces import MARGIN, QUANTILE
 from stayput.rooms.step_words import forces_asked, heading, where
 
 if TYPE_CHECKING:
-    from stayput.rooms.steps import ActionPlan, Fix, PlanStep, RoomEffect
+    from stayput.rooms.steps import ActionPlan, Fix, PlanStep
+    from stayput.rooms.verdict import RoomEffect
 
 
 def plan_json(plan: ActionPlan) -> str:

@@ -37,7 +37,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.catalogue import Phrase
-    from stayput.rooms.steps import ActionPlan, PlanStep, RoomEffect
+    from stayput.rooms.steps import ActionPlan, PlanStep
+    from stayput.rooms.verdict import RoomEffect
 
 PLAN_SCALES = (25, 40, 50, 75, 100, 150, 200, 300, 500, 1000)
 """Scales that a plan is drawn to: metres of the room in a metre of paper."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -11,9 +10,8 @@ import numpy as np
 from stayput.catalogue import say
 from stayput.fragility import JMA_INTENSITY
 from stayput.fragility.curve import CurveState
-from stayput.motion.intensity import CLASSES
 from stayput.report.charts.chart import Chart
-from stayput.report.figures import FONT, style
+from stayput.report.figures import FONT, shaded_classes, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, FAINT, INK, MUTED
 from stayput.report.verdict import numbers
@@ -122,23 +120,15 @@ def _draw_curve(
 
 def _finish(axis: Axes, first: float, last: float, language: str) -> None:
     """Shade every second class of JMA's intensity, and write their names along the top."""
-    ends = [start for _, start in CLASSES[1:]] + [math.inf]
-    for place, ((name, start), end) in enumerate(zip(CLASSES, ends, strict=True)):
-        low, high = max(start, first), min(end, last)
-        if high <= low:
-            continue
-        if place % 2:
-            axis.axvspan(low, high, color=FAINT, alpha=0.35, linewidth=0.0, zorder=0)
-        if high - low > 0.05 * (last - first):
-            shown = name if language == "en" else class_label(0.5 * (low + high), language)
-            axis.annotate(
-                drawable(shown),
-                (0.5 * (low + high), 1.01),
-                xycoords=("data", "axes fraction"),
-                ha="center",
-                fontsize=FONT - 2.0,
-                color=MUTED,
-            )
+    for middle, name in shaded_classes(axis, first, last):
+        axis.annotate(
+            drawable(name if language == "en" else class_label(middle, language)),
+            (middle, 1.01),
+            xycoords=("data", "axes fraction"),
+            ha="center",
+            fontsize=FONT - 2.0,
+            color=MUTED,
+        )
     axis.set_xlim(first, last)
     axis.set_xlabel(drawable(say("report.axis_intensity", language)), fontsize=FONT)
 
