@@ -21,7 +21,7 @@ const FIRST = {
 };
 
 /** By which way an entry says it: one of WAYS; null is an intensity. */
-export const wayOf = (entry) => (entry ? Object.keys(entry)[0] : "intensity");
+const wayOf = (entry) => (entry ? Object.keys(entry)[0] : "intensity");
 
 /**
  * Builds the entry in an element, and returns {update()}, which is to be called after every change of the scene.

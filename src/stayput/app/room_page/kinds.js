@@ -27,10 +27,10 @@ export function learn(presets) {
 }
 
 export const furnitureKinds = () => furniture;
-export const placeKinds = () => places;
+const placeKinds = () => places;
 
 const pieceKind = (id) => furniture.find((one) => one.id === id);
-export const placeKind = (id) => places.find((one) => one.id === id) ?? places[0];
+const placeKind = (id) => places.find((one) => one.id === id) ?? places[0];
 
 /** The measures that may hold a piece; what changes its distance to the wall is done on the plan itself. */
 export const measureKinds = () =>

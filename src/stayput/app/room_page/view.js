@@ -108,7 +108,7 @@ export function pointOf(event) {
 }
 
 /** The element of a thing, which has the keyboard's focus. */
-export const elementOf = (what) => layersOf(element)[what.table].children[what.index];
+const elementOf = (what) => layersOf(element)[what.table].children[what.index];
 
 /** Puts the keyboard's focus on a thing. */
 export const focusOn = (what) => elementOf(what)?.focus({ preventScroll: true });
