@@ -27,7 +27,7 @@ export function learn(presets) {
 }
 
 export const furnitureKinds = () => furniture;
-const placeKinds = () => places;
+export const placeKinds = () => places;
 
 const pieceKind = (id) => furniture.find((one) => one.id === id);
 const placeKind = (id) => places.find((one) => one.id === id) ?? places[0];
