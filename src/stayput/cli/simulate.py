@@ -12,15 +12,25 @@ from stayput.cli.flags import (
     ComponentOption,
     TimeStepOption,
     UnitOption,
-    building_table,
     chosen_measures,
-    earthquake_table,
-    intensity_value,
     overlaid,
     parsed,
     scenario_data,
 )
 from stayput.cli.messages import compiling, print_json
+from stayput.cli.shaking import (
+    BuildingOption,
+    EarthquakeOption,
+    IntensityOption,
+    MercalliOption,
+    MotionOption,
+    PgaOption,
+    PgvOption,
+    ScaleOption,
+    StoreyOption,
+    VerticalOption,
+    shaken,
+)
 from stayput.errors import InputError, InputWarning, warn
 
 if TYPE_CHECKING:
@@ -44,41 +54,19 @@ def simulate(
         str | None,
         typer.Option(metavar="WxHxM", help="A body: width along the shaking [m] x height [m] x mass [kg]."),
     ] = None,
-    motion: Annotated[
-        str | None,
-        typer.Option(
-            metavar="FILE|near-fault|sine:A,F[,T]",
-            help="A record's file, the built-in motion, or a sine of A [m/s²], F [Hz] and T [s].",
-        ),
-    ] = None,
+    motion: MotionOption = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
-    scale: Annotated[float | None, typer.Option(help="Factor on the motion.")] = None,
-    intensity: Annotated[
-        str | None,
-        typer.Option(help="JMA intensity of the ground to scale to: a number, or a class such as 6-upper."),
-    ] = None,
-    pga: Annotated[float | None, typer.Option(help="Peak ground acceleration to scale to [m/s²].")] = None,
-    pgv: Annotated[float | None, typer.Option(help="Peak ground velocity to scale to [m/s].")] = None,
-    mmi: Annotated[float | None, typer.Option(help="Modified Mercalli intensity to scale to.")] = None,
-    earthquake: Annotated[
-        str | None,
-        typer.Option(
-            metavar="M,KM[,DEPTH[,VS30]]",
-            help="An earthquake to scale to: magnitude, distance and depth [km], ground [m/s], such as 7,20.",
-        ),
-    ] = None,
-    building: Annotated[
-        str | None,
-        typer.Option(metavar="STOREYS[,STRUCTURE]", help="The building around it, such as 10,RC."),
-    ] = None,
-    storey: Annotated[
-        int | None, typer.Option(help="The storey it stands on; 1 is the ground floor.")
-    ] = None,
-    vertical: Annotated[
-        bool | None, typer.Option("--vertical/--no-vertical", help="Whether the vertical component acts.")
-    ] = None,
+    scale: ScaleOption = None,
+    intensity: IntensityOption = None,
+    pga: PgaOption = None,
+    pgv: PgvOption = None,
+    mmi: MercalliOption = None,
+    earthquake: EarthquakeOption = None,
+    building: BuildingOption = None,
+    storey: StoreyOption = None,
+    vertical: VerticalOption = None,
     floor: Annotated[str | None, typer.Option(metavar="SURFACE", help="A surface, such as 'carpet'.")] = None,
     friction: Annotated[
         str | None, typer.Option(metavar="STATIC[,KINETIC]", help="Friction of the floor.")
@@ -142,21 +130,6 @@ def simulate(
     data = overlaid(
         given,
         body=body,
-        motion=motion,
-        shaking={
-            "component": component,
-            "unit": unit,
-            "dt": dt,
-            "scale": scale,
-            "intensity": None if intensity is None else intensity_value(intensity),
-            "pga": pga,
-            "pgv": pgv,
-            "mmi": mmi,
-            "earthquake": None if earthquake is None else earthquake_table(earthquake),
-            "building": None if building is None else building_table(building),
-            "storey": storey,
-            "vertical": vertical,
-        },
         floor=floor,
         friction=friction,
         walls={
@@ -168,6 +141,23 @@ def simulate(
         contact=contact,
         dimensions=dimensions,
         piece={"length": length, "heading": heading},
+    )
+    data = shaken(
+        data,
+        scenario,
+        motion=motion,
+        component=component,
+        unit=unit,
+        dt=dt,
+        scale=scale,
+        intensity=intensity,
+        pga=pga,
+        pgv=pgv,
+        mmi=mmi,
+        earthquake=earthquake,
+        building=building,
+        storey=storey,
+        vertical=vertical,
     )
     if several:
         from stayput.scenario import AssemblyScenario, RoomScenario
