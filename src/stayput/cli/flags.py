@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from stayput.motion.suites import TargetSpectrum
     from stayput.scenario import AssemblyScenario, Scenario
 
-    Given = TypeVar("Given", Scenario, AssemblyScenario)
+    Given = TypeVar("Given", bound=Scenario | AssemblyScenario)
 
 MotionArgument: TypeAlias = Annotated[
     str, typer.Argument(metavar="MOTION", help="A record's file; or near-fault, or sine:A,F[,T].")
@@ -30,6 +30,9 @@ UnitOption: TypeAlias = Annotated[
 ]
 TimeStepOption: TypeAlias = Annotated[
     float | None, typer.Option("--dt", help="The record's time step [s], where its file does not state it.")
+]
+LanguageOption: TypeAlias = Annotated[
+    str, typer.Option("--lang", metavar="en|ja", help="Language of what is printed.")
 ]
 ThreadsOption: TypeAlias = Annotated[
     int | None, typer.Option("--threads", help="Threads; as many as there are cores by default.")
@@ -177,7 +180,7 @@ def parsed(kind: type[Given], data: dict[str, Any], path: Path | None, motion: s
     """
     folder, name = (Path(), "") if path is None else (path.parent, path.name)
     try:
-        return kind.parse(data, folder, name if motion is None else "")
+        return cast("Given", kind.parse(data, folder, name if motion is None else ""))
     except InputError as error:
         if path is not None and _refused_alone(kind, path) == str(error):
             raise error.at(path.name) from None

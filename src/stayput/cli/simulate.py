@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
+from stayput.catalogue import LANGUAGES
 from stayput.cli.flags import (
     ComponentOption,
+    LanguageOption,
     TimeStepOption,
     UnitOption,
     chosen_measures,
@@ -17,7 +19,7 @@ from stayput.cli.flags import (
     parsed,
     scenario_data,
 )
-from stayput.cli.messages import compiling, print_json
+from stayput.cli.messages import compiling, folded, print_json
 from stayput.cli.shaking import (
     BuildingOption,
     EarthquakeOption,
@@ -36,6 +38,7 @@ from stayput.errors import InputError, InputWarning, warn
 if TYPE_CHECKING:
     from collections.abc import Generator
 
+    from stayput.catalogue import Phrase
     from stayput.report.animation import Progress
     from stayput.simulation.run import Run
     from stayput.simulation.space_run import SpaceRun
@@ -98,6 +101,7 @@ def simulate(
             help="A measure in place: a type such as tension_pole, or a name in the file; repeatable.",
         ),
     ] = None,
+    lang: LanguageOption = "en",
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Plot the histories: .png, .svg or .pdf.")
@@ -112,9 +116,12 @@ def simulate(
 
     Flags override what the scenario file says; --body without a file stands free of walls.
     """
+    from stayput.report.summary import piece_name
     from stayput.scenario import Scenario
     from stayput.simulation.run import Run
+    from stayput.wording import check_language
 
+    check_language(lang)
     _check_targets(plot, animate)
     given = scenario_data(scenario, body)
     several = scenario is not None and isinstance(scenario_data(scenario, None).get("furniture"), list)
@@ -165,39 +172,49 @@ def simulate(
         pieces = parsed(RoomScenario if "plan" in given else AssemblyScenario, data, scenario, motion)
         with compiling():
             found = pieces.run()
-        _show_in_space(found, pieces.names, _Wanted("", pieces.title, plot, animate, speed, fps, json))
+        _show_in_space(
+            found, pieces.names, _Wanted(("", ""), pieces.title, plot, animate, speed, fps, lang, json)
+        )
         return
     checked = parsed(Scenario, data, scenario, motion)
     if length is not None and checked.dimensions == 2:
         warn(InputWarning("cli.length_in_the_plane", "--length", value=length))
     with checked.naming_file(), compiling():
         run = checked.case(chosen_measures(checked, measure or [])).run()
-    wanted = _Wanted(checked.furniture.title, checked.title, plot, animate, speed, fps, json)
+    piece = checked.furniture
+    called = piece.title, piece_name(piece.preset, piece.name)[1]
+    wanted = _Wanted(called, checked.title, plot, animate, speed, fps, lang, json)
     if isinstance(run, Run):
         _show_in_the_plane(run, wanted)
     else:
-        _show_in_space(run, (wanted.name,), wanted)
+        _show_in_space(run, (wanted.called,), wanted)
 
 
 class _Wanted(NamedTuple):
     """What is shown of a run, and where it is written."""
 
-    name: str
+    name: Phrase
     title: str | None
     plot: Path | None
     animate: Path | None
     speed: float
     fps: float
+    lang: str
     json: bool
+
+    @property
+    def called(self) -> str:
+        """What the piece is called in the language."""
+        return self.name[LANGUAGES.index(self.lang)]
 
 
 def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
-    from stayput.report.summary import rows, sentence, summary
+    from stayput.report.summary import rows, sentences, summary
 
     if wanted.plot is not None:
         from stayput.report.plot import plot_run
 
-        plot_run(run, wanted.plot, name=wanted.name)
+        plot_run(run, wanted.plot, name=wanted.name[0])
     if wanted.animate is not None:
         from stayput.report.animation import animate_run
 
@@ -207,13 +224,14 @@ def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
                 wanted.animate,
                 fps=wanted.fps,
                 speed=wanted.speed,
-                name=wanted.name,
+                name=wanted.called,
+                language=wanted.lang,
                 progress=progress,
             )
     if wanted.json:
         print_json(summary(run))
     else:
-        _print_table(sentence(run, wanted.name), rows(run), wanted)
+        _print_table(sentences(run, wanted.name), rows(run, wanted.lang), wanted)
 
 
 def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> None:
@@ -223,7 +241,7 @@ def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> No
     if wanted.plot is not None:
         from stayput.report.space.plot import plot_space_run
 
-        plot_space_run(run, wanted.plot, names=names)
+        plot_space_run(run, wanted.plot, names=names, language=wanted.lang)
     if wanted.animate is not None:
         from stayput.report.space.animation import animate_space_run
 
@@ -234,12 +252,13 @@ def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> No
                 names=names,
                 fps=wanted.fps,
                 speed=wanted.speed,
+                language=wanted.lang,
                 progress=progress,
             )
     if wanted.json:
         print_json(space_summary(run, names))
     else:
-        _print_table(became(run, names)[0], space_rows(run, names), wanted)
+        _print_table(became(run, names), space_rows(run, names, wanted.lang), wanted)
 
 
 def _check_targets(plot: Path | None, animate: Path | None) -> None:
@@ -268,14 +287,15 @@ def _progress() -> Generator[Progress | None]:
         yield lambda done, total: bar.update(task, completed=done, total=total)
 
 
-def _print_table(said: str, rows: list[tuple[str, str]], wanted: _Wanted) -> None:
+def _print_table(said: Phrase, rows: list[tuple[str, str]], wanted: _Wanted) -> None:
     from rich.console import Console
     from rich.table import Table
 
     console = Console(highlight=False, markup=False)
     if wanted.title is not None:
         console.print(wanted.title, style="bold")
-    console.print(said)
+    sentence = said[LANGUAGES.index(wanted.lang)]
+    console.print(folded(sentence, console.width) if wanted.lang == "ja" else sentence)
     table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
     for label, value in rows:
         table.add_row(label, value)

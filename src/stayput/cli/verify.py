@@ -12,6 +12,7 @@ import typer
 from stayput.cli.flags import (
     ComponentOption,
     EveryRunOption,
+    LanguageOption,
     ThreadsOption,
     TimeStepOption,
     UnitOption,
@@ -47,7 +48,7 @@ def verify(
         Path | None,
         typer.Option(metavar="FILE", help="Write a report that needs nothing else: .html."),
     ] = None,
-    lang: Annotated[str, typer.Option(metavar="en|ja", help="Language of what is printed.")] = "en",
+    lang: LanguageOption = "en",
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     markdown: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the verdict as .md.")] = None,
     csv: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the ranking as .csv.")] = None,
@@ -97,6 +98,9 @@ def verify(
     for path, suffix in ((report, ".html"), (markdown, ".md"), (csv, ".csv"), (plan, ".html")):
         if path is not None:
             check_target(path, (suffix,))
+    if report is not None and plan is not None and report.resolve() == plan.resolve():
+        value = repr(str(plan))
+        raise InputError("cli.same_file", "--plan", flag="--report", other="--plan", value=value)
     if slide_limit is not None:
         within("--slide-limit", slide_limit, 0.0, 100.0, "m")
     home = (no_drilling, tatami, plasterboard, dropped_ceiling)
