@@ -41,12 +41,12 @@ def has_control(text: str) -> bool:
 
 
 def visible(text: str) -> str:
-    """Return a text with its control characters written out, as Python writes them.
+    r"""Return a text with its control characters written out, as Python writes them.
 
     Examples
     --------
     >>> visible("red \x1b[31m")
-    'red \\\\x1b[31m'
+    'red \\x1b[31m'
     """
     return _CONTROL.sub(lambda found: repr(found[0])[1:-1], text)
 

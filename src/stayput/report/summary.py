@@ -207,7 +207,8 @@ def place_called(device: DeviceResult, members: Sequence[str], language: str = "
     """Return where a device is; of a joint which bodies it joins, by what these are called."""
     if device.between is None or not members:
         return place_named(device.place, language)
-    return " – ".join(members[body] for body in device.between)
+    _, comma, number = device.place.partition(", ")  # of several joints of the same two
+    return " – ".join(members[body] for body in device.between) + comma + number
 
 
 def device_rows(
