@@ -107,7 +107,7 @@ def test_a_small_vertical_record_travels_with_the_horizontal_one(
     with opened(browser, server, "#piece=chest", allowed=LOST) as it:
         sent(it, small_record(tmp_path, 6.0))
         take_vertical(it, small_vertical(tmp_path))
-        it.kept("verticalWave=")
+        it.wait("() => location.hash.includes('verticalWave=')")
         summary = it.text("#says-without"), it.text("#summary")
         address = it.page.input_value("#address")
         assert it.page.locator("#link-record").is_hidden()

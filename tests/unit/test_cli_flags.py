@@ -1,4 +1,4 @@
-"""Flags that commands share: the shaking over a file's, the language, and what is refused of a command line."""
+"""Flags that commands share: the shaking over a file's, the language; what is refused of a command line."""
 
 import json
 
@@ -90,7 +90,8 @@ def test_a_record_of_a_flag_begins_in_the_working_folder_and_a_mesh_in_the_file_
     sp.sine(amplitude=0.5, frequency=1.0, duration=2.0).write(here / "mine.csv")
     (there / "cube.obj").write_text(cube(), encoding="utf-8")
     (there / "scene.toml").write_text(
-        '[[furniture]]\nname = "cube"\nmesh = "cube.obj"\nunit = "m"\nmass = 50.0\n[shaking]\nbuiltin = "near-fault"\n',
+        '[[furniture]]\nname = "cube"\nmesh = "cube.obj"\nunit = "m"\nmass = 50.0\n'
+        '[shaking]\nbuiltin = "near-fault"\n',
         encoding="utf-8",
     )
     monkeypatch.chdir(here)
