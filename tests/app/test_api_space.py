@@ -284,5 +284,5 @@ def test_the_server_prints_no_warning_of_what_it_is_asked(
     with pytest.warns(sp.InputWarning, match="The floor settles by"):
         AssemblyScenario.parse(scene).run()  # which tells it in Python
     recwarn.clear()
-    assert client.post("/simulate", json={"scene": scene}).status_code == 200
+    assert client.post("/api/v1/simulate", json={"scene": scene}).status_code == 200
     assert [one for one in recwarn if issubclass(one.category, sp.InputWarning)] == []

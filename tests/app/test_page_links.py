@@ -139,7 +139,7 @@ def test_a_vertical_record_that_does_not_fit_is_said_to_be_missing(
     with opened(browser, server, address.removeprefix(f"{server.address}/"), allowed=LOST) as it:
         said = it.text("#notices")
         assert "“up.csv” is no longer on the server" in said
-        assert said.count("without the vertical component") == 1
+        assert said.count("without a vertical component") == 1
         assert "my town.csv" in it.text("#uploaded")
         assert "Vertical component" not in it.text("#uploaded")
 

@@ -70,8 +70,8 @@ def read_convex_mesh(file: str | Path, unit: str, up: str) -> Hull:
         raise unknown("solids.unit", unit, UNITS, "unit")
     if up not in UP:
         raise unknown("solids.up", up, UP, "up")
-    path = Path(instance_of("file", file, (str, os.PathLike)))
-    corners = UNITS[unit] * _corners(path)[:, UP[up]]
+    instance_of("file", file, (str, os.PathLike))
+    corners = UNITS[unit] * _corners(Path(file))[:, UP[up]]
     check_size(corners, "unit", _hint(size_of(corners), unit))
     points, triangles = _joined(corners)
     _check_closed(triangles)
