@@ -96,6 +96,11 @@ def test_what_is_wrong_is_refused_with_the_value(tables: dict[str, Any], told: s
     assert refusal.value.told("ja") != str(refusal.value)
 
 
+def test_options_of_a_file_are_refused_in_a_room():
+    with pytest.raises(sp.InputError, match=r"^options is given beside \[plan\]; it must be left out"):
+        changed(options=[{"name": "none of them"}])
+
+
 def test_against_is_refused_without_a_plan():
     with pytest.raises(sp.InputError, match=r"furniture\[0\].against .* must be"):
         sp.AssemblyScenario.parse({"furniture": piece()}).assembly()

@@ -13,7 +13,7 @@ import time
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
-from stayput.app.refusals import RefusedError, refused
+from stayput.app.refusals import RefusedError, refused, unprinted
 from stayput.app.turns import CLIENT, NOBODY, Client, Turns
 from stayput.errors import InputError
 
@@ -217,7 +217,8 @@ class Jobs:
 
         try:
             self._await_turn(job)
-            verdict = work(note_progress, note_verdict)
+            with unprinted():
+                verdict = work(note_progress, note_verdict)
         except StoppedError:
             self._end(job, "cancelled")
         except RefusedError as refusal:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import json
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
 from stayput.app.replies import Problem
-from stayput.errors import LONGEST_SENTENCE, InputError
+from stayput.errors import LONGEST_SENTENCE, InputError, warnings_to
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Generator, Mapping
 
     from stayput.errors import InputWarning
 
@@ -45,6 +46,13 @@ def refused(
 ) -> RefusedError:
     """Return a refusal by a sentence of the catalogue."""
     return RefusedError(status, InputError(code, field, **values), retry_after)
+
+
+@contextmanager
+def unprinted() -> Generator[None]:
+    """Keep warnings of this thread out of the server's log: who sent a record is told by the reply."""
+    with warnings_to(lambda _warning: None):
+        yield
 
 
 def problem(error: InputError | InputWarning) -> Problem:

@@ -191,8 +191,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "limit_settlement": ("Sinking into the floor", "床の沈み込み"),
     "limit_settlement_text": (
-        "Left out for the pieces that are simulated in space.",
-        "三次元で計算する家具では考慮しません。",
+        "Left out for the pieces that are simulated in space: on carpet and tatami they fall more easily than is told.",
+        "三次元で計算する家具では考慮しません。カーペットや畳の上では、示した値より倒れやすくなります。",
     ),
     "inputs": ("The scenario as TOML", "シナリオ（TOML）"),
     "again_text": (

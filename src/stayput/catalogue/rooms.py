@@ -57,6 +57,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is missing; it must say where along the {wall} the piece stands.",
         "{name}がありません。{wall}のどこに置くかを指定してください。",
     ),
+    "options_in_a_room": (
+        "options is given beside [plan]; it must be left out, as in a room measures are tried one by one on each piece.",
+        "[plan]のあるファイルにoptionsがあります。部屋では家具ごとに対策を1つずつ試すため、optionsは省いてください。",
+    ),
     "against_without_plan": (
         "{name} is {value} in a file without a plan; it must be left out, or a [plan] must be given.",
         "{name}が{value}ですが、[plan]がありません。省くか、[plan]を指定してください。",

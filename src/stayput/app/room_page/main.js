@@ -85,8 +85,8 @@ function lost() {
 
 /** Takes the room of the address; where there is none, or it is damaged, that which the server proposes. */
 async function take(hash) {
-  const { room: found, damaged, record } = await address.read(hash);
-  environment.noteRecord(found, record);
+  const { room: found, damaged, records } = await address.read(hash);
+  environment.noteRecords(found, records);
   if (damaged) tellNotice("roomDamaged");
   return found ?? room.current() ?? presets.room_scene;
 }
