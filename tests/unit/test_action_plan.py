@@ -267,7 +267,7 @@ def test_a_room_in_which_nothing_does_harm_needs_nothing():
 
 def test_pieces_on_which_nothing_helps_are_named(plan: sp.ActionPlan):
     page = plan_html(replace(plan, steps=(), unsolved=("bookcase",)), "en")
-    assert "help with: bookcase" in page
+    assert "helps with: bookcase" in page
 
 
 def test_the_command_line_writes_a_plan(tmp_path: Path):
