@@ -65,7 +65,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "steps_instead": ("{steps} without drilling:", "{steps}（穴を開けない場合）"),
     "effect": ("Effect", "効果"),
     "instead": ("Without drilling", "穴を開けない場合"),
-    "reaches": ("Effect all the same", "それでも見込める効果"),
+    "reaches": ("Effect anyway", "それでも見込める効果"),
     "caution": ("Caution", "注意"),
     "free": ("free", "無料"),
     "cost": ("cost class {level} of 3", "費用の目安 3段階の{level}"),
@@ -88,18 +88,18 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # What is not strong enough
     "weak": (
-        "Not strong enough in shaking of JMA intensity {strength}.",
+        "Not strong enough for JMA intensity {strength}.",
         "{strength}の揺れには、強さが足りません。",
     ),
     "weak_bears": (
-        "{measure}: each must bear {needed}, and holds about {holds} here ({fails})",
-        "{measure}：1か所に{needed}の強さが必要ですが、ここでは約{holds}までです（{fails}）",
+        "{measure}: each needs {needed}, holds about {holds} ({fails})",
+        "{measure}：1個あたり{needed}必要なところ、約{holds}（{fails}）",
     ),
     "weak_to": (
-        "strong enough up to JMA intensity {strength}",
-        "{strength}までなら強さは足ります",
+        "enough up to {strength}",
+        "{strength}までなら足ります",
     ),
-    "weak_anywhere": ("not strong enough in JMA intensity 4 either", "震度4でも強さが足りません"),
+    "weak_anywhere": ("not enough for JMA intensity 4 either", "震度4でも強さが足りません"),
     # Where it goes
     "at_wall": (
         "on the wall {height:.2f} m above the floor, {apart}, each on a stud",
@@ -172,12 +172,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "移動先の寸法を測り、コンセントとドアをふさがない",
     ),
     # Effects
-    "overturns": ("it overturns: {was} → {now}", "倒れる確率{was}→{now}"),
+    "overturns": ("overturns {was} → {now}", "倒れる確率{was}→{now}"),
     "only": ("{chance}", "{chance}"),
     "only_unclear": ("{chance}, which may be chance", "{chance}（偶然の差かもしれません）"),
-    "alone": ("this step alone: {chance}", "これだけ行うと、{chance}"),
+    "alone": ("alone: {chance}", "これだけ行うと、{chance}"),
     "alone_unclear": (
-        "this step alone: {chance}, which may be chance",
+        "alone: {chance}, which may be chance",
         "これだけ行うと、{chance}（偶然の差かもしれません）",
     ),
     "only_together": (
@@ -185,9 +185,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "これだけでは変わらず、{steps}も行うと効果があります",
     ),
     "after_others": ("after the steps above: {chance}", "上の項目に続けて行うと、{chance}"),
-    "hit": ("somebody is hit: {was} → {now}", "人に当たる確率{was}→{now}"),
-    "shut_in": ("somebody is shut in: {was} → {now}", "外に出られなくなる確率{was}→{now}"),
-    "blocked": ("a door is blocked: {was} → {now}", "ドアがふさがる確率{was}→{now}"),
+    "hit": ("somebody is hit {was} → {now}", "人に当たる確率{was}→{now}"),
+    "shut_in": ("somebody is shut in {was} → {now}", "外に出られなくなる確率{was}→{now}"),
+    "blocked": ("a door is blocked {was} → {now}", "ドアがふさがる確率{was}→{now}"),
     # Marks
     "mark": ("How well this is known: {grade}", "根拠の確かさ：{grade}"),
     "weakest": ("Least well known here: {inputs}.", "この項目で最も不確かな入力：{inputs}。"),

@@ -98,7 +98,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "In this one motion, of JMA intensity {strength}: ",
         "この1つの地震動（{strength}）では、",
     ),
-    "interval": (" (95 % interval: {ends})", "（95%区間：{ends}）"),
+    "interval": ("95 % interval: ", "95%区間："),
     "hits": (
         "{often} the {piece} hits whoever is {place}{interval}",
         "{often}「{piece}」が{place}にいる人に当たります{interval}",

@@ -70,7 +70,7 @@ def products(fix: Fix) -> Phrase:
 
 
 def to_buy(purchase: Purchase, fix: Fix) -> Phrase:
-    """Return what to buy, with its rated strength."""
+    """Return what to buy, with its rated strength; what is too weak here has none: see `too_weak`."""
     measure, body = purchase.measure, _piece(fix).body
     called = product(purchase)
     if isinstance(measure, WedgeStopper):
@@ -81,7 +81,7 @@ def to_buy(purchase: Purchase, fix: Fix) -> Phrase:
         assert fitted is not None
         called = phrase("action_plan.mats", product=called, side=100.0 * math.sqrt(fitted), mass=body.mass)
     forces = [phrase(f"action_plan.{name}", force=newtons(force)) for name, force in forces_asked(purchase)]
-    if not forces:
+    if not forces or not purchase.enough:
         return called
     return phrase("action_plan.rated", product=called, forces=joined(forces, "action_plan.and"))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import chain, repeat
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase, say
@@ -74,11 +75,14 @@ def sentence_of_room(verdict: RoomVerdict, language: str) -> str:
 def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
     """Yield what happens, each with its interval."""
     cases = phrase("rooms.runs" if verdict.motions == 1 else "rooms.earthquakes")
+    names = chain([phrase("rooms.interval")], repeat(("", "")))  # what the ends are is said once
+
+    def ends_of(chance: Probability) -> Phrase:
+        (english, japanese), (first, second) = next(names), interval_text(chance)
+        return phrase("common.aside", content=(english + first, japanese + second))
 
     def happens(key: str, chance: Probability, **values: Phrase) -> Phrase:
-        ends = interval_text(chance)
-        share = often(chance.estimate, cases)
-        return phrase(key, often=share, interval=phrase("rooms.interval", ends=ends), **values)
+        return phrase(key, often=often(chance.estimate, cases), interval=ends_of(chance), **values)
 
     worst = sorted(verdict.places, key=lambda one: -one.hit.estimate)
     told = [place for place in worst if place.hit.estimate >= TOLD] or [place for place in worst if place.by]

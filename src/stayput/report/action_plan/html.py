@@ -286,7 +286,7 @@ def _lines_instead(step: PlanStep, fix: Fix, plan: ActionPlan) -> Iterator[tuple
     """Yield the same of what may be done without drilling."""
     told = [_overturns(step, fix)]
     if not changes_nothing(fix.alone):
-        told.append(phrase("action_plan.alone", chance=effects(fix.alone, plan)))
+        told.append(effects(fix.alone, plan))
     yield "effect" if fix.enough else "reaches", joined(told, "action_plan.next")
     yield "buy", joined(to_buy(one, fix) for one in fix.purchases)
     if fix.cautions:
