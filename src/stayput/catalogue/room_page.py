@@ -60,7 +60,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "gifOfRoom": ("Animation, 10 s (GIF)", "動画、10秒（GIF）"),
     "mp4OfRoom": ("Animation, 10 s (MP4)", "動画、10秒（MP4）"),
     "figure_room_plan": ("The plan with where pieces come to lie", "家具が行き着く場所の平面図"),
-    "figure_room_hits": ("The chances of being hit", "だれに何が当たるかの図"),
+    "figure_room_hits": ("The chances of being hit", "誰に何が当たるかの図"),
     "figure_room_changes": ("The changes", "変更の効果の図"),
     "stillNote": (
         "Beds and other places of people, doors and windows are drawn as outlines: they do not move and hold nothing up.",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from importlib import resources
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from markupsafe import Markup
@@ -12,10 +11,9 @@ import stayput
 from stayput.catalogue import phrase, say
 from stayput.measures.parameters import MEANINGS
 from stayput.report.action_plan.elevation import elevation_svg
-from stayput.report.embedding import inks_css
+from stayput.report.page import framed, rendered, write_page
 from stayput.report.room.drawing import plan_with
 from stayput.report.room.sheet import PlanSheet
-from stayput.report.verdict.html import rendered, write_page
 from stayput.rooms.forces import MARGIN, QUANTILE
 from stayput.rooms.step_words import (
     chances_after,
@@ -127,25 +125,19 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
 
 
 def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
-    def own(key: str, **values: object) -> str:
-        return say(f"action_plan.{key}", language, **values)
-
-    verdict = plan.verdict
+    title, named = say("action_plan.title", language), plan.verdict.scenario.title
     drawing, scale = _plan(plan, language)
     return {
-        "language": language,
-        "own": own,
-        "version": stayput.__version__,
-        "title": verdict.scenario.title or own("title"),
+        **framed(language, "action_plan", f"{title} – {named}" if named else title, SHEETS),
+        "name": named,
         "sentences": [say(told, language) for told in _sentences(plan)],
         "rough": any(step.grade == max(MEANINGS) for step in plan.steps),
         "plan": drawing,
-        "scale": own("scale", plan=scale, elevation=_elevation_scale(plan)),
+        "scale": say("action_plan.scale", language, plan=scale, elevation=_elevation_scale(plan)),
         "rows": [_row(number, step, plan, language) for number, step in enumerate(plan.steps, 1)],
         "checks": _checks(plan, language),
         "weakest": listed_once(plan, lambda step: [joined(one.label for one in step.weakest)], language),
         "notes": [say(note, language) for note in _notes(plan)],
-        "style": Markup(inks_css() + "".join(map(_file, SHEETS))),
     }
 
 
@@ -316,7 +308,3 @@ def _notes(plan: ActionPlan) -> Iterator[Phrase]:
         "action_plan.runs", runs=runs, motions=verdict.motions, seed=verdict.seed, version=stayput.__version__
     )
     yield phrase("action_plan.limits")
-
-
-def _file(name: str) -> str:
-    return resources.files("stayput.report").joinpath(name).read_text(encoding="utf-8")
