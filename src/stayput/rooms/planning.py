@@ -336,12 +336,12 @@ class _Planner:
         """
         measures, part = tried.measures, self._held(body, tried.measures, whole)
         assert part is not None
-        purchases = _purchases(self.question, part, measures, body)
+        purchases = purchases_of(self.question, part, measures, body)
         fitted = tuple(_more(one, _length(whole, body)) for one in purchases)
         more, here = self._held(body, fitted, whole), self._held(body, fitted, self.question.whole)
         if fitted != measures and more is not None and here is not None:
             measures, part = fitted, more
-            purchases = _purchases(self.question, part, measures, body)
+            purchases = purchases_of(self.question, part, measures, body)
             tried = self._as_tried(measures, here, self.question.run([here])[0], body)
         there = tried.way
         if whole is not self.question.whole:
@@ -367,12 +367,12 @@ class _Planner:
             if level < now:
                 floors = floors_of(self.question.scenario, threads, factor_to_intensity(now, level))
                 weaker = self.question._replace(floors=floors)
-                if all(one.enough for one in _purchases(weaker, part, measures, body)):
+                if all(one.enough for one in purchases_of(weaker, part, measures, body)):
                     return level
         return None
 
 
-def _purchases(
+def purchases_of(
     question: Question, part: RoomPart, measures: tuple[Measure, ...], body: int
 ) -> tuple[Purchase, ...]:
     """Return what to buy: how strong one must be, and how strong what it is fixed to is."""

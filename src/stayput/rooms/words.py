@@ -89,8 +89,7 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
     if not verdict.places:
         yield phrase("rooms.no_places")
     elif not told:
-        ends = interval_text(verdict.hit)
-        yield phrase("rooms.nobody_hit", runs=verdict.hit.runs, interval=phrase("rooms.interval", ends=ends))
+        yield phrase("rooms.nobody_hit", runs=verdict.hit.runs, interval=ends_of(verdict.hit))
     for place in told:
         first = place.by[0]
         values = {"piece": piece_name(first.piece), "place": _where_somebody_is(place.place)}

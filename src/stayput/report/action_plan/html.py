@@ -291,6 +291,14 @@ def _overturns(step: PlanStep, fix: Fix) -> Phrase:
     return phrase("action_plan.overturns", was=was, now=with_ends(fix.overturns))
 
 
+def _notes_on_products(runs: int) -> Iterator[Phrase]:
+    scatter = USUAL["strength"]
+    assert isinstance(scatter, Lognormal)
+    yield phrase("action_plan.strengths", share=100.0 * QUANTILE, runs=runs, margin=MARGIN, cov=scatter.cov)
+    (low, low_euro), (high, high_euro) = COST_BOUNDS
+    yield phrase("action_plan.costs", low=low, low_euro=low_euro, high=high, high_euro=high_euro)
+
+
 def _notes(plan: ActionPlan) -> Iterator[Phrase]:
     """Yield how marks, strengths, costs and shares are to be read."""
     grades = joined(
@@ -299,11 +307,8 @@ def _notes(plan: ActionPlan) -> Iterator[Phrase]:
     verdict = plan.verdict
     runs = verdict.motions * verdict.samples
     yield phrase("action_plan.grades", meanings=grades)
-    scatter = USUAL["strength"]
-    assert isinstance(scatter, Lognormal)
-    yield phrase("action_plan.strengths", share=100.0 * QUANTILE, runs=runs, margin=MARGIN, cov=scatter.cov)
-    (low, low_euro), (high, high_euro) = COST_BOUNDS
-    yield phrase("action_plan.costs", low=low, low_euro=low_euro, high=high, high_euro=high_euro)
+    if any(step.fix is not None for step in plan.steps):
+        yield from _notes_on_products(runs)
     yield phrase(
         "action_plan.runs", runs=runs, motions=verdict.motions, seed=verdict.seed, version=stayput.__version__
     )
