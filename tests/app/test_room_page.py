@@ -387,7 +387,7 @@ def test_the_language_is_switched_with_everything(browser: Browser, server: Runn
         it.wait("() => document.getElementById('ranking').textContent.includes('確率の差')")
         assert it.page.title() == "stayput：地震のとき、この部屋にいる人は安全か"
         assert it.text("#verdict") == "「本棚」がベッドにいる人に当たります。"
-        assert "「本棚」にベルト" in it.text("#ranking")
+        assert "「本棚」をベルトで固定" in it.text("#ranking")
         assert len(judge.asked) == 1  # nothing is worked out again
 
 
