@@ -33,9 +33,11 @@ const shared = (one, other) =>
   Math.max(0, Math.min(one[2], other[2]) - Math.max(one[0], other[0])) *
   Math.max(0, Math.min(one[3], other[3]) - Math.max(one[1], other[1]));
 
+const covers = (outer, inner) => [0, 1].every((i) => outer[i] <= inner[i] && outer[i + 2] >= inner[i + 2]);
+
 /**
- * Names as texts, the first placed first: labels are {name, notes, box}; they rather do not stand on things, nor
- * beyond the floor [px].
+ * Names as texts, the first placed first: labels are {name, notes, box}; they rather do not stand on things, but in
+ * their own where they fit there, nor beyond the floor [px].
  */
 export function nameTexts(labels, things, floor) {
   const taken = [];
@@ -47,11 +49,12 @@ export function nameTexts(labels, things, floor) {
     const others = things.filter((one) => one !== box);
     const costs = candidates(lines, box).map((one, place) => ({
       one,
-      cost: cost(one, taken, others, floor) + COST.farther * place,
+      // a thing that is smaller than its name would be hidden by it
+      cost: cost(one, taken, covers(box, one) ? others : things, floor) + COST.farther * place,
     }));
     const spot = costs.reduce((least, next) => (next.cost < least.cost ? next : least)).one;
     taken.push(spot);
-    return lines.map(({ text, name: look }, row) =>
+    const texts = lines.map(({ text, name: look }, row) =>
       svg("text", {
         class: look,
         "text-anchor": "middle",
@@ -60,8 +63,20 @@ export function nameTexts(labels, things, floor) {
         text,
       }),
     );
+    return [plate(spot), ...texts];
   });
 }
+
+/** What a name stands on, so that it can be read over hatched cells. */
+const plate = ([x0, y0, x1, y1]) =>
+  svg("rect", {
+    class: "plate",
+    x: x0.toFixed(1),
+    y: y0.toFixed(1),
+    width: (x1 - x0).toFixed(1),
+    height: (y1 - y0).toFixed(1),
+    rx: 4,
+  });
 
 /** Rectangles for a name: in the middle of what it names, then at its sides. */
 function candidates(lines, [x0, y0, x1, y1]) {
