@@ -6,7 +6,7 @@ const FONT = 13,
   LINE = 16, // height of a line [px]
   LONGEST = 11, // longest line, in widths of a full-width letter
   NARROW = 0.56, // width of a letter that is not full-width, in the same
-  COST = { name: 30, outside: 20, thing: 2, farther: 0.15 };
+  COST = { name: 30, outside: 20, hidden: 6, thing: 2, farther: 0.15 };
 
 const widthOf = (text) => [...text].reduce((sum, letter) => sum + (letter > "\u2e7f" ? 1 : NARROW), 0);
 
@@ -33,7 +33,11 @@ const shared = (one, other) =>
   Math.max(0, Math.min(one[2], other[2]) - Math.max(one[0], other[0])) *
   Math.max(0, Math.min(one[3], other[3]) - Math.max(one[1], other[1]));
 
-const covers = (outer, inner) => [0, 1].every((i) => outer[i] <= inner[i] && outer[i + 2] >= inner[i + 2]);
+/** What share of a thing is hidden by its own name, unless that is within it. */
+const hidden = (thing, name) =>
+  [0, 1].every((i) => thing[i] <= name[i] && thing[i + 2] >= name[i + 2])
+    ? 0
+    : shared(thing, name) / ((thing[2] - thing[0]) * (thing[3] - thing[1]));
 
 /**
  * Names as texts, the first placed first: labels are {name, notes, box}; they rather do not stand on things, but in
@@ -49,8 +53,7 @@ export function nameTexts(labels, things, floor) {
     const others = things.filter((one) => one !== box);
     const costs = candidates(lines, box).map((one, place) => ({
       one,
-      // a thing that is smaller than its name would be hidden by it
-      cost: cost(one, taken, covers(box, one) ? others : things, floor) + COST.farther * place,
+      cost: cost(one, taken, others, floor) + COST.hidden * hidden(box, one) + COST.farther * place,
     }));
     const spot = costs.reduce((least, next) => (next.cost < least.cost ? next : least)).one;
     taken.push(spot);

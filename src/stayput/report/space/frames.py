@@ -75,7 +75,9 @@ class SpacePainter:
         self._camera = Camera(scene.points, *self._layout.scene)
         self._line = self._layout.line
         self._openings = [_in_wall(one) for one in scene.still if one.role in OPENINGS]
-        self._swings = [_on_floor(one) for one in scene.still if one.role in OPENINGS]
+        self._swings = [
+            swing for one in scene.still if one.role in OPENINGS if (swing := _on_floor(one)).lines
+        ]
         self._places = [one for one in scene.still if one.role not in OPENINGS]
         self._boxes = [
             DrawnHull(one.points, one.normals, np.array([face[0] for face in one.faces]))
