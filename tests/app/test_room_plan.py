@@ -252,6 +252,45 @@ def test_a_piece_is_turned_in_steps_of_15_degrees(browser: Browser, server: Runn
         assert it.room()["furniture"][1]["heading"] == pytest.approx(math.pi / 2)
 
 
+def test_the_left_and_the_near_wall_are_pulled_and_what_stands_there_stays(
+    browser: Browser, server: Running
+) -> None:
+    with editing(browser, server) as it:
+        it.page.evaluate("async () => (await import('/room/room.js')).select(null)")
+        scale = it.at(1.0, 0.0)[0] - it.at(0.0, 0.0)[0]  # which scrolls
+        x, y = it.handle("room-left")
+        chest = it.at(2.0, 1.0)
+        it.pull((x, y), (x - 0.5 * scale, y), drop=False)
+        drawn = it.page.locator("[data-thing=furniture-1] .standing").bounding_box()
+        assert drawn is not None
+        middle = drawn["x"] + drawn["width"] / 2, drawn["y"] + drawn["height"] / 2
+        assert middle == pytest.approx(chest, abs=2.0)  # on the screen
+        it.page.mouse.up()
+        room = it.room()
+        width = room["plan"]["width"]
+        assert width == pytest.approx(4.5, abs=0.03)
+        moved = width - 4.0
+        assert room["furniture"][0] == {
+            **ROOM["furniture"][0],
+            "gap": 0.02,
+        }  # its back stays at the left wall
+        assert room["furniture"][1]["at"] == pytest.approx([2.0 + moved, 1.0])
+        assert room["places"][0]["at"] == pytest.approx([3.3 + moved, 1.9])
+        assert room["windows"][0]["start"] == pytest.approx(1.0 + moved)
+        assert room["doors"][0]["start"] == 0.1  # in the right wall
+        scale = it.at(1.0, 0.0)[0] - it.at(0.0, 0.0)[0]
+        x, y = it.handle("room-near")
+        it.pull((x, y), (x, y + 0.4 * scale))
+        room = it.room()
+        moved_up = room["plan"]["length"] - 3.0
+        assert moved_up == pytest.approx(0.4, abs=0.03)
+        assert room["furniture"][0]["along"] == pytest.approx(2.0 + moved_up)
+        assert room["furniture"][1]["at"] == pytest.approx([2.0 + moved, 1.0 + moved_up])
+        assert room["doors"][0]["start"] == pytest.approx(0.1 + moved_up)
+        it.press("Control+z", "Control+z")
+        assert it.room() == ROOM
+
+
 def test_a_smaller_room_takes_everything_with_it(browser: Browser, server: Running) -> None:
     with editing(browser, server) as it:
         it.page.evaluate("async () => (await import('/room/room.js')).select(null)")

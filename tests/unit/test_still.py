@@ -103,8 +103,11 @@ def test_doors_of_walls_that_are_seen_from_outside_are_drawn_over_the_bodies(
             (x, y, _) = one.faces[0].mean(axis=0) if one.faces else one.lines[0].mean(axis=0)
             drawn.append("floor" if not one.faces else middles.get(x) or middles[y])
 
+    def body(*_: object) -> None:
+        drawn.append("body")
+
     monkeypatch.setattr(frames, "_draw_still", still)
-    monkeypatch.setattr(frames, "_draw_body", lambda *_: drawn.append("body"))
+    monkeypatch.setattr(frames, "_draw_body", body)
     SpacePainter(space_film(room_run(), ["box"], "en"), 480, 360).frame(
         0.0
     )  # seen from the right and the near wall

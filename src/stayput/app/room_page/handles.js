@@ -38,7 +38,8 @@ export function handles() {
 /** A handle in each wall; of the left and the near one it moves the origin too. */
 function roomHandles() {
   const [x0, y0, x1, y1] = sheetNow().floor,
-    [x, y] = [(x0 + x1) / 2 - ASIDE, (y0 + y1) / 2 - ASIDE];
+    [x, y] = [(x0 + x1) / 2 - ASIDE, (y0 + y1) / 2 - ASIDE],
+    off = IN_WALL / sheetNow().scale;
   const side = (key, value) => {
     const [low, high] = limitsOf(`plan.${key}`);
     return cm(Math.max(low, Math.min(high, value)));
@@ -51,10 +52,10 @@ function roomHandles() {
   const across = (made, width) => (start, [px]) => made(start, side("width", width(start.plan, px)), start.plan.length);
   const deep = (made, length) => (start, [, py]) => made(start, start.plan.width, side("length", length(start.plan, py)));
   return [
-    { name: "room-width", at: [x1 + IN_WALL, y], pull: across(far, (_, px) => px) },
-    { name: "room-length", at: [x, y0 - IN_WALL], pull: deep(far, (_, py) => py) },
-    { name: "room-left", at: [x0 - IN_WALL, y], pull: across(near, ({ width }, px) => width - px) },
-    { name: "room-near", at: [x, y1 + IN_WALL], pull: deep(near, ({ length }, py) => length - py) },
+    { name: "room-width", at: [x1 + IN_WALL, y], pull: across(far, (_, px) => px - off) },
+    { name: "room-length", at: [x, y0 - IN_WALL], pull: deep(far, (_, py) => py - off) },
+    { name: "room-left", at: [x0 - IN_WALL, y], pull: across(near, ({ width }, px) => width - px - off) },
+    { name: "room-near", at: [x, y1 + IN_WALL], pull: deep(near, ({ length }, py) => length - py - off) },
   ];
 }
 
