@@ -103,11 +103,13 @@ function keepInPlace() {
 /** Keeps the scale, and what the pointer points at, as they are now, although the room gets other sides. */
 export function hold() {
   held = { sheet, toSheet: element.getScreenCTM().inverse() };
+  element.classList.add("held");
 }
 
 /** Lets the plan fit its place again. */
 export function release() {
   held = null;
+  element.classList.remove("held");
 }
 
 /** Where an event of the pointer is in the plan [m]. */
