@@ -330,6 +330,8 @@ def test_a_phone_shows_the_verdict_in_one_line_beside_the_plan(
         it.page.wait_for_selector("body[data-screen=understand]")
         assert it.page.locator("#verdict").is_visible()
         assert not line.is_visible()
+        it.page.go_back()
+        it.page.wait_for_selector("body[data-screen=scene]")
 
 
 @pytest.mark.parametrize("size", [PHONE, DESK], ids=["phone", "desk"])
