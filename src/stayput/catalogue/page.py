@@ -127,6 +127,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "A record of your own: drop a file here, or",
         "手持ちの地震記録：ここにファイルをドロップするか、",
     ),
+    "ownRecord": ("A record of your own:", "手持ちの地震記録："),
     "chooseFile": ("choose one", "ファイルを選ぶ"),
     "sending": ("Sending and reading the record …", "記録を送って読み込んでいます…"),
     "dropPieces": (

@@ -18,7 +18,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "ceilingThere": ("There is a ceiling", "天井がある"),
     "dropRoom": (
         "The scenario file of a room opens that room.",
-        "部屋の条件ファイルをドロップすると、その部屋を開きます。",
+        "部屋の条件ファイルを選ぶと、その部屋を開きます。",
     ),
     # The verdict
     "answerTitle": ("What happens in this room", "この部屋で起こること"),
@@ -27,10 +27,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "少ない計算（{runs}回）による最初の目安です。確率の区間はまだ広めです。",
     ),
     "before": ("Waiting for the server: {n} before you.", "順番を待っています。前に{n}件あります。"),
-    "roomBetter": (
-        "More runs are being made, so that the numbers become surer …",
-        "計算を続けています。数値はさらに確かになります…",
-    ),
+    "roomBetter": ("More runs make the numbers surer …", "計算を続けて、数値を確かにしています…"),
+    "counting": ("counting …", "計算中…"),
+    "briefHit": ("somebody hit: {share}", "人に当たる：{share}"),
+    "briefShutIn": ("shut in: {share}", "出られない：{share}"),
+    "briefOld": ("before the change: {said}", "変更前：{said}"),
+    "briefRefused": ("The room cannot be worked out; see why.", "この部屋は計算できません。理由を見る"),
     "makeBest": ("Make this change", "この変更を行う"),
     "basisOfRoom": (
         "From {runs} runs of pieces under {motions} earthquakes; friction and weights were varied too. Seed {seed}, {seconds} s of computing.",
@@ -108,6 +110,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "make": ("Make it", "行う"),
     "makeThis": ("Make this change: {change}", "この変更を行う：{change}"),
     "planTitle": ("Plan to buy and do", "買う物とやること"),
+    "planMake": ("Work out the plan", "「買う物とやること」を作る"),
+    "planWait": ("It can be worked out once the verdict is complete.", "判定の計算が終わると作れます。"),
+    "planRuns": ("Runs so far: {runs}", "これまでの計算：{runs}回"),
     "planOpen": ("Open the plan to buy and do, for printing", "「買う物とやること」を開く（印刷用）"),
     "allowed_no_drilling": ("No drilling (rented)", "穴を開けられない（賃貸）"),
     "allowed_tatami": ("The floor is tatami", "床が畳"),
