@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import sys
 import warnings
 from contextlib import contextmanager
@@ -30,8 +31,29 @@ _LONGEST_QUOTE = 60
 _BEGINNING = 400
 
 
+_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ufeff]")
+"""Control characters, invisible ones, and those that change the direction of the text."""
+
+
+def has_control(text: str) -> bool:
+    """Return whether a text holds a control character: one of a terminal, or of the direction of writing."""
+    return _CONTROL.search(text) is not None
+
+
+def visible(text: str) -> str:
+    r"""Return a text with its control characters written out, as Python writes them.
+
+    Examples
+    --------
+    >>> visible("red \x1b[31m")
+    'red \\x1b[31m'
+    """
+    return _CONTROL.sub(lambda found: repr(found[0])[1:-1], text)
+
+
 def readable(sentence: str) -> str:
     """Return a sentence, cut in its middle where it is too long: what is allowed stands at the end."""
+    sentence = visible(sentence)
     if len(sentence) <= LONGEST_SENTENCE:
         return sentence
     return f"{sentence[:_BEGINNING]} … {sentence[_BEGINNING + 3 - LONGEST_SENTENCE :]}"
@@ -214,6 +236,14 @@ def instance_of(name: str, value: object, kind: type[T] | tuple[type[T], ...]) -
         wanted = " | ".join(each.__name__ for each in kinds)
         raise InputError("common.wrong_type", name, name=name, value=repr(value), wanted=wanted)
     return value
+
+
+def name_of(name: str, value: object) -> str:
+    """Return what the user calls something, a text without control characters, or raise `InputError`."""
+    text = instance_of(name, value, str)
+    if has_control(text):
+        raise InputError("common.control_characters", name, name=name, value=quoted(text))
+    return text
 
 
 def list_of(name: str, values: Any, kind: type | tuple[type, ...] = object) -> tuple[Any, ...]:

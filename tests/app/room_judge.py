@@ -59,7 +59,7 @@ def change(what: str, hit: float, **more: Any) -> dict[str, Any]:
         "table": "furniture",
         "label": words(english, japanese),
         "sentence": words(
-            f"With {english}, somebody is hit less often.", f"{japanese}で、人に当たる割合が減ります。"
+            f"With {english}, somebody is hit less often.", f"{japanese}すると、人に当たる確率が減ります。"
         ),
         "measure": None,
         "measures": None,
@@ -87,12 +87,12 @@ def made() -> dict[str, Any]:
     belt = {
         "measure": "belt",
         "measures": [{"type": "belt"}],
-        "label": ("belts on bookcase", "「本棚」にベルト"),
+        "label": ("belts on the bookcase", "「本棚」をベルトで固定"),
     }
     return {
         "complete": True,
         "verdict": words(
-            "In 8 of 10 earthquakes bookcase hits who is at the bed.",
+            "In 8 of 10 earthquakes the bookcase hits whoever is in the bed (95 % interval: 60 to 90 %).",
             "「本棚」がベッドにいる人に当たります。",
         ),
         "best": words("Best single change: bookcase moved.", "最も効果のある変更：「本棚」を移動。"),

@@ -33,17 +33,22 @@ def test_the_plan_of_a_room_that_is_done(client: httpx.Client, plan: sp.ActionPl
     asked: dict[str, Any] = {"scene": ROOM, "changes": False}
     job = ended(client, client.post("/api/v1/room", json=asked).json())
     address = f"/api/v1/jobs/{job['id']}/plan"
+    progress = f"{address}/progress"
+    assert client.get(progress).json() == {"made": False, "runs": 0}
     answer = client.get(address)
     assert answer.status_code == 200
     assert answer.headers["content-type"] == "text/html; charset=utf-8"
     assert "script-src" in answer.headers["content-security-policy"]
     assert answer.text == plan.to_html("en")
     assert client.get(address, params={"lang": "ja"}).text == plan.to_html("ja")
+    assert client.get(progress).json() == {"made": True, "runs": plan.verdict.runs}
+    assert client.get(progress, params={"tatami": "true"}).json() == {"made": False, "runs": 0}
     rented = client.get(address, params={"lang": "ja", "no_drilling": "true", "tatami": "true"})
     assert say("action_plan.no_drilling", "ja") in rented.text
     assert say("action_plan.tatami", "ja") in rented.text
     assert client.get(address, params={"tatami": "often"}).status_code == 422
-    assert client.get(f"/api/v1/jobs/{'0' * 32}/plan").status_code == 404
+    for path in ("plan", "plan/progress"):
+        assert client.get(f"/api/v1/jobs/{'0' * 32}/{path}").status_code == 404
 
 
 def pages(opened: Browser, file: Path) -> int:

@@ -111,3 +111,35 @@ def test_values_and_names_are_in_the_sentence(client: httpx.Client) -> None:
         problem["message_ja"]
         == "家具と壁のすき間が0.4 mあります。「L型金具（ねじ留め）」を使うには0.15 m以下にしてください。"
     )
+
+
+BODIES: dict[str, tuple[str, dict[str, Any], str, str]] = {
+    "a word for a number": ("verify", {"slide_limit_m": "far"}, "must be a number", "数値を指定"),
+    "less than allowed": ("verify", {"slide_limit_m": -1.0}, "must be at least 0", "0以上を指定"),
+    "more than allowed": ("room", {"lease_s": 1e5}, "must be at most 3600", "3600以下を指定"),
+    "no switch": ("room", {"changes": "often"}, "must be true or false", "trueかfalseを指定"),
+    "another axis": (
+        "size-map",
+        {"axis": "depth"},
+        "must be one of 'height', 'width', 'size'",
+        "のいずれかを指定",
+    ),
+    "no list": ("verify", {"measures": 3}, "must be a list", "リストを指定"),
+    "too many": ("verify", {"measures": [{}] * 9}, "must be a list of at most 8", "8個までのリストを指定"),
+    "no table": ("room", {"scene": 3}, "must be a table", "テーブルを指定"),
+    "a number for a text": ("scenario/read", {"toml": 3}, "must be a text", "文字列を指定"),
+    "a long text": ("scenario/read", {"toml": "", "name": "a" * 300}, "at most 255 char", "255文字までの"),
+    "missing": ("room", {}, "scene is missing", "sceneがありません"),
+    "not known": ("room", {"scene": {}, "beds": 3}, "beds is not known here", "bedsという項目はありません"),
+}
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_bodies_that_are_not_as_described(client: httpx.Client, name: str) -> None:
+    address, body, english, japanese = BODIES[name]
+    scene = {} if name == "missing" else {"scene": {}}
+    answer = client.post(f"/api/v1/{address}", json={**scene, **body} if address != "scenario/read" else body)
+    assert answer.status_code == 422, answer.text
+    problem = answer.json()
+    assert english in problem["message"]
+    assert japanese in problem["message_ja"]

@@ -273,3 +273,16 @@ def test_presets_have_their_lengths(client: httpx.Client) -> None:
     assert all(one["length_m"] > 0.0 for one in found["furniture"])
     assert found["numbers"]["furniture.length"]["unit"] == "m"
     assert math.isfinite(found["numbers"]["furniture.length"]["high"])
+
+
+def test_the_server_prints_no_warning_of_what_it_is_asked(
+    client: httpx.Client, recwarn: pytest.WarningsRecorder
+) -> None:
+    floor = {"static_friction": 0.6, "kinetic_friction": 0.5, "settlement": 0.01}
+    sine = {"sine": {"amplitude": 1.0, "frequency": 1.0, "duration": 2.0}}
+    scene = {"furniture": PIECES["furniture"], "room": {"floor": floor}, "shaking": sine}
+    with pytest.warns(sp.InputWarning, match="The floor settles by"):
+        AssemblyScenario.parse(scene).run()  # which tells it in Python
+    recwarn.clear()
+    assert client.post("/api/v1/simulate", json={"scene": scene}).status_code == 200
+    assert [one for one in recwarn if issubclass(one.category, sp.InputWarning)] == []

@@ -9,6 +9,7 @@ import numpy as np
 from browsing import browser, opened  # noqa: F401
 
 import stayput as sp
+from waiting import wait_until
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -22,15 +23,33 @@ if TYPE_CHECKING:
 LOST = ("status of 404", "status of 422")
 
 
-def small_record(folder: Path) -> Path:
+def small_record(folder: Path, seconds: float = 20.0) -> Path:
     """Return a record of a small sensor: 20 s in steps of 20 ms, with two digits."""
     motion = sp.near_fault()
-    time = np.arange(0.0, 20.0, 0.02)
+    time = np.arange(0.0, seconds, 0.02)
     values = np.interp(time, motion.time, motion.x)
     path = folder / "my town.csv"
     lines = "\n".join(f"{one:.2f}" for one in values)
     path.write_text(f"{lines}\n", encoding="utf-8")
     return path
+
+
+def small_vertical(folder: Path, seconds: float = 6.0) -> Path:
+    """Return the vertical record of such a sensor, whose file says what it holds."""
+    motion = sp.near_fault()
+    time = np.arange(0.0, seconds, 0.02)
+    values = 0.5 * np.interp(time, motion.time, motion.x)
+    path = folder / "up.csv"
+    rows = "\n".join(f"{t:.2f},{one:.1f}" for t, one in zip(time, values, strict=True))
+    path.write_text(f"# acceleration, unit: m/s²\nt,UD\n{rows}\n", encoding="utf-8")
+    return path
+
+
+def take_vertical(it: Opened, path: Path) -> None:
+    """Drop a vertical record beside the one that is in use, and take it as its vertical component."""
+    it.page.set_input_files("#file", path)
+    it.simulated(it.page.get_by_role("button", name="Take it as vertical").click)
+    it.kept("verticalName=up.csv")
 
 
 def sent(it: Opened, path: Path) -> None:
@@ -41,7 +60,9 @@ def sent(it: Opened, path: Path) -> None:
 
 
 def forget(server: Running) -> None:
+    """Let the server forget all records, once no verification needs one."""
     motions: Motions = server.app.state.service.motions
+    wait_until(lambda: not server.app.state.service.jobs.motions())
     for name in list(motions._stored):
         motions.remove(name)
 
@@ -78,6 +99,49 @@ def test_a_small_record_that_the_server_forgets_is_sent_again(
         it.settle()
         assert it.page.locator("#notices").is_hidden()
         assert "my town.csv" in it.text("#summary")
+
+
+def test_a_small_vertical_record_travels_with_the_horizontal_one(
+    browser: Browser, server: Running, tmp_path: Path
+) -> None:
+    with opened(browser, server, "#piece=chest", allowed=LOST) as it:
+        sent(it, small_record(tmp_path, 6.0))
+        take_vertical(it, small_vertical(tmp_path))
+        it.wait("() => location.hash.includes('verticalWave=')")
+        summary = it.text("#says-without"), it.text("#summary")
+        address = it.page.input_value("#address")
+        assert it.page.locator("#link-record").is_hidden()
+    assert len(address) < 5500
+    forget(server)
+    with opened(browser, server, address.removeprefix(f"{server.address}/"), allowed=LOST) as it:
+        assert (it.text("#says-without"), it.text("#summary")) == summary
+        assert "Vertical component: up.csv." in it.text("#uploaded")
+        assert it.page.locator("#notices").is_hidden()
+        forget(server)  # while the page is open: both are sent again
+        it.page.get_by_label("Height (cm)").fill("140")
+        it.wait("() => document.getElementById('uploaded').textContent.includes('up.csv')")
+        it.settle()
+        assert it.page.locator("#notices").is_hidden()
+        assert "Vertical component: up.csv." in it.text("#uploaded")
+
+
+def test_a_vertical_record_that_does_not_fit_is_said_to_be_missing(
+    browser: Browser, server: Running, tmp_path: Path
+) -> None:
+    with opened(browser, server, "#piece=chest", allowed=LOST) as it:
+        sent(it, small_record(tmp_path))
+        take_vertical(it, small_vertical(tmp_path, 30.0))
+        it.go("keep")
+        assert "“up.csv” is too large for the link" in it.text("#link-record")
+        address = it.page.input_value("#address")
+        assert "verticalWave=" not in address
+    forget(server)
+    with opened(browser, server, address.removeprefix(f"{server.address}/"), allowed=LOST) as it:
+        said = it.text("#notices")
+        assert "“up.csv” is no longer on the server" in said
+        assert said.count("without a vertical component") == 1
+        assert "my town.csv" in it.text("#uploaded")
+        assert "Vertical component" not in it.text("#uploaded")
 
 
 def test_a_record_that_is_too_large_for_the_link_is_said_to_be(

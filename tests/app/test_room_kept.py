@@ -14,7 +14,7 @@ from room_judge import Judge, after, judged, room_page
 from serving import client_of
 from test_figures import JAPANESE, executed, numbers
 from test_figures import done as done_of_one_piece
-from test_page_links import LOST, forget, small_record
+from test_page_links import LOST, forget, small_record, small_vertical
 from test_room_api import ROOM, ended
 
 import stayput as sp
@@ -187,6 +187,28 @@ def test_a_small_record_travels_in_a_room_s_link(browser: Browser, server: Runni
         it.page.reload()
         judged(it)
         assert judge.scene["shaking"] == again
+
+
+def test_a_small_vertical_record_travels_in_a_room_s_link(
+    browser: Browser, server: Running, tmp_path: Path
+) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge, allowed=LOST) as it:
+        sent(it, judge, small_record(tmp_path, 6.0))
+        it.page.set_input_files("#file", small_vertical(tmp_path))
+        take = it.page.get_by_role("button", name="Take it as vertical")
+        room = after(it, judge, take.click)
+        it.wait("() => location.hash.includes('verticalWave=')")
+        assert it.page.locator("#link-record").is_hidden()
+        link = it.page.input_value("#address")
+    forget(server)
+    with room_page(browser, server, judge, "#" + link.split("#")[1], allowed=LOST) as it:
+        it.wait("() => document.getElementById('uploaded').textContent.includes('up.csv')")
+        judged(it)
+        again = judge.scene["shaking"]
+        assert again["vertical"] != room["shaking"]["vertical"]
+        assert again == {**room["shaking"], **{key: again[key] for key in ("record", "vertical")}}
+        assert it.page.locator("#notices").is_hidden()
 
 
 def test_a_large_record_is_said_not_to_be_in_a_room_s_link(

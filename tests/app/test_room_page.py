@@ -22,7 +22,8 @@ from waiting import wait_until
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from playwright.sync_api import Browser, Page, Route
+    from browsing import Opened
+    from playwright.sync_api import Browser, FloatRect, Page, Route
     from serving import Running
 
     from stayput.app.service import Service
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 SOURCES = resources.files("stayput.app").joinpath("room_page")
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SIDE = {"width": 844, "height": 390}
+WIDE = {"width": 1920, "height": 1080}
 SCREENS = ("scene", "see", "understand", "keep")
 
 
@@ -271,27 +273,136 @@ def test_the_page_goes_on_when_the_server_is_back(browser: Browser, server: Runn
         assert place_of(judge.scene, "bookcase")["along"] == 0.4
 
 
-@pytest.mark.parametrize(
-    ("size", "rows"),
-    [({"width": 1440, "height": 900}, 2), (PHONE, 2), (SIDE, 1)],
-    ids=["desk", "phone", "side"],
-)
-def test_the_palette_leaves_room_for_the_plan(
-    browser: Browser, server: Running, size: Any, rows: int
-) -> None:
+@pytest.mark.parametrize("size", [DESK, WIDE, PHONE, SIDE], ids=["desk", "wide", "phone", "side"])
+def test_the_plan_is_the_main_thing(browser: Browser, server: Running, size: Any) -> None:
     with room_page(browser, server, Judge(), size=size) as it:
-        tops = it.page.locator(".kind").evaluate_all("all => all.map(one => one.offsetTop)")
-        heights = it.page.locator(".kind").evaluate_all("all => all.map(one => one.offsetHeight)")
-        palette, plan = (it.page.locator(name).bounding_box() for name in ("#palette", "#plan"))
-        assert palette
-        assert plan
-        assert palette["height"] < rows * 90
-        assert max(tops) - min(tops) < (rows - 1) * 90 + max(heights) / 2
-        if size["width"] == 1440:
-            assert plan["y"] + plan["height"] <= size["height"]
+        palette, plan, sheet = (box(it, name) for name in ("#palette", "#plan", ".sheet"))
+        bottom = size["height"] if size["width"] > 1000 else box(it, "#steps")["y"]
+        assert plan["y"] + plan["height"] <= bottom
+        if size is SIDE:
+            assert palette["x"] + palette["width"] <= plan["x"]
+        else:
+            assert plan["width"] > 0.9 * sheet["width"]
+            assert palette["height"] < 160 or palette["x"] + palette["width"] <= plan["x"]
         it.page.locator(".kind").last.scroll_into_view_if_needed()
         it.page.locator(".kind").last.click()
         assert it.page.locator("#plan [data-thing=windows-1]").count() == 1
+
+
+def box(it: Opened, selector: str) -> FloatRect:
+    found = it.page.locator(selector).bounding_box()
+    assert found
+    return found
+
+
+@pytest.mark.parametrize("size", [PHONE, SIDE], ids=["upright", "on its side"])
+def test_a_palette_fades_where_there_is_more_of_it(browser: Browser, server: Running, size: Any) -> None:
+    with room_page(browser, server, Judge(), size=size) as it:
+        more = "() => document.getElementById('palette').dataset.more === '{}'"
+        it.wait(more.format("after"))
+        it.page.locator("#palette").evaluate("one => one.scrollBy(40, 40)")
+        it.wait(more.format("before after"))
+        it.page.locator("#palette").evaluate("one => one.scrollBy(9999, 9999)")
+        it.wait(more.format("before"))
+
+
+@pytest.mark.parametrize("size", [PHONE, SIDE], ids=["upright", "on its side"])
+def test_a_phone_shows_the_verdict_in_one_line_beside_the_plan(
+    browser: Browser, server: Running, size: dict[str, int]
+) -> None:
+    judge = Judge(ROUGH)
+    with opened(browser, server, "room/", routes=judge.routes, size=size) as it:
+        it.wait("() => document.getElementById('in-brief').textContent.includes('counting')")
+        judge.stage = DONE
+        judged(it)
+        line = it.page.locator("#brief button")
+        assert it.text("#brief") == "Somebody hit: 80 % · shut in: 10 %"
+        seen = box(it, "#brief")
+        assert seen["y"] + seen["height"] <= size["height"]
+        judge.stage = QUEUED
+        it.page.locator("#palette [data-kind=chest]").click()
+        it.wait("() => document.getElementById('brief').dataset.old === 'true'")
+        assert it.text("#brief") == "Before the change: somebody hit: 80 % · shut in: 10 % · counting …"
+        assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+        judge.stage = DONE
+        judged(it)
+        line.click()
+        it.page.wait_for_selector("body[data-screen=understand]")
+        assert it.page.locator("#verdict").is_visible()
+        assert not line.is_visible()
+        it.page.go_back()
+        it.page.wait_for_selector("body[data-screen=scene]")
+
+
+@pytest.mark.parametrize("size", [PHONE, DESK], ids=["phone", "desk"])
+def test_the_plan_to_buy_and_do_is_beside_the_verdict_with_its_progress(
+    browser: Browser, server: Running, size: dict[str, int]
+) -> None:
+    runs = [0]
+    waiting: list[Route] = []
+    asked: list[str] = []
+
+    def progress(route: Route) -> None:
+        route.fulfill(json={"made": False, "runs": runs[0]})
+
+    def plan(route: Route) -> None:
+        asked.append(route.request.url)
+        waiting.append(route)
+
+    with room_page(browser, server, Judge(), size=size, allowed=("Failed to load",)) as it:
+        it.page.route("**/jobs/*/plan?*", plan)
+        it.page.route("**/jobs/*/plan/progress?*", progress)
+        it.go("understand")
+        answer, todo, rest = (box(it, name) for name in ("#answer", "#todo", "#understand"))
+        assert answer["y"] + answer["height"] <= todo["y"] < todo["y"] + todo["height"] <= rest["y"]
+        assert answer["x"] == todo["x"]
+        it.page.click("#make-plan")
+        it.page.wait_for_selector("#plan-progress:visible")
+        assert it.text("#plan-state") == "Runs so far: 0"
+        runs[0] = 1120
+        it.wait("() => document.getElementById('plan-state').textContent === 'Runs so far: 1,120'")
+        it.page.click("#stop-plan")
+        assert not it.page.locator("#plan-progress").is_visible()
+        assert not it.page.locator("#card").is_visible()
+        it.page.get_by_label("No drilling").check()
+        it.page.click("#make-plan")
+        wait_until_routed(it, waiting, 2)
+        waiting.pop().fulfill(body="<p>The plan</p>", content_type="text/html")
+        it.page.wait_for_selector("#card:visible")
+        assert "no_drilling=true" in asked[-1]
+        assert "no_drilling=true" in (it.page.get_attribute("#card", "href") or "")
+        assert it.page.get_attribute("#card", "target") == "_blank"
+        it.page.get_by_label("No drilling").uncheck()  # which is another plan
+        assert not it.page.locator("#card").is_visible()
+        it.page.click("#make-plan")
+        wait_until_routed(it, waiting, 2)
+        sentence = "It-cannot-be-" * 30
+        refusal = {"message": sentence, "message_ja": None, "field": None}
+        waiting.pop().fulfill(status=409, json=refusal)
+        it.page.wait_for_selector("#plan-said:visible")
+        assert sentence in it.text("#plan-said")
+        assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+def wait_until_routed(it: Opened, waiting: list[Route], count: int) -> None:
+    """Wait until so many questions have come; waiting lets the page's events be handled."""
+    for _ in range(600):
+        if len(waiting) >= count:
+            return
+        it.page.wait_for_timeout(100)
+    raise AssertionError(waiting)
+
+
+def test_a_finger_is_not_told_to_drop_files(browser: Browser, server: Running) -> None:
+    context = browser.new_context(viewport=PHONE, has_touch=True, is_mobile=True, locale="en-GB")  # type: ignore[arg-type]
+    page = context.new_page()
+    page.goto(f"{server.address}/room/")
+    page.wait_for_selector("#drop")
+    assert page.inner_text("#drop label").replace("\n", " ") == "A record of your own: choose one"
+    context.close()
+    with room_page(browser, server, Judge()) as it:
+        assert "drop a file here" in it.text("#drop label")
+        assert it.text("#drop label").count("A record of your own") == 1
 
 
 def test_what_the_server_refuses_is_said(browser: Browser, server: Running) -> None:
@@ -387,7 +498,7 @@ def test_the_language_is_switched_with_everything(browser: Browser, server: Runn
         it.wait("() => document.getElementById('ranking').textContent.includes('確率の差')")
         assert it.page.title() == "stayput：地震のとき、この部屋にいる人は安全か"
         assert it.text("#verdict") == "「本棚」がベッドにいる人に当たります。"
-        assert "「本棚」にベルト" in it.text("#ranking")
+        assert "「本棚」をベルトで固定" in it.text("#ranking")
         assert len(judge.asked) == 1  # nothing is worked out again
 
 

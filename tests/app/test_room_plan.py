@@ -252,6 +252,69 @@ def test_a_piece_is_turned_in_steps_of_15_degrees(browser: Browser, server: Runn
         assert it.room()["furniture"][1]["heading"] == pytest.approx(math.pi / 2)
 
 
+def test_the_left_and_the_near_wall_are_pulled_and_what_stands_there_stays(
+    browser: Browser, server: Running
+) -> None:
+    with editing(browser, server) as it:
+        it.page.evaluate("async () => (await import('/room/room.js')).select(null)")
+        scale = it.at(1.0, 0.0)[0] - it.at(0.0, 0.0)[0]  # which scrolls
+        chest = it.at(2.0, 1.0)
+        x, y = it.handle("room-left")
+        it.pull((x, y), (x - 0.5 * scale, y), drop=False)
+        drawn = it.page.locator("[data-thing=furniture-1] .standing").bounding_box()
+        assert drawn is not None
+        middle = drawn["x"] + drawn["width"] / 2, drawn["y"] + drawn["height"] / 2
+        assert middle == pytest.approx(chest, abs=2.0)  # on the screen
+        it.page.mouse.up()
+        room = it.room()
+        width = room["plan"]["width"]
+        assert width == pytest.approx(4.5, abs=0.03)
+        moved = width - 4.0
+        assert room["furniture"][0] == {
+            **ROOM["furniture"][0],
+            "gap": 0.02,
+        }  # its back stays at the left wall
+        assert room["furniture"][1]["at"] == pytest.approx([2.0 + moved, 1.0])
+        assert room["places"][0]["at"] == pytest.approx([3.3 + moved, 1.9])
+        assert room["windows"][0]["start"] == pytest.approx(1.0 + moved)
+        assert room["doors"][0]["start"] == 0.1  # in the right wall
+        scale = it.at(1.0, 0.0)[0] - it.at(0.0, 0.0)[0]
+        x, y = it.handle("room-near")
+        it.pull((x, y), (x, y + 0.4 * scale))
+        room = it.room()
+        moved_up = room["plan"]["length"] - 3.0
+        assert moved_up == pytest.approx(0.4, abs=0.03)
+        assert room["furniture"][0]["along"] == pytest.approx(2.0 + moved_up)
+        assert room["furniture"][1]["at"] == pytest.approx([2.0 + moved, 1.0 + moved_up])
+        assert room["doors"][0]["start"] == pytest.approx(0.1 + moved_up)
+        it.press("Control+z", "Control+z")
+        assert it.room() == ROOM
+
+
+@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
+def test_what_is_refused_breaks_no_layout(browser: Browser, server: Running, size: dict[str, int]) -> None:
+    word = "averylongword" * 20
+    refusal = {"message": word, "message_ja": None, "field": "scene.furniture[1].at"}
+    fits = "document.documentElement.scrollWidth <= innerWidth"
+    with editing(browser, server, size=size, refused=422) as it:
+        it.take({**ROOM, "furniture": [{**ROOM["furniture"][0], "length": 90.0, "name": word}]})
+        it.page.set_input_files("#file", {"name": f"{word}.txt"[-200:], "mimeType": "", "buffer": b"hello"})
+        it.page.wait_for_selector("#uploaded .refusal")
+        assert it.page.evaluate(fits)
+        it.select("furniture-0")
+        it.field("Mass with its content", "-5")
+        assert it.page.locator("#inspector .why:visible").count() == 1
+        assert it.page.evaluate(fits)
+        for path in ("room", "simulate"):
+            it.page.route(f"**/api/v1/{path}", lambda route: route.fulfill(status=422, json=refusal))
+        it.take({**ROOM, "title": "refused"})
+        it.page.wait_for_selector("#answer[data-state=refused]", state="attached")
+        it.page.wait_for_selector("#plan-problems .refusal")
+        for screen in ("scene", "see", "understand", "keep"):
+            it.page.click(f"#steps button[data-screen={screen}]")
+            assert it.page.evaluate(fits), screen
+
+
 def test_a_smaller_room_takes_everything_with_it(browser: Browser, server: Running) -> None:
     with editing(browser, server) as it:
         it.page.evaluate("async () => (await import('/room/room.js')).select(null)")

@@ -14,15 +14,19 @@ import pytest
 from typer.testing import CliRunner
 
 import stayput as sp
-from stayput.catalogue import LANGUAGES, say
+from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.cli import app
 from stayput.measures import MEASURES, Belt, GelMats, LBracket, TensionPole, WedgeStopper
 from stayput.measures.parameters import Grade
 from stayput.report.action_plan.html import PLAN_SPACE, plan_html
 from stayput.rooms.forces import MARGIN, QUANTILE, DeviceForces, Purchase, quantile_of, unbreakable
+from stayput.rooms.planning import purchases_of
+from stayput.rooms.step_words import changes_nothing, checks, too_weak, what_it_brings
 from stayput.rooms.steps import COST_CLASSES, SETS, Home
+from stayput.rooms.verify import question_of
 from stayput.uncertainty import USUAL
 from stayput.verification.grades import inputs_in_room
+from stayput.verification.words import class_phrase
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -267,7 +271,7 @@ def test_a_room_in_which_nothing_does_harm_needs_nothing():
 
 def test_pieces_on_which_nothing_helps_are_named(plan: sp.ActionPlan):
     page = plan_html(replace(plan, steps=(), unsolved=("bookcase",)), "en")
-    assert "help with: bookcase" in page
+    assert "helps with: bookcase" in page
 
 
 def test_the_command_line_writes_a_plan(tmp_path: Path):
@@ -291,3 +295,73 @@ def test_the_command_line_refuses_a_plan_of_no_room(tmp_path: Path, flags: list[
     done = CliRunner().invoke(app, ["verify", str(file), *flags])
     assert done.exit_code == 2
     assert told in " ".join(done.output.split())
+
+
+@pytest.fixture(scope="module")
+def weaker_shaking() -> sp.ActionPlan:
+    """Return a plan of 6-lower: what holds a full bookcase without drilling is too weak there."""
+    return planned(alone(intensity="6-lower"))
+
+
+def test_what_is_too_weak_says_so_first_and_up_to_which_shaking_it_holds(
+    plan: sp.ActionPlan, weaker_shaking: sp.ActionPlan
+):
+    rented = weaker_shaking
+    weak = [fix for fix in fixes(rented) if not fix.enough]
+    assert weak
+    for fix in weak:
+        assert fix.enough_to is None or 3.5 < fix.enough_to < rented.verdict.intensity
+        said = too_weak(fix, rented)
+        assert said is not None
+        for language, text in zip(LANGUAGES, said[0], strict=True):
+            page = plan_html(rented, language).replace("\xa0", " ")
+            assert f'<p class="weak"><strong>{text}</strong>' in page
+        if fix.enough_to is not None:
+            assert class_phrase(fix.enough_to)[0] in said[1][0]
+    strong = [fix for fix in fixes(plan) if fix.enough]
+    assert all(too_weak(fix, plan) is None and fix.enough_to is None for fix in strong)
+
+
+def test_what_is_too_weak_holds_in_the_class_that_is_named(weaker_shaking: sp.ActionPlan):
+    """Runs in that class of shaking find the same devices strong enough, and in the next one no longer."""
+    fix = next(fix for fix in fixes(weaker_shaking) if not fix.enough)
+    assert fix.enough_to is not None
+    measures = tuple(one.measure for one in fix.purchases)
+    for level, enough in ((fix.enough_to, True), (fix.enough_to + 0.5, False)):
+        question = question_of(alone(intensity=level), 1)
+        purchases = purchases_of(question, fix.part, measures, 0)
+        assert all(one.enough for one in purchases) == enough
+
+
+def test_each_check_says_whether_it_is_of_the_step_or_of_its_variant(weaker_shaking: sp.ActionPlan):
+    plan = weaker_shaking
+    number, step = next((n, one) for n, one in enumerate(plan.steps, 1) if one.instead is not None)
+    page = plan_html(plan, "en")
+    assert re.search(rf"<strong>[\d, ]*{number}[\d, ]*</strong>", page)
+    label = say("action_plan.steps_instead", "en", steps=str(number))
+    assert f"<strong>{label}</strong>" in page
+    assert step.instead is not None
+    (last, *_) = list(checks(step.instead))[::-1]
+    assert last[0] in page.split(f"<strong>{label}</strong>")[1].split("</li>")[0]
+
+
+def test_a_step_that_helps_only_with_others_says_with_which(plan: sp.ActionPlan):
+    """Two pieces hit the same bed in the same runs: either alone changes nothing."""
+    step = plan.steps[0]
+    before = replace(
+        step.alone, hit=plan.verdict.hit, hit_change=replace(step.alone.hit_change, estimate=0.0)
+    )
+    idle = replace(
+        before,
+        shut_in=plan.verdict.shut_in,
+        shut_in_change=replace(before.shut_in_change, estimate=0.0),
+        blocked_change=replace(before.blocked_change, estimate=0.0),
+    )
+    assert changes_nothing(idle)
+    first, second = replace(step, alone=idle, together=idle), replace(step, alone=idle)
+    pair = replace(plan, steps=(first, second))
+    (only,) = what_it_brings(1, pair)
+    assert only == phrase("action_plan.only_together", steps="2")
+    told = list(what_it_brings(2, pair))
+    assert told[0] == phrase("action_plan.only_together", steps="1")
+    assert len(told) == 2

@@ -271,3 +271,8 @@ def test_without_trimesh_the_refusal_says_how_to_get_it(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "trimesh", None)
     with pytest.raises(InputError, match=r"A mesh needs trimesh, which is not installed; .*\[space\]"):
         Solid.from_mesh(file, unit="m", mass=10.0)
+
+
+def test_what_is_no_path_is_refused():
+    with pytest.raises(InputError, match="file is None; it must be of type"):
+        Solid.from_mesh(None, unit="m", mass=1.0)  # type: ignore[arg-type]

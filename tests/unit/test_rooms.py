@@ -13,11 +13,12 @@ from typer.testing import CliRunner
 import stayput as sp
 from stayput.catalogue import LANGUAGES
 from stayput.cli import app
+from stayput.model.floor_plan import FACING
 from stayput.report.room.data import room_data
 from stayput.rooms import effects
-from stayput.rooms.changes import FreeFloor, measures_tried, other_places, overlap, places_at_walls
+from stayput.rooms.changes import Change, FreeFloor, measures_tried, other_places, overlap, places_at_walls
 from stayput.rooms.runs import groups_of, part_with
-from stayput.rooms.words import best_sentence, change_sentence
+from stayput.rooms.words import best_sentence, change_sentence, label_of
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
@@ -94,6 +95,11 @@ def test_what_is_wrong_is_refused_with_the_value(tables: dict[str, Any], told: s
         sp.verify_room(changed(**tables), changes=False, progress=False)
     assert told in str(refusal.value)
     assert refusal.value.told("ja") != str(refusal.value)
+
+
+def test_options_of_a_file_are_refused_in_a_room():
+    with pytest.raises(sp.InputError, match=r"^options is given beside \[plan\]; it must be left out"):
+        changed(options=[{"name": "none of them"}])
 
 
 def test_against_is_refused_without_a_plan():
@@ -225,7 +231,8 @@ def test_nobody_is_hit_by_what_is_fixed_well():
     )
     safe = sp.verify_room(fixed, changes=False, progress=False)
     assert safe.hit.estimate == 0.0
-    assert "nobody" in safe.sentence()
+    assert "in none of the" in safe.sentence()
+    assert "95 % interval: 0 to" in safe.sentence()
 
 
 @pytest.mark.parametrize("table", ["doors", "places"])
@@ -270,8 +277,8 @@ def test_nobody_is_shut_in_where_there_is_no_way_out():
 
 def test_sentences_in_both_languages(verdict: RoomVerdict):
     english, japanese = (verdict.sentence(language) for language in LANGUAGES)
-    assert "bookcase hits who is at the bed" in english
-    assert "「本棚」がベッドにいる人に当たります" in japanese
+    assert "the bookcase hits whoever is in the bed (95 % interval: " in english
+    assert "「本棚」がベッドにいる人に当たります（95%区間：" in japanese
     for one in verdict.changes:
         assert change_sentence(one, verdict, "en").endswith(".")
         assert change_sentence(one, verdict, "ja").endswith("。")
@@ -355,3 +362,43 @@ def test_nothing_is_screwed_to_a_window_or_a_wall_too_far_away(openings: dict[st
     whole = room.assembly(room.stated)
     tried = measures_tried(room, whole, (0,), 0)
     assert {"l_bracket", "belt"} & {one.measure.kind for one, _ in tried if one.measure} == kinds
+
+
+def test_a_verdict_of_one_motion_says_so():
+    shaking = {"intensity": "6-upper", "builtin": "near-fault"}
+    alone = sp.verify_room(
+        changed(furniture=piece(), shaking=shaking, uncertainty={"samples": 4}), changes=False, progress=False
+    )
+    assert alone.motions == 1
+    english, japanese = (alone.sentence(language) for language in LANGUAGES)
+    assert english.startswith("In this one motion, of JMA intensity 6-upper: in ")
+    assert "runs the bookcase hits" in english
+    assert "earthquakes" not in english
+    assert japanese.startswith("この1つの地震動（震度6強）では、")
+    calm = {"intensity": "3", "builtin": "near-fault"}
+    quiet = sp.verify_room(
+        changed(furniture=piece(), shaking=calm, uncertainty={"samples": 4}), changes=False, progress=False
+    )
+    assert quiet.sentence().startswith("In this one motion, of JMA intensity 3: in none of the 4 runs is ")
+    assert "（95%区間：0～" in quiet.sentence("ja")
+
+
+def test_a_verdict_of_an_earthquake_counts_the_scatter_of_its_strength():
+    source = {"magnitude": 7.0, "distance": 10.0}
+    shaking = {"earthquake": source, "suite": {"family": "near-fault", "count": 2}}
+    found = sp.verify_room(
+        changed(furniture=piece(), shaking=shaking, uncertainty={"samples": 2}), changes=False, progress=False
+    )
+    assert "with the scatter of their strength around JMA intensity" in found.sentence()
+    assert "ばらつき" in found.sentence("ja")
+
+
+def test_a_move_says_from_which_wall_it_is_measured(verdict: RoomVerdict):
+    moves = {
+        "left_wall": ((0.15, 0.4), "its middle 0.40 m from the near wall", "手前の壁から中心まで0.40 m"),
+        "far_side_wall": ((1.3, 2.55), "its middle 1.30 m from the left wall", "左の壁から中心まで1.30 m"),
+    }
+    for wall, (at, english, japanese) in moves.items():
+        label = label_of(Change("bookcase", at=at, heading=FACING[wall]), verdict)
+        assert english in label[0]
+        assert japanese in label[1]

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import stayput as sp
+from stayput.report.summary import place_called
 from stayput.simulation.space_fate import fates_of, lies_on_floor
 
 BOX = sp.Solid.box
@@ -208,3 +209,16 @@ def test_a_stack_that_takes_too_much_work_is_given_up():
     assert set(run.outcomes) == {sp.Outcome.FAILED}
     assert np.isfinite(run.place).all()
     assert not np.isfinite(run.overturn_time).any()
+
+
+def test_joints_of_the_same_two_bodies_have_names_of_their_own() -> None:
+    bodies = [sp.Standing(sp.Solid.box(0.4, 0.4, 0.4, 20.0), (0.0, 0.0, 0.4 * n)) for n in range(3)]
+    ends = [(1, 0, (0.1, 0.0, 0.4)), (1, 0, (-0.1, 0.0, 0.4)), (2, 1, (0.0, 0.0, 0.8))]
+    run = sp.simulate(sp.Assembly(bodies, joints=[sp.Joint(*end) for end in ends]), ROUGH, STILL)
+    assert [device.place for device in run.devices] == ["1-0, 1", "1-0, 2", "2-1"]
+    names = ("low", "middle", "high")
+    assert [place_called(device, names) for device in run.devices] == [
+        "middle – low, 1",
+        "middle – low, 2",
+        "high – middle",
+    ]

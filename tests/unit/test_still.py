@@ -9,6 +9,7 @@ import numpy as np
 from space_runs import falling
 
 import stayput as sp
+from stayput.report.space import frames
 from stayput.report.space.film import space_film
 from stayput.report.space.frames import SpacePainter
 from stayput.report.space.plot import plot_space_run
@@ -16,6 +17,9 @@ from stayput.report.space.scene import space_scene
 from stayput.report.space.still import STILL_LOOKS, still_of
 
 if TYPE_CHECKING:
+    import pytest
+
+    from stayput.report.space.still import StillShape
     from stayput.simulation.space_run import SpaceRun
 
 PLAN = sp.FloorPlan(
@@ -86,6 +90,30 @@ def test_films_and_plots_draw_them() -> None:
     assert blue.sum() > (empty[..., 2] - empty[..., 0] > 30.0).sum() + 500  # the person's box
     lines = [len(plot_space_run(run).axes[3].lines) for run in (room_run(), falling())]
     assert lines[0] - lines[1] == sum(len(one.lines) for one in still_of(room_run()))
+
+
+def test_doors_of_walls_that_are_seen_from_outside_are_drawn_over_the_bodies(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    drawn = list[str]()
+    middles = {0.0: "left", 3.0: "right", 2.0: "far"}
+
+    def still(_pen: object, _camera: object, _line: object, one: StillShape) -> None:
+        if one.role in ("door", "window"):
+            (x, y, _) = one.faces[0].mean(axis=0) if one.faces else one.lines[0].mean(axis=0)
+            drawn.append("floor" if not one.faces else middles.get(x) or middles[y])
+
+    def body(*_: object) -> None:
+        drawn.append("body")
+
+    monkeypatch.setattr(frames, "_draw_still", still)
+    monkeypatch.setattr(frames, "_draw_body", body)
+    SpacePainter(space_film(room_run(), ["box"], "en"), 480, 360).frame(
+        0.0
+    )  # seen from the right and the near wall
+    bodies = [place for place, one in enumerate(drawn) if one == "body"]
+    assert sorted(drawn[: bodies[0]]) == ["far", "floor", "left"]
+    assert drawn[bodies[-1] + 1 :] == ["right"]
 
 
 def test_a_room_is_run_with_its_plan() -> None:

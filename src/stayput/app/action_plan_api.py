@@ -1,17 +1,18 @@
-"""Route of the plan to buy and do: a page to print, computed when it is asked for."""
+"""Routes of the plan to buy and do: a page to print, computed when asked for, and how far that has come."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated
 
-from fastapi import Query, Request
+from fastapi import Depends, Query, Request
 from starlette.responses import Response
 
-from stayput.app.jobs import StoppedError
+from stayput.app.jobs import Job, StoppedError
 from stayput.app.middleware import REPORT_POLICY
 from stayput.app.refusals import refused
 from stayput.app.requests import Name  # noqa: TC001 - FastAPI reads the annotations
-from stayput.app.service import problems
+from stayput.app.room_replies import PlanProgressReply
+from stayput.app.service import json_response, problems
 from stayput.catalogue import LANGUAGES, Language
 from stayput.report.action_plan.html import plan_html
 from stayput.rooms.planning import action_plan
@@ -26,8 +27,28 @@ if TYPE_CHECKING:
     from stayput.app.service import Service
 
 
+def _asked_home(
+    *,
+    no_drilling: Annotated[bool, Query(description="Nothing may be screwed to a wall.")] = False,
+    tatami: Annotated[bool, Query(description="The floor is tatami.")] = False,
+    plasterboard: Annotated[bool, Query(description="The walls have no studs to screw to.")] = False,
+    dropped_ceiling: Annotated[bool, Query(description="The ceiling hangs on wires.")] = False,
+) -> Home:
+    return Home(no_drilling, tatami, plasterboard, dropped_ceiling)
+
+
+AskedHome = Annotated[Home, Depends(_asked_home)]
+"""What the home of a plan is like, by the query."""
+
+
 def add_action_plan(router: APIRouter, service: Service) -> None:
-    """Add the route to those of the API."""
+    """Add the routes to those of the API."""
+
+    def finished(name: str) -> tuple[Job, RoomVerdict]:
+        job = service.jobs.get(name)
+        if job.state != "done" or not isinstance(job.verdict, RoomVerdict):
+            raise refused(409, "app.no_plan_yet", state=job.state)
+        return job, job.verdict
 
     @router.get(
         "/jobs/{name}/plan",
@@ -38,27 +59,21 @@ def add_action_plan(router: APIRouter, service: Service) -> None:
     async def plan(
         request: Request,
         name: Name,
+        home: AskedHome,
         lang: Annotated[Language, Query()] = "en",
-        no_drilling: Annotated[bool, Query(description="Nothing may be screwed to a wall.")] = False,
-        tatami: Annotated[bool, Query(description="The floor is tatami.")] = False,
-        plasterboard: Annotated[bool, Query(description="The walls have no studs to screw to.")] = False,
-        dropped_ceiling: Annotated[bool, Query(description="The ceiling hangs on wires.")] = False,
     ) -> Response:
         """Return what to buy and do in the room of a job: one page to print."""
-        job = service.jobs.get(name)
-        verdict = job.verdict
-        if job.state != "done" or not isinstance(verdict, RoomVerdict):
-            raise refused(409, "app.no_plan_yet", state=job.state)
-        home = Home(no_drilling, tatami, plasterboard, dropped_ceiling)
-        reports = job.reports
+        job, verdict = finished(name)
+        reports, key = job.reports, _key(lang, home)
 
         def work(client_left: threading.Event) -> Response:
-            def go_on(_runs: int) -> None:
+            def go_on(runs: int) -> None:
                 if client_left.is_set():
                     raise StoppedError
+                job.plan_runs[str(home)] += runs
 
-            key = f"{lang} {home}"
             if key not in reports:
+                job.plan_runs[str(home)] = 0
                 made = action_plan(
                     verdict,
                     no_drilling=home.no_drilling,
@@ -70,8 +85,25 @@ def add_action_plan(router: APIRouter, service: Service) -> None:
                     on_progress=go_on,
                 )
                 for language in LANGUAGES:  # the page's language may be changed
-                    reports[f"{language} {home}"] = plan_html(made, language).encode("utf-8")
+                    reports[_key(language, home)] = plan_html(made, language).encode("utf-8")
             headers = {"Content-Security-Policy": REPORT_POLICY}
             return Response(reports[key], headers=headers, media_type="text/html; charset=utf-8")
 
         return await service.while_awaited(service.planners, request, work)
+
+    @router.get(
+        "/jobs/{name}/plan/progress",
+        response_model=PlanProgressReply,
+        tags=["verification"],
+        responses=problems(404, 409, 422),
+    )
+    async def progress(name: Name, home: AskedHome) -> Response:
+        """Return how far a plan has come that another request is waiting for, or whether it is there."""
+        job, _ = finished(name)
+        made = _key(LANGUAGES[0], home) in job.reports
+        return json_response(PlanProgressReply(made=made, runs=job.plan_runs.get(str(home), 0)))
+
+
+def _key(language: Language, home: Home) -> str:
+    """Return the name under which a job keeps the page of a plan."""
+    return f"{language} {home}"

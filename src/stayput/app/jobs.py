@@ -13,7 +13,7 @@ import time
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
-from stayput.app.refusals import RefusedError, refused
+from stayput.app.refusals import RefusedError, refused, unprinted
 from stayput.app.turns import CLIENT, NOBODY, Client, Turns
 from stayput.errors import InputError
 
@@ -63,6 +63,10 @@ class Job:
         Why it failed.
     lease : float or None
         How long it goes on without being asked for [s]; None: to its end.
+    reports : dict of bytes
+        Pages that were made of the verdict, by their names.
+    plan_runs : dict of int
+        Runs made for plans to buy and do, by what the home is like.
     """
 
     id: str
@@ -78,6 +82,7 @@ class Job:
     ended: float | None = None
     last_used: float = field(default_factory=time.monotonic)
     reports: dict[str, bytes] = field(default_factory=dict[str, bytes])
+    plan_runs: dict[str, int] = field(default_factory=dict[str, int])
     stop: threading.Event = field(default_factory=threading.Event)
     slice_began: float = 0.0
 
@@ -217,7 +222,8 @@ class Jobs:
 
         try:
             self._await_turn(job)
-            verdict = work(note_progress, note_verdict)
+            with unprinted():
+                verdict = work(note_progress, note_verdict)
         except StoppedError:
             self._end(job, "cancelled")
         except RefusedError as refusal:

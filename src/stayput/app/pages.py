@@ -11,6 +11,7 @@ from functools import cache
 from importlib import resources
 from typing import TYPE_CHECKING
 
+from jinja2 import Environment, PackageLoader, StrictUndefined
 from starlette.exceptions import HTTPException
 from starlette.responses import RedirectResponse, Response
 from starlette.routing import Mount, Route
@@ -22,6 +23,7 @@ from stayput.catalogue import LANGUAGES, TEXTS, earthquake, page, page_keep, roo
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
+    from importlib.resources.abc import Traversable
 
     from starlette.requests import Request
     from starlette.types import Scope
@@ -164,17 +166,32 @@ def made(language: Language) -> MadeFiles:
         name = f"{folder or 'page'}-{language}-{script.hash}.js"
         kept[name] = script
         address = "../" * bool(folder) + name
-        pages[f"/{folder}/".replace("//", "/")] = MadeFile(
-            page_with(html, files, folder, address, language, spoken), "text/html"
-        )
+        place = f"/{folder}/".replace("//", "/")
+        pages[place] = MadeFile(page_with(html, files, folder, address, language, spoken), "text/html")
+        pages[f"{place}index.html"] = MadeFile(html, "text/html")
     # the texts of the last page, which has those of the others too, are the module that the files load
     return MadeFiles(pages, MadeFile(words, "text/javascript"), kept)
 
 
 def _files() -> dict[str, str]:
-    """Return the texts of the files that pages are made of, by their paths on the server."""
+    """Return the texts of the files that pages are made of, by their paths on the server.
+
+    Pages get what both have from `templates/page_parts.html`.
+    """
+    templates = Environment(
+        loader=PackageLoader("stayput.app"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+
+    def text(file: Traversable) -> str:
+        written = file.read_text(encoding="utf-8")
+        return templates.from_string(written).render() if file.name.endswith(".html") else written
+
     return {
-        f"{path}/{file.name}".lstrip("/"): file.read_text(encoding="utf-8")
+        f"{path}/{file.name}".lstrip("/"): text(file)
         for path, (package, folder) in FOLDERS.items()
         for file in resources.files(package).joinpath(folder).iterdir()
         if file.name.endswith((".html", ".css", ".js"))

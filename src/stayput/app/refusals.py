@@ -3,18 +3,38 @@
 from __future__ import annotations
 
 import json
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
 from stayput.app.replies import Problem
-from stayput.errors import LONGEST_SENTENCE, InputError
+from stayput.catalogue import phrase
+from stayput.errors import LONGEST_SENTENCE, InputError, warnings_to
+from stayput.scenario.messages import shown
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Generator, Mapping
 
     from stayput.errors import InputWarning
+
+ALLOWED = {
+    "bool": "scenario.true_or_false",
+    "dict": "scenario.table",
+    "finite": "app.finite",
+    "float": "app.number",
+    "greater": "app.at_least",
+    "int": "app.whole",
+    "less": "app.at_most",
+    "list": "app.list",
+    "literal": "scenario.one_of",
+    "model": "scenario.table",
+    "string": "app.words",
+    "string_too": "app.characters",
+    "too": "app.items",
+}
+"""What is allowed in a request, by how the type of pydantic's error begins; see `refusal_of_request`."""
 
 
 class RefusedError(HTTPException):
@@ -47,6 +67,13 @@ def refused(
     return RefusedError(status, InputError(code, field, **values), retry_after)
 
 
+@contextmanager
+def unprinted() -> Generator[None]:
+    """Keep warnings of this thread out of the server's log: who sent a record is told by the reply."""
+    with warnings_to(lambda _warning: None):
+        yield
+
+
 def problem(error: InputError | InputWarning) -> Problem:
     """Return an error or a warning as it is sent."""
     field = error.field and error.field[:LONGEST_SENTENCE]
@@ -57,3 +84,24 @@ def error_response(status: int, error: InputError, headers: Mapping[str, str] | 
     """Return an error as JSON; in ASCII, since the message may quote half a character of the input."""
     body = json.dumps(problem(error).model_dump()).encode("ascii")
     return Response(body, status, dict(headers or {}), "application/json")
+
+
+def refusal_of_request(error: Mapping[str, Any]) -> InputError:
+    """Return the refusal of a request by the first error that pydantic found in it."""
+    place = [str(part) for part in error["loc"] if part not in ("body", "path", "query")]
+    field = ".".join(place) or None
+    name = field or phrase("app.the_body")
+    if error["type"] == "missing":
+        return InputError("app.field_missing", field, name=name)
+    if error["type"] == "extra_forbidden":
+        return InputError("app.field_unknown", field, name=name)
+    begins = [start for start in ALLOWED if error["type"].startswith(f"{start}_")]
+    if not begins:
+        return InputError("app.not_valid", field, name=name, message=error["msg"])
+    limits = error.get("ctx", {})
+    names = limits.get("expected", "").replace(" or ", ", ")
+    most = next((limits[key] for key in ("ge", "le", "max_length") if key in limits), 0)
+    allowed = phrase(ALLOWED[max(begins, key=len)], names=names, limit=most)
+    return InputError(
+        "scenario.not_allowed", field, name=name, value=shown(error["input"]), hint="", allowed=allowed
+    )

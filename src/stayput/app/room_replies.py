@@ -126,3 +126,10 @@ class RoomVerdictReply(Reply):
     cell_m: float
     collisions: list[CollisionReply]
     changes: list[RoomChangeReply]
+
+
+class PlanProgressReply(Reply):
+    """How far a plan to buy and do has come."""
+
+    made: bool = Field(description="Whether it is there, and comes at once.")
+    runs: int = Field(description="Runs of pieces made for it so far.")

@@ -33,11 +33,10 @@ from stayput.app.motions import Motions
 from stayput.app.pages import page_routes
 from stayput.app.presets import SCENE, SCENE_MEASURES
 from stayput.app.readers import ReaderPool
-from stayput.app.refusals import RefusedError, error_response
+from stayput.app.refusals import RefusedError, error_response, refusal_of_request
 from stayput.app.running import simulated
 from stayput.app.service import Service, Workers
 from stayput.app.size_map import size_map
-from stayput.catalogue import phrase
 from stayput.errors import InputError, InputWarning
 from stayput.scenario import Scenario
 from stayput.verification import verify
@@ -58,9 +57,6 @@ SWITCH_SECONDS = 0.0005
 """How long a thread of Python keeps the others waiting: a ping is answered in between."""
 
 _log = logging.getLogger("stayput.app")
-
-INVALID = {"missing": "app.field_missing", "extra_forbidden": "app.field_unknown"}
-"""What is said of a body by the type of pydantic's error; of other types its own words, which are English."""
 
 REFUSED_BY_STARLETTE = {404: "app.no_such_address", 405: "app.wrong_method"}
 """What is said of a request that no function answers, by its status."""
@@ -155,15 +151,11 @@ def _add_refusals(app: FastAPI, with_file_names: Callable[[str], str]) -> None:
 
     async def invalid(_request: Request, error: Exception) -> Response:
         first = cast("RequestValidationError", error).errors()[0]
-        place = [str(part) for part in first["loc"] if part not in ("body", "path", "query")]
         if first["type"] == "json_invalid":
             return error_response(400, InputError("app.not_json"))
         if first["loc"][0] == "path":  # of no id that this server gave
             return error_response(404, InputError("app.no_such_id"))
-        field = ".".join(place) or None
-        name = field or phrase("app.the_body")
-        code = INVALID.get(first["type"], "app.not_valid")
-        return error_response(422, InputError(code, field, name=name, message=first["msg"]))
+        return error_response(422, refusal_of_request(first))
 
     async def http(_request: Request, error: Exception) -> Response:
         exception = cast("HTTPException", error)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 from starlette.responses import Response
 
 from stayput.app.jobs import StoppedError
-from stayput.app.refusals import RefusedError, refused
+from stayput.app.refusals import RefusedError, refused, unprinted
 from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import (
     read_pieces,
@@ -70,9 +70,14 @@ class Workers:
         RefusedError
             Too much is waiting, or the input is refused.
         """
+
+        def quietly() -> T:
+            with unprinted():
+                return work(*args, **kwargs)
+
         await self._turn()
         try:
-            return await asyncio.get_running_loop().run_in_executor(self._pool, lambda: work(*args, **kwargs))
+            return await asyncio.get_running_loop().run_in_executor(self._pool, quietly)
         except InputError as error:
             raise RefusedError(422, error.about(None)) from None
         except MemoryError:

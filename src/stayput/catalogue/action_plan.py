@@ -2,38 +2,38 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     # Head
-    "title": ("Plan to buy and do", "買うもの・することの計画"),
+    "title": ("Plan to buy and do", "買う物とやること"),
     "now": (
         "In shaking of JMA intensity {strength}, as the room is: {chances}.",
-        "{strength}の揺れで、今の部屋では{chances}。",
+        "{strength}の揺れでは、今の部屋のままだと{chances}。",
     ),
     "then": (
-        "With steps 1 to {last} together: {chances}.",
+        "After all {last} steps: {chances}.",
         "1～{last}をすべて行うと、{chances}。",
     ),
-    "then_one": ("With step 1: {chances}.", "1を行うと、{chances}。"),
-    "chance_hit": ("somebody is hit in {share} of the earthquakes", "人に家具が当たる確率は{share}です"),
-    "chance_shut_in": ("somebody is shut in after {share}", "外に出られない確率は{share}です"),
-    "chance_blocked": ("a door is blocked after {share}", "ドアがふさがる確率は{share}です"),
+    "then_one": ("After step 1: {chances}.", "1を行うと、{chances}。"),
+    "chance_hit": ("the chance that somebody is hit is {share}", "人に家具が当たる確率は{share}"),
+    "chance_shut_in": ("that somebody is shut in, {share}", "外に出られなくなる確率は{share}"),
+    "chance_blocked": ("that a door is blocked, {share}", "ドアがふさがる確率は{share}"),
     "nothing": (
         "In these earthquakes no piece hits anybody or blocks a door: nothing has to be bought.",
-        "この地震では、家具が人に当たることもドアをふさぐこともありません。買うものはありません。",
+        "計算した地震では、家具が人に当たることもドアをふさぐこともありませんでした。買う物はありません。",
     ),
     "unsolved": (
-        "Nothing that may be done here was found to help with: {pieces}.",
-        "この条件では、効果のある対策が見つからなかった家具：{pieces}。",
+        "Nothing that was tried helps with: {pieces}.",
+        "試した対策では効果がなかった家具：{pieces}。",
     ),
     "rough": (
         (
-            "Steps marked C rest on assumed values: their order is more certain than their chances. Put your own "
-            "measurements in the room and plan again before you buy."
+            "Steps marked C rest on assumed values: trust their order more than their chances. Before you buy, enter "
+            "what you have measured yourself, and make this plan again."
         ),
         (
-            "Cの項目は仮定した値に基づきます。確率の値よりも順位のほうが確かです。買う前に、実際に測った値を入れて"
-            "計画し直してください。"
+            "Cの印がある項目は、仮定した値に基づきます。確率の値よりも、順位のほうが確かです。買う前に、実際に測った値を"
+            "入れて、作り直してください。"
         ),
     ),
-    "home": ("Planned for: {conditions}", "計画の条件：{conditions}"),
+    "home": ("Conditions: {conditions}.", "条件：{conditions}。"),
     "no_drilling": ("no drilling", "壁に穴を開けない"),
     "tatami": ("tatami floor", "畳の床"),
     "plasterboard": (
@@ -43,8 +43,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "dropped_ceiling": ("a ceiling that hangs on wires", "吊り天井"),
     # The plan and the elevations
     "scale": (
-        "Plan 1:{plan}, elevations 1:{elevation} on paper of size A4 at 100 %; lengths in metres.",
-        "平面図1:{plan}、立面図1:{elevation}（等倍で印刷した場合）。長さの単位はメートル。",
+        "Plan 1:{plan}, elevations 1:{elevation} when printed at 100 % on A4; lengths in metres.",
+        "平面図1:{plan}、立面図1:{elevation}（等倍で印刷した場合）。長さの単位はメートルです。",
     ),
     "elevation_alt": (
         "{piece} from the front and from the side, to scale",
@@ -54,16 +54,18 @@ TEXTS: dict[str, tuple[str, str]] = {
     "side": ("side", "側面"),
     # Columns
     "rank": ("Order", "順位"),
-    "what": ("What to do", "すること"),
+    "what": ("What to do", "やること"),
     "drawing": ("Drawing", "図"),
     # What a step is
     "fix": ("{piece}: {products}", "{piece}：{products}"),
     "product": ("{measure} × {count}", "{measure}×{count}"),
-    "buy": ("Buy", "買うもの"),
+    "buy": ("Buy", "買う物"),
     "where": ("Where", "取付け位置"),
-    "check": ("Check before you buy", "買う前に確かめること"),
+    "check": ("Check before you buy or move anything", "買う前・動かす前に確かめること"),
+    "steps_instead": ("{steps} without drilling:", "{steps}（穴を開けない場合）"),
     "effect": ("Effect", "効果"),
     "instead": ("Without drilling", "穴を開けない場合"),
+    "reaches": ("Effect anyway", "それでも見込める効果"),
     "caution": ("Caution", "注意"),
     "free": ("free", "無料"),
     "cost": ("cost class {level} of 3", "費用の目安 3段階の{level}"),
@@ -84,10 +86,20 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{product}, {length:.2f} m long and {thickness:.0f} mm thick",
         "{product}（長さ{length:.2f} m、厚さ{thickness:.0f} mm）",
     ),
-    "not_enough": (
-        "{measure}: as computed one holds about {holds} ({fails}), less than asked for",
-        "{measure}：計算上1か所の強さは約{holds}（{fails}）で、必要な強さに足りない",
+    # What is not strong enough
+    "weak": (
+        "Not strong enough for JMA intensity {strength}.",
+        "{strength}の揺れには、強さが足りません。",
     ),
+    "weak_bears": (
+        "{measure}: each needs {needed}, holds about {holds} ({fails})",
+        "{measure}：1個あたり{needed}必要なところ、約{holds}（{fails}）",
+    ),
+    "weak_to": (
+        "enough up to {strength}",
+        "{strength}までなら足ります",
+    ),
+    "weak_anywhere": ("not enough for JMA intensity 4 either", "震度4でも強さが足りません"),
     # Where it goes
     "at_wall": (
         "on the wall {height:.2f} m above the floor, {apart}, each on a stud",
@@ -160,13 +172,22 @@ TEXTS: dict[str, tuple[str, str]] = {
         "移動先の寸法を測り、コンセントとドアをふさがない",
     ),
     # Effects
-    "overturns": ("overturns {was} → {now}", "転倒{was}→{now}"),
-    "alone": ("alone: {chance}", "これだけの場合：{chance}"),
-    "with_others": ("with the steps above: {chance}", "上の項目と合わせて：{chance}"),
-    "hit": ("hit {was} → {now}", "人に当たる{was}→{now}"),
-    "shut_in": ("shut in {was} → {now}", "出られない{was}→{now}"),
-    "blocked": ("door blocked {was} → {now}", "ドアがふさがる{was}→{now}"),
-    "alone_unclear": ("alone: {chance}, not clear", "これだけの場合：{chance}、明らかではない"),
+    "overturns": ("overturns {was} → {now}", "倒れる確率{was}→{now}"),
+    "only": ("{chance}", "{chance}"),
+    "only_unclear": ("{chance}, which may be chance", "{chance}（偶然の差かもしれません）"),
+    "alone": ("alone: {chance}", "これだけ行うと、{chance}"),
+    "alone_unclear": (
+        "alone: {chance}, which may be chance",
+        "これだけ行うと、{chance}（偶然の差かもしれません）",
+    ),
+    "only_together": (
+        "helps only together with {steps}",
+        "これだけでは変わらず、{steps}も行うと効果があります",
+    ),
+    "after_others": ("after the steps above: {chance}", "上の項目に続けて行うと、{chance}"),
+    "hit": ("somebody is hit {was} → {now}", "人に当たる確率{was}→{now}"),
+    "shut_in": ("somebody is shut in {was} → {now}", "外に出られなくなる確率{was}→{now}"),
+    "blocked": ("a door is blocked {was} → {now}", "ドアがふさがる確率{was}→{now}"),
     # Marks
     "mark": ("How well this is known: {grade}", "根拠の確かさ：{grade}"),
     "weakest": ("Least well known here: {inputs}.", "この項目で最も不確かな入力：{inputs}。"),
@@ -176,42 +197,38 @@ TEXTS: dict[str, tuple[str, str]] = {
     "grade": ("{grade}: {meaning}", "{grade}：{meaning}"),
     "strengths": (
         (
-            "Strengths: force on one device that {share:.0f} % of {runs} runs do not exceed, found with one that "
-            "cannot fail, times {margin:.1f}. The margin is from a product of median strength to the weakest 5 % "
-            "of its kind, for the scatter that is assumed (coefficient of variation {cov:.1f})."
+            "Strengths asked for: the force on one device, computed with one that cannot break, that is not exceeded in "
+            "{share:.0f} % of {runs} runs, times {margin:.1f}. The margin covers the weakest 5 % of the products, for the "
+            "scatter of strengths that is assumed (coefficient of variation {cov:.1f})."
         ),
         (
-            "強さ：壊れない器具で計算した1個あたりの力のうち、{runs}回の計算の{share:.0f}%が超えない値に{margin:.1f}を"
-            "掛けたもの。この余裕は、仮定したばらつき（変動係数{cov:.1f}）で弱いほうから5%の製品でも耐えるための倍率です。"
+            "必要な強さ：壊れない器具として計算した1個あたりの力のうち、{runs}回の計算の{share:.0f}%で超えなかった値の"
+            "{margin:.1f}倍です。弱いほうから5%の製品でも耐えるための余裕で、強さのばらつき（変動係数{cov:.1f}）は仮定です。"
         ),
     ),
     "costs": (
         (
-            "Cost classes are conventions, not prices: 1 up to ¥{low:,} or €{low_euro}, 2 up to ¥{high:,} or "
-            "€{high_euro}, 3 above, for one piece."
+            "Cost classes are rough, not prices: for one piece, 1 is up to ¥{low:,} or €{low_euro}, 2 up to ¥{high:,} or "
+            "€{high_euro}, 3 more."
         ),
-        "費用の目安は取り決めで、実際の価格ではありません：家具1台につき1は{low:,}円まで、2は{high:,}円まで、3はそれ以上。",
-    ),
-    "unclear": (
-        "Not clear: the difference that a step makes alone may be chance, or another piece does the same harm.",
-        "明らかではない：その項目だけの差は、偶然か、ほかの家具が同じ害を及ぼすためかもしれません。",
+        "費用の目安は大まかな区分で、実際の価格ではありません。家具1台につき、1は{low:,}円まで、2は{high:,}円まで、3はそれより高いものです。",
     ),
     "runs": (
         (
-            "Shares with 95 % intervals, from {runs} runs of the room under the same {motions} earthquakes "
-            "(seed {seed}), without and with each step. stayput {version}."
+            "Chances with their 95 % intervals are from {runs} runs of the room, under the same {motions} motions "
+            "(seed {seed}) without and with each step. stayput {version}."
         ),
         (
-            "割合と95%信頼区間は、同じ{motions}本の地震動で部屋を{runs}回計算し（シード{seed}）、各項目の前後を比べたもの。"
-            "バージョン{version}。"
+            "確率とかっこ内の95%区間は、各項目を行う前と後を、同じ{motions}本の地震動（乱数のシード{seed}）で{runs}回ずつ"
+            "計算したものです。バージョン{version}。"
         ),
     ),
     "limits": (
         (
-            "A calculation of stated furniture in stated earthquakes: no guarantee, and no replacement for the "
-            "makers' instructions."
+            "This is a calculation for the furniture and the earthquakes that were stated: no guarantee, and no replacement "
+            "for the makers' instructions."
         ),
-        "指定した家具と地震動についての計算です。安全を保証するものではなく、製品の説明書に代わるものでもありません。",
+        "指定した家具と地震についての計算です。安全を保証するものではなく、製品の説明書に代わるものでもありません。",
     ),
 }
 """Texts by their keys: English, Japanese."""

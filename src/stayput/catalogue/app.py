@@ -39,7 +39,17 @@ TEXTS: dict[str, tuple[str, str]] = {
         "送信に時間がかかりすぎました。もう一度お試しください。",
     ),
     "not_json": ("The body is not JSON.", "送信されたデータがJSONではありません。"),
-    "not_valid": ("{name}: {message}.", "{name}：{message}"),
+    "not_valid": ("{name}: {message}.", "{name}の値が正しくありません。"),
+    # What is allowed in a body: see stayput.app.refusals
+    "at_least": ("at least {limit:g}", "{limit:g}以上"),
+    "at_most": ("at most {limit:g}", "{limit:g}以下"),
+    "characters": ("a text of at most {limit} characters", "{limit}文字までの文字列"),
+    "finite": ("a finite number", "有限の数値"),
+    "items": ("a list of at most {limit}", "{limit}個までのリスト"),
+    "list": ("a list", "リスト"),
+    "number": ("a number", "数値"),
+    "whole": ("a whole number", "整数"),
+    "words": ("a text", "文字列"),
     "field_missing": ("{name} is missing; it must be given.", "{name}がありません。指定してください。"),
     "field_unknown": (
         "{name} is not known here; it must be left out.",
@@ -52,7 +62,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "このアドレスではそのメソッドは使えません。",
     ),
     "the_body": ("The body", "送信されたデータ"),
-    "http": ("{message}.", "{message}."),
+    "http": ("{message}.", "リクエストを処理できませんでした。"),
     "half_character": (
         "A text holds half a character; it must be Unicode.",
         "文字列に不完全な文字があります。Unicodeで指定してください。",
@@ -91,7 +101,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Verifications
     "no_report_yet": (
         "The job is {state}; there is a report once it is done.",
-        "計算はまだ終わっていません（{state}）。報告書は計算が終わると作成できます。",
+        "報告書は、計算が終わってから開いてください。",
     ),
     "of_a_room": (
         "The job is of a room; this is there for the verification of a single piece.",
@@ -99,7 +109,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "no_plan_yet": (
         "The job is {state}; there is a plan to buy and do once it is done, of a room.",
-        "計算の状態は{state}です。買うもの・することの計画は、部屋の計算が終わると作成できます。",
+        "「買う物とやること」は、部屋の計算が終わってから開いてください。",
     ),
     "no_such_job": (
         "There is no such job; it may have expired.",

@@ -9,6 +9,30 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{flag} is {value}; it must be written like {example}.",
         "{flag}が{value}になっています。{example}のように書いてください。",
     ),
+    "warning": ("Warning: {sentence}", "注意：{sentence}"),
+    "wrong_value": (
+        "{name} is {value}; it must be {allowed}.",
+        "{name}が{value}になっています。{allowed}を指定してください。",
+    ),
+    "number": ("a number", "数値"),
+    "whole_number": ("a whole number", "整数"),
+    "whole_number_within": ("a whole number from {low} to {high}", "{low}から{high}までの整数"),
+    "no_such_flag": (
+        "There is no flag {flag}; `{command} --help` lists those that there are.",
+        "{flag}というオプションはありません。{command} --helpで一覧を確認してください。",
+    ),
+    "missing": (
+        "{name} is missing; `{command} --help` says how the command is written.",
+        "{name}が指定されていません。書き方は{command} --helpで確認してください。",
+    ),
+    "misused": (
+        "{said}; `{command} --help` says how the command is written.",
+        "コマンドを読み取れません（{said}）。書き方は{command} --helpで確認してください。",
+    ),
+    "same_file": (
+        "{flag} and {other} are both {value}; each must have a file of its own.",
+        "{flag}と{other}がどちらも{value}になっています。別々のファイルを指定してください。",
+    ),
     "home_without_plan": (
         "--no-drilling, --tatami, --plasterboard or --dropped-ceiling is given without --plan; each must come with it.",
         "--no-drilling、--tatami、--plasterboard、--dropped-ceilingは--planと一緒に指定してください。",

@@ -34,6 +34,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is {value}; it must be of type {wanted}.",
         "{name}が{value}になっています。{wanted}型の値を指定してください。",
     ),
+    "control_characters": (
+        "{name} is {value}; it must be a text without control characters.",
+        "{name}が{value}になっています。制御文字を含まない文字列を指定してください。",
+    ),
     "not_a_list": (
         "{name} is {value}; it must be a list.",
         "{name}が{value}になっています。リストを指定してください。",

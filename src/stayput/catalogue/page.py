@@ -127,6 +127,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "A record of your own: drop a file here, or",
         "手持ちの地震記録：ここにファイルをドロップするか、",
     ),
+    "ownRecord": ("A record of your own:", "手持ちの地震記録："),
     "chooseFile": ("choose one", "ファイルを選ぶ"),
     "sending": ("Sending and reading the record …", "記録を送って読み込んでいます…"),
     "dropPieces": (
@@ -331,10 +332,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "verify": ("Work it out again", "もう一度計算する"),
     "cancel": ("Stop", "中止"),
     "progress": ("Progress", "進み具合"),
-    "care": ("Accuracy", "細かさ"),
-    "care_quick": ("quick", "速い"),
+    "care": ("Runs", "計算回数"),
+    "care_quick": ("few, quick", "少ない（速い）"),
     "care_usual": ("usual", "標準"),
-    "care_fine": ("fine", "細かい"),
+    "care_fine": ("many, slow", "多い（遅い）"),
     "stale": (
         "This is from the scene before; the new answer follows.",
         "前の条件の結果です。新しい結果はこのあと出ます。",

@@ -4,17 +4,20 @@ TEXTS: dict[str, tuple[str, str]] = {
     # The page, from its top to its foot
     "skip": ("Skip to the plan", "平面図へ移動"),
     "any_hit": (
-        "At least one of the places where people are is hit",
-        "人のいる場所の少なくとも一つに家具が当たる割合",
+        "Somebody is hit, at one place or more",
+        "どこかの場所で人に家具が当たる確率",
     ),
-    "any_shut_in": ("From at least one place no way leads out", "少なくとも一つの場所から外に出られない割合"),
+    "any_shut_in": (
+        "Somebody has no way out, from one place or more",
+        "どこかの場所から外に出られなくなる確率",
+    ),
     "risk": (
-        "Somebody is hit, by the hours that people are at each place",
-        "人がいる時間を考慮した、誰かに家具が当たる割合",
+        "Somebody is hit, counting how long people are at each place",
+        "人がいる時間を考慮した、人に家具が当たる確率",
     ),
     "missing": (
-        "{missing} of {all} runs of the room could not be followed to the end, and are not in the shares.",
-        "部屋の計算{all}回のうち{missing}回は最後まで計算できず、割合に含めていません。",
+        "{missing} of {all} runs of the room could not be followed to the end, and are not in the chances.",
+        "部屋の計算{all}回のうち{missing}回は最後まで計算できず、確率に含めていません。",
     ),
     # The plan
     "plan": ("The room, and where the pieces come to lie", "部屋と、家具が行き着く場所"),
@@ -24,13 +27,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "plan_text": (
         (
-            "Outlines show the pieces as they stand, with a thick side at the front. The coloured cells show "
-            "where each lies or stands after the shaking: from the lightest, in up to 10 % of the runs, to the "
-            "darkest, in over 90 %."
+            "Outlines show the pieces as they stand now, with a thick side at the front. Coloured cells show where each "
+            "lies or stands after the shaking: the lightest in up to 10 % of the runs, the darkest in over 90 %."
         ),
         (
-            "輪郭は地震前の家具で、太い辺が前面です。色の付いた範囲は揺れの後に各家具がある場所で、最も薄い色は計算の"
-            "10%以下、最も濃い色は90%を超える割合を示します。"
+            "輪郭は地震前の家具で、太い辺が前面です。色の付いた範囲は揺れの後に各家具がある場所で、最も薄い色は確率10%以下、"
+            "最も濃い色は90%超を示します。"
         ),
     ),
     "metres": ("{value:g} m", "{value:g} m"),
@@ -39,16 +41,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "is_blocked": ("blocked: {share}", "ふさがる：{share}"),
     "overturns": ("overturns: {share}", "転倒：{share}"),
     # Places
-    "places": ("Who is hit, and how often", "人に当たる割合"),
+    "places": ("Who is hit, and how often", "人に当たる確率"),
     "places_text": (
         (
-            "Share of the runs in which a piece touches the person who is there, with its 95 % interval. By day "
-            "({day:g} hours) and at night ({night:g} hours) it is multiplied by the share of the time in which "
-            "somebody is there."
+            "The chance that a piece touches whoever is there, with its 95 % interval, which covers other earthquakes "
+            "of this strength too. By day ({day:g} hours) and at night ({night:g} hours) it is multiplied by the share "
+            "of the time in which somebody is there."
         ),
         (
-            "そこにいる人に家具が触れた計算の割合と95%区間です。昼（{day:g}時間）と夜（{night:g}時間）の値は、"
-            "これに人がいる時間の割合を掛けたものです。"
+            "そこにいる人に家具が触れる確率と95%区間です。区間は、同じ強さのほかの地震も考えたものです。昼（{day:g}時間）"
+            "と夜（{night:g}時間）の値は、これに人がいる時間の割合を掛けたものです。"
         ),
     ),
     "place": ("Place", "場所"),
@@ -59,17 +61,17 @@ TEXTS: dict[str, tuple[str, str]] = {
     "what_hits": ("What hits, and how hard", "当たる家具とその強さ"),
     "what_hits_text": (
         (
-            "Largest speed of the part that comes there, and largest kinetic energy of the piece: median and 90 % "
-            "of the runs in which it hits. They are upper bounds, because in the model nobody and no bed "
-            "holds the piece up; injuries are not predicted."
+            "Largest speed of the part that comes there, and largest kinetic energy of the piece, over the runs in which "
+            "it hits: the median, and what nine in ten do not exceed. They are upper bounds, because in the model neither a "
+            "bed nor a person holds the piece up. Injuries are not predicted."
         ),
         (
-            "当たった計算での、その場所に入る部分の最大の速さと、家具の最大の運動エネルギーです（中央値、90%値）。"
-            "モデルでは人もベッドも家具を受け止めないため、上限を示す値です。けがの程度は予測しません。"
+            "当たった計算での、その場所に入る部分の最大の速さと、家具の最大の運動エネルギーです（中央値と、10回中9回が"
+            "超えない値）。モデルでは人もベッドも家具を受け止めないため、上限を示す値です。けがの程度は予測しません。"
         ),
     ),
     "piece": ("Piece", "家具"),
-    "how_often": ("Hits", "当たる割合"),
+    "how_often": ("Hits", "当たる確率"),
     "hit_speed": ("Speed: median, 90 %", "速度：中央値、90%値"),
     "hit_energy": ("Energy: median, 90 %", "エネルギー：中央値、90%値"),
     "mass": ("Mass", "質量"),
@@ -82,10 +84,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "ways": ("Doors and ways out", "ドアと避難経路"),
     "ways_text": (
         (
-            "A door is blocked if it does not open far enough for a person, who needs {passage:g} m, or if nobody "
-            "gets to it across what lies on the floor."
+            "A door counts as blocked if it does not open the {passage:g} m that a person needs, or if nobody can get to "
+            "it past what lies on the floor."
         ),
-        "人が通れる幅{passage:g} mまで開かないか、床にある家具のためにたどり着けないドアを「ふさがる」とします。",
+        "人が通れる幅{passage:g} mまで開かないドアと、床にある家具のためにたどり着けないドアを「ふさがる」とします。",
     ),
     "door": ("Door", "ドア"),
     "wall": ("Wall", "壁"),
@@ -108,38 +110,38 @@ TEXTS: dict[str, tuple[str, str]] = {
     "pieces": ("What the pieces do", "各家具の動き"),
     "pieces_text": (
         (
-            "A piece contributes to the risk by how often it hits somebody, counting the hours that people are at each "
-            "place. Slide: peak, with no number if it overturns."
+            "Most dangerous first: by the chance that a piece hits somebody, counting how long people are at each place. "
+            "The slide is the largest in a run; there is no number where the piece overturns."
         ),
         (
-            "危険への寄与は、人がいる時間を考慮して、その家具が誰かに当たる割合です。移動量は最大値で、転倒した場合は"
+            "人がいる時間を考慮した、その家具が人に当たる確率の高い順です。移動量は揺れの間の最大値で、転倒した場合は"
             "数値を示しません。"
         ),
     ),
-    "piece_risk": ("Hits somebody, by the hours", "人に当たる割合（在室時間を考慮）"),
+    "piece_risk": ("Hits somebody, counting the hours", "人に当たる確率（いる時間を考慮）"),
     "engine": ("Simulated", "計算"),
     "in_plane": ("in the plane across its length", "断面（奥行き方向の平面）"),
     "in_space": ("in space", "三次元"),
     "collisions": ("Pieces that meet", "家具どうしの衝突"),
     "collisions_text": (
-        "Share of the runs in which their paths meet. What they do after that is not followed.",
-        "動く範囲が重なった計算の割合です。衝突した後の動きは追っていません。",
+        "The chance that their paths meet. What they do to each other after that is not followed.",
+        "動く範囲が重なる確率です。ぶつかった後の動きは追っていません。",
     ),
-    "meet": ("They meet", "接触する割合"),
-    "no_collision": ("No two pieces met in any run.", "どの計算でも、家具どうしは接触しませんでした。"),
+    "meet": ("They meet", "ぶつかる確率"),
+    "no_collision": ("No two pieces met in any run.", "どの計算でも、家具どうしはぶつかりませんでした。"),
     # Changes
     "changes": ("Single changes, best first", "変更の候補（効果の大きい順）"),
     "changes_text": (
         (
-            "Each is made alone, under the same motions and the same draws. Differences are from the room as it "
-            "is, in points, with their 95 % intervals."
+            "Each change is made alone, under the same motions and with the same random numbers. Differences are from the "
+            "room as it is, in percentage points, with their 95 % intervals."
         ),
-        "それぞれを単独で行った場合です。地震動と標本は同じです。差は現状の部屋との差（ポイント）で、かっこ内は95%区間です。",
+        "それぞれの変更だけを、同じ地震動と同じ乱数で計算しました。差は今の部屋との差（ポイント）で、かっこ内は95%区間です。",
     ),
     "change": ("Change", "変更"),
-    "changed_hit": ("A place is hit", "いずれかの場所に当たる"),
-    "changed_shut_in": ("No way out from a place", "いずれかの場所から出られない"),
-    "changed_risk": ("Somebody is hit, by the hours", "在室時間を考慮した割合"),
+    "changed_hit": ("Somebody is hit", "人に当たる確率"),
+    "changed_shut_in": ("Somebody has no way out", "外に出られない確率"),
+    "changed_risk": ("Somebody is hit, counting the hours", "人に当たる確率（いる時間を考慮）"),
     "better": ("clearly better", "明らかに良くなる"),
     "worse": ("something gets worse", "悪くなる点がある"),
     "chance": ("may be chance", "偶然の差かもしれない"),
@@ -164,15 +166,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "limit_persons": ("Persons and beds", "人とベッド"),
     "limit_persons_text": (
         (
-            "They are boxes that stay where they are. A bed, a desk or a person does not stop a piece that falls "
-            "on it."
+            "They are boxes that stay where they are. A bed, a desk or a person does not stop a piece that falls on them."
         ),
         "人のいる場所は動かない直方体とします。ベッド・机・人は、倒れてくる家具を受け止めません。",
     ),
     "direction": ("Direction of the shaking", "揺れの向き"),
     "direction_drawn": (
-        "drawn: each direction in plan is as likely as any other",
-        "ばらつきとして与える（水平面内のどの向きも同じ確率）",
+        "varied from run to run: each direction in plan is as likely as any other",
+        "計算ごとに変える（水平面内のどの向きも同じ確率）",
     ),
     "direction_given": (
         "x of the motions points {degrees:g}° from the room's x towards its y",
@@ -191,12 +192,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "limit_settlement": ("Sinking into the floor", "床の沈み込み"),
     "limit_settlement_text": (
-        "Left out for the pieces that are simulated in space.",
-        "三次元で計算する家具では考慮しません。",
+        "Left out for the pieces that are simulated in space: on carpet and tatami they fall more easily than is told.",
+        "三次元で計算する家具では考慮しません。カーペットや畳の上では、示した値より倒れやすくなります。",
     ),
     "inputs": ("The scenario as TOML", "シナリオ（TOML）"),
     "again_text": (
-        "This is the scenario. With the same seed, stayput {version} gives the same numbers again.",
+        "This is the scenario. With the same seed, stayput {version} gives the same numbers.",
         "計算に使ったシナリオです。同じ乱数のシードなら、stayput {version}で同じ数値になります。",
     ),
 }

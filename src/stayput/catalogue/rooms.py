@@ -57,6 +57,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} is missing; it must say where along the {wall} the piece stands.",
         "{name}がありません。{wall}のどこに置くかを指定してください。",
     ),
+    "options_in_a_room": (
+        "options is given beside [plan]; it must be left out, as in a room measures are tried one by one on each piece.",
+        "[plan]のあるファイルにoptionsがあります。部屋では家具ごとに対策を1つずつ試すため、optionsは省いてください。",
+    ),
     "against_without_plan": (
         "{name} is {value} in a file without a plan; it must be left out, or a [plan] must be given.",
         "{name}が{value}ですが、[plan]がありません。省くか、[plan]を指定してください。",
@@ -74,19 +78,44 @@ TEXTS: dict[str, tuple[str, str]] = {
     "right_wall": ("right wall", "右の壁"),
     "near_side_wall": ("near wall", "手前の壁"),
     "far_side_wall": ("far wall", "奥の壁"),
+    # Where somebody is, as in "hits whoever is in the bed"; at a place with a name of its own
+    "at_bed": ("in the bed", "ベッド"),
+    "at_futon": ("on the futon", "布団"),
+    "at_cot": ("in the cot", "ベビーベッド"),
+    "at_desk": ("at the desk", "机"),
+    "at_sofa": ("on the sofa", "ソファ"),
+    "at_play area": ("in the play area", "遊び場"),
+    "at_place": ("at “{place}”", "「{place}」"),
     # How often
-    "of_ten": ("in {count} of 10 earthquakes", "10回中{count}回の地震で"),
-    "always": ("in every earthquake", "どの地震でも"),
-    "rarely": ("in {share} of the earthquakes", "{share}の地震で"),
+    "earthquakes": ("earthquakes", "地震"),
+    "runs": ("runs", "計算"),
+    "of_ten": ("in {count} of 10 {cases}", "10回の{cases}のうち{count}回で"),
+    "always": ("in all {cases}", "すべての{cases}で"),
+    "rarely": ("in {share} of the {cases}", "{share}の{cases}で"),
     # The verdict
-    "strength": ("In shaking of JMA intensity {strength}: ", "{strength}の揺れで、"),
-    "hits": ("{often} {piece} hits who is at the {place}", "{often}「{piece}」が{place}にいる人に当たります"),
-    "nobody_hit": ("nobody who is there is hit", "いる場所で人に当たる家具はありません"),
+    "strength": ("In shaking of JMA intensity {strength}: ", "{strength}の揺れでは、"),
+    "strength_scattered": (
+        "In earthquakes as stated, with the scatter of their strength around JMA intensity {strength}: ",
+        "指定した地震では（強さのばらつきを含む。中央は{strength}）、",
+    ),
+    "strength_of_one": (
+        "In this one motion, of JMA intensity {strength}: ",
+        "この1つの地震動（{strength}）では、",
+    ),
+    "interval": ("95 % interval: ", "95%区間："),
+    "hits": (
+        "{often} the {piece} hits whoever is {place}{interval}",
+        "{often}「{piece}」が{place}にいる人に当たります{interval}",
+    ),
+    "nobody_hit": (
+        "in none of the {runs} runs is anybody hit{interval}",
+        "計算した{runs}回のいずれでも、人に当たる家具はありません{interval}",
+    ),
     "no_places": ("no place of a person is given", "人のいる場所が指定されていません"),
-    "blocked": ("{often} the {door} stays blocked", "{often}{door}がふさがります"),
+    "blocked": ("{often} the {door} stays blocked{interval}", "{often}{door}がふさがります{interval}"),
     "shut_in": (
-        "{often} no way leads out from the {place}",
-        "{often}{place}から外に出られなくなります",
+        "{often} there is no way out for whoever is {place}{interval}",
+        "{often}{place}にいる人が外に出られなくなります{interval}",
     ),
     # What helps
     "best": ("Best single change: {change}.", "最も効果のある変更：{change}。"),
@@ -94,26 +123,29 @@ TEXTS: dict[str, tuple[str, str]] = {
         "None of the single changes that were tried makes it clearly better.",
         "試した変更のうち、明らかに良くなるものはありませんでした。",
     ),
-    "fix": ("{measure} on {piece}", "「{piece}」に{measure}を取付け"),
+    "fix": ("{measure} on the {piece}", "「{piece}」を{measure}で固定"),
     "move_piece": (
-        "{piece} moved to the {wall}, {along:.2f} m along it",
-        "「{piece}」を{wall}の{along:.2f} mの位置へ移動",
+        "the {piece} moved to the {wall}, its middle {along:.2f} m from the {start}",
+        "「{piece}」を{wall}沿い（{start}から中心まで{along:.2f} m）へ移動",
     ),
     "move_place": (
-        "the {place} moved, {x:.2f} m from the left wall and {y:.2f} m from the near wall",
-        "{place}を左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
+        "the {place} moved, its middle {x:.2f} m from the left wall and {y:.2f} m from the near wall",
+        "{place}を、中心が左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
     ),
     "turn_place": (
-        "the {place} turned by 90°, {x:.2f} m from the left wall and {y:.2f} m from the near wall",
-        "{place}の向きを90°変えて左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
+        (
+            "the {place} turned by 90° and moved, its middle {x:.2f} m from the left wall and {y:.2f} m from the near "
+            "wall"
+        ),
+        "{place}の向きを90°変え、中心が左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
     ),
     "effect": (
         "with {change}, somebody is hit {held} instead of {bare}",
-        "{change}で、人に当たる割合は{bare}から{held}になります",
+        "{change}すると、人に当たる確率は{bare}から{held}になります",
     ),
     "effect_shut": (
         "with {change}, somebody is shut in {held} instead of {bare}",
-        "{change}で、出られなくなる割合は{bare}から{held}になります",
+        "{change}すると、外に出られなくなる確率は{bare}から{held}になります",
     ),
     # Tables
     "report": ("Verification of a room", "部屋の地震対策の検証"),
@@ -128,17 +160,18 @@ TEXTS: dict[str, tuple[str, str]] = {
     "mass": ("mass", "質量"),
     "upper_bounds": (
         (
-            "Chances are for somebody who is there; by day and at night they are times the share in which somebody is. "
-            "Speed and energy are medians, and upper bounds: neither a bed nor a person holds the piece up."
+            "Chances are for somebody who is there, with their 95 % intervals; by day and at night they are multiplied "
+            "by the share of the time in which somebody is there. Speed and energy are medians, and upper bounds: "
+            "in the model neither a bed nor a person holds the piece up."
         ),
         (
-            "確率は人がいる場合のもので、昼・夜はいる時間の割合を掛けた値です。速さとエネルギーは中央値で、ベッドや人が"
-            "家具を支えないとした上限です。"
+            "確率は、そこに人がいる場合の値と95%区間です。昼と夜の値は、人がいる時間の割合を掛けたものです。速さと"
+            "エネルギーは中央値で、ベッドや人が家具を支えないとした上限です。"
         ),
     ),
     "way": ("Ways out", "避難経路"),
     "door_blocked": ("{door} blocked", "{door}がふさがる"),
-    "place_shut_in": ("shut in at the {place}", "{place}から出られない"),
+    "place_shut_in": ("no way out: {place}", "{place}から外に出られない"),
     "blocked_at_rest": (
         "A door is blocked as the furniture stands.",
         "家具を置いた状態で、すでにふさがっているドアがあります。",
@@ -146,7 +179,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "change": ("Single change", "変更（1つだけ）"),
     "hit_then": ("hit then", "人に当たる確率"),
     "hit_less": ("difference", "差"),
-    "shut_in_then": ("shut in then", "出られない確率"),
+    "shut_in_then": ("shut in then", "外に出られない確率"),
     "simulations": (
         "{runs} runs of pieces: {motions} motions × {samples} Monte Carlo samples, as the room is and for each change.",
         "家具の計算{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、現状と各変更について計算しました。",

@@ -27,7 +27,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "list": ("a list of {count} items, each {item}", "{count}個の要素のリスト（各要素は{item}）"),
     "few_to_many": ("{few} to {many}", "{few}～{many}"),
     "table_of": ("a table of {keys}", "{keys}からなるテーブル"),
-    "text": ("a text of {few} to {many} characters", "{few}～{many}文字の文字列"),
+    "text": (
+        "a text of {few} to {many} characters without control characters",
+        "{few}～{many}文字の文字列（制御文字を除く）",
+    ),
     # Keys that do not go together
     "no_preset": (
         "{name} is missing; it must be given where no preset is.",

@@ -10,14 +10,14 @@ import typer
 from stayput.errors import InputError, unknown
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from stayput.measures import Measure
     from stayput.motion import Motion
     from stayput.motion.suites import TargetSpectrum
     from stayput.scenario import AssemblyScenario, Scenario
 
-    Given = TypeVar("Given", Scenario, AssemblyScenario)
+    Given = TypeVar("Given", bound=Scenario | AssemblyScenario)
 
 MotionArgument: TypeAlias = Annotated[
     str, typer.Argument(metavar="MOTION", help="A record's file; or near-fault, or sine:A,F[,T].")
@@ -30,6 +30,9 @@ UnitOption: TypeAlias = Annotated[
 ]
 TimeStepOption: TypeAlias = Annotated[
     float | None, typer.Option("--dt", help="The record's time step [s], where its file does not state it.")
+]
+LanguageOption: TypeAlias = Annotated[
+    str, typer.Option("--lang", metavar="en|ja", help="Language of what is printed.")
 ]
 ThreadsOption: TypeAlias = Annotated[
     int | None, typer.Option("--threads", help="Threads; as many as there are cores by default.")
@@ -74,10 +77,12 @@ def building_table(text: str) -> dict[str, Any]:
     return {**table, "structure": structure.strip()} if structure else table
 
 
-def earthquake_table(text: str) -> dict[str, float]:
-    """Return the earthquake table of ``MAGNITUDE,DISTANCE[,DEPTH[,VS30]]``."""
-    values = _numbers("--earthquake", text, text.split(","), (2, 3, 4), "7,20,10,300")
-    return dict(zip(("magnitude", "distance", "depth", "vs30"), values, strict=False))
+def earthquake_table(text: str) -> dict[str, Any]:
+    """Return the earthquake table of ``MAGNITUDE,DISTANCE[,DEPTH[,VS30]][,KIND]``."""
+    parts = [part.strip() for part in text.split(",")]
+    kind = {"kind": parts.pop()} if parts[-1].isalpha() else {}
+    values = _numbers("--earthquake", text, parts, (2, 3, 4), "7,20,10,300,crustal")
+    return dict(zip(("magnitude", "distance", "depth", "vs30"), values, strict=False)) | kind
 
 
 def friction_table(text: str) -> dict[str, Any]:
@@ -90,8 +95,6 @@ def overlaid(
     data: dict[str, Any],
     *,
     body: str | None,
-    motion: str | None,
-    shaking: dict[str, Any],
     floor: str | None,
     friction: str | None,
     walls: dict[str, float | None],
@@ -99,16 +102,14 @@ def overlaid(
     dimensions: int | None,
     piece: dict[str, float | None],
 ) -> dict[str, Any]:
-    """Return a scenario's tables, overridden by the flags.
+    """Return a scenario's tables, overridden by the flags that say what stands where.
 
     Parameters
     ----------
     data : dict
         The tables of a scenario file, or `EXAMPLE`.
-    body, motion, floor, friction : str, optional
+    body, floor, friction : str, optional
         The flags' texts; each replaces a whole table.
-    shaking : dict
-        Single keys of the shaking table; None where the flag is not given.
     walls : dict
         Gaps of the walls by their names [m]; None where the flag is not given.
     contact : str, optional
@@ -128,27 +129,18 @@ def overlaid(
     tables = dict(data)
     if body is not None:
         tables["furniture"] = body_table(body)
-    if motion is not None:
-        tables["shaking"] = shaking_table(motion)
-    if stated := {key: value for key, value in shaking.items() if value is not None}:
-        from stayput.scenario.shaking import STRENGTHS
-
-        given = _table(tables, "shaking")
-        if not stated.keys().isdisjoint(STRENGTHS):  # in the place of what the file says
-            given = {key: value for key, value in given.items() if key not in STRENGTHS}
-        tables["shaking"] = {**given, **stated}
     if floor is not None:
-        tables["room"] = {**_table(tables, "room"), "floor": floor}
+        tables["room"] = {**table_of(tables, "room"), "floor": floor}
     if friction is not None:
-        tables["room"] = {**_table(tables, "room"), "floor": friction_table(friction)}
+        tables["room"] = {**table_of(tables, "room"), "floor": friction_table(friction)}
     for name, gap in walls.items():
         if gap is not None:
-            room = {**_table(tables, "room"), name: {"gap": gap}}
+            room = {**table_of(tables, "room"), name: {"gap": gap}}
             if name == "left_wall":
                 room.pop("back_wall", None)
             tables["room"] = room
     if own := {key: value for key, value in piece.items() if value is not None}:
-        tables["furniture"] = {**_table(tables, "furniture"), **own}
+        tables["furniture"] = {**table_of(tables, "furniture"), **own}
     own_keys = {"contact": contact, "dimensions": dimensions}
     return tables | {key: value for key, value in own_keys.items() if value is not None}
 
@@ -173,22 +165,22 @@ def parsed(kind: type[Given], data: dict[str, Any], path: Path | None, motion: s
     Parameters
     ----------
     kind : type
-        `Scenario` or `AssemblyScenario`.
+        `Scenario`, `AssemblyScenario` or `RoomScenario`.
     data : dict
-        The tables, from `overlaid`.
+        The tables, under the flags.
     path : Path, optional
         The file.
     motion : str, optional
-        The flag, whose path begins in the working folder and not in the file's.
+        The flag, in whose place no refusal of a record names the file.
 
     Raises
     ------
     InputError
         A value that is not allowed.
     """
-    folder, name = (Path(), "") if path is None or motion is not None else (path.parent, path.name)
+    folder, name = (Path(), "") if path is None else (path.parent, path.name)
     try:
-        return kind.parse(data, folder, name)
+        return cast("Given", kind.parse(data, folder, name if motion is None else ""))
     except InputError as error:
         if path is not None and _refused_alone(kind, path) == str(error):
             raise error.at(path.name) from None
@@ -280,7 +272,8 @@ def intensity_value(text: str) -> float | str:
         return text
 
 
-def _table(tables: dict[str, Any], name: str) -> dict[str, Any]:
+def table_of(tables: Mapping[str, Any], name: str) -> dict[str, Any]:
+    """Return a table of a scenario's tables; empty where there is none."""
     table: Any = tables.get(name)
     return cast("dict[str, Any]", table) if isinstance(table, dict) else {}
 

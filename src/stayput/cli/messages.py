@@ -12,10 +12,14 @@ from typing import TYPE_CHECKING, Any
 import typer
 from typer.core import TyperGroup
 
+from stayput.catalogue import say
+from stayput.cli.usage import USAGE, misused
 from stayput.errors import InputError, InputWarning, warnings_to
 
 if TYPE_CHECKING:
-    from collections.abc import Generator
+    from collections.abc import Generator, Sequence
+
+    from stayput.catalogue import Language
 
 REFUSED = 2
 """Exit code for input that is refused."""
@@ -30,11 +34,14 @@ INTERRUPTED = 130
 class CommandGroup(TyperGroup):
     """A group of commands that reports an error of the input or the output in one sentence."""
 
-    def main(self, *args: Any, **kwargs: Any) -> Any:
+    _language: Language = "en"
+
+    def main(self, args: Sequence[str] | None = None, *rest: Any, **kwargs: Any) -> Any:
         """Run the command line, and flush standard output."""
+        self._language = _language_of(sys.argv[1:] if args is None else args)
         try:
             try:
-                return super().main(*args, **kwargs)
+                return super().main(args, *rest, **kwargs)
             finally:
                 if sys.stdout is not None:  # pyright: ignore[reportUnnecessaryComparison] - where it is closed
                     sys.stdout.flush()
@@ -47,6 +54,13 @@ class CommandGroup(TyperGroup):
                 sys.exit(_unwritten(end.__context__))
             raise
 
+    def make_context(self, *args: Any, **kwargs: Any) -> Any:
+        """Read what stands before the name of the command."""
+        try:
+            return super().make_context(*args, **kwargs)
+        except USAGE as error:
+            raise self._refused(misused(error)) from None
+
     def invoke(self, ctx: Any) -> Any:
         """Run the command; refused input ends it with `REFUSED`, Ctrl-C with `INTERRUPTED`.
 
@@ -55,22 +69,33 @@ class CommandGroup(TyperGroup):
         printed: set[str] = set()
 
         def warn(warning: InputWarning) -> None:
-            sentence = str(warning)
+            sentence = warning.told(self._language)
             if sentence not in printed:
                 printed.add(sentence)
-                typer.echo(f"Warning: {sentence}", err=True)
+                typer.echo(say("cli.warning", self._language, sentence=sentence), err=True)
 
         try:
             with warnings_to(warn):
                 return super().invoke(ctx)
         except InputError as error:
-            typer.echo(str(error), err=True)
-            raise typer.Exit(REFUSED) from None
+            raise self._refused(error) from None
+        except USAGE as error:
+            raise self._refused(misused(error)) from None
         except OSError as error:
             raise typer.Exit(_unwritten(error)) from None
         except KeyboardInterrupt:
             typer.echo("Interrupted.", err=True)
             raise typer.Exit(INTERRUPTED) from None
+
+    def _refused(self, error: InputError) -> typer.Exit:
+        typer.echo(error.told(self._language), err=True)
+        return typer.Exit(REFUSED)
+
+
+def _language_of(args: Sequence[str]) -> Language:
+    """Return the language that ``--lang`` says, in which refusals are told too."""
+    flags = " ".join(args)
+    return "ja" if "--lang ja" in flags or "--lang=ja" in flags else "en"
 
 
 def _unwritten(error: OSError) -> int:

@@ -8,24 +8,37 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
+from stayput.catalogue import LANGUAGES
 from stayput.cli.flags import (
     ComponentOption,
+    LanguageOption,
     TimeStepOption,
     UnitOption,
-    building_table,
     chosen_measures,
-    earthquake_table,
-    intensity_value,
     overlaid,
     parsed,
     scenario_data,
 )
-from stayput.cli.messages import compiling, print_json
+from stayput.cli.messages import compiling, folded, print_json
+from stayput.cli.shaking import (
+    BuildingOption,
+    EarthquakeOption,
+    IntensityOption,
+    MercalliOption,
+    MotionOption,
+    PgaOption,
+    PgvOption,
+    ScaleOption,
+    StoreyOption,
+    VerticalOption,
+    shaken,
+)
 from stayput.errors import InputError, InputWarning, warn
 
 if TYPE_CHECKING:
     from collections.abc import Generator
 
+    from stayput.catalogue import Phrase
     from stayput.report.animation import Progress
     from stayput.simulation.run import Run
     from stayput.simulation.space_run import SpaceRun
@@ -44,41 +57,19 @@ def simulate(
         str | None,
         typer.Option(metavar="WxHxM", help="A body: width along the shaking [m] x height [m] x mass [kg]."),
     ] = None,
-    motion: Annotated[
-        str | None,
-        typer.Option(
-            metavar="FILE|near-fault|sine:A,F[,T]",
-            help="A record's file, the built-in motion, or a sine of A [m/s²], F [Hz] and T [s].",
-        ),
-    ] = None,
+    motion: MotionOption = None,
     component: ComponentOption = None,
     unit: UnitOption = None,
     dt: TimeStepOption = None,
-    scale: Annotated[float | None, typer.Option(help="Factor on the motion.")] = None,
-    intensity: Annotated[
-        str | None,
-        typer.Option(help="JMA intensity of the ground to scale to: a number, or a class such as 6-upper."),
-    ] = None,
-    pga: Annotated[float | None, typer.Option(help="Peak ground acceleration to scale to [m/s²].")] = None,
-    pgv: Annotated[float | None, typer.Option(help="Peak ground velocity to scale to [m/s].")] = None,
-    mmi: Annotated[float | None, typer.Option(help="Modified Mercalli intensity to scale to.")] = None,
-    earthquake: Annotated[
-        str | None,
-        typer.Option(
-            metavar="M,KM[,DEPTH[,VS30]]",
-            help="An earthquake to scale to: magnitude, distance and depth [km], ground [m/s], such as 7,20.",
-        ),
-    ] = None,
-    building: Annotated[
-        str | None,
-        typer.Option(metavar="STOREYS[,STRUCTURE]", help="The building around it, such as 10,RC."),
-    ] = None,
-    storey: Annotated[
-        int | None, typer.Option(help="The storey it stands on; 1 is the ground floor.")
-    ] = None,
-    vertical: Annotated[
-        bool | None, typer.Option("--vertical/--no-vertical", help="Whether the vertical component acts.")
-    ] = None,
+    scale: ScaleOption = None,
+    intensity: IntensityOption = None,
+    pga: PgaOption = None,
+    pgv: PgvOption = None,
+    mmi: MercalliOption = None,
+    earthquake: EarthquakeOption = None,
+    building: BuildingOption = None,
+    storey: StoreyOption = None,
+    vertical: VerticalOption = None,
     floor: Annotated[str | None, typer.Option(metavar="SURFACE", help="A surface, such as 'carpet'.")] = None,
     friction: Annotated[
         str | None, typer.Option(metavar="STATIC[,KINETIC]", help="Friction of the floor.")
@@ -110,6 +101,7 @@ def simulate(
             help="A measure in place: a type such as tension_pole, or a name in the file; repeatable.",
         ),
     ] = None,
+    lang: LanguageOption = "en",
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     plot: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Plot the histories: .png, .svg or .pdf.")
@@ -124,9 +116,12 @@ def simulate(
 
     Flags override what the scenario file says; --body without a file stands free of walls.
     """
+    from stayput.report.summary import piece_name
     from stayput.scenario import Scenario
     from stayput.simulation.run import Run
+    from stayput.wording import check_language
 
+    check_language(lang)
     _check_targets(plot, animate)
     given = scenario_data(scenario, body)
     several = scenario is not None and isinstance(scenario_data(scenario, None).get("furniture"), list)
@@ -142,21 +137,6 @@ def simulate(
     data = overlaid(
         given,
         body=body,
-        motion=motion,
-        shaking={
-            "component": component,
-            "unit": unit,
-            "dt": dt,
-            "scale": scale,
-            "intensity": None if intensity is None else intensity_value(intensity),
-            "pga": pga,
-            "pgv": pgv,
-            "mmi": mmi,
-            "earthquake": None if earthquake is None else earthquake_table(earthquake),
-            "building": None if building is None else building_table(building),
-            "storey": storey,
-            "vertical": vertical,
-        },
         floor=floor,
         friction=friction,
         walls={
@@ -169,45 +149,72 @@ def simulate(
         dimensions=dimensions,
         piece={"length": length, "heading": heading},
     )
+    data = shaken(
+        data,
+        scenario,
+        motion=motion,
+        component=component,
+        unit=unit,
+        dt=dt,
+        scale=scale,
+        intensity=intensity,
+        pga=pga,
+        pgv=pgv,
+        mmi=mmi,
+        earthquake=earthquake,
+        building=building,
+        storey=storey,
+        vertical=vertical,
+    )
     if several:
         from stayput.scenario import AssemblyScenario, RoomScenario
 
         pieces = parsed(RoomScenario if "plan" in given else AssemblyScenario, data, scenario, motion)
         with compiling():
             found = pieces.run()
-        _show_in_space(found, pieces.names, _Wanted("", pieces.title, plot, animate, speed, fps, json))
+        _show_in_space(
+            found, pieces.names, _Wanted(("", ""), pieces.title, plot, animate, speed, fps, lang, json)
+        )
         return
     checked = parsed(Scenario, data, scenario, motion)
     if length is not None and checked.dimensions == 2:
         warn(InputWarning("cli.length_in_the_plane", "--length", value=length))
     with checked.naming_file(), compiling():
         run = checked.case(chosen_measures(checked, measure or [])).run()
-    wanted = _Wanted(checked.furniture.title, checked.title, plot, animate, speed, fps, json)
+    piece = checked.furniture
+    called = piece.title, piece_name(piece.preset, piece.name)[1]
+    wanted = _Wanted(called, checked.title, plot, animate, speed, fps, lang, json)
     if isinstance(run, Run):
         _show_in_the_plane(run, wanted)
     else:
-        _show_in_space(run, (wanted.name,), wanted)
+        _show_in_space(run, (wanted.called,), wanted)
 
 
 class _Wanted(NamedTuple):
     """What is shown of a run, and where it is written."""
 
-    name: str
+    name: Phrase
     title: str | None
     plot: Path | None
     animate: Path | None
     speed: float
     fps: float
+    lang: str
     json: bool
+
+    @property
+    def called(self) -> str:
+        """What the piece is called in the language."""
+        return self.name[LANGUAGES.index(self.lang)]
 
 
 def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
-    from stayput.report.summary import rows, sentence, summary
+    from stayput.report.summary import rows, sentences, summary
 
     if wanted.plot is not None:
         from stayput.report.plot import plot_run
 
-        plot_run(run, wanted.plot, name=wanted.name)
+        plot_run(run, wanted.plot, name=wanted.name[0])
     if wanted.animate is not None:
         from stayput.report.animation import animate_run
 
@@ -217,13 +224,14 @@ def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
                 wanted.animate,
                 fps=wanted.fps,
                 speed=wanted.speed,
-                name=wanted.name,
+                name=wanted.called,
+                language=wanted.lang,
                 progress=progress,
             )
     if wanted.json:
         print_json(summary(run))
     else:
-        _print_table(sentence(run, wanted.name), rows(run), wanted)
+        _print_table(sentences(run, wanted.name), rows(run, wanted.lang), wanted)
 
 
 def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> None:
@@ -233,7 +241,7 @@ def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> No
     if wanted.plot is not None:
         from stayput.report.space.plot import plot_space_run
 
-        plot_space_run(run, wanted.plot, names=names)
+        plot_space_run(run, wanted.plot, names=names, language=wanted.lang)
     if wanted.animate is not None:
         from stayput.report.space.animation import animate_space_run
 
@@ -244,12 +252,13 @@ def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> No
                 names=names,
                 fps=wanted.fps,
                 speed=wanted.speed,
+                language=wanted.lang,
                 progress=progress,
             )
     if wanted.json:
         print_json(space_summary(run, names))
     else:
-        _print_table(became(run, names)[0], space_rows(run, names), wanted)
+        _print_table(became(run, names), space_rows(run, names, wanted.lang), wanted)
 
 
 def _check_targets(plot: Path | None, animate: Path | None) -> None:
@@ -278,14 +287,15 @@ def _progress() -> Generator[Progress | None]:
         yield lambda done, total: bar.update(task, completed=done, total=total)
 
 
-def _print_table(said: str, rows: list[tuple[str, str]], wanted: _Wanted) -> None:
+def _print_table(said: Phrase, rows: list[tuple[str, str]], wanted: _Wanted) -> None:
     from rich.console import Console
     from rich.table import Table
 
     console = Console(highlight=False, markup=False)
     if wanted.title is not None:
         console.print(wanted.title, style="bold")
-    console.print(said)
+    sentence = said[LANGUAGES.index(wanted.lang)]
+    console.print(folded(sentence, console.width) if wanted.lang == "ja" else sentence)
     table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
     for label, value in rows:
         table.add_row(label, value)

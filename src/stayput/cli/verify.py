@@ -5,17 +5,40 @@ from __future__ import annotations
 import math
 from functools import partial
 from pathlib import Path  # noqa: TC003 - Typer reads the annotations
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from stayput.cli.flags import EveryRunOption, ThreadsOption  # noqa: TC001 - Typer reads the annotations
+from stayput.cli.flags import (
+    ComponentOption,
+    EveryRunOption,
+    LanguageOption,
+    ThreadsOption,
+    TimeStepOption,
+    UnitOption,
+    parsed,
+    scenario_data,
+)
 from stayput.cli.messages import compiling, folded
+from stayput.cli.shaking import (
+    BuildingOption,
+    EarthquakeOption,
+    IntensityOption,
+    MercalliOption,
+    MotionOption,
+    PgaOption,
+    PgvOption,
+    ScaleOption,
+    StoreyOption,
+    VerticalOption,
+    shaken,
+)
 from stayput.cli.verify_room import print_room
 from stayput.cli.verify_several import print_several
 
 if TYPE_CHECKING:
     from stayput.rooms.verdict import RoomVerdict
+    from stayput.scenario import AssemblyScenario, Scenario
     from stayput.verification import AssemblyVerdict, Verdict
 
 
@@ -25,7 +48,7 @@ def verify(
         Path | None,
         typer.Option(metavar="FILE", help="Write a report that needs nothing else: .html."),
     ] = None,
-    lang: Annotated[str, typer.Option(metavar="en|ja", help="Language of what is printed.")] = "en",
+    lang: LanguageOption = "en",
     json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
     markdown: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the verdict as .md.")] = None,
     csv: Annotated[Path | None, typer.Option(metavar="FILE", help="Write the ranking as .csv.")] = None,
@@ -43,6 +66,19 @@ def verify(
     dropped_ceiling: Annotated[
         bool, typer.Option("--dropped-ceiling", help="With --plan: the ceiling hangs on wires.")
     ] = False,
+    motion: MotionOption = None,
+    component: ComponentOption = None,
+    unit: UnitOption = None,
+    dt: TimeStepOption = None,
+    scale: ScaleOption = None,
+    intensity: IntensityOption = None,
+    pga: PgaOption = None,
+    pgv: PgvOption = None,
+    mmi: MercalliOption = None,
+    earthquake: EarthquakeOption = None,
+    building: BuildingOption = None,
+    storey: StoreyOption = None,
+    vertical: VerticalOption = None,
     slide_limit: Annotated[float | None, typer.Option(help="Slide that counts as too far [m].")] = None,
     every_run: EveryRunOption = False,
     threads: ThreadsOption = None,
@@ -52,6 +88,7 @@ def verify(
     Without measures in the file the usual ones are compared, those that can be applied there. Of several
     pieces ([[furniture]]) joints and measures on each are compared. Of a room with a [plan] it is said who is
     hit, which door stays shut, and which single change helps most; with --plan also what to move and to buy.
+    Flags that say how the floor is shaken override what the file says.
     """
     from stayput.errors import InputError, within
     from stayput.files import check_target
@@ -61,12 +98,36 @@ def verify(
     for path, suffix in ((report, ".html"), (markdown, ".md"), (csv, ".csv"), (plan, ".html")):
         if path is not None:
             check_target(path, (suffix,))
+    if report is not None and plan is not None and report.resolve() == plan.resolve():
+        value = repr(str(plan))
+        raise InputError("cli.same_file", "--plan", flag="--report", other="--plan", value=value)
     if slide_limit is not None:
         within("--slide-limit", slide_limit, 0.0, 100.0, "m")
     home = (no_drilling, tatami, plasterboard, dropped_ceiling)
     if plan is None and any(home):
         raise InputError("cli.home_without_plan")
-    verdict = _verified(scenario, slide_limit, every_run, threads, rooms_only=plan is not None)
+    given = scenario_data(scenario, None)
+    if plan is not None and "plan" not in given:
+        raise InputError("cli.plan_of_a_room", "--plan").at(scenario.name)
+    data = shaken(
+        given,
+        scenario,
+        motion=motion,
+        component=component,
+        unit=unit,
+        dt=dt,
+        scale=scale,
+        intensity=intensity,
+        pga=pga,
+        pgv=pgv,
+        mmi=mmi,
+        earthquake=earthquake,
+        building=building,
+        storey=storey,
+        vertical=vertical,
+    )
+    checked = parsed(_kind(data), data, scenario, motion)
+    verdict = _verified(checked, slide_limit, every_run, threads)
     from stayput.rooms.verdict import RoomVerdict
 
     written = _write(verdict, report, markdown, csv, lang)
@@ -94,30 +155,30 @@ def verify(
         _print(verdict, lang, written)
 
 
+def _kind(data: dict[str, Any]) -> type[Scenario | AssemblyScenario]:
+    """Return what a file's tables describe."""
+    from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
+
+    if "plan" in data:
+        return RoomScenario
+    return AssemblyScenario if isinstance(data.get("furniture"), list) else Scenario
+
+
 def _verified(
-    path: Path, slide_limit: float | None, every_run: bool, threads: int | None, *, rooms_only: bool
+    scenario: Scenario | AssemblyScenario, slide_limit: float | None, every_run: bool, threads: int | None
 ) -> Verdict | AssemblyVerdict | RoomVerdict:
-    from stayput.cli.flags import scenario_data
-    from stayput.errors import InputError
-    from stayput.scenario import read_assembly, read_room, read_scenario
+    from stayput.scenario import RoomScenario
     from stayput.verification import SLIDE_LIMIT
 
-    given = scenario_data(path, None)
     limit = SLIDE_LIMIT if slide_limit is None else slide_limit
-    if "plan" in given:
-        from stayput.rooms.verify import verify_room
-
-        room = read_room(path)
-        with room.naming_file(), compiling():
-            return verify_room(room, slide_limit=limit, threads=threads)
-    if rooms_only:
-        raise InputError("cli.plan_of_a_room", "--plan").at(path.name)
-    several = isinstance(given.get("furniture"), list)
-    scenario = read_assembly(path) if several else read_scenario(path)
-
-    from stayput.verification import verify as compare
-
     with scenario.naming_file(), compiling():
+        if isinstance(scenario, RoomScenario):
+            from stayput.rooms.verify import verify_room
+
+            return verify_room(scenario, slide_limit=limit, threads=threads)
+
+        from stayput.verification import verify as compare
+
         return compare(scenario, slide_limit=limit, every_run=every_run, threads=threads)
 
 

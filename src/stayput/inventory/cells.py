@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, within
+from stayput.errors import InputError, has_control, within
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
@@ -21,9 +21,6 @@ MOST_NUMBERS = 100
 
 SHOWN = 40
 """Characters of a cell that a sentence shows."""
-
-_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ufeff]")
-"""Control characters, invisible ones, and those that change the direction of the text."""
 
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 
@@ -64,7 +61,7 @@ def plain(name: str, cell: Cell) -> str | float | int | None:
     text = cell.strip()
     if "\n" in text or "\r" in text:
         raise InputError("inventory.several_lines", name, name=name)
-    if _CONTROL.search(text) is not None:
+    if has_control(text):
         raise InputError("inventory.control_character", name, name=name)
     if text.startswith("="):
         raise InputError("inventory.unusable", name, name=name, what=phrase("inventory.cell_formula"))

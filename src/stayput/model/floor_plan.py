@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from stayput.errors import InputError, list_of, numbers, within, word_of
+from stayput.errors import InputError, list_of, name_of, numbers, within, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
 from stayput.model.room import WALLS_AROUND
 
@@ -111,6 +111,7 @@ class Door:
         word_of("rooms.wall", self.wall, WALLS_AROUND, "wall")
         word_of("rooms.hinge", self.hinge, HINGES, "hinge")
         word_of("rooms.opens", self.opens, OPENS, "opens")
+        name_of("name", self.name)
         check_fields(self)
 
 
@@ -189,6 +190,7 @@ class PersonPlace:
     blocks: bool = False
 
     def __post_init__(self) -> None:
+        name_of("name", self.name)
         check_fields(self)
         if not self.low < self.high:
             raise InputError("rooms.heights_in_order", "high", low=self.low, high=self.high)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, unknown
+from stayput.errors import InputError, instance_of, unknown
 from stayput.extras import absent
 from stayput.model.polyhedron import (
     check_filled,
@@ -70,6 +70,7 @@ def read_convex_mesh(file: str | Path, unit: str, up: str) -> Hull:
         raise unknown("solids.unit", unit, UNITS, "unit")
     if up not in UP:
         raise unknown("solids.up", up, UP, "up")
+    instance_of("file", file, (str, os.PathLike))
     corners = UNITS[unit] * _corners(Path(file))[:, UP[up]]
     check_size(corners, "unit", _hint(size_of(corners), unit))
     points, triangles = _joined(corners)

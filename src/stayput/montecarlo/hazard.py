@@ -305,10 +305,15 @@ class Hazard:
         return self._with(self._scaled.factors(intensity), threads)
 
     def stated(
-        self, strength: GroundStrength | None, scale: float | None, seed: int, threads: int | None = None
+        self,
+        strength: GroundStrength | None,
+        scale: float | None,
+        seed: int,
+        threads: int | None = None,
+        times: float = 1.0,
     ) -> FloorMotions:
-        """Return the motions at the shaking that a scenario states; see `Ground.stated`."""
-        return self._with(self._scaled.stated(strength, scale, seed), threads)
+        """Return the motions at so many times the shaking that a scenario states; see `Ground.stated`."""
+        return self._with(times * self._scaled.stated(strength, scale, seed), threads)
 
     def _with(self, factors: NDArray[np.float64], threads: int | None) -> FloorMotions:
         if self.building is not None and self.building.yields:

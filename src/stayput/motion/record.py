@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.errors import InputError, finite, within
+from stayput.errors import InputError, finite, instance_of, visible, within
 from stayput.files import check_target, draft
 from stayput.motion import integrals
 from stayput.motion.channels import Listing, channels_of_traces, common_length, motion_fields
@@ -86,6 +86,8 @@ class Motion:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "dt", within("motion.name_motion_dt", self.dt, *STEP_RANGE, "s", "dt"))
+        for name in ("name", "source", "floor"):  # a file's header may hold anything
+            object.__setattr__(self, name, visible(instance_of(name, getattr(self, name), str)))
         for name in COMPONENTS:
             values = getattr(self, name)
             if name == "x" or values is not None:

@@ -9,9 +9,9 @@ import numpy as np
 
 from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.catalogue.names import ANY_PIECE, PIECES
-from stayput.report.names import motion_label
+from stayput.report.names import motion_label, place_named
 from stayput.simulation.outcome import Event, EventKind, Outcome
-from stayput.wording import FAR, inside
+from stayput.wording import FAR, inside, with_aside
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -174,55 +174,64 @@ def motion_data(motion: Motion) -> dict[str, Any]:
     }
 
 
-def rows(run: Run) -> list[tuple[str, str]]:
-    """Return the results as rows of a table: label, and value with its unit."""
+def rows(run: Run, language: str = "en") -> list[tuple[str, str]]:
+    """Return the results as rows of a table in a language: label, and value with its unit."""
     motion = run.motion
+    open_side = say("runs.open_side", language) if slides_off(run) else ""
     values = {
         "motion": say(
             "runs.row_motion_value",
-            name=motion_label(motion),
+            language,
+            name=motion_label(motion, language),
             duration=motion.duration,
             peak=motion.pga,
         ),
-        "outcome": run.outcome.value,
+        "outcome": outcome_named(run.outcome, language),
         "overturned": f"{run.overturn_time:.2f} s" if run.overturned else "-",
         "tilt": f"{math.degrees(run.peak_tilt):.2f}°",
-        "slide": f"{100.0 * run.peak_slide:.2f} cm{say('runs.open_side') if slides_off(run) else ''}",
+        "slide": f"{100.0 * run.peak_slide:.2f} cm{open_side}",
         "residual": f"{100.0 * run.residual_slide:+z.2f} cm",
         "floor": str(run.floor_impacts),
         "walls" if run.room.ceiling is None else "walls_and_ceiling": str(run.wall_impacts),
     }
-    return [*((say(f"runs.row_{key}"), value) for key, value in values.items()), *device_rows(run.devices)]
+    labelled = [(say(f"runs.row_{key}", language), value) for key, value in values.items()]
+    return [*labelled, *device_rows(run.devices, language=language)]
 
 
-def place_called(device: DeviceResult, members: Sequence[str]) -> str:
+def outcome_named(outcome: Outcome, language: str) -> str:
+    """Return an outcome in a word: in English by its own name, as `Run.outcome` has it."""
+    return outcome.value if language == "en" else say(f"runs.outcome_{outcome.value}", language)
+
+
+def place_called(device: DeviceResult, members: Sequence[str], language: str = "en") -> str:
     """Return where a device is; of a joint which bodies it joins, by what these are called."""
     if device.between is None or not members:
-        return device.place
-    return " – ".join(members[body] for body in device.between)
+        return place_named(device.place, language)
+    _, comma, number = device.place.partition(", ")  # of several joints of the same two
+    return " – ".join(members[body] for body in device.between) + comma + number
 
 
-def device_rows(devices: Sequence[DeviceResult], members: Sequence[str] = ()) -> list[tuple[str, str]]:
+def device_rows(
+    devices: Sequence[DeviceResult], members: Sequence[str] = (), language: str = "en"
+) -> list[tuple[str, str]]:
     """Return a row for each device: its largest force, how much of its strength that is, and its failure.
 
     ``members`` are what the pieces of an assembly are called.
     """
     rows_of_devices: list[tuple[str, str]] = []
+    number = LANGUAGES.index(language)
     for device in devices:
-        name = " ".join(filter(None, (device.label[0], place_called(device, members))))
+        name = " ".join(filter(None, (device.label[number], place_called(device, members, language))))
         if device.member is not None and members:
-            name = f"{name} ({members[device.member]})"
+            name = with_aside(name, members[device.member], language)
         peak = max(device.peak_pull, device.peak_push, device.peak_shear)
-        used = say("runs.row_used", share=100.0 * device.utilisation) if device.utilisation > 0.0 else ""
-        fate = (
-            say(
-                "runs.row_failed",
-                cause=device.cause if device.weakest is None else device.weakest[0],
-                time=device.failure_time,
-            )
-            if device.failed
-            else say("runs.row_holds")
-        )
+        share = 100.0 * device.utilisation
+        used = say("runs.row_used", language, share=share) if share > 0.0 else ""
+        if device.failed:
+            cause = device.weakest or phrase(f"runs.cause_{str(device.cause).replace(' ', '_')}")
+            fate = say("runs.row_failed", language, cause=cause, time=device.failure_time)
+        else:
+            fate = say("runs.row_holds", language)
         rows_of_devices.append((name, f"{peak:.0f} N{used}{fate}"))
     return rows_of_devices
 

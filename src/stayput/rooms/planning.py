@@ -17,6 +17,7 @@ import numpy as np
 from stayput.errors import InputError, instance_of
 from stayput.measures import MEASURES
 from stayput.measures.wall import WallDevice
+from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import bar
 from stayput.rooms.changes import can_be_held
 from stayput.rooms.effects import effect_of, harmful_pieces, moves_of, risk_of, tracks_of_part
@@ -25,7 +26,7 @@ from stayput.rooms.forces import MARGIN, Purchase, more_than, quantile_of, stren
 from stayput.rooms.runs import part_with, with_member
 from stayput.rooms.steps import SETS, STUD_PITCH, ActionPlan, Fix, Home, PlanStep
 from stayput.rooms.verdict import RoomVerdict
-from stayput.rooms.verify import question_of, states, verdict_of
+from stayput.rooms.verify import floors_of, question_of, states, verdict_of
 from stayput.simulation.placing import placed
 from stayput.simulation.standing import Piece
 from stayput.verification.grades import inputs_in_room
@@ -48,6 +49,9 @@ if TYPE_CHECKING:
 
 ALIKE = 0.005
 """Risks that differ by no more than this are equal in the order of steps: half a per cent."""
+
+WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
+"""Classes of intensity, the strongest first, in which it is tried whether a device that is too weak holds."""
 
 
 def action_plan(
@@ -332,12 +336,12 @@ class _Planner:
         """
         measures, part = tried.measures, self._held(body, tried.measures, whole)
         assert part is not None
-        purchases = self._purchases(part, measures, body)
+        purchases = purchases_of(self.question, part, measures, body)
         fitted = tuple(_more(one, _length(whole, body)) for one in purchases)
         more, here = self._held(body, fitted, whole), self._held(body, fitted, self.question.whole)
         if fitted != measures and more is not None and here is not None:
             measures, part = fitted, more
-            purchases = self._purchases(part, measures, body)
+            purchases = purchases_of(self.question, part, measures, body)
             tried = self._as_tried(measures, here, self.question.run([here])[0], body)
         there = tried.way
         if whole is not self.question.whole:
@@ -349,32 +353,51 @@ class _Planner:
         cautions = tuple(
             caution for measure in measures for caution in measure.cautions(held.body, held.room)
         )
-        return Fix(part, place, purchases, tried.effect, tried.overturns, cautions), tried.way, there
+        enough_to = self._enough_to(part, purchases, body)
+        fix = Fix(part, place, purchases, tried.effect, tried.overturns, cautions, enough_to)
+        return fix, tried.way, there
 
-    def _purchases(self, part: RoomPart, measures: tuple[Measure, ...], body: int) -> tuple[Purchase, ...]:
-        """Return what to buy: how strong one must be, and how strong what it is fixed to is."""
-        place = part.bodies.index(body)
-        piece = part.assembly.members[place]
-        held = placed(part.assembly.members, part.room)[place].held
-        assert isinstance(piece, Piece)
-        assert held is not None
-        kinds = {measure.kind for measure in measures}
-        strong = tuple(
-            unbreakable(measure.fitted_to(piece.body)) if measure.kind in kinds else measure
-            for measure in piece.measures
-        )
-        member = replace(piece, measures=strong)
-        runs = self.question.run([part._replace(assembly=with_member(part.assembly, place, member))])[0]
-        found: list[Purchase] = []
-        for measure in measures:
-            strengths = strengths_of(held, measure.kind)
-            if strengths is None:
-                found.append(Purchase(measure))
-                continue
-            holds, fails = strengths
-            needed = quantile_of(runs.peaks, (place, measure.kind)).times(MARGIN)
-            found.append(Purchase(measure, needed, holds, fails))
-        return tuple(found)
+    def _enough_to(self, part: RoomPart, purchases: tuple[Purchase, ...], body: int) -> float | None:
+        """Return the JMA intensity, a class's middle, for which what is too weak here is strong enough."""
+        if all(one.enough for one in purchases):
+            return None
+        measures = tuple(one.measure for one in purchases)
+        now, threads = self.question.floors.median_intensity, self.question.threads
+        for level in (intensity_of_class(name) for name in WEAKER_CLASSES):
+            if level < now:
+                floors = floors_of(self.question.scenario, threads, factor_to_intensity(now, level))
+                weaker = self.question._replace(floors=floors)
+                if all(one.enough for one in purchases_of(weaker, part, measures, body)):
+                    return level
+        return None
+
+
+def purchases_of(
+    question: Question, part: RoomPart, measures: tuple[Measure, ...], body: int
+) -> tuple[Purchase, ...]:
+    """Return what to buy: how strong one must be, and how strong what it is fixed to is."""
+    place = part.bodies.index(body)
+    piece = part.assembly.members[place]
+    held = placed(part.assembly.members, part.room)[place].held
+    assert isinstance(piece, Piece)
+    assert held is not None
+    kinds = {measure.kind for measure in measures}
+    strong = tuple(
+        unbreakable(measure.fitted_to(piece.body)) if measure.kind in kinds else measure
+        for measure in piece.measures
+    )
+    member = replace(piece, measures=strong)
+    runs = question.run([part._replace(assembly=with_member(part.assembly, place, member))])[0]
+    found: list[Purchase] = []
+    for measure in measures:
+        strengths = strengths_of(held, measure.kind)
+        if strengths is None:
+            found.append(Purchase(measure))
+            continue
+        holds, fails = strengths
+        needed = quantile_of(runs.peaks, (place, measure.kind)).times(MARGIN)
+        found.append(Purchase(measure, needed, holds, fails))
+    return tuple(found)
 
 
 def _overturns(runs: PartRuns, place: int) -> Probability:

@@ -6,15 +6,14 @@ import math
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
-from stayput.fragility.probabilities import percent
 from stayput.measures import Belt, GelMats, TensionPole, WedgeStopper
 from stayput.measures.fixing import SCREW_IN_STUD
 from stayput.measures.wall import WallDevice
 from stayput.rooms.steps import STUD_PITCH
-from stayput.rooms.words import label_of, piece_name
+from stayput.rooms.words import interval_text, label_of, piece_name
 from stayput.simulation.placing import placed
 from stayput.simulation.standing import Piece
-from stayput.verification.words import share_text
+from stayput.verification.words import class_phrase, share_text
 from stayput.wording import inside
 
 if TYPE_CHECKING:
@@ -23,7 +22,7 @@ if TYPE_CHECKING:
     from stayput.catalogue import Phrase
     from stayput.fragility import Probability
     from stayput.measures import Element, Held
-    from stayput.rooms.forces import DeviceForces, Purchase
+    from stayput.rooms.forces import Purchase
     from stayput.rooms.steps import ActionPlan, Fix, PlanStep
     from stayput.rooms.verdict import RoomEffect
 
@@ -71,7 +70,7 @@ def products(fix: Fix) -> Phrase:
 
 
 def to_buy(purchase: Purchase, fix: Fix) -> Phrase:
-    """Return what to buy, with its rated strength."""
+    """Return what to buy, with its rated strength; what is too weak here has none: see `too_weak`."""
     measure, body = purchase.measure, _piece(fix).body
     called = product(purchase)
     if isinstance(measure, WedgeStopper):
@@ -82,7 +81,7 @@ def to_buy(purchase: Purchase, fix: Fix) -> Phrase:
         assert fitted is not None
         called = phrase("action_plan.mats", product=called, side=100.0 * math.sqrt(fitted), mass=body.mass)
     forces = [phrase(f"action_plan.{name}", force=newtons(force)) for name, force in forces_asked(purchase)]
-    if not forces:
+    if not forces or not purchase.enough:
         return called
     return phrase("action_plan.rated", product=called, forces=joined(forces, "action_plan.and"))
 
@@ -144,46 +143,104 @@ def checks(fix: Fix) -> Iterator[Phrase]:
     yield from seen.values()
 
 
-def cautions(fix: Fix) -> Iterator[Phrase]:
-    """Yield why the measures may not do much, and what is not strong enough."""
-    yield from fix.cautions
-    for purchase in fix.purchases:
-        if not purchase.enough:
-            assert purchase.holds is not None
-            assert purchase.fails is not None
-            yield phrase(
-                "action_plan.not_enough",
-                measure=purchase.measure.label,
-                holds=newtons(min(_finite(purchase.holds))),
-                fails=purchase.fails,
-            )
+def too_weak(fix: Fix, plan: ActionPlan) -> tuple[Phrase, Phrase] | None:
+    """Return that a fix is not strong enough, and what it bears and up to which shaking; None if it is."""
+    if fix.enough:
+        return None
+    told = [_bears(purchase) for purchase in fix.purchases if not purchase.enough]
+    if fix.enough_to is None:
+        told.append(phrase("action_plan.weak_anywhere"))
+    else:
+        told.append(phrase("action_plan.weak_to", strength=class_phrase(fix.enough_to)))
+    weak = phrase("action_plan.weak", strength=class_phrase(plan.verdict.intensity))
+    return weak, joined(told, "action_plan.next")
 
 
-def _finite(forces: DeviceForces) -> list[float]:
-    return [force for force in forces if math.isfinite(force)]
+def _bears(purchase: Purchase) -> Phrase:
+    """Return what a device that is too weak bears, in the direction in which most is missing."""
+    assert purchase.needed is not None
+    assert purchase.holds is not None
+    pairs = zip(purchase.needed, purchase.holds, strict=True)
+    needed, holds = max(pairs, key=lambda pair: pair[0] / pair[1] if pair[1] > 0.0 else 0.0)
+    return phrase(
+        "action_plan.weak_bears",
+        measure=purchase.measure.label,
+        needed=newtons(needed),
+        holds=newtons(holds),
+        fails=purchase.fails or "",
+    )
 
 
-def effects(effect: RoomEffect, plan: ActionPlan) -> Phrase:
-    """Return what changes of who is hit, who is shut in, and which door is blocked."""
-    verdict = plan.verdict
-    now = {
-        "hit": (effect.hit, effect.hit_change.estimate),
-        "shut_in": (effect.shut_in, effect.shut_in_change.estimate),
-        "blocked": (effect.blocked, effect.blocked_change.estimate),
+def chances_after(effect: RoomEffect) -> dict[str, tuple[Probability, float]]:
+    """Return what may happen with something, by the key of its words, and how likely it is as the room is."""
+    return {
+        "hit": (effect.hit, effect.hit.estimate - effect.hit_change.estimate),
+        "shut_in": (effect.shut_in, effect.shut_in.estimate - effect.shut_in_change.estimate),
+        "blocked": (effect.blocked, effect.blocked.estimate - effect.blocked_change.estimate),
     }
+
+
+def effects(effect: RoomEffect, plan: ActionPlan, before: RoomEffect | None = None) -> Phrase:
+    """Return what changes of who is hit, who is shut in, and which door is blocked.
+
+    Parameters
+    ----------
+    effect : RoomEffect
+        What something brings.
+    plan : ActionPlan
+        The plan.
+    before : RoomEffect, optional
+        From what it changes; from the room as it is where it is left out.
+    """
+    then = chances_after(effect)
+    first = {key: was for key, (_, was) in then.items()}
+    if before is not None:
+        first = {key: chance.estimate for key, (chance, _) in chances_after(before).items()}
     told = [
-        phrase(f"action_plan.{key}", was=share_text(chance.estimate - change), now=with_ends(chance))
-        for key, (chance, change) in now.items()
-        if (key == "hit" and verdict.places) or chance.estimate != 0.0 or change != 0.0
+        phrase(f"action_plan.{key}", was=share_text(first[key]), now=with_ends(chance))
+        for key, (chance, was) in then.items()
+        if (key == "hit" and plan.verdict.places) or was != 0.0 or chance.estimate != 0.0
     ]
     return joined(told)
 
 
+def changes_nothing(effect: RoomEffect, before: RoomEffect | None = None) -> bool:
+    """Return whether no share that is shown is another one than before, or than in the room as it is."""
+    first = None if before is None else chances_after(before)
+    return all(
+        share_text(chance.estimate) == share_text(was if first is None else first[key][0].estimate)
+        for key, (chance, was) in chances_after(effect).items()
+    )
+
+
+def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
+    """Yield what the step of a number, from 1 on, brings alone, and after the steps before it.
+
+    A step without which the others bring less may change nothing alone: then it is said with which it does.
+    """
+    step = plan.steps[number - 1]
+    if len(plan.steps) == 1:
+        key = "only" if step.alone.helps else "only_unclear"
+        yield phrase(f"action_plan.{key}", chance=effects(step.alone, plan))
+        return
+    before = None if number == 1 else plan.steps[number - 2].together
+    after = before is not None and not changes_nothing(step.together, before)
+    if changes_nothing(step.alone):
+        others = range(1, number) if after else (n for n in range(1, len(plan.steps) + 1) if n != number)
+        steps = joined([(str(other), str(other)) for other in others], "action_plan.and")
+        yield phrase("action_plan.only_together", steps=steps)
+    else:
+        key = "alone" if step.alone.helps else "alone_unclear"
+        yield phrase(f"action_plan.{key}", chance=effects(step.alone, plan))
+    if after:
+        yield phrase("action_plan.after_others", chance=effects(step.together, plan, before))
+
+
 def with_ends(chance: Probability) -> Phrase:
-    """Return a probability with its interval: "12 % (7–20 %)"."""
-    ends = f"{percent(chance.low)}–{percent(chance.high)}"
+    """Return a probability with its interval: "12 % (7 to 20 %)"."""
     english, japanese = share_text(chance.estimate)
-    return f"{english} ({ends} %)", f"{japanese}（{ends.replace('–', '～')}%）"
+    ends = interval_text(chance)
+    return f"{english} ({ends[0]})", f"{japanese}（{ends[1]}）"
 
 
 def heading(step: PlanStep, plan: ActionPlan) -> Phrase:

@@ -103,6 +103,9 @@ class Fix:
         That the piece overturns with them.
     cautions : tuple of Phrase
         Why they may not do much, each as a clause.
+    enough_to : float or None
+        JMA intensity, the middle of a class, up to which they are strong enough, where they are not for the
+        shaking of the plan; None if they are, or if they are too weak for a class 4 too.
     """
 
     part: RoomPart
@@ -111,6 +114,12 @@ class Fix:
     alone: RoomEffect
     overturns: Probability
     cautions: tuple[Phrase, ...]
+    enough_to: float | None = None
+
+    @property
+    def enough(self) -> bool:
+        """Whether all are strong enough for the shaking of the plan, as far as computed strengths tell."""
+        return all(one.enough for one in self.purchases)
 
     @property
     def kinds(self) -> tuple[str, ...]:

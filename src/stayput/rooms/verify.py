@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.model.floor_plan import FloorPlan, PersonPlace
+    from stayput.montecarlo.hazard import FloorMotions
     from stayput.rooms.runs import RoomPart
     from stayput.simulation.standing import Assembly, Standing
 
@@ -133,11 +134,10 @@ def question_of(scenario: RoomScenario, threads: int | None) -> Question:
         A piece that stands in a wall, in another or where a person is; a record that cannot be read.
     """
     room = instance_of("scenario", scenario, RoomScenario)
-    plan, whole, shaking = room.floor_plan(), room.assembly(room.stated), room.shaking
+    plan, whole = room.floor_plan(), room.assembly(room.stated)
     refuse_what_stands_wrong(room, plan, whole)
-    ground = room.ground()
-    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
-    settings = Settings.of(room, len(ground), SLIDE_LIMIT)  # which changes no run
+    floors = floors_of(room, threads)
+    settings = Settings.of(room, len(floors.motions), SLIDE_LIMIT)  # which changes no run
     drawn = draws_of_several(
         len(room.names),
         settings.motions,
@@ -148,8 +148,14 @@ def question_of(scenario: RoomScenario, threads: int | None) -> Question:
     )
     if room.direction is not None:
         drawn = [[draw._replace(direction=room.direction) for draw in row] for row in drawn]
-    floors = hazard.stated(shaking.strength, shaking.scale, settings.seed, threads)
     return Question(room, plan, whole, drawn, floors, threads, _unheard)
+
+
+def floors_of(room: RoomScenario, threads: int | None, times: float = 1.0) -> FloorMotions:
+    """Return the motions under the furniture of a room, with those of the ground times a factor."""
+    ground, shaking = room.ground(), room.shaking
+    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
+    return hazard.stated(shaking.strength, shaking.scale, room.uncertainty.seed, threads, times)
 
 
 def _unheard(_runs: int) -> None:

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import math
+from itertools import chain, repeat
 from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase, say
 from stayput.catalogue.names import PIECES
+from stayput.fragility.probabilities import percent
 from stayput.model.floor_plan import PLACES
 from stayput.rooms.changes import wall_faced
 from stayput.verification.words import class_phrase, of_the_cases, sentence_of, share_text
 from stayput.wording import inside
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from stayput.catalogue import Phrase
+    from stayput.fragility import Probability
     from stayput.model.floor_plan import Door, PersonPlace
     from stayput.rooms.changes import Change
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
@@ -37,49 +42,70 @@ def piece_name(name: str) -> Phrase:
     return PIECES.get(name, (name, name))
 
 
-def often(share: float) -> Phrase:
+def _where_somebody_is(place: PersonPlace) -> Phrase:
+    """Return where the person of a place is: "in the bed"."""
+    if place.name in PLACES:
+        return phrase(f"rooms.at_{place.name}")
+    return phrase("rooms.at_place", place=place.name)
+
+
+def often(share: float, cases: Phrase) -> Phrase:
     """Return how often something happens: "in 6 of 10 earthquakes"."""
     tenths = round(10.0 * share)
     if share >= 1.0:
-        return phrase("rooms.always")
+        return phrase("rooms.always", cases=cases)
     if 1 <= tenths <= 9:
-        return phrase("rooms.of_ten", count=tenths)
-    return phrase("rooms.rarely", share=share_text(share))
+        return phrase("rooms.of_ten", count=tenths, cases=cases)
+    return phrase("rooms.rarely", share=share_text(share), cases=cases)
 
 
 def sentence_of_room(verdict: RoomVerdict, language: str) -> str:
-    """Return the verdict in one sentence."""
-    clauses = [say(part, language) for part in _clauses(verdict)]
-    strength = say("rooms.strength", language, strength=class_phrase(verdict.intensity))
-    told = sentence_of(clauses, language)
+    """Return the verdict in one sentence: of which shaking, what happens how often, and how sure that is."""
+    if not verdict.hit.runs:
+        return say("verification.no_run", language)
+    stated = verdict.scenario.shaking.strength
+    key = "rooms.strength_scattered" if stated is not None and stated.scatter else "rooms.strength"
+    if verdict.motions == 1:
+        key = "rooms.strength_of_one"
+    strength = say(key, language, strength=class_phrase(verdict.intensity))
+    told = sentence_of([say(part, language) for part in _clauses(verdict)], language)
     return strength + (told[0].lower() + told[1:] if language == "en" else told)
 
 
-def _clauses(verdict: RoomVerdict) -> list[Phrase]:
+def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
+    """Yield what happens, each with its interval."""
+    cases = phrase("rooms.runs" if verdict.motions == 1 else "rooms.earthquakes")
+    names = chain([phrase("rooms.interval")], repeat(("", "")))  # what the ends are is said once
+
+    def ends_of(chance: Probability) -> Phrase:
+        (english, japanese), (first, second) = next(names), interval_text(chance)
+        return phrase("common.aside", content=(english + first, japanese + second))
+
+    def happens(key: str, chance: Probability, **values: Phrase) -> Phrase:
+        return phrase(key, often=often(chance.estimate, cases), interval=ends_of(chance), **values)
+
+    worst = sorted(verdict.places, key=lambda one: -one.hit.estimate)
+    told = [place for place in worst if place.hit.estimate >= TOLD] or [place for place in worst if place.by]
     if not verdict.places:
-        parts = [phrase("rooms.no_places")]
-    else:
-        parts = [
-            phrase(
-                "rooms.hits",
-                often=often(place.by[0].probability.estimate),
-                piece=piece_name(place.by[0].piece),
-                place=place_name(place.place),
-            )
-            for place in sorted(verdict.places, key=lambda one: -one.hit.estimate)
-            if place.hit.estimate >= TOLD
-        ] or [phrase("rooms.nobody_hit")]
-    parts += [
-        phrase("rooms.blocked", often=often(door.blocked.estimate), door=door_name(door.door))
-        for door in verdict.doors
-        if door.blocked.estimate >= TOLD
-    ]
-    worst = max(verdict.places, key=lambda one: one.shut_in.estimate, default=None)
-    if worst is not None and worst.shut_in.estimate >= TOLD:
-        parts.append(
-            phrase("rooms.shut_in", often=often(worst.shut_in.estimate), place=place_name(worst.place))
-        )
-    return parts
+        yield phrase("rooms.no_places")
+    elif not told:
+        yield phrase("rooms.nobody_hit", runs=verdict.hit.runs, interval=ends_of(verdict.hit))
+    for place in told:
+        first = place.by[0]
+        values = {"piece": piece_name(first.piece), "place": _where_somebody_is(place.place)}
+        yield happens("rooms.hits", first.probability, **values)
+    for door in verdict.doors:
+        if door.blocked.estimate >= TOLD:
+            yield happens("rooms.blocked", door.blocked, door=door_name(door.door))
+    shut = max(verdict.places, key=lambda one: one.shut_in.estimate, default=None)
+    if shut is not None and shut.shut_in.estimate >= TOLD:
+        yield happens("rooms.shut_in", shut.shut_in, place=_where_somebody_is(shut.place))
+
+
+def interval_text(chance: Probability) -> Phrase:
+    """Return the interval of a probability: "7 to 20 %"."""
+    low, (english, japanese) = percent(chance.low), share_text(chance.high)
+    return f"{low} to {english}", f"{low}～{japanese}"
 
 
 def change_label(change: Change, verdict: RoomVerdict, language: str) -> str:
@@ -100,9 +126,13 @@ def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
         key = "rooms.turn_place" if turned else "rooms.move_place"
         return phrase(key, place=place_name(place), x=x, y=y)
     wall = wall_faced(change.heading)
-    along = y if wall in ("left_wall", "right_wall") else x
+    along, start = (y, "near_side_wall") if wall in ("left_wall", "right_wall") else (x, "left_wall")
     return phrase(
-        "rooms.move_piece", piece=piece_name(change.what), wall=phrase(f"rooms.{wall}"), along=along
+        "rooms.move_piece",
+        piece=piece_name(change.what),
+        wall=phrase(f"rooms.{wall}"),
+        along=along,
+        start=phrase(f"rooms.{start}"),
     )
 
 

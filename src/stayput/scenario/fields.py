@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar, cast
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError
+from stayput.errors import InputError, has_control
 from stayput.model.body import Body
 from stayput.model.parameters import parameter_of
 
@@ -87,7 +87,13 @@ def named(names: Collection[str]) -> Any:
     return Field(json_schema_extra={"enum": list(names)})
 
 
-Text = Annotated[str, Field(min_length=1, max_length=200)]
+def _without_control(text: str) -> str:
+    if has_control(text):
+        raise ValueError
+    return text
+
+
+Text = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_without_control)]
 Pair = Annotated[list[Annotated[float, each(Body, "cg_offset")]], Field(min_length=2, max_length=2)]
 
 

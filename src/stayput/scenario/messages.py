@@ -42,7 +42,7 @@ def refusal_of(errors: Sequence[ErrorDetails], schema: dict[str, Any], within: s
     allowed = _allowed(_node(place, schema), schema)
     if error["type"] == "missing":
         return InputError("scenario.missing", name, name=name, allowed=allowed)
-    hint, value = _hint(error["input"], place, schema), _shown(error["input"])
+    hint, value = _hint(error["input"], place, schema), shown(error["input"])
     return InputError("scenario.not_allowed", name, name=name, value=value, hint=hint, allowed=allowed)
 
 
@@ -79,16 +79,17 @@ def _is_tag(part: str | int) -> bool:
     return str(part).startswith("<")
 
 
-def _shown(value: object) -> str | Phrase:
+def shown(value: object) -> str | Phrase:
+    """Return a value of the input as a sentence quotes it, the end left out; a table as "a table"."""
     if isinstance(value, dict):
         return phrase("scenario.table")
     if isinstance(value, str):
         return _cut(repr(value))
     try:
-        shown = json.dumps(value, ensure_ascii=False)
+        written = json.dumps(value, ensure_ascii=False)
     except (TypeError, ValueError):
-        shown = str(value)
-    return _cut(shown)
+        written = str(value)
+    return _cut(written)
 
 
 def _cut(text: str) -> str:

@@ -155,6 +155,8 @@ class RoomScenario(AssemblyScenario):
             self.floor_plan()
         except InputError as error:
             raise error.at(error.field or "plan", error.field) from None
+        if self.option_tables is not None:
+            raise InputError("rooms.options_in_a_room", "options")
         for number, piece in enumerate(self.furniture):
             if piece.against is not None and piece.along is None:
                 name = f"furniture[{number}].along"

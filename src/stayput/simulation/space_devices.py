@@ -108,7 +108,7 @@ def joint_results(
         DeviceResult(
             JOINT,
             JOINT_LABEL,
-            f"{joint.first}-{joint.second}",
+            place,
             float(device["peak_pull"]),
             float(device["peak_push"]),
             float(device["peak_shear"]),
@@ -120,7 +120,7 @@ def joint_results(
             forces[:, n, F_TANGENT],
             between=(joint.first, joint.second),
         )
-        for n, (joint, device) in enumerate(zip(joints, devices, strict=True))
+        for n, (joint, place, device) in enumerate(zip(joints, _places(joints), devices, strict=True))
     )
 
 
@@ -149,3 +149,12 @@ def _fastest_square(springs: NDArray[np.void], body: Any, number: int) -> float:
     moments = [body["mass"]] * 3 + [body["i1"], body["i2"], body["i3"]]
     root = 1.0 / np.sqrt(moments)
     return float(np.linalg.eigvalsh(root[:, np.newaxis] * stiffness * root)[-1]) if len(springs) else 0.0
+
+
+def _places(joints: Sequence[Joint]) -> list[str]:
+    """Return what the joints are called: by the members they join, and numbered where these have several."""
+    pairs = [f"{joint.first}-{joint.second}" for joint in joints]
+    return [
+        f"{pair}, {pairs[: number + 1].count(pair)}" if pairs.count(pair) > 1 else pair
+        for number, pair in enumerate(pairs)
+    ]

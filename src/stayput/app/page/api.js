@@ -76,3 +76,8 @@ export function upload(file, said, signal) {
 export const reportAddress = (id, language) => new URL(`jobs/${id}/report?lang=${language}`, BASE).href;
 export const tableAddress = (id) => new URL(`jobs/${id}/csv`, BASE).href;
 export const planAddress = (id, query) => new URL(`jobs/${id}/plan?${new URLSearchParams(query)}`, BASE).href;
+
+/** Waits until the plan to buy and do of a job's room is made; the server then has it. */
+export const plan = async (id, query, signal) => (await ask(planAddress(id, query), { signal })).text();
+export const planProgress = (id, query, signal) =>
+  json(`jobs/${id}/plan/progress?${new URLSearchParams(query)}`, { signal });

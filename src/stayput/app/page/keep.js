@@ -103,11 +103,11 @@ export function point(done) {
 export function update(measured) {
   const long = pieces.tooLong(),
     { record } = current(),
-    alone = Boolean(record && !record.letters && !pieces.asked());
+    alone = pieces.asked() ? null : [record, record?.vertical].find((one) => one && !one.letters);
   part("link").hidden = long;
   part("link-long").hidden = !long;
   part("link-record").hidden = !alone;
-  part("link-record").textContent = alone ? t("linkRecord", { name: record.name }) : "";
+  part("link-record").textContent = alone ? t("linkRecord", { name: alone.name }) : "";
   part("address").value = location.href;
   held = measured && !pieces.asked();
   for (const what of ["csv", "html", "film"]) part(`${what}-with`).disabled = shut(part(`${what}-with`));

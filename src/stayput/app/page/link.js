@@ -27,13 +27,23 @@ const NAMES = ["piece", "floor", "structure", "family", "contents", "doors", ...
 const SAID = ["component", "unit", "dt"];
 const FLAGS = ["inSpace", "wall", "scaled", "onFloor", "installed"];
 
-/** What was said of a record when it was sent, and the record itself where it is small. */
-const asSaid = ({ shaking, letters }) =>
-  Object.fromEntries(
-    Object.entries({ ...pick(shaking, SAID), wave: letters }).filter(([, value]) => value !== undefined && value !== null),
-  );
+/** What a link says of a record: its id and name, what was said of it when it was sent, and itself where it is small. */
+const RECORD = ["record", "name", ...SAID, "wave"];
 
-const pick = (object, names) => Object.fromEntries(names.map((name) => [name, object[name]]));
+/** The same of its vertical component. */
+const VERTICAL = ["vertical", "verticalName", ...SAID.map((key) => `vertical_${key}`), "verticalWave"];
+
+function setRecord(pairs, keys, { id, name, shaking, letters }) {
+  const values = [id, name, ...SAID.map((key) => shaking[key]), letters];
+  keys.forEach((key, at) => values[at] !== undefined && values[at] !== null && pairs.set(key, values[at]));
+}
+
+/** The record {id, name, said, letters} of a link, or null. */
+function recordIn(pairs, keys) {
+  const [id, name, ...rest] = keys.map((key) => pairs.get(key)),
+    letters = rest.pop();
+  return id && { id, name: name ?? "", said: Object.fromEntries(SAID.map((key, at) => [key, rest[at]])), letters };
+}
 
 /** The scene as the part of an address after "#", and a file of several pieces {name, letters} that is shown instead. */
 export function toHash(scene, file = null) {
@@ -43,15 +53,8 @@ export function toHash(scene, file = null) {
   for (const name of FLAGS) pairs.set(name, scene[name] ? "1" : "0");
   if (scene.entry) pairs.set("entry", written(scene.entry));
   if (scene.shelves) pairs.set("shelves", scene.shelves.map(round).join(","));
-  if (scene.record) {
-    pairs.set("record", scene.record.id);
-    pairs.set("name", scene.record.name);
-    for (const [key, value] of Object.entries(asSaid(scene.record))) pairs.set(key, value);
-    if (scene.record.vertical) {
-      pairs.set("vertical", scene.record.vertical.id);
-      pairs.set("verticalName", scene.record.vertical.name);
-    }
-  }
+  if (scene.record) setRecord(pairs, RECORD, scene.record);
+  if (scene.record?.vertical) setRecord(pairs, VERTICAL, scene.record.vertical);
   const measures = Object.entries(scene.measures).map(([type, settings]) =>
     [type, ...Object.entries(settings).map(([name, value]) => `${name}:${value}`)].join(";"),
   );
@@ -120,14 +123,11 @@ export function fromHash(hash, presets, start) {
   scene.measures = pairs.has("measures") ? measured(pairs.get("measures"), presets) : {};
   scene.entry = fromText(pairs.get("entry"), presets);
   scene.record = null;
-  const [record, name, letters] = ["record", "name", "wave"].map((key) => pairs.get(key));
-  const said = Object.fromEntries(SAID.map((key) => [key, pairs.get(key)]));
-  const [up, upName] = ["vertical", "verticalName"].map((key) => pairs.get(key));
-  const vertical = up ? { id: up, name: upName ?? "" } : null;
+  const record = recordIn(pairs, RECORD);
   const [file, several] = ["file", "pieces"].map((key) => pairs.get(key));
   return {
     scene,
-    record: record ? { id: record, name, said, letters, vertical } : null,
+    record: record && { ...record, vertical: recordIn(pairs, VERTICAL) },
     file: several ? { name: file ?? "", letters: several } : null,
   };
 }

@@ -27,7 +27,8 @@ const twiceUp = (scene) =>
     : null;
 
 /** Why what a link names is not shown: a record that the server has no more, or a file of several pieces. */
-function whyGone({ name, file, error }) {
+function whyGone({ name, vertical, file, error }) {
+  if (vertical) return [t("recordGone", { name: t("recordName", { name }) }), t("space"), t("withoutVertical")];
   if (!file)
     return [t("recordGone", { name: name ? t("recordName", { name }) : "" }), t("space"), t("recordReplaced")];
   return error ? [`${file}${t("colon")}`, ...wordedOfScenario(error)] : [t("linkDamaged", { name: file })];

@@ -24,7 +24,7 @@ export function goBack(state) {
 /** Notes which screen is shown, for the style sheet and for readers of screens. */
 function mark(screen) {
   document.body.dataset.screen = screen;
-  for (const button of document.querySelectorAll("#steps button"))
+  for (const button of document.querySelectorAll("#steps [data-screen]"))
     if (button.dataset.screen === screen) button.setAttribute("aria-current", "step");
     else button.removeAttribute("aria-current");
 }
@@ -39,7 +39,7 @@ function showScreen(screen, focus) {
 
 /** Wires the steps, the theme and the language; "changed" is called after either of the latter changed. */
 export function wire(changed) {
-  for (const button of document.querySelectorAll("#steps button")) {
+  for (const button of document.querySelectorAll("#steps [data-screen]")) {
     button.prepend(icon(button.dataset.screen));
     button.addEventListener("click", () => goTo(button.dataset.screen));
   }

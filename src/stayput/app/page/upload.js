@@ -11,7 +11,7 @@ import { change, current } from "./scene.js";
 import { both, number, spoken, t } from "./words.js";
 
 const UNITS = ["m/s²", "gal", "g"];
-const LONGEST = 4096; // letters of a record in a link
+const LONGEST = 4096; // letters of a record in a link, with those of its vertical component
 const sent = new Map(); // the ids of the records in links that were sent to the server again, by their letters
 let waiting = null,
   preview = null,
@@ -56,7 +56,7 @@ async function send(file, said) {
     const motion = await api.upload(file, said, waiting.signal);
     const letters = await lettersOf(file);
     trouble = null;
-    if (vertical(motion)) tell(() => offering(motion));
+    if (vertical(motion)) tell(() => offering(motion, file));
     else use(motion, letters);
   } catch (error) {
     if (error.name === "AbortError") return;
@@ -105,17 +105,23 @@ function asking(file, said, field) {
 const lost = () => tell(() => [refusal([t("recordGone", { name: "" })])]);
 
 /** What a link holds of a record: its file in letters, or null where that is too long. */
-async function lettersOf(file) {
-  if (file.size > 16 * LONGEST) return null; // which no file of numbers is made smaller by
+async function lettersOf(file, most = LONGEST) {
+  if (file.size > 16 * most) return null; // which no file of numbers is made smaller by
   const letters = await packed(await file.arrayBuffer());
-  return letters.length <= LONGEST ? letters : null;
+  return letters.length <= most ? letters : null;
 }
 
 /** The server has the record of a scene no more: it is sent again where the link holds it, else said to be gone. */
-export const takeAgain = ({ record: { id, name, shaking, letters }, ...scene }) => {
-  const { component, unit, dt } = shaking;
-  return takeLinked({ id, name, said: { component, unit, dt }, letters, vertical: null }, scene);
-};
+export const takeAgain = ({ record: { vertical: up, ...record }, ...scene }) =>
+  takeLinked({ ...linkedOf(record), vertical: up && linkedOf(up) }, scene);
+
+/** A record as a link has it. */
+const linkedOf = ({ id, name, shaking: { component, unit, dt }, letters }) => ({
+  id,
+  name,
+  said: { component, unit, dt },
+  letters,
+});
 
 /** Takes the record of a link into the scene, or says that it is gone. */
 export async function takeLinked(linked, { scaled, onFloor }) {
@@ -124,16 +130,27 @@ export async function takeLinked(linked, { scaled, onFloor }) {
     change({ scaled, onFloor });
     update(); // which the page does by itself only once it has begun
   } catch (error) {
-    if (!(error instanceof api.Refused || linked.letters)) throw error;
+    if (!isLost(error, linked)) throw error;
     change({ record: null, gone: { name: linked.name }, scaled: false, onFloor: false });
     lost();
   }
 }
 
-/** Takes the record of a link into the scene; see `motionOf`. */
+/** Whether a record of a link is neither on the server nor in the link. */
+const isLost = (error, { letters }) => error instanceof api.Refused || Boolean(letters);
+
+/** Takes the record of a link into the scene, with its vertical component or, where that is gone, with a notice; see `motionOf`. */
 async function useLinked({ vertical: up, ...linked }) {
-  await use(await motionOf(linked), linked.letters, up);
+  const record = await motionOf(linked);
+  const above = up && (await motionOf(up).catch((error) => {
+    if (!isLost(error, up)) throw error;
+  }));
+  await use(record, linked.letters, above ? upright(above, up.name, up.letters) : null);
+  if (up && !above) change({ gone: { name: up.name, vertical: true } });
 }
+
+/** The vertical component of a record, as the scene has it. */
+export const upright = ({ id, shaking }, name, letters) => ({ id, name, shaking, letters });
 
 /** The record of a link as the server knows it; one that it has no more is sent again, if the link holds it. */
 export async function motionOf({ id, name, said, letters }) {
@@ -152,13 +169,14 @@ export async function motionOf({ id, name, said, letters }) {
 const vertical = ({ channels: all }) => all.length > 0 && all.every((one) => one.vertical);
 
 /** Offers a vertical record as what it is: the vertical component of the horizontal record in use. */
-function offering(motion) {
+function offering(motion, file) {
   const { record } = current(),
     name = motion.name;
   if (!record) return [refusal([t("verticalAlone", { name })])];
-  const taken = () => {
+  const taken = async () => {
+    const letters = record.letters && (await lettersOf(file, LONGEST - record.letters.length));
     trouble = null;
-    change({ record: { ...current().record, vertical: { id: motion.id, name } } });
+    change({ record: { ...current().record, vertical: upright(motion, name, letters) } });
   };
   return [
     el("p", { role: "status", text: t("verticalOffered", { name, record: record.name }) }),
@@ -166,7 +184,7 @@ function offering(motion) {
   ];
 }
 
-/** Takes a record that is on the server into the scene, as it is; "letters" are what a link holds of it, "up" is {id, name} of its vertical component. */
+/** Takes a record that is on the server into the scene, as it is; "letters" are what a link holds of it, "up" is its vertical component. */
 async function use(motion, letters, up = null) {
   take(motion, { scaled: false, onFloor: Boolean(motion.floor) }, letters, up);
   preview = await api.motionPreview(motion.id, motion.shaking.component).catch(() => null);

@@ -8,7 +8,11 @@ import * as room from "./room.js";
 
 const LONGEST = 8000, // letters of a room in a link: longer ones are cut by much that links are sent with
   PAUSE = 1500, // what follows a change sooner has no place of its own in the browser's history [ms]
-  HERE = "room"; // the room that this tab had last
+  HERE = "room", // the room that this tab had last
+  KEYS = [
+    ["name", "wave"],
+    ["verticalName", "verticalWave"],
+  ]; // of the records in a link: that along the floor, and its vertical component
 let told = () => {},
   writing = null, // the room that is in the address, or on its way there
   at = -Infinity;
@@ -33,11 +37,9 @@ const write = settled(250, async () => {
     letters = await packed(text);
   if (mine !== writing) return;
   tab.remember(HERE, text);
-  const record = environment.recordOf(mine),
-    held = Boolean(record?.letters) && letters.length + record.letters.length <= LONGEST,
-    wave = held ? `&${new URLSearchParams({ name: record.name, wave: record.letters })}` : "";
+  const { held, missing } = heldOf(environment.recordsOf(mine), LONGEST - letters.length);
   const long = letters.length > LONGEST,
-    hash = long ? "" : `#room=${letters}${wave}`,
+    hash = long ? "" : `#room=${letters}${held}`,
     state = { screen: document.body.dataset.screen };
   if (hash !== location.hash) {
     const now = performance.now(),
@@ -46,17 +48,33 @@ const write = settled(250, async () => {
     else history.replaceState(history.state ?? state, "", address);
     at = now;
   }
-  told(long, record && !held ? record.name : null);
+  told(long, missing);
 });
 
-/** The room of an address, or that which this tab had; {room, damaged, record}: they may be missing. */
+/** What of the records of a room a link has place for, and the name of the first that it has not, or null. */
+function heldOf(records, place) {
+  let held = "",
+    missing = null;
+  records.forEach(({ name, letters }, at) => {
+    place -= letters?.length ?? Infinity;
+    const [called, wave] = KEYS[at];
+    if (place >= 0) held += `&${new URLSearchParams({ [called]: name, [wave]: letters })}`;
+    else missing ??= name;
+  });
+  return { held, missing };
+}
+
+/** The room of an address, or that which this tab had; {room, damaged, records}: they may be missing. */
 export async function read(hash) {
   const pairs = new URLSearchParams(hash.replace(/^#/, "")),
-    [letters, name, wave] = ["room", "name", "wave"].map((key) => pairs.get(key));
-  if (!letters) return { room: parsed(tab.recalled(HERE)), damaged: false };
+    letters = pairs.get("room"),
+    records = KEYS.map(([name, wave]) =>
+      pairs.has(wave) ? { name: pairs.get(name) ?? "", letters: pairs.get(wave) } : null,
+    );
+  if (!letters) return { room: parsed(tab.recalled(HERE)), damaged: false, records };
   const text = await unpacked(letters).catch(() => null),
     found = parsed(text);
-  return { room: found, damaged: found === null, record: wave ? { name: name ?? "", letters: wave } : null };
+  return { room: found, damaged: found === null, records };
 }
 
 /** Whether a room is that which this tab had last, and is not another one, of a link. */
@@ -65,8 +83,7 @@ export const isOwn = (found) => JSON.stringify(found) === tab.recalled(HERE);
 /** Notes that the address already has the room. */
 export function settle() {
   writing = room.current();
-  const record = environment.recordOf(writing);
-  told(false, record && !record.letters ? record.name : null);
+  told(false, environment.recordsOf(writing).find((one) => !one.letters)?.name ?? null);
 }
 
 /** A room of a text; null where it is none that could be drawn. */

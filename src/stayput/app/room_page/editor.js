@@ -47,13 +47,19 @@ export function build(element, presets) {
         el("div", { class: "sheet" }, svgElement),
         el("div", { id: "plan-problems", role: "status" }),
         el("div", { id: "plan-layers", class: "row" }),
-        el("details", {}, el("summary", { id: "plan-help" }), el("p", { id: "plan-keys", class: "hint" })),
       ),
       el("aside", { id: "inspector", class: "inspector" }),
+      el(
+        "div",
+        { class: "help" },
+        el("p", { id: "plan-legend", class: "hint" }),
+        el("details", {}, el("summary", { id: "plan-help" }), el("p", { id: "plan-keys", class: "hint" })),
+      ),
     ),
     el("p", { id: "editor-said", class: "said", role: "status" }),
   );
   drawInto(svgElement);
+  palette.wire(part("palette"));
   pointer.wire();
   keys.wire();
   whenDrawn(drawHandles);
@@ -75,7 +81,8 @@ export function translate() {
   part("plan-help").textContent = t("planHelp");
   part("plan-keys").textContent = t("planKeys");
   fill(part("plan-tools"), tool("undo", keys.undone), tool("redo", keys.redone));
-  fill(part("plan-layers"), ...LAYERS.map(layerSwitch), el("p", { class: "hint", text: t("layersHint") }));
+  fill(part("plan-layers"), ...LAYERS.map(layerSwitch));
+  part("plan-legend").textContent = t("layersHint");
   inspector.buildInto(part("inspector"));
   updateTools();
   draw();
@@ -114,7 +121,7 @@ export function tellResult(result, { old = false } = {}) {
 }
 
 function tellLayers() {
-  part("plan-layers").hidden = resultShown() === null;
+  part("plan-layers").hidden = part("plan-legend").hidden = resultShown() === null;
 }
 
 /** Says what the server refuses about the room, at the thing that it is about; null: nothing any more. */

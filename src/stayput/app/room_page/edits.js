@@ -1,7 +1,7 @@
 // What can be done to a room: each function returns the next room and leaves the one it was given as it is.
 
 import { WALLS, carrier, extents, fromWall, inFrame, lying, ofFrame, opening, standing } from "./geometry.js";
-import { thing, tidyAngle, wallLength, within } from "./geometry.js";
+import { thing, tidyAngle, upright, wallLength, within } from "./geometry.js";
 import { DEFAULTS, freeName, limitsOf } from "./kinds.js";
 
 /** To whole centimetres [m]. */
@@ -117,6 +117,27 @@ export function withSides(room, width, length) {
       next = settled(next, { table, index });
     });
   return next;
+}
+
+/**
+ * The room with other sides whose left or near wall has been moved, by which its origin goes to another point of the
+ * old one [m]; what stands in it stays, except what has its back to that wall or is in it.
+ */
+export function withOrigin(room, [x, y], width, length) {
+  const along = (wall) => (upright(wall) ? y : x);
+  const free = (one) => (one.at && !room.furniture.some(({ name }) => name === one.on)
+    ? { ...one, at: [fine(one.at[0] - x), fine(one.at[1] - y), ...one.at.slice(2)] }
+    : one);
+  const opened = (one) => ({ ...one, start: fine(one.start - along(one.wall)) });
+  const next = {
+    ...room,
+    furniture: room.furniture.map((one) =>
+      one.against ? { ...one, along: fine(one.along - along(one.against)) } : free(one),
+    ),
+  };
+  if (room.places) next.places = room.places.map(free);
+  for (const table of ["doors", "windows"]) if (room[table]) next[table] = room[table].map(opened);
+  return withSides(next, width, length);
 }
 
 /** Something put within the room where it is not. */

@@ -2,7 +2,6 @@
 // own: what the room says goes into that scene, and what is set there into the room.
 
 import * as api from "../api.js";
-import { patiently } from "../connection.js";
 import * as fields from "../scene.js";
 import * as upload from "../upload.js";
 import * as room from "./room.js";
@@ -46,36 +45,46 @@ function put(part) {
 /** The record in the fields, where it is the room's. */
 const kept = (id) => (fields.current().record?.id === id ? fields.current().record : null);
 
-/** Notes what a link holds of a room's record: {name, letters}. */
-export function noteRecord(found, linked) {
-  if (linked && typeof found?.shaking?.record === "string") waves.set(found.shaking.record, linked);
+/** The ids of a room's record and of its vertical component, as far as it has them. */
+const recordsIn = ({ record, vertical } = {}) => [record, vertical].filter((id) => typeof id === "string");
+
+/** Notes what a link holds of a room's records: {name, letters} of each. */
+export function noteRecords(found, linked) {
+  recordsIn(found?.shaking).forEach((id, at) => linked[at] && waves.set(id, linked[at]));
 }
 
-/** What a link is to hold of the record of a room, {name, letters}; "letters" is null where it is too large. */
-export function recordOf({ shaking = {} }) {
-  const { record } = shaking,
-    now = fields.current().record;
-  if (now?.letters && now.id === record) waves.set(record, { name: now.name, letters: now.letters });
-  return record ? (waves.get(record) ?? { name: now?.id === record ? now.name : "", letters: null }) : null;
+/** What a link is to hold of the records of a room, {name, letters} of each; "letters" is null where one is too large. */
+export const recordsOf = ({ shaking }) => recordsIn(shaking).map(waveOf);
+
+function waveOf(id) {
+  const { record } = fields.current(),
+    now = [record, record?.vertical].find((one) => one?.id === id);
+  if (now?.letters) waves.set(id, { name: now.name, letters: now.letters });
+  return waves.get(id) ?? { name: now?.name ?? "", letters: null };
 }
 
-async function fetchRecord({ record: id, component, unit, dt, vertical: up }) {
+async function fetchRecord(shaking) {
+  const { component, unit, dt } = shaking,
+    ids = recordsIn(shaking),
+    [id, up] = ids,
+    [wave, upWave] = ids.map(waveOf);
   wanted = id;
-  const { name, letters } = recordOf(room.current());
   try {
-    const motion = await upload.motionOf({ id, name, said: { component, unit, dt }, letters });
-    if (motion.id !== id) {
-      waves.set(motion.id, { name, letters });
-      const { shaking, ...rest } = room.current();
-      if (shaking?.record === id) room.replace({ ...rest, shaking: { ...shaking, record: motion.id } });
+    const motion = await upload.motionOf({ id, said: { component, unit, dt }, ...wave }),
+      above = up && (await upload.motionOf({ id: up, said: { unit, dt }, ...upWave }));
+    if (room.current().shaking?.record !== id) return;
+    if (motion.id !== id || (up && above.id !== up)) {
+      waves.set(motion.id, wave);
+      if (up) waves.set(above.id, upWave);
+      const { shaking: now, ...rest } = room.current();
+      room.replace({ ...rest, shaking: { ...now, record: motion.id, ...(up && { vertical: above.id }) } });
       return;
     }
-    const vertical = typeof up === "string" ? { id: up, name: (await patiently(() => api.motion(up))).name } : null;
-    if (room.current().shaking?.record !== id) return;
-    put({ record: { id, name: motion.name, shaking: motion.shaking, motion, letters, vertical } });
+    const vertical = up ? upload.upright(above, above.name, upWave.letters) : null;
+    put({ record: { id, name: motion.name, shaking: motion.shaking, motion, letters: wave.letters, vertical } });
     upload.update();
   } catch (error) {
-    if (!(error instanceof api.Refused || letters)) throw error;
+    if (!(error instanceof api.Refused || wave.letters || upWave?.letters)) throw error;
     if (room.current().shaking?.record === id) whenLost();
   } finally {
     wanted = null;

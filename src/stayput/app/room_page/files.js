@@ -1,8 +1,7 @@
-// "Keep it": the room as a scenario file, opened and saved; the report, the table, the plan to buy and do.
+// "Keep it": the room as a scenario file, opened and saved; the report and the table.
 
 import * as api from "../api.js";
 import { patiently } from "../connection.js";
-import { toggle } from "../controls.js";
 import { copying, fill, offer, part } from "../dom.js";
 import { build as keepFigures } from "../figures.js";
 import { SECONDS, copyProgram, drawing, shortKind } from "../films.js";
@@ -11,8 +10,6 @@ import { worded, wordedOfScenario } from "../refusals.js";
 import { spoken, t } from "../words.js";
 import * as room from "./room.js";
 
-const ALLOWED = ["no_drilling", "tatami", "plasterboard", "dropped_ceiling"];
-const allowed = new Set();
 let newest = 0,
   shortFilm = "gif",
   job = null;
@@ -93,35 +90,18 @@ export async function open(file, tell, opened) {
   }
 }
 
-/** Builds what is allowed in the plan to buy and do; called again for another language. */
+/** Builds the charts' buttons, and writes the links anew; called again for another language. */
 export function build() {
   keepFigures(figures);
-  fill(
-    part("allowed"),
-    ALLOWED.map((name) => {
-      const made = toggle({
-        label: t(`allowed_${name}`),
-        changed: (on) => {
-          if (on) allowed.add(name);
-          else allowed.delete(name);
-          point(job);
-        },
-      });
-      made.set(allowed.has(name));
-      return made.element;
-    }),
-  );
   point(job);
 }
 
 /** Points the links of the verdict at a finished job, or at nothing. */
 export function point(finished) {
   job = finished;
-  const filters = Object.fromEntries([...allowed].map((name) => [name, "true"]));
   for (const [id, address] of [
     ["report", job && api.reportAddress(job, spoken())],
     ["table", job && api.tableAddress(job)],
-    ["card", job && api.planAddress(job, { lang: spoken(), ...filters })],
   ]) {
     const link = part(id);
     if (address) link.setAttribute("href", address);

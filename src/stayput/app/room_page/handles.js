@@ -2,7 +2,7 @@
 
 import { svg } from "../dom.js";
 import { t } from "../words.js";
-import { cm, pulled, pulledEnd, turned, withSides } from "./edits.js";
+import { cm, pulled, pulledEnd, turned, withOrigin, withSides } from "./edits.js";
 import { carrier, inFrame, opening, thing, tidyAngle } from "./geometry.js";
 import { limitsOf, pieceSizes } from "./kinds.js";
 import { layersOf } from "./plan.js";
@@ -11,6 +11,8 @@ import { backToWall } from "./snap.js";
 import { plan, sheetNow, shownRoom } from "./view.js";
 
 const OFF = 13, // a handle from its side [px]
+  IN_WALL = 4, // one of the room from its floor
+  ASIDE = 60, // the same from the middle of the wall
   TURN = 40, // the handle to turn with, from the same
   SEEN = 6,
   FELT = 15, // radius in which the pointer takes it [px]
@@ -20,31 +22,40 @@ const STEP = Math.PI / 12,
   QUARTER = Math.PI / 2,
   TO_QUARTER = 0.14; // how near to a quarter of a turn until it is one [rad]
 
-/** The handles now: name, where [px], and what pulling it to a point of the plan makes of a room. */
+/**
+ * The handles now: name, where [px], and what pulling it to a point of the plan makes of a room, whose origin may then
+ * be another point of the plan.
+ */
 export function handles() {
   const room = shownRoom(),
     what = selected();
   if (!room) return [];
-  if (!what) return roomHandles(room);
+  if (!what) return roomHandles();
   if (what.table === "doors" || what.table === "windows") return endHandles(room, what);
   return sideHandles(room, what);
 }
 
-function roomHandles(room) {
-  const [x0, y0, x1, y1] = sheetNow().floor;
-  const side = (key, value) =>
-    cm(Math.max(limitsOf(`plan.${key}`)[0], Math.min(limitsOf(`plan.${key}`)[1], value)));
+/** A handle in each wall; of the left and the near one it moves the origin too. */
+function roomHandles() {
+  const [x0, y0, x1, y1] = sheetNow().floor,
+    [x, y] = [(x0 + x1) / 2 - ASIDE, (y0 + y1) / 2 - ASIDE],
+    off = IN_WALL / sheetNow().scale;
+  const side = (key, value) => {
+    const [low, high] = limitsOf(`plan.${key}`);
+    return cm(Math.max(low, Math.min(high, value)));
+  };
+  const far = (start, width, length) => ({ room: withSides(start, width, length) });
+  const near = (start, width, length) => {
+    const origin = [start.plan.width - width, start.plan.length - length];
+    return { room: withOrigin(start, origin, width, length), origin };
+  };
+  const across = (made, width) => (start, [px]) => made(start, side("width", width(start.plan, px)), start.plan.length);
+  const deep = (made, length) => (start, [, py]) => made(start, start.plan.width, side("length", length(start.plan, py)));
   return [
-    {
-      name: "room-width",
-      at: [x1 + 4, (y0 + y1) / 2 - 60],
-      pull: (start, [x]) => ({ room: withSides(start, side("width", x), start.plan.length) }),
-    },
-    {
-      name: "room-length",
-      at: [(x0 + x1) / 2 - 60, y0 - 4],
-      pull: (start, [, y]) => ({ room: withSides(start, start.plan.width, side("length", y)) }),
-    },
+    { name: "room-width", at: [x1 + IN_WALL, y], pull: across(far, (_, px) => px - off) },
+    { name: "room-length", at: [x, y0 - IN_WALL], pull: deep(far, (_, py) => py - off) },
+    { name: "room-left", at: [x0 - IN_WALL, y], pull: across(near, ({ width }, px) => width - px - off) },
+    { name: "room-near", at: [x, y1 + IN_WALL], pull: deep(near, ({ length }, py) => length - py - off) },
   ];
 }
 

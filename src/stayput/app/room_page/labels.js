@@ -6,7 +6,7 @@ const FONT = 13,
   LINE = 16, // height of a line [px]
   LONGEST = 11, // longest line, in widths of a full-width letter
   NARROW = 0.56, // width of a letter that is not full-width, in the same
-  COST = { name: 30, outside: 20, thing: 2, farther: 0.15 };
+  COST = { name: 30, outside: 20, hidden: 6, thing: 2, farther: 0.15 };
 
 const widthOf = (text) => [...text].reduce((sum, letter) => sum + (letter > "\u2e7f" ? 1 : NARROW), 0);
 
@@ -33,9 +33,15 @@ const shared = (one, other) =>
   Math.max(0, Math.min(one[2], other[2]) - Math.max(one[0], other[0])) *
   Math.max(0, Math.min(one[3], other[3]) - Math.max(one[1], other[1]));
 
+/** What share of a thing is hidden by its own name, unless that is within it. */
+const hidden = (thing, name) =>
+  [0, 1].every((i) => thing[i] <= name[i] && thing[i + 2] >= name[i + 2])
+    ? 0
+    : shared(thing, name) / ((thing[2] - thing[0]) * (thing[3] - thing[1]));
+
 /**
- * Names as texts, the first placed first: labels are {name, notes, box}; they rather do not stand on things, nor
- * beyond the floor [px].
+ * Names as texts, the first placed first: labels are {name, notes, box}; they rather do not stand on things, but in
+ * their own where they fit there, nor beyond the floor [px].
  */
 export function nameTexts(labels, things, floor) {
   const taken = [];
@@ -47,11 +53,11 @@ export function nameTexts(labels, things, floor) {
     const others = things.filter((one) => one !== box);
     const costs = candidates(lines, box).map((one, place) => ({
       one,
-      cost: cost(one, taken, others, floor) + COST.farther * place,
+      cost: cost(one, taken, others, floor) + COST.hidden * hidden(box, one) + COST.farther * place,
     }));
     const spot = costs.reduce((least, next) => (next.cost < least.cost ? next : least)).one;
     taken.push(spot);
-    return lines.map(({ text, name: look }, row) =>
+    const texts = lines.map(({ text, name: look }, row) =>
       svg("text", {
         class: look,
         "text-anchor": "middle",
@@ -60,8 +66,20 @@ export function nameTexts(labels, things, floor) {
         text,
       }),
     );
+    return [plate(spot), ...texts];
   });
 }
+
+/** What a name stands on, so that it can be read over hatched cells. */
+const plate = ([x0, y0, x1, y1]) =>
+  svg("rect", {
+    class: "plate",
+    x: x0.toFixed(1),
+    y: y0.toFixed(1),
+    width: (x1 - x0).toFixed(1),
+    height: (y1 - y0).toFixed(1),
+    rx: 4,
+  });
 
 /** Rectangles for a name: in the middle of what it names, then at its sides. */
 function candidates(lines, [x0, y0, x1, y1]) {

@@ -75,14 +75,14 @@ export function shareOf(result, shown, { table, index }) {
   return null;
 }
 
-/** What is told of a thing beside its name. */
+/** What is told of a thing beside its name: of a person always, of pieces and doors where it happens. */
 export function notes(result, shown, what) {
   const share = shareOf(result, shown, what);
-  if (share !== null)
-    return [t(what.table === "places" ? "is_hit" : "is_blocked", { share: percent(share) })];
-  const fell =
-    what.table === "furniture" && shown.includes("fell") && result?.pieces[what.index]?.probabilities;
-  return fell?.overturned ? [t("overturns", { share: percent(fell.overturned.estimate) })] : [];
+  if (what.table === "places") return share === null ? [] : [t("is_hit", { share: percent(share) })];
+  if (telling(share)) return [t("is_blocked", { share: percent(share) })];
+  const piece = what.table === "furniture" && shown.includes("fell") ? result?.pieces[what.index] : null,
+    falls = piece?.probabilities.overturned.estimate ?? null;
+  return telling(falls) ? [t("overturns", { share: percent(falls) })] : [];
 }
 
 /** Whether a share is more than next to nothing. */

@@ -12,10 +12,9 @@ import { watch as watchFields } from "../scene.js";
 import * as screens from "../screens.js";
 import * as upload from "../upload.js";
 import { t } from "../words.js";
+import * as actionPlan from "./action_plan.js";
 import * as address from "./address.js";
-import * as care from "./care.js";
 import * as changes from "./changes.js";
-import { apply } from "./changing.js";
 import * as comparing from "./comparing.js";
 import * as editor from "./editor.js";
 import * as environment from "./environment.js";
@@ -47,10 +46,12 @@ function judged(state) {
   verdict.show(state);
   editor.tellResult(state.result, { old: state.old });
   editor.tellRefusal(state.error);
-  files.point(state.job?.state === "done" ? state.job.id : null);
+  const done = state.job?.state === "done" ? state.job.id : null;
+  files.point(done);
+  actionPlan.take(done);
   if (!state.result) return;
   findings.show(state.result);
-  changes.show(state.result, apply);
+  changes.show(state.result);
 }
 
 /** Everything that is written in words, once more: another language or theme. */
@@ -60,8 +61,9 @@ function again() {
   upload.again();
   editor.translate();
   theatre.again(presets);
-  care.build();
+  verdict.build();
   files.build();
+  actionPlan.build();
   scenes.list();
   comparing.show();
   judged(judging.state());
@@ -71,7 +73,7 @@ function again() {
 /** What follows from a change of the room. */
 const changed = beforeNextFrame(() => {
   environment.take();
-  care.update();
+  verdict.update();
   judging.changed();
   theatre.changed();
   address.changed();
@@ -85,17 +87,17 @@ function lost() {
 
 /** Takes the room of the address; where there is none, or it is damaged, that which the server proposes. */
 async function take(hash) {
-  const { room: found, damaged, record } = await address.read(hash);
-  environment.noteRecord(found, record);
+  const { room: found, damaged, records } = await address.read(hash);
+  environment.noteRecords(found, records);
   if (damaged) tellNotice("roomDamaged");
   return found ?? room.current() ?? presets.room_scene;
 }
 
 function wire() {
-  verdict.wire(apply);
+  verdict.wire();
   judging.wire(judged);
+  actionPlan.wire();
   theatre.wire();
-  care.wire();
   scenes.wire(address.isOwn(room.current()));
   part("cancel").addEventListener("click", judging.cancel);
   part("verify").addEventListener("click", judging.again);

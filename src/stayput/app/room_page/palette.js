@@ -15,6 +15,22 @@ import { focusOn, plan, pointOf, say, show, showCurrent, shownRoom } from "./vie
 const STARTS = 8, // how far the pointer goes until it drags [px]
   PICTURE = 40; // [px]
 
+/** Lets the ends of the palette fade where there is more of it beyond them. */
+export function wire(element) {
+  const update = () => {
+    const { scrollLeft: x, scrollTop: y, scrollWidth, scrollHeight, clientWidth, clientHeight } = element;
+    const more = {
+      before: x + y > 1,
+      after: scrollWidth - clientWidth - x > 1 || scrollHeight - clientHeight - y > 1,
+    };
+    element.dataset.more = Object.keys(more)
+      .filter((end) => more[end])
+      .join(" ");
+  };
+  element.addEventListener("scroll", update, { passive: true });
+  new ResizeObserver(update).observe(element);
+}
+
 /** Builds the palette; called again for another language. */
 export function build(element) {
   const group = (title, ...buttons) =>

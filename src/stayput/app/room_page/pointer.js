@@ -81,10 +81,10 @@ function go(event) {
   if (!drag.moved) choose(drag);
   drag.moved = true;
   const [x, y] = pointOf(event);
-  const { room, guides } = drag.pull
+  const { room, guides, origin } = drag.pull
     ? drag.pull(drag.room, [x, y], event.altKey)
     : dragged(shownRoom(), drag.what, [x + drag.offset[0], y + drag.offset[1]], event.altKey);
-  show(room, guides);
+  show(room, guides, origin);
 }
 
 function end(event) {

@@ -1,15 +1,38 @@
-// The verdict on the room in one sentence, with how far it has come, and the best single change.
+// The verdict on the room in one sentence, with how far it has come, of how many runs, and the best single change.
 
 import { el, fill, part } from "../dom.js";
 import { worded } from "../refusals.js";
-import { both, number, perCent, t } from "../words.js";
+import { both, number, perCent, percent, t } from "../words.js";
+import { apply } from "./changes.js";
+import * as room from "./room.js";
 
-const ENDED = ["done", "cancelled", "refused"];
-let take = () => {};
+const ENDED = ["done", "cancelled", "refused"],
+  BETWEEN = " · ";
+const SAMPLES = { quick: 20, usual: 60, fine: 200 };
 
-/** Wires the button of the best change: "apply" makes a change in the room. */
-export function wire(apply) {
-  take = apply;
+const samples = () => room.current().uncertainty?.samples ?? SAMPLES.usual;
+
+/** Wires the choice of how many runs the verdict is of, a part of the room's scenario. */
+export function wire() {
+  part("samples").addEventListener("change", ({ target }) => {
+    const before = room.current();
+    room.change({ ...before, uncertainty: { ...before.uncertainty, samples: Number(target.value) } });
+  });
+}
+
+/** Builds the choice of how many runs the verdict is of; called again for another language. */
+export function build() {
+  const usual = Object.entries(SAMPLES).map(([name, value]) => option(value, t(`care_${name}`))),
+    own = Object.values(SAMPLES).includes(samples()) ? [] : [option(samples(), t("careOwn", { n: number(samples()) }))];
+  fill(part("samples"), usual, own);
+  part("samples").value = String(samples());
+}
+
+const option = (value, text) => el("option", { value: String(value), text });
+
+/** Shows how many runs the room asks for. */
+export function update() {
+  if (part("samples").value !== String(samples())) build();
 }
 
 /** Writes the state of the question, and the newest result as far as there is one. */
@@ -33,6 +56,25 @@ export function show({ name, job, result, old, error }) {
       })
     : "";
   progress(name, job);
+  brief(name, result, old);
+}
+
+/** Says it in one line beside the steps, for where the verdict is on another screen. */
+function brief(name, result, old) {
+  const refused = name === "refused",
+    counting = ENDED.includes(name) ? [] : [t("counting")],
+    chances = result ? inBrief(result).join(BETWEEN) : t(`state_${name}`);
+  const said = refused ? t("briefRefused") : result && old ? t("briefOld", { said: chances }) : chances;
+  part("brief").dataset.old = String(Boolean(result) && old);
+  part("brief").dataset.state = name;
+  part("in-brief").textContent = (result ? [said, ...counting] : [said]).join(BETWEEN);
+}
+
+function inBrief(result) {
+  const { hit, shut_in: shut } = result;
+  if (hit.estimate === null) return [both(result.verdict)];
+  const told = [t("briefHit", { share: percent(hit.estimate) })];
+  return shut.estimate > 0 ? [...told, t("briefShutIn", { share: percent(shut.estimate) })] : told;
 }
 
 /** Says the verdict; the same sentence is not said again. */
@@ -46,7 +88,7 @@ function best(result) {
   fill(
     part("best"),
     ...(result?.changes.length ? [el("span", { text: both(result.best) })] : []),
-    ...(change ? [" ", el("button", { type: "button", class: "primary", text: t("makeBest"), onclick: () => take(change) })] : []),
+    ...(change ? [" ", el("button", { type: "button", class: "primary", text: t("makeBest"), onclick: () => apply(change) })] : []),
   );
 }
 

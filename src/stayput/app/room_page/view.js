@@ -6,14 +6,15 @@ import { LAYERS } from "./layers.js";
 import { drawPlan, keyOf, layersOf } from "./plan.js";
 import { current, selected } from "./room.js";
 
-const HIGHEST = 620, // of the plan [px]
-  LOWEST = 250,
-  AROUND = 150; // what stands above and below it
+const HIGHEST = 760, // of the plan [px]
+  LOWEST = 280,
+  AROUND = 250; // what stands above and below it
 
 let element = null,
   sheet = null,
   tried = null,
   guides = [],
+  origin = [0, 0], // of the tried room in the one that is held [m]
   held = null,
   verdict = null,
   refused = null,
@@ -34,10 +35,11 @@ export const shownRoom = () => tried ?? current();
 /** Calls a function after each drawing with the clashes of the room that is shown. */
 export const whenDrawn = (listener) => listeners.push(listener);
 
-/** Shows a room that is only tried, with lines across the plan. */
-export function show(room, lines = []) {
+/** Shows a room that is only tried, with lines across the plan, and its origin where that is another [m]. */
+export function show(room, lines = [], from = [0, 0]) {
   tried = room;
   guides = lines;
+  origin = from;
   draw();
 }
 
@@ -86,18 +88,28 @@ export function draw() {
     wide: element.parentElement.clientWidth,
     high: Math.max(LOWEST, Math.min(HIGHEST, innerHeight - AROUND)),
   });
-  element.style.maxWidth = `${sheet.size[0]}px`;
+  if (held) keepInPlace();
+  else element.style.maxWidth = `${sheet.size[0]}px`;
   for (const listener of listeners) listener(found);
+}
+
+/** Puts what the held room has in common with the tried one where it was on the screen. */
+function keepInPlace() {
+  const before = held.sheet.place([0, 0]),
+    now = sheet.place(origin.map((value) => -value));
+  element.setAttribute("viewBox", [now[0] - before[0], now[1] - before[1], ...held.sheet.size].join(" "));
 }
 
 /** Keeps the scale, and what the pointer points at, as they are now, although the room gets other sides. */
 export function hold() {
   held = { sheet, toSheet: element.getScreenCTM().inverse() };
+  element.classList.add("held");
 }
 
 /** Lets the plan fit its place again. */
 export function release() {
   held = null;
+  element.classList.remove("held");
 }
 
 /** Where an event of the pointer is in the plan [m]. */

@@ -62,6 +62,8 @@ def _fix(fix: Fix) -> dict[str, Any]:
     return {
         "overturned": chance_data(fix.overturns),
         "alone": _effect(fix.alone),
+        "enough": fix.enough,
+        "enough_to_jma": None if fix.enough_to is None else number(fix.enough_to),
         "cautions": [list(caution) for caution in fix.cautions],
         "buy": [
             {

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from importlib import resources
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from markupsafe import Markup
@@ -12,18 +11,20 @@ import stayput
 from stayput.catalogue import phrase, say
 from stayput.measures.parameters import MEANINGS
 from stayput.report.action_plan.elevation import elevation_svg
-from stayput.report.embedding import inks_css
+from stayput.report.page import framed, rendered, write_page
 from stayput.report.room.drawing import plan_with
 from stayput.report.room.sheet import PlanSheet
-from stayput.report.verdict.html import rendered, write_page
 from stayput.rooms.forces import MARGIN, QUANTILE
 from stayput.rooms.step_words import (
-    cautions,
+    chances_after,
+    changes_nothing,
     checks,
     effects,
     heading,
     joined,
     to_buy,
+    too_weak,
+    what_it_brings,
     where,
     with_ends,
 )
@@ -37,8 +38,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.catalogue import Phrase
-    from stayput.rooms.steps import ActionPlan, PlanStep
-    from stayput.rooms.verdict import RoomEffect
+    from stayput.rooms.steps import ActionPlan, Fix, PlanStep
 
 PLAN_SCALES = (25, 40, 50, 75, 100, 150, 200, 300, 500, 1000)
 """Scales that a plan is drawn to: metres of the room in a metre of paper."""
@@ -51,6 +51,21 @@ ELEVATION_SCALES = (75, 100)
 
 FEW = 3
 """Most pieces that fit on one sheet with the larger elevations."""
+
+
+class CardBlock(NamedTuple):
+    """What is said of a move or of measures as it is read.
+
+    Parameters
+    ----------
+    warning : tuple of (str, str) or None
+        That it is not strong enough, and up to what it is.
+    lines : tuple of (str, str)
+        What to buy, what it brings and so on, each with its heading.
+    """
+
+    warning: tuple[str, str] | None
+    lines: tuple[tuple[str, str], ...]
 
 
 class CardRow(NamedTuple):
@@ -72,8 +87,10 @@ class CardRow(NamedTuple):
         What the grade means, and which inputs are the weakest, for the screen; on paper see `listed_once`.
     drawing : Markup
         The piece with its devices; empty where something is moved.
-    lines : tuple of (str, str)
-        What to buy, where it goes and so on, each with its heading.
+    done : CardBlock
+        What to buy, where it goes and so on.
+    instead : CardBlock or None
+        What may be done without drilling, where that is something else.
     """
 
     number: int
@@ -83,7 +100,8 @@ class CardRow(NamedTuple):
     grade: str
     known: tuple[str, ...]
     drawing: Markup
-    lines: tuple[tuple[str, str], ...]
+    done: CardBlock
+    instead: CardBlock | None
 
 
 SHEETS = ("canvas/plan.css", "room/plan.css", "action_plan/card.css")
@@ -107,25 +125,19 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
 
 
 def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
-    def own(key: str, **values: object) -> str:
-        return say(f"action_plan.{key}", language, **values)
-
-    verdict = plan.verdict
+    title, named = say("action_plan.title", language), plan.verdict.scenario.title
     drawing, scale = _plan(plan, language)
     return {
-        "language": language,
-        "own": own,
-        "version": stayput.__version__,
-        "title": verdict.scenario.title or own("title"),
+        **framed(language, "action_plan", f"{title} – {named}" if named else title, SHEETS),
+        "name": named,
         "sentences": [say(told, language) for told in _sentences(plan)],
         "rough": any(step.grade == max(MEANINGS) for step in plan.steps),
         "plan": drawing,
-        "scale": own("scale", plan=scale, elevation=_elevation_scale(plan)),
+        "scale": say("action_plan.scale", language, plan=scale, elevation=_elevation_scale(plan)),
         "rows": [_row(number, step, plan, language) for number, step in enumerate(plan.steps, 1)],
-        "checks": listed_once(plan, _checks, language),
+        "checks": _checks(plan, language),
         "weakest": listed_once(plan, lambda step: [joined(one.label for one in step.weakest)], language),
         "notes": [say(note, language) for note in _notes(plan)],
-        "style": Markup(inks_css() + "".join(map(_file, SHEETS))),
     }
 
 
@@ -137,18 +149,17 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
         if not plan.unsolved:
             yield phrase("action_plan.nothing")
     else:
-        changes = together.hit_change, together.shut_in_change, together.blocked_change
-        before = [
-            (key, share_text(chance.estimate - change.estimate))
-            for (key, chance), change in zip(_chances(together).items(), changes, strict=True)
-        ]
-        told = _told(plan, together)
-        now = joined(phrase(f"action_plan.chance_{key}", share=share) for key, share in before if key in told)
+        told = {
+            key: (chance, was)
+            for key, (chance, was) in chances_after(together).items()
+            if (key == "hit" and verdict.places) or was != 0.0 or chance.estimate != 0.0
+        }
+        now = joined(
+            phrase(f"action_plan.chance_{key}", share=share_text(was)) for key, (_, was) in told.items()
+        )
         yield phrase("action_plan.now", strength=strength, chances=now)
         then = joined(
-            phrase(f"action_plan.chance_{key}", share=with_ends(chance))
-            for key, chance in _chances(together).items()
-            if key in told
+            phrase(f"action_plan.chance_{key}", share=with_ends(chance)) for key, (chance, _) in told.items()
         )
         key = "action_plan.then_one" if len(plan.steps) == 1 else "action_plan.then"
         yield phrase(key, last=len(plan.steps), chances=then)
@@ -159,21 +170,6 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     if asked:
         conditions = joined(phrase(f"action_plan.{name}") for name in asked)
         yield phrase("action_plan.home", conditions=conditions)
-
-
-def _chances(effect: RoomEffect) -> dict[str, Any]:
-    return {"hit": effect.hit, "shut_in": effect.shut_in, "blocked": effect.blocked}
-
-
-def _told(plan: ActionPlan, effect: RoomEffect) -> set[str]:
-    """Return what is worth telling: hits where there are people, ways out where they are ever closed."""
-    changes = effect.hit_change, effect.shut_in_change, effect.blocked_change
-    happens = {
-        key
-        for (key, chance), change in zip(_chances(effect).items(), changes, strict=True)
-        if chance.estimate != 0.0 or change.estimate != 0.0
-    }
-    return happens | ({"hit"} if plan.verdict.places else set())
 
 
 def _plan(plan: ActionPlan, language: str) -> tuple[Markup, int]:
@@ -212,16 +208,23 @@ def listed_once(
     return [(", ".join(map(str, numbers)), told) for told, numbers in found.items()]
 
 
-def _checks(step: PlanStep) -> Iterator[Phrase]:
-    """Yield what to look at before a step."""
-    if step.fix is not None:
-        yield from checks(step.fix)
+def _checks(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
+    """Return what to look at before which steps, or before which of their variants without drilling."""
+    found: dict[tuple[bool, tuple[Phrase, ...]], list[str]] = {}
+    for number, step in enumerate(plan.steps, 1):
+        if step.fix is not None:
+            own = tuple(checks(step.fix))
+        else:
+            own = (phrase(f"action_plan.check_move{'_place' if step.overturned is None else ''}"),)
+        found.setdefault((False, own), []).append(str(number))
         if step.instead is not None:
-            yield from checks(step.instead)
-    elif step.overturned is not None:
-        yield phrase("action_plan.check_move")
-    else:
-        yield phrase("action_plan.check_move_place")
+            found.setdefault((True, tuple(checks(step.instead))), []).append(str(number))
+    lines: list[tuple[str, str]] = []
+    for (undrilled, own), numbers in found.items():
+        steps = ", ".join(numbers)
+        label = say("action_plan.steps_instead", language, steps=steps) if undrilled else steps
+        lines.append((label, say(joined(own, "action_plan.next"), language)))
+    return lines
 
 
 def _row(number: int, step: PlanStep, plan: ActionPlan, language: str) -> CardRow:
@@ -240,36 +243,60 @@ def _row(number: int, step: PlanStep, plan: ActionPlan, language: str) -> CardRo
         Markup("")
         if step.fix is None
         else Markup(elevation_svg(step.fix, step.what, _elevation_scale(plan), language)),
-        tuple((own(key), say(told, language)) for key, told in _lines(step, plan)),
+        _block(step.fix, _lines(number, plan), plan, language),
+        None
+        if step.instead is None
+        else _block(step.instead, _lines_instead(step, step.instead, plan), plan, language),
     )
 
 
-def _lines(step: PlanStep, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
+def _block(
+    fix: Fix | None, lines: Iterable[tuple[str, Phrase]], plan: ActionPlan, language: str
+) -> CardBlock:
+    weak = None if fix is None else too_weak(fix, plan)
+    return CardBlock(
+        None if weak is None else (say(weak[0], language), say(weak[1], language)),
+        tuple((say(f"action_plan.{key}", language), say(told, language)) for key, told in lines),
+    )
+
+
+def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     """Yield what is said of a step, with the keys of its headings."""
+    step = plan.steps[number - 1]
     fix = step.fix
     if fix is not None:
         yield "buy", joined(to_buy(one, fix) for one in fix.purchases)
         yield "where", joined((where(one, fix) for one in fix.purchases), "action_plan.next")
-    told: list[Phrase] = []
-    if fix is not None and step.overturned is not None:
-        was = share_text(step.overturned.estimate)
-        told.append(phrase("action_plan.overturns", was=was, now=with_ends(fix.overturns)))
-    alone = "action_plan.alone" if step.alone.helps else "action_plan.alone_unclear"
-    told.append(phrase(alone, chance=effects(step.alone, plan)))
-    if step is not plan.steps[0]:
-        told.append(phrase("action_plan.with_others", chance=effects(step.together, plan)))
-    yield "effect", joined(told, "action_plan.next")
-    warned = [] if fix is None else list(cautions(fix))
-    if warned:
-        yield "caution", joined(warned, "action_plan.next")
-    if step.instead is not None:
-        other = step.instead
-        parts = [joined(to_buy(one, other) for one in other.purchases)]
-        if step.overturned is not None:
-            was = share_text(step.overturned.estimate)
-            parts.append(phrase("action_plan.overturns", was=was, now=with_ends(other.overturns)))
-        parts += list(cautions(other))
-        yield "instead", joined(parts, "action_plan.next")
+    told = [] if fix is None else [_overturns(step, fix)]
+    told += what_it_brings(number, plan)
+    yield "effect" if fix is None or fix.enough else "reaches", joined(told, "action_plan.next")
+    if fix is not None and fix.cautions:
+        yield "caution", joined(fix.cautions, "action_plan.next")
+
+
+def _lines_instead(step: PlanStep, fix: Fix, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
+    """Yield the same of what may be done without drilling."""
+    told = [_overturns(step, fix)]
+    if not changes_nothing(fix.alone):
+        told.append(effects(fix.alone, plan))
+    yield "effect" if fix.enough else "reaches", joined(told, "action_plan.next")
+    yield "buy", joined(to_buy(one, fix) for one in fix.purchases)
+    if fix.cautions:
+        yield "caution", joined(fix.cautions, "action_plan.next")
+
+
+def _overturns(step: PlanStep, fix: Fix) -> Phrase:
+    assert step.overturned is not None
+    was = share_text(step.overturned.estimate)
+    return phrase("action_plan.overturns", was=was, now=with_ends(fix.overturns))
+
+
+def _notes_on_products(runs: int) -> Iterator[Phrase]:
+    scatter = USUAL["strength"]
+    assert isinstance(scatter, Lognormal)
+    yield phrase("action_plan.strengths", share=100.0 * QUANTILE, runs=runs, margin=MARGIN, cov=scatter.cov)
+    (low, low_euro), (high, high_euro) = COST_BOUNDS
+    yield phrase("action_plan.costs", low=low, low_euro=low_euro, high=high, high_euro=high_euro)
 
 
 def _notes(plan: ActionPlan) -> Iterator[Phrase]:
@@ -280,18 +307,9 @@ def _notes(plan: ActionPlan) -> Iterator[Phrase]:
     verdict = plan.verdict
     runs = verdict.motions * verdict.samples
     yield phrase("action_plan.grades", meanings=grades)
-    scatter = USUAL["strength"]
-    assert isinstance(scatter, Lognormal)
-    yield phrase("action_plan.strengths", share=100.0 * QUANTILE, runs=runs, margin=MARGIN, cov=scatter.cov)
-    (low, low_euro), (high, high_euro) = COST_BOUNDS
-    yield phrase("action_plan.costs", low=low, low_euro=low_euro, high=high, high_euro=high_euro)
+    if any(step.fix is not None for step in plan.steps):
+        yield from _notes_on_products(runs)
     yield phrase(
         "action_plan.runs", runs=runs, motions=verdict.motions, seed=verdict.seed, version=stayput.__version__
     )
-    if not all(step.alone.helps for step in plan.steps):
-        yield phrase("action_plan.unclear")
     yield phrase("action_plan.limits")
-
-
-def _file(name: str) -> str:
-    return resources.files("stayput.report").joinpath(name).read_text(encoding="utf-8")

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from functools import partial
-from importlib import resources
 from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup, escape
 
-import stayput
 from stayput.catalogue import say
-from stayput.report.embedding import inks_css
+from stayput.report.page import framed, rendered, write_page
 from stayput.report.room.assumptions import assumptions_of_room
 from stayput.report.room.drawing import change_plan, legend, room_plan
 from stayput.report.room.rows import (
@@ -23,7 +21,6 @@ from stayput.report.room.rows import (
 )
 from stayput.report.room.tables import sentences, simulations_of_room
 from stayput.report.verdict import numbers
-from stayput.report.verdict.html import rendered, write_page
 from stayput.report.verdict.words import word
 from stayput.rooms.verdict import DAY_HOURS
 from stayput.rooms.ways import PASSAGE
@@ -33,6 +30,9 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.rooms.verdict import RoomVerdict
+
+SHEETS = ("verdict/report.css", "canvas/plan.css", "room/plan.css", "room/room.css")
+"""Style sheets of the report: those of a verdict, of plans, of their figures, and its own."""
 
 
 def write_room_report(verdict: RoomVerdict, path: str | Path, language: str = "en") -> Path:
@@ -69,21 +69,15 @@ def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
     text = partial(word, language=language)
     headline, *others = sentences(verdict, language)
     moved = change_plan(verdict, language)
-
-    def own(key: str, **values: object) -> str:
-        return say(f"room_report.{key}", language, **values)
-
+    kind = say("rooms.report", language)
     return {
-        "language": language,
-        "kind": say("rooms.report", language),
+        **framed(language, "room_report", verdict.scenario.title or kind, SHEETS),
+        "kind": kind,
         "text": text,
-        "own": own,
         "numbers": numbers,
         "verdict": verdict,
-        "title": verdict.scenario.title or say("rooms.report", language),
         "headline": headline,
         "others": others,
-        "version": stayput.__version__,
         "strength": text(
             "instrumental",
             **{"class": class_label(verdict.intensity, language), "value": f"{verdict.intensity:.2f}"},
@@ -107,15 +101,4 @@ def _content(verdict: RoomVerdict, language: str) -> dict[str, Any]:
             for entry in assumptions_of_room(verdict)
         ],
         "toml": escape(verdict.scenario.to_toml()),
-        "style": Markup(
-            inks_css()
-            + "".join(
-                _file(name)
-                for name in ("verdict/report.css", "canvas/plan.css", "room/plan.css", "room/room.css")
-            )
-        ),
     }
-
-
-def _file(name: str) -> str:
-    return resources.files("stayput.report").joinpath(name).read_text(encoding="utf-8")

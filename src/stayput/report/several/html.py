@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import shlex
 from functools import partial
-from importlib import resources
 from typing import TYPE_CHECKING, Any
 
-from markupsafe import Markup, escape
+from markupsafe import escape
 
-import stayput
 from stayput.catalogue import say
-from stayput.report.embedding import inks_css
+from stayput.report.page import framed, rendered, write_page
 from stayput.report.several.pairs import pairs_of_several
 from stayput.report.several.tables import (
     rejected_rows,
@@ -21,7 +19,6 @@ from stayput.report.several.tables import (
     simulations_of_several,
 )
 from stayput.report.verdict import numbers
-from stayput.report.verdict.html import rendered, write_page
 from stayput.report.verdict.tables import DEVICE_COLUMNS
 from stayput.report.verdict.words import word
 from stayput.verification.several_words import headline_of_several
@@ -63,20 +60,14 @@ def write_several_report(verdict: AssemblyVerdict, path: str | Path, language: s
 def _content(verdict: AssemblyVerdict, language: str) -> dict[str, Any]:
     scenario, text = verdict.scenario, partial(word, language=language)
 
-    def own(key: str) -> str:
-        return say(f"several.{key}", language)
-
-    style = resources.files("stayput.report.verdict").joinpath("report.css").read_text(encoding="utf-8")
+    title = scenario.title or say("several.report", language)
     words = ["stayput", "verify", "scenario.toml", "--slide-limit", f"{verdict.slide_limit:g}"]
     return {
-        "language": language,
+        **framed(language, "several", title, ["verdict/report.css"]),
         "text": text,
-        "own": own,
         "numbers": numbers,
         "verdict": verdict,
-        "title": scenario.title or own("report"),
         "headline": headline_of_several(verdict, language),
-        "version": stayput.__version__,
         "strength": text(
             "instrumental",
             **{"class": class_label(verdict.intensity, language), "value": f"{verdict.intensity:.2f}"},
@@ -86,7 +77,7 @@ def _content(verdict: AssemblyVerdict, language: str) -> dict[str, Any]:
         "rows": several_rows(verdict, language),
         "rejected": rejected_rows(verdict, language),
         "pairs": pairs_of_several(verdict, language),
-        "device_columns": [own("holds"), *(text(key) for key in DEVICE_COLUMNS)],
+        "device_columns": [say("several.holds", language), *(text(key) for key in DEVICE_COLUMNS)],
         "details": [
             (row, several_device_rows(row.result, language))
             for row in several_rows(verdict, language)
@@ -98,5 +89,4 @@ def _content(verdict: AssemblyVerdict, language: str) -> dict[str, Any]:
         ],
         "toml": escape(scenario.to_toml()),
         "command": escape(shlex.join([*words, "--lang", language, "--report", "report.html"])),
-        "style": Markup(inks_css() + style),
     }

@@ -159,4 +159,5 @@ def _piece(piece: StandingTable, scenario: AssemblyScenario) -> Assumption:
     if piece.preset is not None:
         kind = PIECES[piece.preset]
         value = f"{kind[0]}: {size[0]}", f"{kind[1]}：{size[1]}"
-    return Assumption(((piece.name, piece.name), value), GIVEN if piece.preset is None else "low")
+    called = PIECES.get(piece.name, (piece.name, piece.name))
+    return Assumption((called, value), GIVEN if piece.preset is None else "low")

@@ -74,7 +74,10 @@ class SpacePainter:
         self._still = self._layout.still(film.strip_title, caption, motion.time, motion.components)
         self._camera = Camera(scene.points, *self._layout.scene)
         self._line = self._layout.line
-        self._openings = [one for one in scene.still if one.role in OPENINGS]
+        self._openings = [_in_wall(one) for one in scene.still if one.role in OPENINGS]
+        self._swings = [
+            swing for one in scene.still if one.role in OPENINGS if (swing := _on_floor(one)).lines
+        ]
         self._places = [one for one in scene.still if one.role not in OPENINGS]
         self._boxes = [
             DrawnHull(one.points, one.normals, np.array([face[0] for face in one.faces]))
@@ -101,8 +104,12 @@ class SpacePainter:
         self._draw_shadows(scene, camera, corners)
         draw = ImageDraw.Draw(scene)
         pen = ImageDraw.Draw(scene, "RGBA")  # which mixes colours
-        for opening in self._openings:
-            _draw_still(pen, camera, self._line, opening)
+        beyond = [_faces(camera, one) for one in self._openings]  # of walls that are seen from within
+        for swing in self._swings:
+            _draw_still(pen, camera, self._line, swing)
+        for opening, behind in zip(self._openings, beyond, strict=True):
+            if behind:
+                _draw_still(pen, camera, self._line, opening)
         hulls = [_hull_of(*each) for each in zip(film.scene.shapes, corners, turns, strict=True)]
         for n in _from_far(camera.place, [*hulls, *self._boxes]):
             if n < len(hulls):
@@ -111,6 +118,9 @@ class SpacePainter:
                 )
             else:
                 _draw_still(pen, camera, self._line, self._places[n - len(hulls)])
+        for opening, behind in zip(self._openings, beyond, strict=True):
+            if not behind:
+                _draw_still(pen, camera, self._line, opening)
         self._draw_ties(draw, camera, time, places, turns)
         image = self._layout.frame(self._still, scene, time)
         self._layout.head(image, film.title if time >= film.scene.end else film.state(time))
@@ -293,6 +303,21 @@ def _draw_still(draw: ImageDraw.ImageDraw, camera: Camera, line: int, still: Sti
     for points in still.lines:
         for ends in pairwise(points):
             _stroke(draw, camera.seen(np.array(ends)), rgb(look.colour), line)
+
+
+def _in_wall(opening: StillShape) -> StillShape:
+    """Return the part of a door or window that is in its wall."""
+    return opening._replace(lines=tuple(line for line in opening.lines if line[:, 2].any()))
+
+
+def _on_floor(opening: StillShape) -> StillShape:
+    """Return the lines of a door on the floor, which bodies stand over."""
+    return opening._replace(faces=(), lines=tuple(line for line in opening.lines if not line[:, 2].any()))
+
+
+def _faces(camera: Camera, opening: StillShape) -> bool:
+    """Return whether the camera is on that side of an opening's wall on which the room is."""
+    return bool(opening.normals[0] @ (camera.place - opening.faces[0][0]) > 0.0)
 
 
 def _hull_of(shape: SolidShape, corners: NDArray[np.float64], turn: NDArray[np.float64]) -> DrawnHull:

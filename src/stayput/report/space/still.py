@@ -80,7 +80,9 @@ class StillShape(NamedTuple):
     @property
     def normals(self) -> NDArray[np.float64]:
         """Unit normals of the faces, shape (faces, 3)."""
-        ways = np.array([np.cross(face[1] - face[0], face[2] - face[0]) for face in self.faces])
+        ways = np.array([np.cross(face[1] - face[0], face[2] - face[0]) for face in self.faces]).reshape(
+            -1, 3
+        )
         return ways / np.linalg.norm(ways, axis=1, keepdims=True)
 
     def data(self) -> dict[str, Any]:

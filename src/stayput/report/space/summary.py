@@ -11,7 +11,14 @@ from stayput.catalogue import say
 from stayput.report.names import motion_label
 from stayput.report.space.histories import peak_of
 from stayput.report.space.said import names_of
-from stayput.report.summary import DEVICE_KEYS, device_results, device_rows, motion_data, number
+from stayput.report.summary import (
+    DEVICE_KEYS,
+    device_results,
+    device_rows,
+    motion_data,
+    number,
+    outcome_named,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -19,7 +26,9 @@ if TYPE_CHECKING:
     from stayput.simulation.space_run import Hit, SpaceRun
 
 
-def space_rows(run: SpaceRun, names: Sequence[str] | None = None) -> list[tuple[str, str]]:
+def space_rows(
+    run: SpaceRun, names: Sequence[str] | None = None, language: str = "en"
+) -> list[tuple[str, str]]:
     """Return the results as rows of a table: label, and value with its unit; of each body in turn.
 
     Parameters
@@ -28,20 +37,26 @@ def space_rows(run: SpaceRun, names: Sequence[str] | None = None) -> list[tuple[
         The run.
     names : sequence of str, optional
         What the bodies are called; by default by their numbers.
+    language : str
+        "en" or "ja".
     """
     motion = run.motion
     shaken = say(
-        "space.row_motion_value", name=motion_label(motion), duration=motion.duration, peak=peak_of(motion)
+        "space.row_motion_value",
+        language,
+        name=motion_label(motion, language),
+        duration=motion.duration,
+        peak=peak_of(motion),
     )
-    rows = [(say("runs.row_motion"), shaken)]
+    rows = [(say("runs.row_motion", language), shaken)]
     times, falls, outcomes = run.overturn_time, run.fall_time, run.outcomes
-    called = names_of(run, names, "en")
+    called = names_of(run, names, language)
     tilts, slides, yaws = run.peak_tilt, run.peak_slide, run.yaw
     for b, name in enumerate(called):
         if len(called) > 1:
             rows.append((name, ""))
         values = {
-            "outcome": outcomes[b].value,
+            "outcome": outcome_named(outcomes[b], language),
             "overturned": _seconds(times[b]),
             "fell_off": _seconds(falls[b]),
             "tilt": f"{math.degrees(tilts[b]):.2f}°",
@@ -54,8 +69,8 @@ def space_rows(run: SpaceRun, names: Sequence[str] | None = None) -> list[tuple[
             values["bodies"] = str(run.hit_numbers[b, 2])
         else:
             del values["fell_off"]
-        rows += [(say(f"runs.row_{key}"), value) for key, value in values.items()]
-    return [*rows, *device_rows(run.devices, called if len(called) > 1 else ())]
+        rows += [(say(f"runs.row_{key}", language), value) for key, value in values.items()]
+    return [*rows, *device_rows(run.devices, called if len(called) > 1 else (), language)]
 
 
 def space_summary(run: SpaceRun, names: Sequence[str] | None = None) -> dict[str, Any]:

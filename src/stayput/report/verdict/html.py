@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import re
 import shlex
 from functools import partial
-from importlib import resources
 from typing import TYPE_CHECKING, Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-import stayput
 from stayput.catalogue import say
-from stayput.files import check_target, draft
 from stayput.measures import parameters
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.report.embedding import inks_css, script_json, script_module
+from stayput.report.embedding import script_json, script_module
 from stayput.report.names import motion_label
+from stayput.report.page import file_of, framed, rendered, write_page
 from stayput.report.palette import mode_looks
 from stayput.report.scene import DRIFT_CORNER
 from stayput.report.verdict import numbers
@@ -40,21 +36,15 @@ from stayput.report.verdict.tables import (
 )
 from stayput.report.verdict.words import word
 from stayput.verification.words import class_label, headline, title
-from stayput.wording import check_language
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Sequence
     from pathlib import Path
 
     from stayput.measures import Measure
     from stayput.report.scene import Scene
     from stayput.report.verdict.pairs import RunPair
     from stayput.verification import OptionVerdict, Verdict
-
-_BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:%|[ck]?m|kg|k?[NJ]|Hz|s|m/s²?|cm/s|秒)(?![\w/]))")
-
-SUFFIXES = (".html",)
-"""The kind of file that a report is written as."""
 
 
 def write_report(verdict: Verdict, path: str | Path, language: str = "en") -> Path:
@@ -84,16 +74,6 @@ def write_report(verdict: Verdict, path: str | Path, language: str = "en") -> Pa
     return write_page(path, language, lambda: report_html(verdict, language))
 
 
-def write_page(path: str | Path, language: str, page: Callable[[], str]) -> Path:
-    """Write a page, which is made once language and path are known to be possible; see `write_report`."""
-    check_language(language)
-    target = check_target(path, SUFFIXES)
-    text = page()
-    with draft(target) as unfinished:
-        unfinished.write_text(text, encoding="utf-8")
-    return target
-
-
 def report_html(verdict: Verdict, language: str = "en") -> str:
     """Return the text of a report; see `write_report`.
 
@@ -107,19 +87,6 @@ def report_html(verdict: Verdict, language: str = "en") -> str:
     return rendered("verdict/report.html", _content(verdict, language))
 
 
-def rendered(template: str, content: Mapping[str, Any]) -> str:
-    """Return a template of the package `stayput.report`, by its path there, with its content filled in."""
-    pages = Environment(
-        loader=PackageLoader("stayput", "report"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        finalize=tight,
-    )
-    return pages.get_template(template).render(content)
-
-
 def _content(verdict: Verdict, language: str) -> dict[str, Any]:
     scenario = verdict.scenario
     ground = scenario.ground()
@@ -130,13 +97,11 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
 
     text = partial(word, language=language)
     return {
-        "language": language,
+        **framed(language, "report", scenario.title or text("report"), ["verdict/report.css"]),
         "text": text,
         "numbers": numbers,
         "verdict": verdict,
-        "title": scenario.title or text("report"),
         "headline": headline(verdict, language),
-        "version": stayput.__version__,
         "strength": text(
             "instrumental",
             **{"class": class_label(verdict.intensity, language), "value": f"{verdict.intensity:.2f}"},
@@ -179,8 +144,7 @@ def _content(verdict: Verdict, language: str) -> dict[str, Any]:
         "toml": escape(scenario.to_toml()),
         "reads_files": scenario.shaking.record is not None or isinstance(scenario.shaking.suite, str),
         "command": escape(command(verdict, language)),
-        "style": Markup(inks_css() + _file("report.css")),
-        "script": Markup(script_module(_file("report.js"))),
+        "script": Markup(script_module(file_of("verdict/report.js"))),
     }
 
 
@@ -188,17 +152,6 @@ def command(verdict: Verdict, language: str, file: str = "scenario.toml") -> str
     """Return the command that makes the report again."""
     words = ["stayput", "verify", file, "--slide-limit", f"{verdict.slide_limit:g}", "--lang", language]
     return shlex.join([*words, "--report", "report.html"])
-
-
-def tight(value: object) -> object:
-    """Return a text whose lines do not end between a number and its unit; anything else as it is."""
-    if not isinstance(value, str) or isinstance(value, Markup):
-        return value
-    return _BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", value)
-
-
-def _file(name: str) -> str:
-    return resources.files("stayput.report.verdict").joinpath(name).read_text(encoding="utf-8")
 
 
 def _drawn(verdict: Verdict, result: OptionVerdict, language: str) -> dict[str, Any]:

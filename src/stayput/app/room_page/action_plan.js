@@ -1,0 +1,107 @@
+// The plan to buy and do: what the home is like, the plan worked out with its progress, and where it is opened.
+
+import * as api from "../api.js";
+import { patiently, pause } from "../connection.js";
+import { toggle } from "../controls.js";
+import { fill, part } from "../dom.js";
+import { worded } from "../refusals.js";
+import { number, spoken, t } from "../words.js";
+
+const HOME = ["no_drilling", "tatami", "plasterboard", "dropped_ceiling"],
+  LOOK = 500; // how often the server is asked how far it has come [ms]
+const home = new Set();
+let job = null, // the verdict's, once that is complete
+  flight = null, // what ends the question about a plan
+  made = false;
+
+/** Wires the buttons. */
+export function wire() {
+  part("make-plan").addEventListener("click", work);
+  part("stop-plan").addEventListener("click", () => forget());
+}
+
+/** Builds what the home is like; called again for another language. */
+export function build() {
+  fill(
+    part("home"),
+    HOME.map((name) => {
+      const field = toggle({
+        label: t(`allowed_${name}`),
+        changed: (on) => {
+          if (on) home.add(name);
+          else home.delete(name);
+          forget();
+        },
+      });
+      field.set(home.has(name));
+      return field.element;
+    }),
+  );
+  tell();
+}
+
+/** Takes the job of a verdict that is complete, or null. */
+export function take(finished) {
+  if (finished === job) return;
+  job = finished;
+  forget();
+}
+
+const asked = () => Object.fromEntries([...home].map((name) => [name, "true"]));
+
+/** There is no plan of the room and the home as they are now. */
+function forget() {
+  flight?.abort();
+  flight = null;
+  made = false;
+  say();
+  tell();
+}
+
+const say = (...content) => {
+  fill(part("plan-said"), ...content);
+  part("plan-said").classList.toggle("refusal", content.length > 0);
+};
+
+async function work() {
+  const own = (flight = new AbortController()),
+    wanted = () => own === flight,
+    of = job;
+  say();
+  tell();
+  follow(of, own, wanted);
+  try {
+    await patiently(() => api.plan(of, asked(), own.signal), wanted);
+    made = wanted();
+  } catch (error) {
+    if (error.name !== "AbortError" && wanted()) say(...worded(error));
+  } finally {
+    if (wanted()) {
+      flight = null;
+      tell();
+      if (made) part("card").focus({ preventScroll: true });
+    }
+  }
+}
+
+/** Says how far a plan has come, for as long as it is worked at. */
+async function follow(of, { signal }, wanted) {
+  while (wanted()) {
+    const { runs } = await api.planProgress(of, asked(), signal).catch(() => ({ runs: 0 }));
+    if (wanted() && runs) part("plan-state").textContent = t("planRuns", { runs: number(runs) });
+    await pause(LOOK);
+  }
+}
+
+function tell() {
+  const busy = flight !== null,
+    link = part("card");
+  part("make-plan").hidden = busy || made;
+  part("make-plan").disabled = !job;
+  part("plan-wait").hidden = Boolean(job);
+  part("plan-progress").hidden = !busy;
+  if (!busy) part("plan-state").textContent = "";
+  else part("plan-state").textContent ||= t("planRuns", { runs: number(0) });
+  link.hidden = !made;
+  if (made) link.href = api.planAddress(job, { lang: spoken(), ...asked() });
+}
