@@ -113,7 +113,16 @@ def made(**changed):
         collisions={(HOSTILE, "vase"): chance[21]},
         changes=tuple(
             ChangeVerdict(
-                change, chance[n], difference(after, bare_runs), chance[5 + n], shut, 0.21 + 0.01 * n
+                chance[n],
+                difference(after, bare_runs),
+                chance[5 + n],
+                shut,
+                NEVER,
+                difference(some, some),
+                0.21 + 0.01 * n,
+                (chance[10 + n],) * len(scenario.names),
+                (difference(some, some),) * len(scenario.names),
+                change,
             )
             for n, (change, after, shut) in enumerate(
                 (

@@ -139,11 +139,24 @@ TEXTS: dict[str, tuple[str, str]] = {
         ),
         "{place}の向きを90°変え、中心が左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
     ),
-    "effect": (
+    "falls": ("{often} the {piece} overturns{interval}", "{often}「{piece}」が倒れます{interval}"),
+    "falls_with_others": (
+        "{often} the {piece} overturns{interval}, and others do too (pieces: {count})",
+        "{often}「{piece}」が倒れ{interval}、ほかにも倒れる家具があります（{count}個）",
+    ),
+    "effect_blocked": (
+        "with {change}, a door is blocked {held} instead of {bare}",
+        "{change}すると、ドアがふさがる確率は{bare}から{held}になります",
+    ),
+    "effect_overturned": (
+        "with {change}, it overturns {held} instead of {bare}",
+        "{change}すると、倒れる確率は{bare}から{held}になります",
+    ),
+    "effect_hit": (
         "with {change}, somebody is hit {held} instead of {bare}",
         "{change}すると、人に当たる確率は{bare}から{held}になります",
     ),
-    "effect_shut": (
+    "effect_shut_in": (
         "with {change}, somebody is shut in {held} instead of {bare}",
         "{change}すると、外に出られなくなる確率は{bare}から{held}になります",
     ),

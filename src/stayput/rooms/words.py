@@ -81,7 +81,7 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
         (english, japanese), (first, second) = next(names), interval_text(chance)
         return phrase("common.aside", content=(english + first, japanese + second))
 
-    def happens(key: str, chance: Probability, **values: Phrase) -> Phrase:
+    def happens(key: str, chance: Probability, **values: Phrase | int) -> Phrase:
         return phrase(key, often=often(chance.estimate, cases), interval=ends_of(chance), **values)
 
     worst = sorted(verdict.places, key=lambda one: -one.hit.estimate)
@@ -94,6 +94,17 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
         first = place.by[0]
         values = {"piece": piece_name(first.piece), "place": _where_somebody_is(place.place)}
         yield happens("rooms.hits", first.probability, **values)
+    named = {place.by[0].piece for place in told}
+    falling = [piece for piece in verdict.pieces if piece.falls and piece.name not in named]
+    falling.sort(key=lambda piece: -piece.probabilities["overturned"].estimate)
+    if falling:
+        first, *others = falling
+        yield happens(
+            "rooms.falls_with_others" if others else "rooms.falls",
+            first.probabilities["overturned"],
+            piece=piece_name(first.name),
+            count=len(others),
+        )
     for door in verdict.doors:
         if door.blocked.estimate >= TOLD:
             yield happens("rooms.blocked", door.blocked, door=door_name(door.door))
@@ -138,14 +149,26 @@ def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
 
 def change_sentence(result: ChangeVerdict, verdict: RoomVerdict, language: str) -> str:
     """Return what a change brings, in one sentence."""
-    key, held, bare = "rooms.effect", result.hit.estimate, verdict.hit.estimate
-    if not result.hit_change.clear and result.shut_in_change.clear:
-        key, held, bare = "rooms.effect_shut", result.shut_in.estimate, verdict.shut_in.estimate
+    what = next(iter(result.better), "hit")
+    (held, change), own = (result.hit, result.hit_change), verdict.piece_changed(result)
+    if what == "shut_in":
+        held, change = result.shut_in, result.shut_in_change
+    elif what == "blocked":
+        held, change = result.blocked, result.blocked_change
+    elif what == "overturned" and own is not None:
+        held, change = own
     english, japanese = label_of(result.change, verdict)
     shares = {
-        name: (of_the_cases(share), share_text(share)[1]) for name, share in (("held", held), ("bare", bare))
+        name: (of_the_cases(share), share_text(share)[1])
+        for name, share in (("held", held.estimate), ("bare", held.estimate - change.estimate))
     }
-    told = say(key, language, change=(inside(english), japanese), **shares)
+    told = say(
+        f"rooms.effect_{what}",
+        language,
+        change=(inside(english), japanese),
+        piece=piece_name(result.change.what),
+        **shares,
+    )
     return sentence_of([told], language)
 
 

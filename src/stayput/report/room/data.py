@@ -91,7 +91,7 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
 
 
 def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
-    change = result.change
+    change, own = result.change, verdict.piece_changed(result)
     return {
         "what": change.what,
         "label": in_both(lambda language: change_label(change, verdict, language)),
@@ -103,8 +103,12 @@ def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
         "hit_change": chance_data(result.hit_change),
         "shut_in": chance_data(result.shut_in),
         "shut_in_change": chance_data(result.shut_in_change),
+        "overturned": None if own is None else chance_data(own[0]),
+        "overturned_change": None if own is None else chance_data(own[1]),
         "risk": number(result.risk),
         "helps": result.helps,
+        "better": list(result.better),
+        "worse": list(result.worse),
     }
 
 
