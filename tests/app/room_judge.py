@@ -70,7 +70,11 @@ def change(what: str, hit: float, **more: Any) -> dict[str, Any]:
         "shut_in": chance(0.1),
         "shut_in_change": chance(0.0),
         "risk": hit,
+        "overturned": chance(hit) if more.get("table", "furniture") == "furniture" else None,
+        "overturned_change": chance(hit - 0.8) if more.get("table", "furniture") == "furniture" else None,
         "helps": hit < 0.7,
+        "better": ["hit"] if hit < 0.7 else [],
+        "worse": [],
         **more,
     }
 
@@ -125,6 +129,7 @@ def made() -> dict[str, Any]:
             change("bookcase", 0.4, **belt),
             change("bed", 0.75, table="places", at_m=(1.6, 1.26), heading_rad=0.0),
         ],
+        "typical": {"member": 3, "direction_rad": 0.0},
     }
 
 

@@ -396,7 +396,7 @@ def test_numbers_are_typed_and_wrong_ones_are_said(browser: Browser, server: Run
 def test_places_doors_and_windows_have_their_numbers(browser: Browser, server: Running) -> None:
     with editing(browser, server) as it:
         it.select("places-0")
-        it.field("Somebody is there, of the day", "25")
+        it.field("Share of the day with somebody there", "25")
         it.field("up to this height", "40")  # below the lower one
         assert it.room()["places"][0] == {**ROOM["places"][0], "day": 0.25}
         it.field("up to this height", "90")
