@@ -129,7 +129,7 @@ def made() -> dict[str, Any]:
             change("bookcase", 0.4, **belt),
             change("bed", 0.75, table="places", at_m=(1.6, 1.26), heading_rad=0.0),
         ],
-        "typical": {"member": 3, "direction_rad": 0.0},
+        "typical": {"member": 5, "direction_rad": 1.5},
     }
 
 
