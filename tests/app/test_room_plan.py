@@ -249,9 +249,10 @@ def shared(one: list[float], other: list[float]) -> float:
 def test_names_stand_beside_their_own_things(
     browser: Browser, server: Running, language: str, size: dict[str, int]
 ) -> None:
-    told = """async (room) => (await import("/room/editor.js")).tellResult({ cell_m: 0.5,
-        pieces: room.furniture.map(({ name }) => ({ name, probabilities: { overturned: { estimate: 0.83 } } })),
-        places: ["desk", "Desk 2"].map((name) => ({ name, hit: { estimate: 0.88 } })), doors: [] })"""
+    told = """async (room) => (await import("/room/editor.js")).tellResult({ cell_m: 0.5, doors: [],
+        pieces: room.furniture.map(({ name }) => (
+          { name, probabilities: { overturned: { estimate: 0.83 } } })),
+        places: ["desk", "Desk 2"].map((name) => ({ name, hit: { estimate: 0.88 } })) })"""
     with editing(browser, server, OFFICE, language=language, size=size) as it:
         with it.page.expect_request(lambda one: one.url.endswith("/api/v1/room")):
             it.take({**OFFICE, "title": "asked"})
