@@ -142,9 +142,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "changed_hit": ("Somebody is hit", "人に当たる確率"),
     "changed_shut_in": ("Somebody has no way out", "外に出られない確率"),
     "changed_risk": ("Somebody is hit, counting the hours", "人に当たる確率（いる時間を考慮）"),
-    "better": ("clearly better", "明らかに良くなる"),
-    "worse": ("something gets worse", "悪くなる点がある"),
-    "chance": ("may be chance", "偶然の差かもしれない"),
+    "changed_overturned": ("The piece overturns", "その家具が倒れる確率"),
+    "comma": ("; ", "、"),
     "no_changes": ("No changes were compared.", "比較した変更はありません。"),
     "moved_text": (
         "{change}. The dashed outline is where it stands now.",

@@ -193,6 +193,17 @@ TEXTS: dict[str, tuple[str, str]] = {
     "hit_then": ("hit then", "人に当たる確率"),
     "hit_less": ("difference", "差"),
     "shut_in_then": ("shut in then", "外に出られない確率"),
+    "overturned_then": ("the piece overturns then", "その家具が倒れる確率"),
+    # What a change is clearly better or worse in
+    "fewer_hit": ("clearly fewer hit", "人に当たりにくくなる"),
+    "more_hit": ("clearly more hit", "人に当たりやすくなる"),
+    "fewer_shut_in": ("way out clearly free more often", "外に出やすくなる"),
+    "more_shut_in": ("way out clearly free less often", "外に出にくくなる"),
+    "fewer_blocked": ("doors clearly free more often", "ドアがふさがりにくくなる"),
+    "more_blocked": ("doors clearly blocked more often", "ドアがふさがりやすくなる"),
+    "fewer_overturned": ("clearly overturns less", "倒れにくくなる"),
+    "more_overturned": ("clearly overturns more", "倒れやすくなる"),
+    "nothing_clear": ("may be chance", "はっきりした差なし"),
     "simulations": (
         "{runs} runs of pieces: {motions} motions × {samples} Monte Carlo samples, as the room is and for each change.",
         "家具の計算{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、現状と各変更について計算しました。",

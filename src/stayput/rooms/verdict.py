@@ -215,7 +215,7 @@ class ChangeVerdict(RoomEffect):
     @classmethod
     def of(cls, change: Change, effect: RoomEffect) -> ChangeVerdict:
         """Return what a change brings."""
-        return cls(*(getattr(effect, field.name) for field in fields(effect)), change)
+        return cls(**{field.name: getattr(effect, field.name) for field in fields(effect)}, change=change)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -172,6 +172,13 @@ def change_sentence(result: ChangeVerdict, verdict: RoomVerdict, language: str) 
     return sentence_of([told], language)
 
 
+def tags(result: ChangeVerdict) -> list[Phrase]:
+    """Return what a change is clearly better in, and what worse; that nothing is clear, where nothing is."""
+    found = [phrase(f"rooms.fewer_{name}") for name in result.better]
+    found += [phrase(f"rooms.more_{name}") for name in result.worse]
+    return found or [phrase("rooms.nothing_clear")]
+
+
 def best_sentence(verdict: RoomVerdict, language: str) -> str:
     """Return which single change helps most, or that none does; empty where none was tried."""
     if not verdict.changes:
