@@ -23,7 +23,6 @@ from stayput.report.verdict.assumptions import (
     shaking_assumptions,
 )
 from stayput.rooms.ways import CELL, PASSAGE
-from stayput.uncertainty import USUAL
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -46,7 +45,7 @@ def assumptions_of_room(verdict: RoomVerdict) -> list[Assumption]:
         *walls,
         *(() if room.ceiling is None else ceiling_assumptions(room.ceiling)),
         *shaking_assumptions(scenario, verdict.motions),
-        *drawn_assumptions(USUAL, scenario.uncertainty.as_stated),
+        *drawn_assumptions(scenario.uncertainty.as_stated),
         drawn_between(),
     ]
 

@@ -20,7 +20,6 @@ from stayput.report.verdict.assumptions import (
 )
 from stayput.report.verdict.tables import device_cells
 from stayput.simulation.space_devices import JOINT, JOINT_LABEL
-from stayput.uncertainty import USUAL
 from stayput.verification.several_options import brief_label
 from stayput.verification.several_words import is_own, reason_of_several, title_of_several
 
@@ -115,7 +114,7 @@ def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
         *piece_assumptions(scenario),
         *room_assumptions(scenario),
         *shaking_assumptions(scenario, verdict.motions),
-        *drawn_assumptions(USUAL, scenario.uncertainty.as_stated),
+        *drawn_assumptions(scenario.uncertainty.as_stated),
         drawn_between(),
         Assumption((phrase("several.limit_body"), phrase("several.limit_body_text")), MODEL),
         *settlement_assumptions(scenario),
