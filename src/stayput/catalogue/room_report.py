@@ -189,11 +189,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "{cell:g} cm四方に分けて調べます。"
         ),
     ),
-    "limit_settlement": ("Sinking into the floor", "床の沈み込み"),
-    "limit_settlement_text": (
-        "Left out for the pieces that are simulated in space: on carpet and tatami they fall more easily than is told.",
-        "三次元で計算する家具では考慮しません。カーペットや畳の上では、示した値より倒れやすくなります。",
-    ),
     "inputs": ("The scenario as TOML", "シナリオ（TOML）"),
     "again_text": (
         "This is the scenario. With the same seed, stayput {version} gives the same numbers.",
