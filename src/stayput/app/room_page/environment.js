@@ -102,8 +102,9 @@ export function withoutRecord(before) {
 
 /** What a room says, as the fields have it. */
 function told({ shaking = {}, room: surfaces = {} }) {
-  const { suite, intensity, building, storey, member } = shaking,
+  const { record, suite, intensity, building, storey, member } = shaking,
     { plain } = fields,
+    computed = record ? fields.current() : plain, // a record leaves the fields of computed earthquakes as they are
     way = WAYS.find((one) => shaking[one] !== undefined),
     middle = presets.intensities.find((one) => one.id === intensity)?.middle;
   return {
@@ -115,8 +116,8 @@ function told({ shaking = {}, room: surfaces = {} }) {
     intensity: middle ?? (Number(intensity) || fields.current().intensity),
     entry: way ? { [way]: shaking[way] } : null,
     scaled: intensity !== undefined || way !== undefined,
-    family: suite?.family ?? plain.family,
-    member: member ?? 1,
+    family: suite?.family ?? computed.family,
+    member: member ?? (record ? computed.member : 1),
     storeys: building?.storeys ?? 0,
     storey: storey ?? 1,
     structure: building?.structure ?? plain.structure,
