@@ -12,6 +12,7 @@ const MOTIONS = ["record", "component", "unit", "dt", "vertical", "sine", "built
 let presets = null,
   wanted = null, // the record that the server is being asked for
   reading = false, // the room goes into the fields, which is no change of the room
+  computedSuite = {}, // the suite of computed earthquakes, which comes again after a record
   whenLost = () => {};
 const waves = new Map(); // the records that links hold, {name, letters} by their ids
 
@@ -28,7 +29,8 @@ export function wire(known, lost) {
 /** Puts what the room says into the fields. */
 export function take() {
   const shaking = room.current().shaking ?? {},
-    { record } = shaking;
+    { record, suite } = shaking;
+  if (typeof suite === "object") computedSuite = suite;
   put({ ...told(room.current()), record: kept(record) });
   if (record && record !== fields.current().record?.id && record !== wanted) fetchRecord(shaking);
 }
@@ -139,7 +141,7 @@ function written(before, keys) {
     else delete surfaces.ceiling;
   }
   if (has(keys, "record", "family", "member")) {
-    const suite = { ...(typeof shaking.suite === "object" ? shaking.suite : {}), family: scene.family };
+    const suite = { ...computedSuite, family: scene.family };
     for (const key of MOTIONS) delete shaking[key];
     Object.assign(shaking, scene.record ? scene.record.shaking : { suite, member: scene.member });
     if (scene.record?.vertical) shaking.vertical = scene.record.vertical.id;
