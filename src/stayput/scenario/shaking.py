@@ -128,7 +128,7 @@ class ShakingTable(Table):
 
     record: Text | None = Field(default=None, description="A record's file, relative to the scenario's file.")
     component: Text | None = Field(
-        default=None, description="Which of the record's channels is along the shaking."
+        default=None, description="Which of the record's horizontal channels is along the shaking."
     )
     unit: Text | None = Field(
         default=None, description="The record's unit, where its file does not state it."
