@@ -24,7 +24,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "answerTitle": ("What happens in this room", "この部屋で起こること"),
     "rough": (
         "First, rough numbers from few runs ({runs}); the intervals are still wide.",
-        "少ない計算（{runs}回）による最初の目安です。確率の区間はまだ広めです。",
+        "少ない計算（{runs}回）による最初の目安です。確率にはまだ大きな幅があります。",
     ),
     "before": ("Waiting for the server: {n} before you.", "順番を待っています。前に{n}件あります。"),
     "roomBetter": ("More runs make the numbers surer …", "計算を続けて、数値を確かにしています…"),
@@ -37,6 +37,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "basisOfRoom": (
         "From {runs} runs of pieces under {motions} earthquakes; friction and weights were varied too. Seed {seed}, {seconds} s of computing.",
         "{motions}種類の地震による、家具の計算{runs}回の結果です。摩擦や重さも変えています。乱数のシードは{seed}、計算時間は{seconds}秒です。",
+    ),
+    "basisOfOneMotion": (
+        "From {runs} runs of pieces under this one motion; friction and weights were varied. Seed {seed}, {seconds} s of computing.",
+        "この1つの地震動による、家具の計算{runs}回の結果です。摩擦や重さを変えています。乱数のシードは{seed}、計算時間は{seconds}秒です。",
     ),
     "careOwn": ("{n} runs", "{n}回"),
     "chanceBetween": ("{share} ({low} to {high})", "{share}（{low}～{high}）"),
@@ -100,8 +104,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "変更を1つずつ計算しています…",
     ),
     "changesNote": (
-        "The bar is the chance that somebody is hit after the change, the thin line is how sure that is. Each change is tried alone, under the same earthquakes. One that was made can be undone in the plan.",
-        "棒は変更後に人に当たる確率、細い線はその確かさを表します。変更は1つずつ、同じ地震で試しています。行った変更は、間取り図で元に戻せます。",
+        "The bar is the chance that somebody is hit after the change, the thin line is how sure that is. Each change is tried alone, under the same shaking. One that was made can be undone in the plan.",
+        "棒は変更後に人に当たる確率、細い線はその確かさを表します。変更は1つずつ、同じ揺れで試しています。行った変更は、間取り図で元に戻せます。",
     ),
     "helps": ("clearly better", "明らかに良くなる"),
     "unclear": ("not clearly better", "はっきりした効果なし"),
@@ -164,8 +168,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "compare": ("Compare the two that are marked", "印を付けた2つを比べる"),
     "compareTitle": ("Two rooms compared", "2つの部屋の比較"),
     "compareNote": (
-        "Both under the same earthquakes, which are those of the first, and with the same random numbers.",
-        "どちらも同じ地震（1つ目の部屋の設定）と同じ乱数で計算しています。",
+        "Both under the same shaking, which is that of the first, and with the same random numbers.",
+        "どちらも同じ揺れ（1つ目の部屋の設定）と同じ乱数で計算しています。",
     ),
     "compareEnd": ("Close the comparison", "比較を閉じる"),
     "somebodyHit": ("Somebody is hit", "誰かに当たる"),

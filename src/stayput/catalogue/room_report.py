@@ -44,14 +44,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "places": ("Who is hit, and how often", "人に当たる確率"),
     "places_text": (
         (
-            "The chance that a piece touches whoever is there, with its 95 % interval, which covers other earthquakes "
-            "of this strength too. By day ({day:g} hours) and at night ({night:g} hours) it is multiplied by the share "
+            "The chance that a piece touches whoever is there, with its 95 % interval{covers}. By day ({day:g} hours) and at night ({night:g} hours) it is multiplied by the share "
             "of the time in which somebody is there."
         ),
         (
-            "そこにいる人に家具が触れる確率と95%区間です。区間は、同じ強さのほかの地震も考えたものです。昼（{day:g}時間）"
-            "と夜（{night:g}時間）の値は、これに人がいる時間の割合を掛けたものです。"
+            "そこにいる人に家具が触れる確率と95%区間です{covers}。昼（{day:g}時間）と夜（{night:g}時間）の値は、これに人がいる時間の割合を掛けたものです。"
         ),
+    ),
+    "covers": (
+        ", which covers other earthquakes of this strength too",
+        "（同じ強さのほかの地震も考えた区間です）",
     ),
     "place": ("Place", "場所"),
     "hit": ("Hit by any piece", "いずれかの家具が当たる"),

@@ -1,11 +1,11 @@
-// Two rooms side by side, under the same earthquakes and with the same random numbers; worked out one after the other.
+// Two rooms side by side, under the same shaking and with the same random numbers; worked out one after the other.
 
 import * as api from "../api.js";
 import { el, fill, part, svg } from "../dom.js";
 import { worded } from "../refusals.js";
-import { both, number, t } from "../words.js";
+import { both, t } from "../words.js";
 import { line } from "../verification.js";
-import { capital, chance } from "./amounts.js";
+import { basis, capital, chance } from "./amounts.js";
 import { kindName } from "./kinds.js";
 import { drawPlan } from "./plan.js";
 
@@ -87,14 +87,6 @@ function numbers(result) {
   return [
     el("p", { text: both(result.verdict) }),
     el("dl", {}, ...rows.flatMap(([name, share]) => [el("dt", { text: capital(name) }), el("dd", { text: chance(share) })])),
-    el("p", {
-      class: "hint",
-      text: t("basisOfRoom", {
-        motions: number(result.motions),
-        runs: number(result.runs),
-        seed: String(result.seed),
-        seconds: number(result.seconds, 1),
-      }),
-    }),
+    el("p", { class: "hint", text: basis(result) }),
   ];
 }

@@ -31,7 +31,7 @@ from stayput.rooms.step_words import (
 )
 from stayput.rooms.steps import COST_BOUNDS
 from stayput.rooms.verdict import FALLS
-from stayput.rooms.words import piece_name
+from stayput.rooms.words import motion_phrase, piece_name
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.words import class_phrase, share_text
 
@@ -159,7 +159,9 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
         now = joined(
             phrase(f"action_plan.chance_{key}", share=share_text(was)) for key, (_, was) in told.items()
         )
-        yield phrase("action_plan.now", strength=strength, chances=now)
+        only = motion_phrase(verdict)
+        key = "action_plan.now" if only is None else "action_plan.now_of_one"
+        yield phrase(key, strength=strength, motion=only or "", chances=now)
         then = joined(
             phrase(f"action_plan.chance_{key}", share=with_ends(chance)) for key, (chance, _) in told.items()
         )
@@ -318,7 +320,8 @@ def _notes(plan: ActionPlan) -> Iterator[Phrase]:
     yield phrase("action_plan.grades", meanings=grades)
     if any(step.fix is not None for step in plan.steps):
         yield from _notes_on_products(runs)
+    motions = motion_phrase(verdict) or phrase("action_plan.same_motions", count=verdict.motions)
     yield phrase(
-        "action_plan.runs", runs=runs, motions=verdict.motions, seed=verdict.seed, version=stayput.__version__
+        "action_plan.runs", runs=runs, motions=motions, seed=verdict.seed, version=stayput.__version__
     )
     yield phrase("action_plan.limits")

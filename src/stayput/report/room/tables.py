@@ -11,6 +11,7 @@ from stayput.rooms.words import (
     best_sentence,
     change_label,
     door_name,
+    motion_phrase,
     piece_name,
     place_name,
     sentence_of_room,
@@ -98,5 +99,7 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
 
 def simulations_of_room(verdict: RoomVerdict, language: str) -> str:
     """Return how many runs the verdict rests on."""
-    values = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "samples": verdict.samples}
-    return say("rooms.simulations", language, **values)
+    motions = motion_phrase(verdict) or phrase("rooms.motions", count=verdict.motions)
+    return say(
+        "rooms.simulations", language, runs=f"{verdict.runs:,}", motions=motions, samples=verdict.samples
+    )
