@@ -9,7 +9,7 @@ sides whose moment of inertia is the sum of its parts to the bit.
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 import pytest
@@ -94,6 +94,14 @@ def test_a_leaning_piece_leans_as_on_a_rigid_floor_and_tips_over_the_narrower_ba
     threshold = G * np.tan(np.arctan2(half, height) + lean)
     assert falls([sp.Piece(body)], "x", 0.98 * threshold) == [False]
     assert falls([sp.Piece(body)], "x", 1.02 * threshold) == [True]
+    for dimensions in (2, 3):  # and so by itself
+
+        def alone(a: float, dimensions: Literal[2, 3] = dimensions) -> bool:
+            run = sp.simulate(body, sp.Room(STICKING), pushed("x", a), dimensions=dimensions)
+            return bool(np.all(run.overturned))
+
+        assert not alone(0.98 * threshold)
+        assert alone(1.02 * threshold)
 
 
 def test_a_piece_on_another_stands_on_wood() -> None:
