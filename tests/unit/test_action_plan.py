@@ -25,9 +25,10 @@ from stayput.rooms.planning import purchases_of
 from stayput.rooms.step_words import changes_nothing, checks, too_weak, what_it_brings
 from stayput.rooms.steps import COST_CLASSES, SETS, Home
 from stayput.rooms.verify import question_of
+from stayput.rooms.words import piece_name
 from stayput.uncertainty import USUAL
 from stayput.verification.grades import inputs_in_room
-from stayput.verification.words import class_phrase
+from stayput.verification.words import class_phrase, share_text
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -171,6 +172,49 @@ def test_with_nothing_drilled_nothing_goes_into_the_wall():
     assert fixes(rented)
     assert not any(fix.drilled for fix in fixes(rented))
     assert all(step.instead is None for step in rented.steps)
+
+
+def test_a_piece_that_falls_where_nobody_is_has_a_step_too():
+    """Two bookcases far from the only bed: nothing reaches it, and both are to be held all the same."""
+    far = planned(
+        room(
+            plan={"width": 7.0, "length": 2.7},
+            furniture=[
+                {"name": "first", "preset": "bookcase", "against": "left_wall", "along": 1.9},
+                {"name": "second", "preset": "bookcase", "against": "left_wall", "along": 0.7},
+            ],
+            places=[{"kind": "bed", "at": [5.5, 1.9], "heading": math.pi / 2}],
+        )
+    )
+    fell = {piece.name: piece.probabilities["overturned"].estimate for piece in far.verdict.pieces}
+    assert far.verdict.hit.estimate == 0.0
+    assert min(fell.values()) > 0.5
+    assert {step.what for step in far.steps} == {"first", "second"}
+    assert not any(step.for_people for step in far.steps)
+    assert far.together is not None
+    assert max(one.estimate for one in far.together.overturned) < 0.3
+    for language, told in (("en", "overturns"), ("ja", "倒れ")):
+        sentence = far.verdict.sentence(language)
+        assert told in sentence
+        (worst, *_) = sorted(fell, key=lambda name: -fell[name])
+        assert worst in sentence
+        assert say("action_plan.only_falls", language) in plan_html(far, language)
+
+
+def test_what_still_falls_is_said(plan: sp.ActionPlan):
+    before = plan.verdict
+    nothing = replace(plan, steps=(), unsolved=("bookcase",))
+    chance = next(one for one in before.pieces if one.name == "bookcase").probabilities["overturned"]
+    told = phrase("action_plan.piece_falls", piece=piece_name("bookcase"), share=share_text(chance.estimate))
+    for number, language in enumerate(LANGUAGES):
+        assert told[number] in plan_html(nothing, language).replace("\xa0", " ")
+
+
+def test_no_wedge_is_bought_for_a_soft_floor():
+    for floor in ("carpet", "tatami, across the weave"):
+        soft = planned(room(room={"floor": floor, "ceiling": {"height": 2.4}}))
+        assert soft.steps
+        assert not any("wedge_stopper" in fix.kinds for fix in fixes(soft))
 
 
 def test_on_tatami_under_a_dropped_ceiling_there_is_neither_gel_nor_pole():

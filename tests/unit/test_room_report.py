@@ -113,7 +113,16 @@ def made(**changed):
         collisions={(HOSTILE, "vase"): chance[21]},
         changes=tuple(
             ChangeVerdict(
-                change, chance[n], difference(after, bare_runs), chance[5 + n], shut, 0.21 + 0.01 * n
+                chance[n],
+                difference(after, bare_runs),
+                chance[5 + n],
+                shut,
+                NEVER,
+                difference(some, some),
+                0.21 + 0.01 * n,
+                (chance[10 + n],) * len(scenario.names),
+                (difference(some, some),) * len(scenario.names),
+                change,
             )
             for n, (change, after, shut) in enumerate(
                 (
@@ -237,7 +246,11 @@ def test_each_bar_stands_with_its_number(page):
         *(one.shut_in for one in verdict.places),
         *(one.probabilities[event] for one in verdict.pieces for event in ("overturned", "slid")),
         *verdict.collisions.values(),
-        *(chance for one in changes for chance in (one.hit, one.shut_in)),
+        *(
+            chance
+            for one in changes
+            for chance in (one.hit, one.shut_in, *(verdict.piece_changed(one) or ())[:1])
+        ),
     ]
     shown = [numbers.share(one.estimate, language) for one in wanted]
     assert [share.replace("\u00a0", " ") for share in told] == shown

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from typer.testing import CliRunner
 import stayput as sp
 from stayput.catalogue import LANGUAGES
 from stayput.cli import app
+from stayput.fragility.paired import Difference
 from stayput.model.floor_plan import FACING
 from stayput.report.room.data import room_data
 from stayput.report.room.tables import simulations_of_room
@@ -140,13 +142,34 @@ def test_the_verdict_hangs_together(verdict: RoomVerdict):
 
 def test_changes_are_compared_run_by_run(verdict: RoomVerdict):
     assert verdict.changes
-    risks = [one.risk for one in verdict.changes]
-    assert risks == sorted(risks)
+    order = [(not one.helps, round(one.risk, 4)) for one in verdict.changes]
+    assert order == sorted(order)
     for one in verdict.changes:
         assert one.hit_change.estimate == pytest.approx(one.hit.estimate - verdict.hit.estimate)
         assert one.helps <= (one.risk < verdict.risk or one.shut_in.estimate < verdict.shut_in.estimate)
     kinds = {(one.change.what, one.change.measure is None) for one in verdict.changes}
     assert {("bookcase", False), ("bookcase", True), ("bed", True)} <= kinds
+
+
+def test_a_change_says_what_is_clearly_better_and_what_worse(verdict: RoomVerdict):
+
+    def differing(estimate: float, low: float, high: float) -> Difference:
+        return Difference(estimate, low, high, more=0, fewer=0, pairs=40, missing=0)
+
+    fewer, more, same = differing(-0.5, -0.7, -0.2), differing(0.5, 0.2, 0.7), differing(0.0, -0.1, 0.1)
+    change = replace(
+        verdict.changes[0],
+        hit_change=same,
+        shut_in_change=same,
+        blocked_change=same,
+        overturned_change=(same, fewer),
+    )
+    assert (change.better, change.worse, change.helps) == (("overturned",), (), True)
+    worse = replace(change, blocked_change=more)
+    assert (worse.better, worse.worse, worse.helps) == (("overturned",), ("blocked",), False)
+    freed = replace(change, shut_in_change=fewer, hit_change=differing(0.13, -0.05, 0.3))
+    assert freed.better == ("shut_in", "overturned")
+    assert not freed.helps  # more are hit, though not clearly
 
 
 def test_where_a_change_moves_something_it_is_as_if_it_stood_there(verdict: RoomVerdict):
@@ -264,7 +287,7 @@ def test_a_room_without_doors_and_places_can_be_verified():
     empty = sp.verify_room(changed(doors=[], places=[]), progress=False)
     assert empty.places == empty.doors == ()
     assert empty.hit.estimate == empty.risk == 0.0
-    assert empty.changes == ()
+    assert all("overturned" in one.better or not one.helps for one in empty.changes)
     for language in LANGUAGES:
         assert empty.sentence(language)
 

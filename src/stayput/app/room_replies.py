@@ -96,8 +96,13 @@ class RoomChangeReply(Reply):
     hit_change: ShareReply
     shut_in: ShareReply
     shut_in_change: ShareReply
+    overturned: ShareReply | None = Field(description="That the piece overturns with it; of a place, null.")
+    overturned_change: ShareReply | None
     risk: float | None
     helps: bool
+    better: list[str] = Field(description="What it clearly betters: hit, shut_in, blocked, overturned.")
+    worse: list[str]
+    tags: list[Words] = Field(description="The same in words; that nothing is clear, where nothing is.")
 
 
 class RoomVerdictReply(Reply):

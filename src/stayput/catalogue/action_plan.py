@@ -19,9 +19,29 @@ TEXTS: dict[str, tuple[str, str]] = {
     "chance_hit": ("{share} that somebody is hit", "人に家具が当たる確率は{share}"),
     "chance_shut_in": ("{share} that somebody is shut in", "外に出られなくなる確率は{share}"),
     "chance_blocked": ("{share} that a door is blocked", "ドアがふさがる確率は{share}"),
+    "piece_falls": ("{piece} {share}", "「{piece}」{share}"),
+    "falls_now": (
+        "Chance of overturning as the room is: {pieces}.",
+        "今の部屋のままだと倒れる家具と確率：{pieces}。",
+    ),
+    "falls_still": (
+        "Some may still overturn: {pieces}.",
+        "行ったあとも倒れることがある家具と確率：{pieces}。",
+    ),
+    "falls_no_more": (
+        "With that, the chance of overturning is below {share} for every piece.",
+        "すべて行うと、{share}以上の確率で倒れる家具はありません。",
+    ),
+    "only_falls": (
+        "with or without it, nobody is hit or shut in more often in these runs; but it falls less",
+        "計算した範囲では、人に当たる確率や外に出られなくなる確率は変わりませんが、倒れにくくなります",
+    ),
     "nothing": (
-        "In none of the runs did a piece hit anybody or block a door: nothing has to be bought.",
-        "どの計算でも、家具が人に当たることもドアをふさぐこともありませんでした。買う物はありません。",
+        "In the runs no piece hit anybody, blocked a door or overturned often: nothing has to be bought.",
+        (
+            "計算では、家具が人に当たることも、ドアをふさぐことも、何度も倒れることもありませんでした。"
+            "買う物はありません。"
+        ),
     ),
     "unsolved": (
         "Nothing that was tried helps with: {pieces}.",

@@ -140,13 +140,26 @@ TEXTS: dict[str, tuple[str, str]] = {
         "turn {place} by 90° and move it, its middle {x:.2f} m from the left wall and {y:.2f} m from the near wall",
         "{place}の向きを90°変え、中心が左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
     ),
+    "falls_too": ("{often} {piece} overturns{interval}", "{often}「{piece}」が倒れます{interval}"),
+    "falls_with_others": (
+        "{often} {piece} overturns{interval}, and others do too (pieces: {count})",
+        "{often}「{piece}」が倒れ{interval}、ほかにも倒れる家具があります（{count}個）",
+    ),
     "change_of_hit": (
         "{change}. The chance that somebody is hit {goes}",
         "{change}すると、人に当たる確率は{goes}",
     ),
-    "change_of_shut": (
+    "change_of_shut_in": (
         "{change}. The chance that somebody is shut in {goes}",
         "{change}すると、外に出られなくなる確率は{goes}",
+    ),
+    "change_of_blocked": (
+        "{change}. The chance that a door is blocked {goes}",
+        "{change}すると、ドアがふさがる確率は{goes}",
+    ),
+    "change_of_overturned": (
+        "{change}. The chance that it overturns {goes}",
+        "{change}すると、倒れる確率は{goes}",
     ),
     "falls": ("falls from {bare} to {held}", "{bare}から{held}に下がります"),
     "rises": ("rises from {bare} to {held}", "{bare}から{held}に上がります"),
@@ -185,6 +198,17 @@ TEXTS: dict[str, tuple[str, str]] = {
     "hit_then": ("hit then", "人に当たる確率"),
     "hit_less": ("difference", "差"),
     "shut_in_then": ("shut in then", "外に出られない確率"),
+    "overturned_then": ("the piece overturns then", "その家具が倒れる確率"),
+    # What a change is clearly better or worse in
+    "fewer_hit": ("clearly fewer hit", "人に当たりにくくなる"),
+    "more_hit": ("clearly more hit", "人に当たりやすくなる"),
+    "fewer_shut_in": ("way out clearly free more often", "外に出やすくなる"),
+    "more_shut_in": ("way out clearly free less often", "外に出にくくなる"),
+    "fewer_blocked": ("doors clearly free more often", "ドアがふさがりにくくなる"),
+    "more_blocked": ("doors clearly blocked more often", "ドアがふさがりやすくなる"),
+    "fewer_overturned": ("clearly overturns less", "倒れにくくなる"),
+    "more_overturned": ("clearly overturns more", "倒れやすくなる"),
+    "nothing_clear": ("may be chance", "はっきりした差なし"),
     "simulations": (
         "{runs} runs of pieces: {motions} × {samples} Monte Carlo samples, as the room is and for each change.",
         "家具の計算{runs}回：{motions} × 不確かさの標本{samples}組を、現状と各変更について計算しました。",

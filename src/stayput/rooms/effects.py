@@ -22,7 +22,7 @@ from stayput.rooms.changes import (
 )
 from stayput.rooms.events import EndOfRuns, Events, Hits, collisions, events_of, hits_of
 from stayput.rooms.runs import placed_elsewhere, run_parts
-from stayput.rooms.verdict import ChangeVerdict, RoomEffect, presence
+from stayput.rooms.verdict import FALLS, ChangeVerdict, RoomEffect, presence
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
@@ -197,10 +197,10 @@ class Move(NamedTuple):
 
 
 def in_order(changes: Iterable[ChangeVerdict]) -> tuple[ChangeVerdict, ...]:
-    """Return changes, the best first."""
+    """Return changes, the best first: those that help, and then the others."""
 
-    def key(one: ChangeVerdict) -> tuple[float, float, int]:
-        return round(one.risk, 4), one.shut_in.estimate, one.change.effort
+    def key(one: ChangeVerdict) -> tuple[float, ...]:
+        return not one.helps, round(one.risk, 4), one.shut_in.estimate, one.fallen, one.change.effort
 
     return tuple(sorted(changes, key=key))
 
@@ -208,18 +208,23 @@ def in_order(changes: Iterable[ChangeVerdict]) -> tuple[ChangeVerdict, ...]:
 def changes_of(
     question: Question, parts: Sequence[RoomPart], as_it_is: Answer, ends: EndOfRuns
 ) -> Iterator[ChangeVerdict]:
-    """Yield what single changes bring: another place first, then measures on the pieces that do most harm."""
+    """Yield what single changes bring: another place first, then measures on the pieces that do most harm.
+
+    After them come measures on those that overturn without doing harm where they stand.
+    """
     scenario, plan, whole = question.scenario, question.plan, question.whole
     harmful = harmful_pieces(as_it_is, plan, ends)
     for move in moves_of(question, parts, as_it_is, ends, harmful):
         question.advance(0)
         yield compared(move, as_it_is, ends)
 
-    def harm(body: int) -> float:
-        return risk_of(hits_by(as_it_is.events, only=body), plan.places, as_it_is.missing)
+    def harm(body: int) -> tuple[float, ...]:
+        risk = risk_of(hits_by(as_it_is.events, only=body), plan.places, as_it_is.missing)
+        return body in harmful, risk, chances[body]
 
     part_of = {body: part for part in parts for body in part.bodies}
-    for body in sorted(harmful, key=harm, reverse=True):
+    chances = [one.probability_of_overturning().estimate for one in as_it_is.outcomes]
+    for body in sorted(harmful | falling_pieces(as_it_is), key=harm, reverse=True):
         for change, held in measures_tried(scenario, whole, part_of[body].bodies, body):
             (runs,) = question.run([held])
             yield compared(Move(change, plan, tracks_of_part(held, runs), runs.missing), as_it_is, ends)
@@ -274,6 +279,12 @@ def harmful_pieces(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[in
         if less or (blocked and not others):
             found.add(body)
     return found
+
+
+def falling_pieces(as_it_is: Answer) -> set[int]:
+    """Return the pieces that overturn so often that they are to be held, wherever they fall."""
+    chances = [one.probability_of_overturning().estimate for one in as_it_is.outcomes]
+    return {body for body, chance in enumerate(chances) if chance >= FALLS}
 
 
 def events_with(
@@ -334,20 +345,28 @@ def effect_of(
         flags = anybody(own, shape)
         return probability(flags, missing), difference(flags, anybody(without, shape), missing)
 
+    fell = [
+        chance(_overturned(instead.get(body, own)), _overturned(own))
+        for body, own in enumerate(as_it_is.tracks)
+    ]
     return RoomEffect(
         *chance(after, hits_by(before)),
         *chance(events.shut_in, before.shut_in),
         *chance(events.blocked, before.blocked),
         risk_of(after, plan.places, missing),
+        tuple(now for now, _ in fell),
+        tuple(change for _, change in fell),
     )
+
+
+def _overturned(tracks: Sequence[Track]) -> NDArray[np.bool_]:
+    """Return in which runs a piece overturned, shape (1, runs)."""
+    return np.array([[track.overturned for track in tracks]])
 
 
 def compared(move: Move, as_it_is: Answer, ends: EndOfRuns) -> ChangeVerdict:
     """Return what a change brings, beside the room as it is."""
-    effect = effect_of(move.plan, move.instead, move.missing, as_it_is, ends)
-    return ChangeVerdict(
-        move.change, effect.hit, effect.hit_change, effect.shut_in, effect.shut_in_change, effect.risk
-    )
+    return ChangeVerdict.of(move.change, effect_of(move.plan, move.instead, move.missing, as_it_is, ends))
 
 
 def _best_at_wall(

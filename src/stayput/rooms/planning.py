@@ -1,8 +1,9 @@
 """`action_plan`: which moves and measures help most in a room, how strong they must be, and in which order.
 
-One thing at most is moved, what brings most. On each piece that does harm comes the set of measures that
-helps most by itself; a device on a wall comes in such a number that what it is screwed to bears it, as far as
-the studs behind the piece allow. All runs are under the same earthquakes and draws as the room as it is.
+One thing at most is moved, what brings most. On each piece that does harm, or overturns often wherever it
+falls, comes the set of measures that helps most by itself; a device on a wall comes in such a number that
+what it is screwed to bears it, as far as the studs behind the piece allow. All runs are under the same
+earthquakes and draws as the room as it is.
 """
 
 from __future__ import annotations
@@ -16,11 +17,20 @@ import numpy as np
 
 from stayput.errors import InputError, instance_of
 from stayput.measures import MEASURES
+from stayput.measures.floor import SOFT
 from stayput.measures.wall import WallDevice
+from stayput.measures.wedge import WedgeStopper
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import bar
 from stayput.rooms.changes import can_be_held
-from stayput.rooms.effects import effect_of, harmful_pieces, moves_of, risk_of, tracks_of_part
+from stayput.rooms.effects import (
+    effect_of,
+    falling_pieces,
+    harmful_pieces,
+    moves_of,
+    risk_of,
+    tracks_of_part,
+)
 from stayput.rooms.events import hits_of
 from stayput.rooms.forces import MARGIN, Purchase, more_than, quantile_of, strengths_of, unbreakable
 from stayput.rooms.runs import part_with, with_member
@@ -156,6 +166,7 @@ class _Planner:
         hits = state.as_it_is.events.hits
         struck = {body for own in hits for body, one in enumerate(own) if one.happened.any()}
         self.harmful = struck | harmful_pieces(state.as_it_is, question.plan, state.ends)
+        self.falling = falling_pieces(state.as_it_is)
         self._known: dict[tuple[int, PersonPlace], tuple[Sequence[Track], Hits]] = {}
 
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
@@ -166,11 +177,11 @@ class _Planner:
         moved = None if best is None else best[0].change.what
         whole = self.question.whole if best is None else self._after(best[0])
         unsolved: list[str] = []
-        for body in sorted(self.harmful):
+        for body in sorted(self.harmful | self.falling):
             fixing = self._fixing(body, whole)
             if fixing is not None:
                 chosen.append(fixing)
-            elif moved != names[body]:
+            elif moved != names[body] or body in self.falling:
                 unsolved.append(names[body])
         return tuple(self._in_order(chosen)), tuple(unsolved)
 
@@ -187,7 +198,12 @@ class _Planner:
             if without <= reached:
                 needed, reached = others, without
         for number, one in enumerate(needed, start=1):
-            yield replace(one.step, together=self._together(needed[:number]))
+            others = [other for other in needed if other is not one]
+            yield replace(
+                one.step,
+                together=self._together(needed[:number]),
+                for_people=_for_people(self._together(others)) > _for_people(self._together(needed)),
+            )
 
     def _by_gain(self, chosen: list[_Chosen]) -> list[_Chosen]:
         done: list[_Chosen] = []
@@ -263,7 +279,8 @@ class _Planner:
         tried = [
             one
             for one in self._tried(body)
-            if (one.own < bare or _frees(one.effect)) and self._held(body, one.measures, whole) is not None
+            if (one.own < bare or _frees(one.effect) or self._steadies(one, body))
+            and self._held(body, one.measures, whole) is not None
         ]
         if not tried:
             return None
@@ -287,12 +304,20 @@ class _Planner:
         )
         return _Chosen(step, None, here, there)
 
+    def _steadies(self, tried: _Tried, body: int) -> bool:
+        """Return whether a piece that overturns often does so less with measures, clearly or not."""
+        less = self._overturned(body).estimate - tried.overturns.estimate
+        return body in self.falling and less > ALIKE
+
     def _tried(self, body: int) -> list[_Tried]:
         """Run every set of measures that may be put on a piece."""
         parts: list[tuple[tuple[Measure, ...], RoomPart]] = []
+        soft = self.question.scenario.surroundings().floor.surface in SOFT
         for kinds in SETS:
             measures = tuple(MEASURES[kind]() for kind in kinds)
             if self.home.no_drilling and any(one.drilled for one in measures):
+                continue
+            if soft and any(isinstance(one, WedgeStopper) for one in measures):  # it sinks in
                 continue
             part = self._held(body, measures, self.question.whole)
             if part is not None:
@@ -405,7 +430,12 @@ def _overturns(runs: PartRuns, place: int) -> Probability:
 
 
 def _order(effect: RoomEffect) -> tuple[float, ...]:
-    """Return the sort key of what something brings, the best first."""
+    """Return the sort key of what something brings, the best first: for people, and then what overturns."""
+    return (*_for_people(effect), round(effect.fallen / ALIKE))
+
+
+def _for_people(effect: RoomEffect) -> tuple[float, ...]:
+    """Return how much happens to people, who is hit before who is shut in."""
     return (
         round(effect.risk / ALIKE),
         round(effect.shut_in.estimate / ALIKE),

@@ -16,7 +16,7 @@ import numpy as np
 from stayput.execution import Call, ThreadExecutor
 from stayput.measures import element_rows, hold
 from stayput.measures.bracket import REACH
-from stayput.mechanics.columns import FAILED_OUTCOME, H_TILT, H_X, H_Z, RESULT
+from stayput.mechanics.columns import FAILED_OUTCOME, H_TILT, H_X, H_Z, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.mechanics.runner import shaking as shaking_in_plane
 from stayput.model.room import SIDE_WALLS, WALLS_AROUND
@@ -202,7 +202,9 @@ def run_parts(
         runs.results[motion, sample] = results
         runs.device_failed[motion, sample] = (devices["failure"] != HOLDS).any()
         row = motion * samples + sample
-        runs.tracks[row], runs.peaks[row] = tracks, peaks
+        fell = (results["outcome"] == OVERTURNED_OUTCOME).tolist()
+        runs.tracks[row] = [replace(track, overturned=own) for track, own in zip(tracks, fell, strict=True)]
+        runs.peaks[row] = peaks
 
     each = [(n, m, s) for m in range(motions) for s in range(samples) for n in range(len(parts))]
     with ThreadExecutor(threads) as executor:

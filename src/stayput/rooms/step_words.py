@@ -10,6 +10,7 @@ from stayput.measures import Belt, GelMats, TensionPole, WedgeStopper
 from stayput.measures.fixing import SCREW_IN_STUD
 from stayput.measures.wall import WallDevice
 from stayput.rooms.steps import STUD_PITCH
+from stayput.rooms.verdict import FALLS
 from stayput.rooms.words import interval_text, label_of, piece_name
 from stayput.simulation.placing import placed
 from stayput.simulation.standing import Piece
@@ -180,6 +181,21 @@ def chances_after(effect: RoomEffect) -> dict[str, tuple[Probability, float]]:
     }
 
 
+def falls(plan: ActionPlan, then: RoomEffect | None) -> Phrase | None:
+    """Return which pieces overturn often, as the room is or with something; None where none does."""
+    names = plan.verdict.scenario.names
+    by_name = {piece.name: piece.probabilities["overturned"] for piece in plan.verdict.pieces}
+    chances = [by_name[name] for name in names] if then is None else then.overturned
+    often = [(chance, name) for name, chance in zip(names, chances, strict=True) if chance.estimate >= FALLS]
+    often.sort(key=lambda pair: -pair[0].estimate)
+    if not often:
+        return None
+    return joined(
+        phrase("action_plan.piece_falls", piece=piece_name(name), share=share_text(chance.estimate))
+        for chance, name in often
+    )
+
+
 def effects(effect: RoomEffect, plan: ActionPlan, before: RoomEffect | None = None) -> Phrase:
     """Return what changes of who is hit, who is shut in, and which door is blocked.
 
@@ -217,8 +233,12 @@ def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
     """Yield what the step of a number, from 1 on, brings alone, and after the steps before it.
 
     A step without which the others bring less may change nothing alone: then it is said with which it does.
+    One that only keeps a piece from overturning changes nothing for people.
     """
     step = plan.steps[number - 1]
+    if not step.for_people:
+        yield phrase("action_plan.only_falls")
+        return
     if len(plan.steps) == 1:
         key = "only" if step.alone.helps else "only_unclear"
         yield phrase(f"action_plan.{key}", chance=effects(step.alone, plan))

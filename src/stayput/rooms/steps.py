@@ -159,6 +159,9 @@ class PlanStep:
         What may be done without drilling, where the fix needs holes.
     inputs : tuple of Input
         The inputs that decide its numbers, and how well each is founded.
+    for_people : bool
+        Whether without it, and with all other steps, somebody is hit or shut in more often, or a door is
+        blocked; else it only keeps a piece from overturning.
     """
 
     what: str
@@ -169,6 +172,7 @@ class PlanStep:
     overturned: Probability | None
     instead: Fix | None
     inputs: tuple[Input, ...]
+    for_people: bool = True
 
     @property
     def grade(self) -> Grade:
@@ -199,7 +203,7 @@ class ActionPlan:
     steps : tuple of PlanStep
         What to do, in order of importance.
     unsolved : tuple of str
-        Pieces that do harm and on which nothing that may be done helps.
+        Pieces that do harm or overturn often, and on which nothing that may be done helps.
     """
 
     verdict: RoomVerdict

@@ -93,6 +93,8 @@ class Track:
         Kinetic energy [J].
     dt : float
         Time between samples [s].
+    overturned : bool
+        Whether it overturned.
     """
 
     shape: ConvexShape
@@ -101,6 +103,7 @@ class Track:
     turn: NDArray[np.float64]
     energy: NDArray[np.float64]
     dt: float
+    overturned: bool = False
 
     @property
     def stays(self) -> bool:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
     from pathlib import Path
 
     import numpy as np
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
 DAY_HOURS = 16.0
 """Hours of the day, those of the night being the rest of 24."""
+
+FALLS = 0.05
+"""Chance of overturning from which on a piece is to be held, even where it hits nobody and blocks no way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,6 +134,11 @@ class RoomPiece:
     risk: float
 
     @property
+    def falls(self) -> bool:
+        """Whether it overturns so often that it is to be held, even where it hits nobody."""
+        return self.probabilities["overturned"].estimate >= FALLS
+
+    @property
     def covers(self) -> NDArray[np.float64]:
         """Share of the runs in which it ends on each cell of the floor, shape (nx, ny)."""
         return self.fell + self.stood
@@ -148,6 +156,10 @@ class RoomEffect:
         Those less the same as the room is.
     risk : float
         Chance that a person is hit, weighted by how long somebody is at each place.
+    overturned : tuple of Probability
+        That each piece overturns, in the order of the file.
+    overturned_change : tuple of Difference
+        Those less the same as the room is.
     """
 
     hit: Probability
@@ -157,46 +169,53 @@ class RoomEffect:
     blocked: Probability
     blocked_change: Difference
     risk: float
+    overturned: tuple[Probability, ...]
+    overturned_change: tuple[Difference, ...]
+
+    @property
+    def better(self) -> tuple[str, ...]:
+        """What happens clearly less often: some of "hit", "shut_in", "blocked" and "overturned"."""
+        return tuple(dict.fromkeys(name for name, one in self._changes() if one.clear and one.estimate < 0.0))
+
+    @property
+    def worse(self) -> tuple[str, ...]:
+        """What happens clearly more often."""
+        return tuple(dict.fromkeys(name for name, one in self._changes() if one.clear and one.estimate > 0.0))
 
     @property
     def helps(self) -> bool:
-        """Whether it is clearly for the better, and nothing clearly for the worse."""
-        clear = [one for one in (self.hit_change, self.shut_in_change, self.blocked_change) if one.clear]
-        return bool(clear) and all(one.estimate < 0.0 for one in clear)
+        """Whether something is clearly for the better, nothing clearly for the worse, and no more are hit."""
+        return bool(self.better) and not self.worse and self.hit_change.estimate <= 0.0
+
+    @property
+    def fallen(self) -> float:
+        """How many pieces overturn, on average."""
+        return sum(one.estimate for one in self.overturned)
+
+    def _changes(self) -> Iterator[tuple[str, Difference]]:
+        yield "hit", self.hit_change
+        yield "shut_in", self.shut_in_change
+        yield "blocked", self.blocked_change
+        for one in self.overturned_change:
+            yield "overturned", one
 
 
 @dataclass(frozen=True, slots=True)
-class ChangeVerdict:
+class ChangeVerdict(RoomEffect):
     """What a single change of the room brings.
 
     Parameters
     ----------
     change : Change
         The change.
-    hit : Probability
-        That anybody who is there is hit, with it.
-    hit_change : Difference
-        That less the same as the room is.
-    shut_in : Probability
-        That anybody is shut in, with it.
-    shut_in_change : Difference
-        That less the same as the room is.
-    risk : float
-        Chance that a person is hit, weighted by how long somebody is at each place, with it.
     """
 
     change: Change
-    hit: Probability
-    hit_change: Difference
-    shut_in: Probability
-    shut_in_change: Difference
-    risk: float
 
-    @property
-    def helps(self) -> bool:
-        """Whether it is clearly for the better, and nothing clearly for the worse."""
-        better = [one for one in (self.hit_change, self.shut_in_change) if one.clear]
-        return bool(better) and all(one.estimate < 0.0 for one in better)
+    @classmethod
+    def of(cls, change: Change, effect: RoomEffect) -> ChangeVerdict:
+        """Return what a change brings."""
+        return cls(**{field.name: getattr(effect, field.name) for field in fields(effect)}, change=change)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -262,6 +281,14 @@ class RoomVerdict:
     def best(self) -> ChangeVerdict | None:
         """The best single change, or None where none makes anything better."""
         return next((one for one in self.changes if one.helps), None)
+
+    def piece_changed(self, change: ChangeVerdict) -> tuple[Probability, Difference] | None:
+        """Return how often the piece of a change overturns with it, and the difference; None of a place."""
+        names = self.scenario.names
+        if change.change.what not in names:
+            return None
+        number = names.index(change.change.what)
+        return change.overturned[number], change.overturned_change[number]
 
     def sentence(self, language: str = "en") -> str:
         """Return the verdict in one sentence, in "en" or "ja"."""

@@ -109,7 +109,7 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
         (english, japanese), (first, second) = next(names), interval_text(chance)
         return phrase("common.aside", content=(english + first, japanese + second))
 
-    def happens(key: str, chance: Probability, **values: Phrase) -> Phrase:
+    def happens(key: str, chance: Probability, **values: Phrase | int) -> Phrase:
         return phrase(key, often=often(chance.estimate, next(cases)), interval=ends_of(chance), **values)
 
     worst = sorted(verdict.places, key=lambda one: -one.hit.estimate)
@@ -123,6 +123,17 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
         first = place.by[0]
         values = {"piece": piece_within(first.piece), "place": _where_somebody_is(place.place)}
         yield happens("rooms.hits", first.probability, **values)
+    named = {place.by[0].piece for place in told}
+    falling = [piece for piece in verdict.pieces if piece.falls and piece.name not in named]
+    falling.sort(key=lambda piece: -piece.probabilities["overturned"].estimate)
+    if falling:
+        first, *others = falling
+        yield happens(
+            "rooms.falls_with_others" if others else "rooms.falls_too",
+            first.probabilities["overturned"],
+            piece=piece_within(first.name),
+            count=len(others),
+        )
     for door in verdict.doors:
         if door.blocked.estimate >= TOLD:
             yield happens("rooms.blocked", door.blocked, door=_door_within(door.door))
@@ -173,12 +184,25 @@ def change_sentence(result: ChangeVerdict, verdict: RoomVerdict, language: str) 
 
 
 def _effect(result: ChangeVerdict, verdict: RoomVerdict) -> Phrase:
-    key, held, bare = "rooms.change_of_hit", result.hit.estimate, verdict.hit.estimate
-    if not result.hit_change.clear and result.shut_in_change.clear:
-        key, held, bare = "rooms.change_of_shut", result.shut_in.estimate, verdict.shut_in.estimate
+    what = next(iter(result.better), "hit")
+    (chance, change), own = (result.hit, result.hit_change), verdict.piece_changed(result)
+    if what == "shut_in":
+        chance, change = result.shut_in, result.shut_in_change
+    elif what == "blocked":
+        chance, change = result.blocked, result.blocked_change
+    elif what == "overturned" and own is not None:
+        chance, change = own
+    held, bare = chance.estimate, chance.estimate - change.estimate
     goes = "stays" if share_text(held) == share_text(bare) else "falls" if held < bare else "rises"
     told = phrase(f"rooms.{goes}", bare=share_text(bare), held=share_text(held))
-    return phrase(key, change=label_of(result.change, verdict), goes=told)
+    return phrase(f"rooms.change_of_{what}", change=label_of(result.change, verdict), goes=told)
+
+
+def tags(result: ChangeVerdict) -> list[Phrase]:
+    """Return what a change is clearly better in, and what worse; that nothing is clear, where nothing is."""
+    found = [phrase(f"rooms.fewer_{name}") for name in result.better]
+    found += [phrase(f"rooms.more_{name}") for name in result.worse]
+    return found or [phrase("rooms.nothing_clear")]
 
 
 def best_sentence(verdict: RoomVerdict, language: str) -> str:

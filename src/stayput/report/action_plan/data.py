@@ -52,6 +52,7 @@ def _step(step: PlanStep, plan: ActionPlan) -> dict[str, Any]:
         "overturned": None if step.overturned is None else chance_data(step.overturned),
         "alone": _effect(step.alone),
         "together": _effect(step.together),
+        "for_people": step.for_people,
         "cost_class": step.cost_class,
         "grade": step.grade.value,
         "weakest": [list(one.label) for one in step.weakest],
@@ -90,4 +91,6 @@ def _effect(effect: RoomEffect) -> dict[str, Any]:
         "blocked": chance_data(effect.blocked),
         "blocked_change": chance_data(effect.blocked_change),
         "risk": number(effect.risk),
+        "overturned": [chance_data(one) for one in effect.overturned],
+        "overturned_change": [chance_data(one) for one in effect.overturned_change],
     }

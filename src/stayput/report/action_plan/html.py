@@ -20,6 +20,7 @@ from stayput.rooms.step_words import (
     changes_nothing,
     checks,
     effects,
+    falls,
     heading,
     joined,
     to_buy,
@@ -29,6 +30,7 @@ from stayput.rooms.step_words import (
     with_ends,
 )
 from stayput.rooms.steps import COST_BOUNDS
+from stayput.rooms.verdict import FALLS
 from stayput.rooms.words import motion_phrase, piece_name
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.words import class_phrase, share_text
@@ -156,7 +158,7 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     verdict, together = plan.verdict, plan.together
     strength = class_phrase(verdict.intensity)
     if together is None:
-        if not plan.unsolved:
+        if falls(plan, None) is None and not plan.unsolved:
             yield phrase("action_plan.nothing")
     else:
         told = {
@@ -175,6 +177,13 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
         )
         key = "action_plan.then_one" if len(plan.steps) == 1 else "action_plan.then"
         yield phrase(key, last=len(plan.steps), chances=then)
+    before, after = falls(plan, None), falls(plan, together)
+    if before is not None:
+        yield phrase("action_plan.falls_now", pieces=before)
+    if together is not None and after is not None:
+        yield phrase("action_plan.falls_still", pieces=after)
+    elif together is not None and before is not None:
+        yield phrase("action_plan.falls_no_more", share=share_text(FALLS))
     if plan.unsolved:
         pieces = joined(piece_name(name) for name in plan.unsolved)
         yield phrase("action_plan.unsolved", pieces=pieces)

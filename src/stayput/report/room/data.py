@@ -8,12 +8,13 @@ import json
 from typing import TYPE_CHECKING, Any
 
 import stayput
+from stayput.catalogue import LANGUAGES
 from stayput.motion.intensity import intensity_class
 from stayput.report.several.data import in_both
 from stayput.report.summary import number
 from stayput.report.verdict.data import quantiles_data, strength_data
 from stayput.rooms.ways import CELL
-from stayput.rooms.words import best_sentence, change_label, change_sentence, sentence_of_room
+from stayput.rooms.words import best_sentence, change_label, change_sentence, sentence_of_room, tags
 from stayput.spreadsheets import text_cell
 
 if TYPE_CHECKING:
@@ -91,7 +92,7 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
 
 
 def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
-    change = result.change
+    change, own = result.change, verdict.piece_changed(result)
     return {
         "what": change.what,
         "label": in_both(lambda language: change_label(change, verdict, language)),
@@ -103,8 +104,13 @@ def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
         "hit_change": chance_data(result.hit_change),
         "shut_in": chance_data(result.shut_in),
         "shut_in_change": chance_data(result.shut_in_change),
+        "overturned": None if own is None else chance_data(own[0]),
+        "overturned_change": None if own is None else chance_data(own[1]),
         "risk": number(result.risk),
         "helps": result.helps,
+        "better": list(result.better),
+        "worse": list(result.worse),
+        "tags": [dict(zip(LANGUAGES, tag, strict=True)) for tag in tags(result)],
     }
 
 

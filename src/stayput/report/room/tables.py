@@ -77,6 +77,7 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
             numbers.with_interval(one.hit, language),
             numbers.change(one.hit_change, language),
             numbers.with_interval(one.shut_in, language),
+            "" if (own := verdict.piece_changed(one)) is None else numbers.with_interval(own[0], language),
         )
         for one in verdict.changes
     ]
@@ -92,7 +93,7 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
             tuple((say(label, language), numbers.with_interval(chance, language)) for label, chance in ways),
             *(texts("blocked_at_rest") if stuck else ()),
         ),
-        TextTable(texts("change", "hit_then", "hit_less", "shut_in_then"), tuple(changes)),
+        TextTable(texts("change", "hit_then", "hit_less", "shut_in_then", "overturned_then"), tuple(changes)),
     )
 
 
