@@ -49,12 +49,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "rough": (
         (
-            "Steps marked C rest on assumed values: trust their order more than their chances. Before you buy, measure "
-            "what is least well known (it is listed below), enter it in the room, and make this plan again."
+            "Steps marked C rest on assumed values: trust their order more than their chances. Before you buy, measure or "
+            "look up what decides them ({inputs}), enter it in the room, and make this plan again."
         ),
         (
-            "Cの印がある項目は、仮定した値に基づきます。確率の値よりも、順位のほうが確かです。買う前に、下に挙げた"
-            "「最も不確かな入力」を測って部屋に入れ、作り直してください。"
+            "Cの印がある項目は、仮定した値に基づきます。確率の値よりも、順位のほうが確かです。買う前に、次の値を"
+            "測るか調べて部屋に入力し、作り直してください：{inputs}。"
         ),
     ),
     "home": ("Conditions: {conditions}.", "条件：{conditions}。"),

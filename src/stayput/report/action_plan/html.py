@@ -133,7 +133,7 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
         **framed(language, "action_plan", f"{title} – {named}" if named else title, SHEETS),
         "name": named,
         "sentences": [say(told, language) for told in _sentences(plan)],
-        "rough": any(step.grade == max(MEANINGS) for step in plan.steps),
+        "rough": say(_rough(plan), language) if any(map(_is_rough, plan.steps)) else "",
         "plan": drawing,
         "scale": say("action_plan.scale", language, plan=scale, elevation=_elevation_scale(plan)),
         "rows": [_row(number, step, plan, language) for number, step in enumerate(plan.steps, 1)],
@@ -141,6 +141,16 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
         "weakest": listed_once(plan, lambda step: [joined(one.label for one in step.weakest)], language),
         "notes": [say(note, language) for note in _notes(plan)],
     }
+
+
+def _is_rough(step: PlanStep) -> bool:
+    return step.grade == max(MEANINGS)
+
+
+def _rough(plan: ActionPlan) -> Phrase:
+    """Return that some steps rest on assumed values, and which these are, each once."""
+    labels = (one.label for step in plan.steps if _is_rough(step) for one in step.weakest)
+    return phrase("action_plan.rough", inputs=joined(dict.fromkeys(labels)))
 
 
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
