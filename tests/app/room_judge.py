@@ -5,9 +5,13 @@ from __future__ import annotations
 import base64
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any, cast
 
 from browsing import opened
+
+from stayput.rooms.verdict import ChangeVerdict
+from stayput.rooms.words import tags
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -54,7 +58,7 @@ def piece(name: str, overturned: float, risk: float) -> dict[str, Any]:
 
 def change(what: str, hit: float, **more: Any) -> dict[str, Any]:
     english, japanese = more.pop("label", (f"{what} moved", f"「{what}」を移動"))
-    return {
+    told = {
         "what": what,
         "table": "furniture",
         "label": words(english, japanese),
@@ -70,9 +74,15 @@ def change(what: str, hit: float, **more: Any) -> dict[str, Any]:
         "shut_in": chance(0.1),
         "shut_in_change": chance(0.0),
         "risk": hit,
+        "overturned": chance(hit) if more.get("table", "furniture") == "furniture" else None,
+        "overturned_change": chance(hit - 0.8) if more.get("table", "furniture") == "furniture" else None,
         "helps": hit < 0.7,
+        "better": ["hit"] if hit < 0.7 else [],
+        "worse": [],
         **more,
     }
+    clear = cast("ChangeVerdict", SimpleNamespace(better=told["better"], worse=told["worse"]))
+    return {**told, "tags": [words(*tag) for tag in tags(clear)]}
 
 
 def made() -> dict[str, Any]:
@@ -125,6 +135,7 @@ def made() -> dict[str, Any]:
             change("bookcase", 0.4, **belt),
             change("bed", 0.75, table="places", at_m=(1.6, 1.26), heading_rad=0.0),
         ],
+        "typical": {"member": 5, "direction_rad": 1.5},
     }
 
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     import httpx
     from playwright.sync_api import Browser
+    from serving import Running
 
 __all__ = ["browser"]
 
@@ -57,6 +58,26 @@ def pages(opened: Browser, file: Path) -> int:
     paper = page.pdf(prefer_css_page_size=True, print_background=True)
     page.close()
     return len(re.findall(rb"/Type\s*/Page\b", paper))
+
+
+def test_the_card_is_printed_by_a_button_and_leads_back_to_the_room(
+    browser: Browser, server: Running, client: httpx.Client
+) -> None:
+    job = ended(client, client.post("/api/v1/room", json={"scene": ROOM, "changes": False}).json())
+    page = browser.new_page()
+    wrong = list[str]()
+    page.on("console", lambda one: wrong.append(one.text) if one.type == "error" else None)
+    page.add_init_script("window.print = () => { document.title = 'printed'; }")
+    page.goto(f"{server.address}/api/v1/jobs/{job['id']}/plan#room=abc")
+    page.get_by_role("button", name="Print").click()
+    assert page.title() == "printed"
+    back = page.get_by_role("link", name="Back to the room")
+    assert back.evaluate("one => one.href") == f"{server.address}/room/#room=abc"
+    page.emulate_media(media="print")
+    assert not back.is_visible()
+    assert not page.locator("#print").is_visible()
+    page.close()
+    assert wrong == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

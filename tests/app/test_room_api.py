@@ -11,7 +11,7 @@ import pytest
 from serving import client_of, running
 
 import stayput as sp
-from stayput.app import room_api
+from stayput.app import jobs, memory, room_api
 from stayput.app.presets import ROOM_SCENE
 from stayput.report.room.data import room_data
 from waiting import wait_until
@@ -63,6 +63,34 @@ def test_a_verdict_is_that_of_the_library(room_client: httpx.Client) -> None:
     assert table.content.decode() == verdict.to_csv()
     everyday = room_client.put(f"/api/v1/jobs/{job['id']}/everyday", json={"scene": {}})
     assert everyday.status_code == 409
+
+
+def test_the_run_that_is_proposed_is_one_of_what_happens_most(room_client: httpx.Client) -> None:
+    job = ended(room_client, room_client.post("/api/v1/room", json={"scene": ROOM, "changes": False}).json())
+    result = job["result"]
+    assert result["hit"]["estimate"] > 0.5
+    run = result["typical"]
+    assert run["member"] in (1, 2)
+    scene = {
+        **ROOM,
+        "direction": run["direction_rad"],
+        "shaking": {**ROOM["shaking"], "member": run["member"]},
+    }
+    shown = room_client.post("/api/v1/simulate", json={"scene": scene, "measures": []}).json()["in_room"]
+    assert shown["hits"] == [{"piece": "bookcase", "place": "bed"}]
+    calm = {**scene, "shaking": {**scene["shaking"], "intensity": 3.0}}
+    shown = room_client.post("/api/v1/simulate", json={"scene": calm, "measures": []}).json()["in_room"]
+    assert shown == {"hits": [], "blocked": [], "shut_in": []}
+
+
+def test_freed_memory_is_given_back_after_a_job(
+    room_client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given = list[str]()
+    monkeypatch.setattr(jobs, "give_freed_back", lambda: given.append("back"))
+    ended(room_client, room_client.post("/api/v1/room", json={"scene": ROOM, "changes": False}).json())
+    wait_until(lambda: given == ["back"])
+    memory.give_freed_back()  # wherever there is such a thing, and where there is none
 
 
 def test_a_change_says_what_to_write_into_the_scene(room_client: httpx.Client) -> None:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
-from room_judge import DONE, QUEUED, ROUGH, Judge, after, judged, made, place_of, room_page
+from room_judge import DONE, QUEUED, ROUGH, Judge, after, chance, change, judged, made, place_of, room_page
 
 from stayput.app import room_api
 from stayput.app.room_replies import RoomVerdictReply
@@ -91,8 +91,132 @@ def test_what_the_verdict_rests_on_is_told(browser: Browser, server: Running) ->
         assert "Door: stays blocked\n30 % (20 % to 40 %)" in it.text("#ways")
         harm = it.page.locator("#pieces .finding strong").all_inner_texts()
         assert harm == ["Bookcase", "Chest of drawers", "Wardrobe"]
-        assert "91 % of the risk" in it.text("#pieces")
+        pieces = it.text("#pieces")
+        assert "91 % of the chance of being hit" in pieces
+        assert (
+            pieces.count("of the chance of being hit") == 2
+        )  # nothing is said of the wardrobe, which hits nobody
+        assert not it.page.locator("#falls").is_visible()
         assert "Bookcase and Chest of drawers" in it.text("#meetings")
+
+
+def test_what_falls_and_what_blocks_the_way_is_told_where_nobody_is_hit(
+    browser: Browser, server: Running, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    verdict = made()
+    verdict["pieces"][2]["probabilities"]["overturned"] = chance(0.9)
+    verdict["shut_in"] = chance(0.7)
+    freed = change(
+        "wardrobe",
+        0.8,
+        shut_in=chance(0.0),
+        shut_in_change=chance(-0.7),
+        helps=True,
+        better=["shut_in", "blocked"],
+        overturned=chance(0.9),
+        overturned_change=chance(0.0),
+    )
+    belt = change(
+        "wardrobe",
+        0.8,
+        overturned=chance(0.2),
+        overturned_change=chance(-0.7),
+        helps=True,
+        better=["overturned"],
+    )
+    worse = change("chest", 0.9, worse=["hit"])
+    verdict["changes"] = [freed, belt, worse]
+    monkeypatch.setattr("room_judge.made", lambda: verdict)
+    with room_page(browser, server, Judge(), size=PHONE) as it:
+        it.go("understand")
+        alone = box(it, "#falls")
+        assert alone["y"] + alone["height"] < box(it, "#steps")["y"]  # on the first screen
+        assert (
+            it.text("#falls")
+            == "These also overturn, without reaching anybody: Chest of drawers (10 %), Wardrobe (90 %)."
+        )
+        assert "somebody is shut in 70 %, and in 0 % with this change: wardrobe moved" in it.text("#pieces")
+        tags = it.page.locator("#ranking .tag").all_inner_texts()
+        assert tags == ["way out clearly free more often", "clearly overturns less often", "clearly more hit"]
+        bars = it.page.locator("#ranking .barname").all_inner_texts()
+        assert bars == ["Somebody is shut in", "It overturns", "Somebody is hit"]
+        shares = it.page.locator("#ranking .share").all_inner_texts()
+        assert [one.replace("\u00a0", " ").split(" (")[0] for one in shares] == ["0 %", "20 %", "90 %"]
+        assert "It overturns: 20 % instead of 90 %." in it.text("#ranking")
+
+
+def test_a_room_without_furniture_has_no_chances(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        it.page.click("#plan-empty")
+        it.page.wait_for_selector("#answer[data-state=empty]")
+        assert "There is no furniture" in it.text("#answer")
+        assert "%" not in it.text("#answer")
+        assert not it.page.locator("#ranking").is_visible()
+        assert "no furniture" in it.text("#see")
+        assert it.page.locator("#plan .thing").count() == 0
+        assert len(judge.asked) == 1
+        room = after(it, judge, lambda: it.page.click("#plan-undo"))
+        assert len(room["furniture"]) == 3
+        assert it.page.locator(".theatre").is_visible()
+
+
+def test_what_the_film_shows_is_told_beside_how_often_that_is_so(browser: Browser, server: Running) -> None:
+    films = list[dict[str, Any]]()
+
+    def film(route: Route) -> None:
+        """Nothing hits anybody, but under the fifth earthquake from the direction that is proposed."""
+        asked = route.request.post_data_json["scene"]
+        films.append(asked)
+        answer = route.fetch()
+        reply = answer.json()
+        usual = asked["shaking"]["member"] == 5 and asked.get("direction") == 1.5
+        hits = [{"piece": "bookcase", "place": "bed"}] if usual else []
+        reply["in_room"] = {"hits": hits, "blocked": [], "shut_in": []}
+        route.fulfill(json=reply)
+
+    judge = Judge(QUEUED)
+    with opened(browser, server, "room/", routes={**judge.routes, "**/api/v1/simulate": film}) as it:
+        assert not it.page.locator("#this-one").is_visible()  # as it is not known how often
+        judge.stage = ROUGH
+        it.wait("() => !document.getElementById('this-one').hidden")
+        assert it.text("#this-one") == "In this one nothing reaches anybody; that is so in 20 %."
+        judge.stage = DONE
+        it.wait("() => document.getElementById('this-one').textContent.includes('Bookcase')")
+        assert it.text("#this-one") == "In this one somebody is hit (by: Bookcase); that is so in 80 %."
+        assert [one["shaking"]["member"] for one in films] == [3, 5]
+        assert len(judge.asked) == 1  # which earthquake is shown changes nothing of the verdict
+        assert it.page.locator("#plan-undo").is_disabled()
+        which = it.page.get_by_label("Which earthquake").and_(it.page.locator("input[type=number]"))
+        which.fill("7")
+        which.press("Enter")
+        it.wait("() => document.getElementById('this-one').textContent.includes('nothing')")
+        assert films[-1]["shaking"]["member"] == 7  # the reader's own choice stays
+        assert "direction" not in films[-1]
+        assert len(judge.asked) == 1
+
+
+def test_the_film_begins_at_its_start_where_it_is_entered(browser: Browser, server: Running) -> None:
+    with room_page(browser, server, Judge(), size=PHONE, motion="no-preference") as it:
+        it.page.evaluate("document.getElementById('time').value = 900")
+        it.page.locator("#time").evaluate("one => one.dispatchEvent(new Event('input'))")
+        it.page.evaluate("document.getElementById('play').click()")
+        it.go("see")
+        it.wait("() => Number(document.getElementById('time').value) < 500")
+        assert it.page.get_attribute("#play", "aria-label") == "Pause"
+
+
+def test_the_filters_of_the_plan_start_from_the_room(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        tatami = it.page.get_by_label("The floor is tatami")
+        assert not tatami.is_checked()
+        floor = it.page.get_by_label("On what floor")
+        after(it, judge, lambda: floor.select_option("tatami, along the weave"))
+        assert tatami.is_checked()
+        tatami.uncheck()
+        after(it, judge, lambda: floor.select_option("tatami, across the weave"))
+        assert not tatami.is_checked()  # as was said by hand
 
 
 def test_a_change_is_made_and_taken_back(browser: Browser, server: Running) -> None:
@@ -266,6 +390,7 @@ def test_the_page_goes_on_when_the_server_is_back(browser: Browser, server: Runn
         it.page.wait_for_selector("#away:visible")
         assert it.page.get_attribute("#answer", "data-old") == "true"
         assert it.page.get_attribute("#see", "data-old") == "true"
+        assert it.text("#state") == "The server does not answer; it goes on once it is back."
         it.page.unroute("**/api/v1/**")  # nobody clicks
         judged(it)
         it.wait("() => document.getElementById('see').dataset.old === 'false'")

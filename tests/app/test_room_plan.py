@@ -159,6 +159,122 @@ def test_the_keyboard_moves_turns_doubles_and_removes(browser: Browser, server: 
         assert it.room()["doors"][0]["wall"] == "near_side_wall"
 
 
+@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
+def test_what_is_selected_is_turned_and_removed_under_the_plan(
+    browser: Browser, server: Running, size: dict[str, int]
+) -> None:
+    with editing(browser, server, size=size) as it:
+        turn, remove = (it.page.locator(f"#plan-{name}") for name in ("turn", "remove"))
+        assert turn.is_disabled()
+        assert remove.is_disabled()
+        it.select("furniture-1")
+        plan, tools = (it.page.locator(name).bounding_box() for name in ("#plan", "#plan-tools"))
+        assert plan
+        assert tools
+        assert 0 <= tools["y"] - (plan["y"] + plan["height"]) < 60
+        turn.click()
+        assert it.room()["furniture"][1]["heading"] == pytest.approx(math.pi / 2)
+        remove.click()
+        assert [one["name"] for one in it.room()["furniture"]] == ["bookcase"]
+        assert remove.is_disabled()  # a second press removes nothing unseen
+        assert it.page.locator("#plan .chosen").count() == 0
+        assert it.said == "Removed: Chest of drawers"
+
+
+def test_the_room_is_emptied_and_everything_brought_back(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        it.page.click("#plan-empty")
+        room = it.room()
+        assert all(room[table] == [] for table in ("furniture", "places", "doors", "windows"))
+        assert room["plan"] == ROOM["plan"]
+        assert it.page.locator("#plan-empty").is_disabled()
+        it.page.click("#plan-undo")
+        assert it.room() == ROOM
+
+
+def test_a_door_and_a_window_are_taken_beside_their_lines(browser: Browser, server: Running) -> None:
+    chosen = "import('/room/room.js').then((one) => one.selected())"
+    with editing(browser, server) as it:
+        for thing, point, off in (
+            ({"table": "doors", "index": 0}, (3.75, 0.3), (0, 0)),  # within its swing
+            ({"table": "doors", "index": 0}, (4.0, 0.45), (14, 0)),  # beside its opening, from outside
+            ({"table": "windows", "index": 0}, (1.6, 3.0), (0, 6)),
+            ({"table": "windows", "index": 0}, (1.6, 3.0), (0, -14)),
+        ):
+            it.page.evaluate("import('/room/room.js').then((one) => one.select(null))")
+            x, y = it.at(*point)
+            it.page.mouse.click(x + off[0], y + off[1])
+            assert it.page.evaluate(chosen) == thing
+        start = it.at(3.75, 0.3)
+        it.pull(start, (start[0], start[1] - 60))  # by its swing
+        assert it.room()["doors"][0]["start"] > 0.3
+
+
+OFFICE = {
+    **ROOM,
+    "plan": {"width": 6.0, "length": 5.0},
+    "furniture": [
+        {"name": "bookcase", "preset": "bookcase", "against": "left_wall", "along": 1.0},
+        {"name": "Bookcase 2", "preset": "bookcase", "against": "left_wall", "along": 2.0},
+        {"name": "vending machine", "preset": "vending machine", "against": "left_wall", "along": 3.2},
+        {"name": "cupboard", "preset": "cupboard", "against": "far_side_wall", "along": 1.2},
+        {"name": "refrigerator", "preset": "refrigerator", "against": "far_side_wall", "along": 2.4},
+        {"name": "server rack", "preset": "server rack", "against": "far_side_wall", "along": 3.4},
+        {"name": "Bookcase 3", "preset": "bookcase", "against": "right_wall", "along": 3.6},
+        {"name": "Bookcase 4", "preset": "bookcase", "at": [3.6, 1.2], "heading": 0.0},
+    ],
+    "places": [
+        {"kind": "desk", "at": [2.2, 2.4], "heading": 0.0},
+        {"kind": "desk", "name": "Desk 2", "at": [4.2, 2.6], "heading": 0.0},
+    ],
+}
+NAMES = """async () => {
+  const view = await import("/room/view.js");
+  const outlines = [...document.querySelectorAll("#plan .standing, #plan .place")];
+  return [view.sheetNow().names, outlines.map((one) => {
+    const { x, y, width, height } = one.getBBox();
+    return [x, y, x + width, y + height];
+  })];
+}"""
+
+
+def shared(one: list[float], other: list[float]) -> float:
+    """Return what share of the first rectangle lies on the other."""
+    wide, high = (min(one[i + 2], other[i + 2]) - max(one[i], other[i]) for i in (0, 1))
+    return max(0.0, wide) * max(0.0, high) / ((one[2] - one[0]) * (one[3] - one[1]))
+
+
+@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_names_stand_beside_their_own_things(
+    browser: Browser, server: Running, language: str, size: dict[str, int]
+) -> None:
+    told = """async (room) => (await import("/room/editor.js")).tellResult({ cell_m: 0.5,
+        pieces: room.furniture.map(
+            ({ name }) => ({ name, probabilities: { overturned: { estimate: 0.83 } } })),
+        places: ["desk", "Desk 2"].map((name) => ({ name, hit: { estimate: 0.88 } })), doors: [] })"""
+    with editing(browser, server, OFFICE, language=language, size=size) as it:
+        with it.page.expect_request(lambda one: one.url.endswith("/api/v1/room")):
+            it.take({**OFFICE, "title": "asked"})
+        it.page.evaluate(told, OFFICE)
+        names, things = it.page.evaluate(NAMES)
+        places = len(OFFICE["places"])
+        assert len(names) == places + len(OFFICE["furniture"]) + 1
+        for i, name in enumerate(names):
+            for other in names[:i]:
+                assert shared(name, other) < 0.1, (i, name, other)
+            for j, thing in enumerate(things):
+                assert j == i or shared(name, thing) < 0.25, (i, j)
+        it.select("furniture-7")
+        x, y = it.handle("turn")
+        rectangles = "all => all.map((one) => one.getBoundingClientRect().toJSON())"
+        plates = it.page.locator("#plan .plate").evaluate_all(rectangles)
+        assert not any(
+            one["x"] < x < one["x"] + one["width"] and one["y"] < y < one["y"] + one["height"]
+            for one in plates
+        )
+
+
 def test_tab_goes_through_everything_and_out(browser: Browser, server: Running) -> None:
     with editing(browser, server) as it:
         it.page.focus("#palette button >> nth=-1")
@@ -396,7 +512,7 @@ def test_numbers_are_typed_and_wrong_ones_are_said(browser: Browser, server: Run
 def test_places_doors_and_windows_have_their_numbers(browser: Browser, server: Running) -> None:
     with editing(browser, server) as it:
         it.select("places-0")
-        it.field("Somebody is there, of the day", "25")
+        it.field("Share of the day with somebody there", "25")
         it.field("up to this height", "40")  # below the lower one
         assert it.room()["places"][0] == {**ROOM["places"][0], "day": 0.25}
         it.field("up to this height", "90")

@@ -3,11 +3,11 @@
 # ruff: noqa: F811 - a fixture is imported, and then asked for by its name
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
-from room_judge import Judge, after, place_of, room_page
+from room_judge import Judge, after, chance, made, place_of, room_page
 
 if TYPE_CHECKING:
     from browsing import Opened
@@ -102,7 +102,7 @@ def test_two_rooms_are_compared_under_one_earthquake(browser: Browser, server: R
         for mark in it.page.get_by_label("Mark to compare").all():
             mark.check()
         it.page.click("#compare")
-        it.page.wait_for_selector("#comparison section:nth-child(2) dl")
+        it.page.wait_for_selector("#comparison table")
         first, second = judge.asked[-2:]
         assert (first["changes"], second["changes"]) == (False, False)
         assert first["scene"]["shaking"] == second["scene"]["shaking"]
@@ -110,6 +110,50 @@ def test_two_rooms_are_compared_under_one_earthquake(browser: Browser, server: R
         assert first["scene"]["uncertainty"] == second["scene"]["uncertainty"]
         assert place_of(first["scene"], "bookcase") != place_of(second["scene"], "bookcase")
         assert it.page.locator("#comparison svg .cover").count() > 0
-        assert it.page.locator("#comparison dd").count() == 8
+        rows = it.page.locator("#comparison tbody tr").all_inner_texts()
+        assert [row.split("\t")[0] for row in rows] == [
+            "Somebody is hit",
+            "Somebody is shut in",
+            "Hit here: Bed",
+            "Door: stays blocked",
+            *("Bookcase overturns", "Chest of drawers overturns", "Wardrobe overturns"),
+        ]
+        assert "±0 points" in rows[0]
+        assert "no clear difference" in it.text("#compared")
         it.page.get_by_role("button", name="Close the comparison").click()
         assert not it.page.locator("#comparison").is_visible()
+
+
+def test_a_comparison_says_which_room_is_better_and_how_sure_that_is(
+    browser: Browser, server: Running, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The interval is Newcombe's of 48 of 60 and 6 of 60, by their Wilson intervals."""
+    first = {**made(), "hit": chance(0.8, 0.68, 0.88)}
+    second = {**made(), "hit": chance(0.1, 0.047, 0.2), "doors": []}
+    answers = iter([first, first, second])
+    kept: dict[int, Any] = {}
+    judge = Judge()
+    reply = judge._reply  # pyright: ignore[reportPrivateUsage]
+
+    def answered(place: int, stage: str) -> dict[str, Any]:
+        if place not in kept:
+            kept[place] = next(answers)
+        return {**reply(place, stage), "result": kept[place]}
+
+    monkeypatch.setattr(judge, "_reply", answered)
+    with room_page(browser, server, judge, size=PHONE) as it:
+        it.go("keep")
+        for name in ("A", "B"):
+            it.page.fill("#scene-name", name)
+            it.page.click("#keep-scene button")
+        for mark in it.page.get_by_label("Mark to compare").all():
+            mark.check()
+        it.page.click("#compare")
+        it.page.wait_for_selector("#comparison table")
+        assert it.text("#compared").splitlines()[0] == (
+            "Somebody is hit: 10 % in “B” instead of 80 %; difference: −70 points (−80 to −54)."
+        )
+        assert "not there" in it.text("#comparison table")  # the door of the one
+        assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+        it.page.get_by_role("button", name="Open: A").click()
+        assert it.page.locator("#plan").is_visible()

@@ -131,6 +131,7 @@ def made(**changed):
                 )
             )
         ),
+        typical=None,
         complete=True,
         motions=MOTIONS,
         samples=SAMPLES,

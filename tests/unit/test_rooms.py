@@ -16,6 +16,7 @@ from stayput.catalogue import LANGUAGES
 from stayput.cli import app
 from stayput.fragility.paired import Difference
 from stayput.model.floor_plan import FACING
+from stayput.montecarlo.several import turned
 from stayput.report.room.data import room_data
 from stayput.report.room.tables import simulations_of_room
 from stayput.rooms import effects
@@ -338,6 +339,14 @@ def test_a_room_is_simulated_with_all_its_pieces_together(tmp_path: Path):
     assert told.exit_code == 0, told.output
     with pytest.raises(sp.InputError, match="must go to verify_room"):
         sp.verify(changed())
+
+
+def test_a_room_is_simulated_under_a_motion_of_its_direction():
+    plain, pointing = changed().motion(), changed(direction=0.7).motion()
+    shaking = turned(plain, 1.0, 0.7)
+    assert plain.y is not None
+    assert np.allclose(pointing.x, shaking.acceleration[:, 0])
+    assert np.allclose(pointing.y, shaking.acceleration[:, 1])
 
 
 def test_free_floor_keeps_off_walls_doors_windows_pieces_and_people():

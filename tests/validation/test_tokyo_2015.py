@@ -80,7 +80,7 @@ def test_the_levels_have_the_published_intensities(kobe):
 
 @needs_record
 def test_a_stopper_and_poles_hold_the_cupboard(found):
-    """Published: no overturning, 10 cm or less. With the stronger poles so in all draws but one of one facing.
+    """Published: no overturning, 10 cm or less. With the stronger poles so in all draws but one.
 
     With the weaker ones it is so in most draws over all facings, but not in the severest.
     """

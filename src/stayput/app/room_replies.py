@@ -105,6 +105,13 @@ class RoomChangeReply(Reply):
     tags: list[Words] = Field(description="The same in words; that nothing is clear, where nothing is.")
 
 
+class TypicalRunReply(Reply):
+    """A run in which what happens most often happens."""
+
+    member: int = Field(description="Which of the motions, from 1 on.")
+    direction_rad: float
+
+
 class RoomVerdictReply(Reply):
     """The verdict on a room."""
 
@@ -127,6 +134,7 @@ class RoomVerdictReply(Reply):
     cell_m: float
     collisions: list[CollisionReply]
     changes: list[RoomChangeReply]
+    typical: TypicalRunReply | None = Field(description="A run to look at.")
 
 
 class PlanProgressReply(Reply):

@@ -21,6 +21,8 @@ def room_verdict_reply(verdict: RoomVerdict) -> RoomVerdictReply:
     """Return a verdict as plain data: that of its JSON file, as the page reads it."""
     data = room_data(verdict)
     data["complete"] = verdict.complete
+    run = verdict.typical
+    data["typical"] = None if run is None else {"member": run.member, "direction_rad": run.direction}
     for piece, result in zip(data["pieces"], verdict.pieces, strict=True):
         piece["fell"], piece["stood"] = _zone(result.fell), _zone(result.stood)
     for change, result in zip(data["changes"], verdict.changes, strict=True):

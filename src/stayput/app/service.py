@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import threading
+import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
@@ -12,6 +13,7 @@ from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 from starlette.responses import Response
 
 from stayput.app.jobs import StoppedError
+from stayput.app.memory import give_freed_back
 from stayput.app.refusals import RefusedError, refused, unprinted
 from stayput.app.replies import Problem, Reply
 from stayput.app.scenes import (
@@ -46,6 +48,10 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 
+LONG = 0.5
+"""How long work goes on after which the memory that it has freed is given back [s]."""
+
+
 class Workers:
     """A bounded pool of threads that compute, off the event loop; where clients wait, they take turns.
 
@@ -72,8 +78,13 @@ class Workers:
         """
 
         def quietly() -> T:
-            with unprinted():
-                return work(*args, **kwargs)
+            began = time.monotonic()
+            try:
+                with unprinted():
+                    return work(*args, **kwargs)
+            finally:
+                if time.monotonic() - began > LONG:
+                    give_freed_back()
 
         await self._turn()
         try:

@@ -58,6 +58,21 @@ class SpaceRunReply(Reply):
     )
 
 
+class HitReply(Reply):
+    """A piece that comes into the place of a person."""
+
+    piece: str
+    place: str
+
+
+class RunInRoomReply(Reply):
+    """What happens to people, doors and ways out in a run of a room."""
+
+    hits: list[HitReply]
+    blocked: list[str] = Field(description="Doors that are blocked at the end.")
+    shut_in: list[str] = Field(description="Places from which no way leads out at the end.")
+
+
 class SpaceSimulateReply(Reply):
     """A scene run in space without and with measures, or several pieces."""
 
@@ -65,5 +80,6 @@ class SpaceSimulateReply(Reply):
     motion: MotionOfRun
     floor: dict[str, Any] = Field(description="How the floor moves, of the same form as the runs' scenes.")
     building: BuildingReply | None
+    in_room: RunInRoomReply | None = Field(default=None, description="Of a room: what happens in it.")
     without: SpaceRunReply
     with_: SpaceRunReply | None = Field(default=None, serialization_alias="with")

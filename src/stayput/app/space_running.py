@@ -16,7 +16,13 @@ from stayput.app.running import (
     motion_of_run,
     own_measures,
 )
-from stayput.app.space_replies import SpaceEventReply, SpaceRunReply, SpaceSimulateReply
+from stayput.app.space_replies import (
+    HitReply,
+    RunInRoomReply,
+    SpaceEventReply,
+    SpaceRunReply,
+    SpaceSimulateReply,
+)
 from stayput.errors import InputError
 from stayput.model.room import WALLS_AROUND
 from stayput.report.scene import TIME_DIGITS, rounded
@@ -25,6 +31,8 @@ from stayput.report.space.said import became, piece_became
 from stayput.report.space.scene import space_scene
 from stayput.report.space.summary import space_summary
 from stayput.report.summary import device_results, number, piece_name, place_called
+from stayput.rooms.one_run import happens_in
+from stayput.scenario.room import RoomScenario
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.run import simulate
 from stayput.simulation.space_fate import ROCKED, SLID
@@ -96,7 +104,12 @@ def simulated_pieces(scenario: AssemblyScenario) -> SpaceSimulateReply:
     """Run several pieces."""
     ground, _ = ground_and_floor(scenario)
     run = pieces_run(scenario)
-    return _reply(scenario, [space_scene(run, scenario.names)], [became(run, scenario.names)], ground)
+    reply = _reply(scenario, [space_scene(run, scenario.names)], [became(run, scenario.names)], ground)
+    if isinstance(scenario, RoomScenario):
+        hits, blocked, shut_in = happens_in(run, scenario)
+        told = [HitReply(piece=piece, place=place) for piece, place in hits]
+        reply.in_room = RunInRoomReply(hits=told, blocked=[*blocked], shut_in=[*shut_in])
+    return reply
 
 
 def pieces_run(scenario: AssemblyScenario) -> SpaceRun:

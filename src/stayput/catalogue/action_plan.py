@@ -3,6 +3,8 @@
 TEXTS: dict[str, tuple[str, str]] = {
     # Head
     "title": ("Plan to buy and do", "買う物とやること"),
+    "print": ("Print", "印刷"),
+    "back": ("Back to the room", "部屋に戻る"),
     "now": (
         "Chances in shaking of JMA intensity {strength}, as the room is: {chances}.",
         "{strength}の揺れでは、今の部屋のままだと{chances}です。",

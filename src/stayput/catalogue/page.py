@@ -115,8 +115,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "family": ("Kind of earthquake", "地震の種類"),
     "member": ("Which earthquake of this kind", "何番目の地震か"),
     "memberHint": (
-        "Each one is different, even at one intensity. The animation shows this one; the chances below are worked out from many.",
-        "同じ震度でも地震ごとに揺れ方が違います。アニメーションはこの地震のもので、下の確率は多くの地震から求めます。",
+        "Each one is different, even at one intensity. The animation shows this one; the chances are worked out from many.",
+        "同じ震度でも地震ごとに揺れ方が違います。アニメーションはこの地震のもので、確率は多くの地震から求めます。",
     ),
     "scaled": ("Make the record as strong as stated above", "記録を上で決めた強さに合わせて拡大・縮小する"),
     "meaningSource": (

@@ -46,6 +46,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "pullToTurn": ("Pull to turn", "引いて向きを変える"),
     "undoIt": ("Undo", "元に戻す"),
     "redoIt": ("Redo", "やり直す"),
+    "turnIt": ("Turn by 90°", "90°回す"),
+    "removeIt": ("Remove", "取り除く"),
+    "emptyIt": ("Empty room", "部屋を空にする"),
+    "emptied": (
+        "The room is empty. Undo brings everything back.",
+        "部屋を空にしました。「元に戻す」ですべて戻ります。",
+    ),
     "undone": ("The last change is taken back.", "直前の変更を元に戻しました。"),
     "redone": ("The change is made again.", "変更をやり直しました。"),
     "added": ("Added: {what}", "追加：{what}"),
@@ -130,8 +137,6 @@ TEXTS: dict[str, tuple[str, str]] = {
     "hinge_end": ("where it ends", "終わりの側"),
     "wayOut": ("It leads out", "外への避難経路になる"),
     "sill": ("Sill above the floor", "床から窓の下端まで"),
-    "turnIt": ("Turn by 90°", "90°回す"),
     "doubleIt": ("Another of the same", "同じものを追加"),
-    "removeIt": ("Remove", "取り除く"),
 }
 """Texts by their keys: English, Japanese."""

@@ -230,7 +230,8 @@ def _run_in_space(
         strength=draw.room.strength,
         friction=draw.room.friction,
     )
-    results = results_of([one.standing for one in traced.bodies], traced.trace, shaking.times)
+    standing = [one.standing for one in traced.bodies]
+    results = results_of(standing, traced.trace, shaking.times)
     peaks: PeakForces = {}
     first = 0
     for place, one in enumerate(traced.bodies):
@@ -238,7 +239,7 @@ def _run_in_space(
             last = first + len(one.springs)
             peaks |= peak_forces(place, one.held, traced.trace.devices[first:last], 1.0)
             first = last
-    return results, traced.trace.devices, peaks, tracks_of(traced, shaking.dt)
+    return results, traced.trace.devices, peaks, tracks_of(standing, traced.trace, shaking.dt)
 
 
 def _run_in_plane(

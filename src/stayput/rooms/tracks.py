@@ -15,10 +15,13 @@ from scipy.spatial import ConvexHull
 from stayput.simulation.space_records import frames_of, matrices
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from stayput.model.solid import Solid
-    from stayput.simulation.space import AssemblyTrace
+    from stayput.simulation.space_engine import SpaceTrace
+    from stayput.simulation.space_run import SpaceRun
     from stayput.simulation.standing import Standing
 
 STIRS = 0.01
@@ -149,17 +152,18 @@ def outline_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     return plan[ConvexHull(plan).vertices]
 
 
-def tracks_of(traced: AssemblyTrace, dt: float) -> list[Track]:
+def tracks_of(standing: Sequence[Standing], trace: SpaceTrace | SpaceRun, dt: float) -> list[Track]:
     """Return the tracks of the bodies of a run.
 
     Parameters
     ----------
-    traced : AssemblyTrace
-        The bodies and what the engine returned.
+    standing : sequence of Standing
+        The bodies.
+    trace : SpaceTrace or SpaceRun
+        How they moved.
     dt : float
         Time between samples [s].
     """
-    standing, trace = [one.standing for one in traced.bodies], traced.trace
     turns = matrices(frames_of(standing, trace.attitude))
     found: list[Track] = []
     for b, one in enumerate(standing):

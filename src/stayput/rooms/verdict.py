@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -218,6 +218,21 @@ class ChangeVerdict(RoomEffect):
         return cls(**{field.name: getattr(effect, field.name) for field in fields(effect)}, change=change)
 
 
+class TypicalRun(NamedTuple):
+    """A run in which what happens most often happens: hit or not, shut in or not.
+
+    Parameters
+    ----------
+    member : int
+        Which of the motions, from 1 on.
+    direction : float
+        Where the motion's x points in plan, from x towards y [rad].
+    """
+
+    member: int
+    direction: float
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class RoomVerdict:
     """Result of `stayput.verify_room`.
@@ -246,6 +261,8 @@ class RoomVerdict:
         Pieces that meet; what they do afterwards is not followed.
     changes : tuple of ChangeVerdict
         Single changes, the best first; none where they were not asked for.
+    typical : TypicalRun or None
+        A run to look at; None where none was finished.
     complete : bool
         Whether it is final; else runs and changes are still to come.
     motions, samples, runs : int
@@ -269,6 +286,7 @@ class RoomVerdict:
     pieces: tuple[RoomPiece, ...]
     collisions: Mapping[tuple[str, str], Probability]
     changes: tuple[ChangeVerdict, ...]
+    typical: TypicalRun | None
     complete: bool
     motions: int
     samples: int

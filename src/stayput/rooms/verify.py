@@ -26,6 +26,7 @@ from stayput.rooms.verdict import (
     PlaceVerdict,
     RoomPiece,
     RoomVerdict,
+    TypicalRun,
 )
 from stayput.scenario.room import RoomScenario
 from stayput.simulation.placing import bare
@@ -272,6 +273,7 @@ def verdict_of(question: Question, state: RoomState, slide_limit: float) -> Room
             for (a, b), met in as_it_is.met.items()
         },
         changes=(),
+        typical=_typical(question, as_it_is),
         complete=False,
         motions=motions,
         samples=samples,
@@ -280,6 +282,19 @@ def verdict_of(question: Question, state: RoomState, slide_limit: float) -> Room
         seed=scenario.uncertainty.seed,
         seconds=0.0,
     )
+
+
+def _typical(question: Question, as_it_is: Answer) -> TypicalRun | None:
+    """Return a run of what happens most often, under the motion under which it does so most often."""
+    events, missing = as_it_is.events, as_it_is.missing
+    hit, shut_in = (anybody(flags, missing.shape) for flags in (hits_by(events), events.shut_in))
+    what = 2 * hit + shut_in
+    counts = np.bincount(what[~missing], minlength=1)
+    so = (what == counts.argmax()) & ~missing
+    if not so.any():
+        return None
+    motion = int(so.sum(axis=1).argmax())
+    return TypicalRun(motion + 1, question.drawn[motion][int(so[motion].argmax())].direction)
 
 
 def _place(number: int, question: Question, masses: Sequence[float], as_it_is: Answer) -> PlaceVerdict:

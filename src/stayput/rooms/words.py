@@ -200,9 +200,10 @@ def _effect(result: ChangeVerdict, verdict: RoomVerdict) -> Phrase:
 
 def tags(result: ChangeVerdict) -> list[Phrase]:
     """Return what a change is clearly better in, and what worse; that nothing is clear, where nothing is."""
-    found = [phrase(f"rooms.fewer_{name}") for name in result.better]
-    found += [phrase(f"rooms.more_{name}") for name in result.worse]
-    return found or [phrase("rooms.nothing_clear")]
+    found = [("fewer", name) for name in result.better] + [("more", name) for name in result.worse]
+    # a way out that is free is more than a door
+    told = [(way, name) for way, name in found if name != "blocked" or (way, "shut_in") not in found]
+    return [phrase(f"rooms.{way}_{name}") for way, name in told] or [phrase("rooms.nothing_clear")]
 
 
 def best_sentence(verdict: RoomVerdict, language: str) -> str:

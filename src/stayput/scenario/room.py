@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from os import PathLike
 
     from stayput.model.solid import Solid
+    from stayput.motion import Motion
     from stayput.scenario.pieces import StandingTable
     from stayput.simulation.space_run import SpaceRun
 
@@ -178,6 +179,14 @@ class RoomScenario(AssemblyScenario):
         behind = -Standing(solid).along((1.0, 0.0, 0.0))[0]
         x, y = self.floor_plan().on_wall(piece.against, piece.along, piece.gap + behind)
         return (x, y, 0.0), heading
+
+    def motion(self) -> Motion:
+        """Make the motion of the floor as `AssemblyScenario.motion`, turned to its direction."""
+        motion = super().motion()
+        if not self.direction:
+            return motion
+        y = np.zeros_like(motion.x) if motion.y is None else motion.y
+        return replace(motion, y=y).rotated(-self.direction)
 
     def run(self) -> SpaceRun:
         """Simulate the pieces as the file states them, in a room with its places, doors and windows."""

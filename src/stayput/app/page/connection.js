@@ -8,6 +8,9 @@ const EVERY = 1000,
   BUSY = 1500;
 let back = null;
 
+/** Whether the server does not answer; "connection" is sent to the window where that changes. */
+export const isAway = () => back !== null;
+
 /** Lets some time pass [ms]. */
 export const pause = (milliseconds) =>
   new Promise((done) => {
@@ -16,12 +19,16 @@ export const pause = (milliseconds) =>
 
 /** Waits until the server answers; however many wait, it is asked once at a time. */
 export function untilBack() {
-  back ??= answered().finally(() => {
-    back = null;
-    part("away").hidden = true;
-  });
-  part("away").hidden = false;
-  return back;
+  back ??= answered().finally(() => tell(null));
+  return tell(back);
+}
+
+function tell(waiting) {
+  const changed = part("away").hidden === Boolean(waiting);
+  back = waiting;
+  part("away").hidden = !waiting;
+  if (changed) dispatchEvent(new Event("connection"));
+  return waiting;
 }
 
 async function answered() {

@@ -38,13 +38,15 @@ export const narrow = () => matchMedia("(max-width: 63.99rem)").matches;
 /** How wide a chart in this element is drawn, so that its letters have their own size [px]. */
 export const widthFor = (element) => Math.max(300, Math.min(640, element.clientWidth || innerWidth - 64));
 
-/** A function that waits until it has not been called for so many milliseconds. */
+/** A function that waits until it has not been called for so many milliseconds; its `cancel` ends the waiting. */
 export function settled(milliseconds, work) {
   let timer = 0;
-  return (...values) => {
+  const wait = (...values) => {
     clearTimeout(timer);
     timer = setTimeout(() => work(...values), milliseconds);
   };
+  wait.cancel = () => clearTimeout(timer);
+  return wait;
 }
 
 /** Offers a text or blob as a file. */

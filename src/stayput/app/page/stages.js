@@ -13,6 +13,7 @@ const stages = [...document.querySelectorAll("canvas.round-about")].map((canvas)
   painter: null,
   camera: null,
   solid: true,
+  inSight: true,
 }));
 let again = () => {},
   views = null,
@@ -22,6 +23,11 @@ let again = () => {},
 /** Lets the cameras be led over the pictures; "changed" is called after each change. */
 export function wire(changed) {
   again = changed;
+  const seen = new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries) stages.find(({ canvas }) => canvas === target).inSight = isIntersecting;
+    again();
+  });
+  for (const { canvas } of stages) seen.observe(canvas);
   const led = {};
   for (const name of ["turn", "nearer", "move"])
     led[name] = (...by) => stages.forEach(({ camera }) => camera?.[name](...by));
@@ -80,8 +86,10 @@ export function show(scenes) {
   part("flat").hidden = stages[0].solid;
 }
 
-/** Draws one of the runs at a time, where its picture is in sight. */
+/** Draws one of the runs at a time, where its picture is in sight and the one before it is finished. */
 export function draw(i, now) {
-  const { canvas, painter, camera } = stages[i];
-  if (canvas.clientWidth) painter.draw(now, camera, { shaken });
+  const { canvas, painter, camera, inSight } = stages[i];
+  if (!canvas.clientWidth || !inSight) return;
+  if (painter.busy?.()) requestAnimationFrame(again); // of a film the next picture comes by itself
+  else painter.draw(now, camera, { shaken });
 }

@@ -6,10 +6,19 @@ import { toggle } from "../controls.js";
 import { fill, part } from "../dom.js";
 import { worded } from "../refusals.js";
 import { number, spoken, t } from "../words.js";
+import * as room from "./room.js";
 
 const HOME = ["no_drilling", "tatami", "plasterboard", "dropped_ceiling"],
   LOOK = 500; // how often the server is asked how far it has come [ms]
-const home = new Set();
+/** What the room itself says of the home. */
+const SAID = {
+  no_drilling: () => false,
+  tatami: ({ floor }) => typeof floor === "string" && floor.startsWith("tatami"),
+  plasterboard: ({ walls }) => walls === "plasterboard",
+  dropped_ceiling: ({ ceiling }) => ceiling?.construction === "dropped",
+};
+const own = new Map(), // what was ticked or not by hand
+  fields = {};
 let job = null, // the verdict's, once that is complete
   flight = null, // what ends the question about a plan
   made = false;
@@ -18,6 +27,9 @@ let job = null, // the verdict's, once that is complete
 export function wire() {
   part("make-plan").addEventListener("click", work);
   part("stop-plan").addEventListener("click", () => forget());
+  part("card").addEventListener("click", ({ target }) => {
+    target.hash = location.hash; // the room, to which the plan leads back
+  });
 }
 
 /** Builds what the home is like; called again for another language. */
@@ -28,16 +40,23 @@ export function build() {
       const field = toggle({
         label: t(`allowed_${name}`),
         changed: (on) => {
-          if (on) home.add(name);
-          else home.delete(name);
+          own.set(name, on);
           forget();
         },
       });
-      field.set(home.has(name));
+      fields[name] = field;
       return field.element;
     }),
   );
+  update();
   tell();
+}
+
+const isSo = (name) => own.get(name) ?? SAID[name](room.current().room ?? {});
+
+/** Ticks what the room says, where nothing else was ticked by hand. */
+export function update() {
+  for (const [name, field] of Object.entries(fields)) field.set(isSo(name));
 }
 
 /** Takes the job of a verdict that is complete, or null. */
@@ -47,7 +66,7 @@ export function take(finished) {
   forget();
 }
 
-const asked = () => Object.fromEntries([...home].map((name) => [name, "true"]));
+const asked = () => Object.fromEntries(HOME.filter(isSo).map((name) => [name, "true"]));
 
 /** There is no plan of the room and the home as they are now. */
 function forget() {

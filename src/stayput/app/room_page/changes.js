@@ -2,12 +2,11 @@
 
 import { bar } from "../bars.js";
 import { el, fill, part } from "../dom.js";
-import { both, t } from "../words.js";
+import { both, percent, t } from "../words.js";
 import { capital, chance, points } from "./amounts.js";
 import { FACING } from "./geometry.js";
 import { DEFAULTS } from "./kinds.js";
 import * as room from "./room.js";
-
 
 /** Lists the changes of a result. */
 export function show(result) {
@@ -18,30 +17,37 @@ export function show(result) {
   );
 }
 
+/** Whether a change is seen in one of its chances at all. */
+const seen = (share, change) => share !== null && (share.estimate > 0 || change.estimate !== 0);
+
+const tag = ({ helps, tags }) => el("span", { class: helps ? "tag" : "tag gradeC", text: tags.map(both).join(t("listed")) });
+
+/** The chance that a change betters, which its bar shows: that of being hit where it betters none. */
+function shown({ better, hit, shut_in: shut, overturned }) {
+  if (better.includes("hit")) return [t("somebodyHit"), hit];
+  if (better.includes("shut_in")) return [t("somebodyShutIn"), shut];
+  if (better.includes("overturned") && overturned) return [t("itOverturns"), overturned];
+  return [t("somebodyHit"), hit];
+}
+
 function option(one) {
   const label = both(one.label),
-    tag = one.helps ? t("helps") : t("unclear");
+    { overturned, overturned_change: rarer, shut_in: shut, shut_in_change: freed } = one,
+    [what, share] = shown(one);
+  const effects = [
+    t("hitChange", { share: chance(one.hit), by: points(one.hit_change) }),
+    seen(shut, freed) ? t("shutChange", { share: chance(shut), by: points(freed) }) : "",
+    seen(overturned, rarer)
+      ? t("fallChange", { share: percent(overturned.estimate), before: percent(overturned.estimate - rarer.estimate) })
+      : "",
+  ];
   return el(
     "li",
     { class: "option" },
-    el(
-      "div",
-      { class: "optionhead" },
-      el("strong", { text: capital(label) }),
-      el("span", { class: one.helps ? "tag" : "tag gradeC", text: tag }),
-    ),
-    el("div", { class: "optionbar" }, bar(one.hit), el("span", { class: "share", text: chance(one.hit) })),
-    el("p", {
-      class: "hint",
-      text: [
-        t("hitChange", { by: points(one.hit_change) }),
-        one.shut_in.estimate > 0 || one.shut_in_change.estimate !== 0
-          ? t("shutChange", { share: chance(one.shut_in), by: points(one.shut_in_change) })
-          : "",
-      ]
-        .filter(Boolean)
-        .join(t("space")),
-    }),
+    el("div", { class: "optionhead" }, el("strong", { text: capital(label) }), tag(one)),
+    el("span", { class: "barname", text: what }),
+    el("div", { class: "optionbar" }, bar(share), el("span", { class: "share", text: chance(share) })),
+    el("p", { class: "hint", text: effects.filter(Boolean).join(t("space")) }),
     el("button", {
       type: "button",
       "aria-label": t("makeThis", { change: label }),

@@ -4,6 +4,7 @@ import { el, fill, part, settled } from "../dom.js";
 import { worded } from "../refusals.js";
 import { t } from "../words.js";
 import { clashSentence } from "./clashes.js";
+import { isEmpty } from "./edits.js";
 import { drawHandles } from "./handles.js";
 import * as inspector from "./inspector.js";
 import * as keys from "./keys.js";
@@ -11,7 +12,7 @@ import { learn } from "./kinds.js";
 import { LAYERS } from "./layers.js";
 import * as palette from "./palette.js";
 import * as pointer from "./pointer.js";
-import { canRedo, canUndo, current, watch } from "./room.js";
+import { canRedo, canUndo, current, selected, watch } from "./room.js";
 import {
   draw,
   drawInto,
@@ -43,8 +44,8 @@ export function build(element, presets) {
       el(
         "div",
         { class: "drawing" },
-        el("div", { id: "plan-tools", class: "row" }),
         el("div", { class: "sheet" }, svgElement),
+        el("div", { id: "plan-tools", class: "row" }),
         el("div", { id: "plan-problems", role: "status" }),
         el("div", { id: "plan-layers", class: "row" }),
       ),
@@ -80,7 +81,14 @@ export function translate() {
   part("inspector").setAttribute("aria-label", t("inspector"));
   part("plan-help").textContent = t("planHelp");
   part("plan-keys").textContent = t("planKeys");
-  fill(part("plan-tools"), tool("undo", keys.undone), tool("redo", keys.redone));
+  fill(
+    part("plan-tools"),
+    tool("undo", keys.undone, "Control+Z"),
+    tool("redo", keys.redone, "Control+Y"),
+    tool("turn", () => keys.turn()),
+    tool("remove", () => keys.remove()),
+    tool("empty", keys.emptied),
+  );
   fill(part("plan-layers"), ...LAYERS.map(layerSwitch));
   part("plan-legend").textContent = t("layersHint");
   inspector.buildInto(part("inspector"));
@@ -89,18 +97,20 @@ export function translate() {
   tellLayers();
 }
 
-const tool = (key, press) =>
+const tool = (key, press, shortcut = null) =>
   el("button", {
     type: "button",
     id: `plan-${key}`,
     text: t(`${key}It`),
-    "aria-keyshortcuts": key === "undo" ? "Control+Z" : "Control+Y",
+    "aria-keyshortcuts": shortcut,
     onclick: press,
   });
 
 function updateTools() {
   part("plan-undo").disabled = !canUndo();
   part("plan-redo").disabled = !canRedo();
+  part("plan-turn").disabled = part("plan-remove").disabled = !selected();
+  part("plan-empty").disabled = !current() || isEmpty(current());
 }
 
 function layerSwitch(name) {

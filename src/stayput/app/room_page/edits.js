@@ -168,6 +168,17 @@ export function removed(room, { table, index }) {
   return { ...next, [table]: next[table].filter((_, i) => i !== index) };
 }
 
+/** The room with nothing in it and without doors and windows. */
+export function emptied(room) {
+  const next = { ...room, furniture: [], places: [], doors: [], windows: [] };
+  delete next.joints;
+  return next;
+}
+
+/** Whether nothing is in a room, nor in its walls. */
+export const isEmpty = (room) =>
+  ["furniture", "places", "doors", "windows"].every((table) => !room[table]?.length);
+
 /** A piece, a place or a door called otherwise. */
 export function renamed(room, what, name) {
   const old = room[what.table][what.index].name;

@@ -9,6 +9,7 @@ import { utf8 } from "../packing.js";
 import { worded, wordedOfScenario } from "../refusals.js";
 import { spoken, t } from "../words.js";
 import * as room from "./room.js";
+import { played } from "./theatre.js";
 
 let newest = 0,
   shortFilm = "gif",
@@ -59,7 +60,7 @@ export function wire(opened, kinds) {
       const { title } = room.current();
       try {
         await drawing(button, say, async () => {
-          const made = await api.film(asked(), { lang: spoken(), ...query() });
+          const made = await api.film({ scene: played(), measures: [] }, { lang: spoken(), ...query() });
           offer(made, `${title || "room"}.${query().kind}`, made.type);
         });
       } catch (error) {

@@ -2,9 +2,11 @@
 
 import { bar } from "../bars.js";
 import { el, fill, part } from "../dom.js";
-import { number, percent, t } from "../words.js";
+import { both, number, percent, t } from "../words.js";
 import { capital, chance, quantile } from "./amounts.js";
 import { kindName } from "./kinds.js";
+
+const FALLS = 0.05; // share from which on a piece is said to overturn
 
 /** Writes all of them. */
 export function show(result) {
@@ -70,7 +72,8 @@ function pieces(result) {
       p.overturned,
       hint(
         [
-          all > 0 ? t("contributes", { share: percent(risk / all) }) : "",
+          risk > 0 ? t("contributes", { share: percent(risk / all) }) : "",
+          inTheWay(result, name),
           t("pieceSlides", { share: percent(p.slid.estimate) }),
           p.device_failed?.estimate > 0 ? t("pieceFails", { share: percent(p.device_failed.estimate) }) : "",
         ]
@@ -79,6 +82,23 @@ function pieces(result) {
       ),
     );
   return [hint(t("piecesOrder")), list(result.pieces.map(told))];
+}
+
+/** That a piece is in the way out, where a change of it clearly frees that. */
+function inTheWay({ changes, shut_in: now }, name) {
+  const freed = changes.find((one) => one.what === name && one.better.includes("shut_in"));
+  if (!freed) return "";
+  return t("inTheWay", { now: percent(now.estimate), then: percent(freed.shut_in.estimate), change: both(freed.label) });
+}
+
+/** The pieces that overturn often without hitting anybody, with how often. */
+export function fallingAlone({ pieces, places }) {
+  const hitting = new Set(places.flatMap((one) => one.by.map(({ piece }) => piece)));
+  return pieces
+    .filter(({ name, probabilities: { overturned } }) => overturned.estimate >= FALLS && !hitting.has(name))
+    .map(({ name, probabilities: { overturned } }) =>
+      t("fallsOften", { piece: kindName("furniture", name), share: percent(overturned.estimate) }),
+    );
 }
 
 function meetings({ collisions }) {

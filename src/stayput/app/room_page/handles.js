@@ -99,11 +99,14 @@ function sideHandles(room, what) {
   return [...sides, turnHandle(room, what, at)];
 }
 
-/** A handle to turn something with, at the first of its sides where it is on the sheet. */
+/** A handle to turn something with, at the first of its sides where it is on the sheet and on no name. */
 function turnHandle(room, what, at) {
-  const [wide, high] = sheetNow().size;
-  const seen = ([x, y]) => x > 12 && y > 12 && x < wide - 12 && y < high - 12;
-  const side = Object.values(SIDES).find((one) => seen(at(one, TURN))) ?? SIDES.front,
+  const { names, size } = sheetNow(),
+    [wide, high] = size;
+  const seen = ([x, y]) => x > OFF && y > OFF && x < wide - OFF && y < high - OFF,
+    onName = ([x, y]) => names.some(([x0, y0, x1, y1]) => x > x0 - OFF && x < x1 + OFF && y > y0 - OFF && y < y1 + OFF);
+  const sides = Object.values(SIDES).filter((one) => seen(at(one, TURN))),
+    side = sides.find((one) => !onName(at(one, TURN))) ?? sides[0] ?? SIDES.front,
     offset = Math.atan2(side[1], side[0]);
   return {
     name: "turn",

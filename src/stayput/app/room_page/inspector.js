@@ -8,7 +8,7 @@ import { atWall, given, inWall, placed, renamed, sized, turned, withSides } from
 import { amount, naming } from "./fields.js";
 import { WALLS, carrier, fromWall, opening, thing, wallLength } from "./geometry.js";
 import { measuresOf } from "./inspector_measures.js";
-import { double, remove, turn } from "./keys.js";
+import { double } from "./keys.js";
 import { DEFAULTS, HINGES, OPENS, fillings, limitsOf, nameOf, pieceSizes } from "./kinds.js";
 import { change, current, selected } from "./room.js";
 
@@ -76,9 +76,9 @@ function roomRows() {
 }
 
 function rowsOf(what) {
-  if (what.table === "furniture") return [name(what), ...pieceRows(what), buttons()];
-  if (what.table === "places") return [name(what), ...placeRows(what), buttons()];
-  return [...(what.table === "doors" ? [name(what)] : []), ...openingRows(what), buttons()];
+  if (what.table === "furniture") return [name(what), ...pieceRows(what), another()];
+  if (what.table === "places") return [name(what), ...placeRows(what), another()];
+  return [...(what.table === "doors" ? [name(what)] : []), ...openingRows(what), another()];
 }
 
 function name(what) {
@@ -269,16 +269,7 @@ function openingRows(what) {
   ];
 }
 
-function buttons() {
-  const button = (key, press) => el("button", { type: "button", text: t(key), onclick: () => press() });
-  return {
-    element: el(
-      "div",
-      { class: "row" },
-      button("turnIt", turn),
-      button("doubleIt", double),
-      button("removeIt", remove),
-    ),
-    update: () => {},
-  };
+function another() {
+  const button = el("button", { type: "button", text: t("doubleIt"), onclick: () => double() });
+  return { element: el("div", { class: "row" }, button), update: () => {} };
 }

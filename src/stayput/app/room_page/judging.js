@@ -21,20 +21,31 @@ function become(next) {
   tell(now);
 }
 
-/** Calls a function with each new state. */
+/** Calls a function with each new state, and where the server goes away or is back. */
 export function wire(told) {
   tell = told;
+  addEventListener("connection", () => tell(now));
 }
 
 const soon = settled(SETTLED, () => work());
 
-/** Asks about the room as it now is: the first one at once, others once they have settled. */
+/** What the verdict is of: all but which of its earthquakes is shown. */
+const judgedOf = (one) => JSON.stringify({ ...one, shaking: { ...one.shaking, member: undefined } });
+
+/** Asks about the room as it now is: the first one at once, others once they have settled; not about an empty one. */
 export function changed() {
   if (room.current() === asked) return;
-  const first = asked === null;
+  const first = asked === null,
+    same = !first && judgedOf(room.current()) === judgedOf(asked);
   asked = room.current();
+  if (same && now.name !== "waiting") return;
   round += 1;
   jobs.stop();
+  if (!asked.furniture.length) {
+    soon.cancel();
+    become({ name: "empty", job: null, result: null, old: false, error: null });
+    return;
+  }
   become({ name: "waiting", job: null, old: true, error: null });
   if (first) work();
   else soon();

@@ -1,7 +1,7 @@
 // The keyboard on the plan: arrows, R, D, Delete, Escape; and, anywhere on the page, undo and redo.
 
 import { described, where } from "./described.js";
-import { atWall, doubled, inWall, nextWall, placed, removed, turned } from "./edits.js";
+import { atWall, doubled, emptied as cleared, inWall, nextWall, placed, removed, turned } from "./edits.js";
 import { FACING, WALLS, carrier, fromWall, onWall, opening, thing, tidyAngle, upright } from "./geometry.js";
 import { DEFAULTS, nameOf } from "./kinds.js";
 import { change, current, redo, select, selected, undo } from "./room.js";
@@ -120,14 +120,21 @@ export function double(what = selected()) {
   say(t("added", { what: described(next, made) }));
 }
 
-/** Removes something; the focus goes to what then has its number, or to the plan. */
+/** Removes something; then nothing is selected, so that the next press removes nothing unseen. */
 export function remove(what = selected()) {
-  const name = nameOf(current(), what),
-    next = removed(current(), what),
-    left = next[what.table].length;
-  change(next);
+  const name = nameOf(current(), what);
+  change(removed(current(), what));
+  leave(t("removed", { name }));
+}
+
+/** Takes everything out of the room: one entry for undo. */
+export function emptied() {
+  change(cleared(current()));
+  leave(t("emptied"));
+}
+
+function leave(said) {
   select(null);
-  if (left) focusOn({ ...what, index: Math.min(what.index, left - 1) });
-  else plan().focus();
-  say(t("removed", { name }));
+  plan().focus({ preventScroll: true });
+  say(said);
 }

@@ -2,11 +2,17 @@
 
 import { svg } from "../dom.js";
 
-const FONT = 13,
-  LINE = 16, // height of a line [px]
+const USUAL = { font: 13, line: 16, notes: true },
+  SMALL = { font: 11, line: 13, notes: true },
+  NAME_ALONE = { font: 11, line: 13, notes: false },
+  LOOKS = [USUAL, SMALL, NAME_ALONE], // the first is taken in which a name finds a free spot
   LONGEST = 11, // longest line, in widths of a full-width letter
-  NARROW = 0.56, // width of a letter that is not full-width, in the same
-  COST = { name: 30, outside: 20, hidden: 6, thing: 2, farther: 0.15 };
+  NARROW = 0.6, // width of a letter that is not full-width, in the same
+  FREE = 0.4, // cost up to which a spot is free
+  AGAIN = 3, // how often each name is placed, the others being where they are
+  COST = { name: 40, outside: 20, hidden: 6, thing: 40, farther: 0.01, look: 0.5 },
+  NEAR = 3, // from a thing to a name beside it [px]
+  OFF = 18; // the same where there is no room beside it; a line then leads to the thing
 
 const widthOf = (text) => [...text].reduce((sum, letter) => sum + (letter > "\u2e7f" ? 1 : NARROW), 0);
 
@@ -40,34 +46,60 @@ const hidden = (thing, name) =>
     : shared(thing, name) / ((thing[2] - thing[0]) * (thing[3] - thing[1]));
 
 /**
- * Names as texts, the first placed first: labels are {name, notes, box}; they rather do not stand on things, but in
- * their own where they fit there, nor beyond the floor [px].
+ * Names as texts, and where they stand: labels are {name, notes, box}; they stand in or beside their own things and, as
+ * far as can be, on no other, on no other name, and not beyond the floor [px].
  */
 export function nameTexts(labels, things, floor) {
-  const taken = [];
-  return labels.flatMap(({ name, notes, box }) => {
+  const placed = labels.map(() => null);
+  for (let round = 0; round < AGAIN; round++)
+    labels.forEach((label, i) => {
+      const names = placed.filter((one, j) => one && j !== i).map(({ spot }) => spot);
+      placed[i] = best(label, names, things, floor);
+    });
+  return { texts: placed.flatMap(texts), spots: placed.map(({ spot }) => spot) };
+}
+
+/** Where a name stands best, {cost, spot, lines, look, box}, in the first look in which it is free there. */
+function best({ name, notes, box }, names, things, floor) {
+  const others = things.filter((one) => one !== box);
+  let least = null;
+  for (const [step, look] of LOOKS.entries()) {
     const lines = [
-      ...wrapped(name).map((text) => ({ text, name: "name halo" })),
-      ...notes.map((text) => ({ text, name: "note halo" })),
+      ...wrapped(name).map((text) => ({ text, kind: "name" })),
+      ...(look.notes ? notes : []).map((text) => ({ text, kind: "note" })),
     ];
-    const others = things.filter((one) => one !== box);
-    const costs = candidates(lines, box).map((one, place) => ({
-      one,
-      cost: cost(one, taken, others, floor) + COST.hidden * hidden(box, one) + COST.farther * place,
-    }));
-    const spot = costs.reduce((least, next) => (next.cost < least.cost ? next : least)).one;
-    taken.push(spot);
-    const texts = lines.map(({ text, name: look }, row) =>
-      svg("text", {
-        class: look,
-        "text-anchor": "middle",
-        x: ((spot[0] + spot[2]) / 2).toFixed(1),
-        y: (spot[1] + LINE * (row + 0.78)).toFixed(1),
-        text,
-      }),
-    );
-    return [plate(spot), ...texts];
-  });
+    for (const [place, spot] of candidates(lines, look, box).entries()) {
+      const on = cost(spot, names, others, floor) + COST.hidden * hidden(box, spot),
+        all = on + COST.farther * place + COST.look * step;
+      if (!least || all < least.cost) least = { cost: all, on, spot, lines, look, box };
+    }
+    if (least.on <= FREE) break;
+  }
+  return least;
+}
+
+function texts({ spot, lines, look: { font, line }, box }) {
+  const own = lines.map(({ text, kind }, row) =>
+    svg("text", {
+      class: `${kind} halo`,
+      "text-anchor": "middle",
+      style: font === USUAL.font ? null : `font-size: ${font}px`,
+      x: ((spot[0] + spot[2]) / 2).toFixed(1),
+      y: (spot[1] + line * (row + 0.78)).toFixed(1),
+      text,
+    }),
+  );
+  return [leader(spot, box), plate(spot), ...own].filter(Boolean);
+}
+
+/** A line from a name to its thing, where it does not stand beside that. */
+function leader(spot, box) {
+  const nearest = ([low, high], value) => Math.max(low, Math.min(high, value));
+  const [x, y] = [(spot[0] + spot[2]) / 2, (spot[1] + spot[3]) / 2],
+    to = [nearest([box[0], box[2]], x), nearest([box[1], box[3]], y)],
+    from = [nearest([spot[0], spot[2]], to[0]), nearest([spot[1], spot[3]], to[1])];
+  if (Math.hypot(to[0] - from[0], to[1] - from[1]) < OFF / 2) return null;
+  return svg("path", { class: "leader", d: `M${from.map((one) => one.toFixed(1)).join(" ")}L${to.map((one) => one.toFixed(1)).join(" ")}` });
 }
 
 /** What a name stands on, so that it can be read over hatched cells. */
@@ -81,29 +113,25 @@ const plate = ([x0, y0, x1, y1]) =>
     rx: 4,
   });
 
-/** Rectangles for a name: in the middle of what it names, then at its sides. */
-function candidates(lines, [x0, y0, x1, y1]) {
-  const dx = (FONT * Math.max(...lines.map(({ text }) => widthOf(text))) + 4) / 2,
-    dy = (LINE * lines.length) / 2,
-    gap = 3,
-    [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
-  const [right, left] = [x1 + dx + gap, x0 - dx - gap],
-    [below, above] = [y1 + dy + gap, y0 - dy - gap],
-    [low, high] = [y0 + dy, y1 - dy],
-    [near, far] = [x0 + dx, x1 - dx];
-  const middles = [
-    [x, y],
-    [x, low],
-    [x, high],
-    [right, y],
-    [left, y],
-    [near, y],
-    [far, y],
-    [x, below],
-    [x, above],
-  ];
-  for (const across of [right, left]) middles.push([across, low], [across, high]);
-  for (const across of [near, far]) middles.push([across, below], [across, above]);
+const ALONG = [0.5, 0, 1, 0.25, 0.75]; // where a name stands along a side, beginning with its middle
+
+/** Rectangles for a name: within what it names, then beside it, then off its corners. */
+function candidates(lines, { font, line }, [x0, y0, x1, y1]) {
+  const dx = (font * Math.max(...lines.map(({ text }) => widthOf(text))) + 4) / 2,
+    dy = (line * lines.length) / 2;
+  const between = (low, high, share) => low + share * (high - low);
+  const inside = ALONG.flatMap((v) => ALONG.map((u) => [between(x0 + dx, x1 - dx, u), between(y0 + dy, y1 - dy, v)])),
+    fits = x1 - x0 >= 2 * dx && y1 - y0 >= 2 * dy;
+  const middles = fits ? inside : [[(x0 + x1) / 2, (y0 + y1) / 2]];
+  for (const gap of [NEAR, OFF]) {
+    const [right, left] = [x1 + dx + gap, x0 - dx - gap],
+      [below, above] = [y1 + dy + gap, y0 - dy - gap];
+    for (const share of ALONG) {
+      const [x, y] = [between(x0 + dx, x1 - dx, share), between(y0 + dy, y1 - dy, share)];
+      middles.push([right, y], [left, y], [x, below], [x, above]);
+    }
+    for (const across of [right, left]) middles.push([across, y0 - dy], [across, y1 + dy]);
+  }
   return middles.map(([a, b]) => [a - dx, b - dy, a + dx, b + dy]);
 }
 

@@ -48,6 +48,7 @@ function judged(state) {
   editor.tellRefusal(state.error);
   const done = state.job?.state === "done" ? state.job.id : null;
   files.point(done);
+  theatre.judged(state.old || state.error ? null : state.result);
   actionPlan.take(done);
   if (!state.result) return;
   findings.show(state.result);
@@ -74,6 +75,7 @@ function again() {
 const changed = beforeNextFrame(() => {
   environment.take();
   verdict.update();
+  actionPlan.update();
   judging.changed();
   theatre.changed();
   address.changed();

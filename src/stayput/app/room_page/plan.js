@@ -7,14 +7,14 @@ import { extents, onWall, thing, things } from "./geometry.js";
 import { DEFAULTS, TABLES, nameOf } from "./kinds.js";
 import { nameTexts } from "./labels.js";
 import { LAYERS, hueOf, inOrderOf, notes, shareOf, telling, zones } from "./layers.js";
-import { doorShapes, pieceShapes, placeShapes, windowShapes } from "./shapes.js";
+import { doorShapes, feltAt, pieceShapes, placeShapes, windowShapes } from "./shapes.js";
 import { WALL, path, sheetFor } from "./sheet.js";
 
 const HIGH = 460; // of a picture where nothing else is said [px]
 const groups = new WeakMap(); // of the pictures that were drawn: their groups, which stay so that one keeps the focus
 
 /**
- * Draws a room into an <svg> and returns its sheet.
+ * Draws a room into an <svg> and returns its sheet with where names stand on it.
  *
  * result: a verdict as the server sends it, or null; shown: which of its layers; selected: {table, index} or null;
  * readOnly: a picture that is only looked at; bare: without scale and names of walls; clashing: keys of things that
@@ -50,6 +50,11 @@ export function drawPlan(element, room, options = {}) {
       if (!readOnly) operable(group, room, what, chosen);
     });
   }
+  layer.felt.replaceChildren(
+    ...(readOnly ? [] : all)
+      .filter((what) => thing(room, what).wall)
+      .map((what) => svg("path", { "data-felt": keyOf(what), d: feltAt(sheet, thing(room, what)) })),
+  );
   const boxes = new Map(all.map((what) => [keyOf(what), boxOf(sheet, room, what)]));
   const named = all.filter(({ table }) => table !== "windows");
   const labels = named.map((what) => ({
@@ -58,9 +63,10 @@ export function drawPlan(element, room, options = {}) {
     box: boxes.get(keyOf(what)),
   }));
   const solid = named.filter(({ table }) => table !== "doors").map((what) => boxes.get(keyOf(what)));
-  layer.names.replaceChildren(...nameTexts(labels, solid, sheet.floor), ...(bare ? [] : scale(sheet)));
+  const { texts, spots } = nameTexts(labels, solid, sheet.floor);
+  layer.names.replaceChildren(...texts, ...(bare ? [] : scale(sheet)));
   layer.guides.replaceChildren(...guides.map((one) => guide(sheet, one)));
-  return sheet;
+  return { ...sheet, names: spots };
 }
 
 /** A thing's name within a picture. */
@@ -77,13 +83,13 @@ function frame(element, sheet, room, readOnly, all) {
   element.setAttribute("aria-label", readOnly ? t("planAlt", { ...sides, content }) : t("planEdited", sides));
 }
 
-const ORDER = ["ground", "places", "zones", "furniture", "windows", "doors", "names", "guides", "handles"];
+const ORDER = ["ground", "felt", "places", "zones", "furniture", "windows", "doors", "names", "guides", "handles"];
 
 /** The groups of a picture, from the lowest to the topmost; those of things stay from drawing to drawing. */
 export function layersOf(element) {
   if (!groups.has(element)) {
     const made = Object.fromEntries(ORDER.map((name) => [name, svg("g", { class: `layer-${name}` })]));
-    for (const name of ["ground", "zones", "names", "guides"]) made[name].setAttribute("aria-hidden", "true");
+    for (const name of ["ground", "felt", "zones", "names", "guides"]) made[name].setAttribute("aria-hidden", "true");
     element.replaceChildren(...Object.values(made));
     groups.set(element, made);
   }

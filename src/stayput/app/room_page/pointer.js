@@ -34,11 +34,11 @@ export function wire() {
   );
 }
 
-const taken = (target) => target.closest("[data-thing], [data-handle]")?.dataset;
+const taken = (target) => target.closest("[data-thing], [data-handle], [data-felt]")?.dataset;
 
 function begin(event) {
   if (event.button !== 0 || drag) return;
-  const { handle, thing: key } = taken(event.target) ?? {};
+  const { handle, felt, thing: key = felt } = taken(event.target) ?? {};
   if (!handle && !key) {
     select(null);
     return;

@@ -34,6 +34,12 @@ export function replace(next) {
   tell();
 }
 
+/** Takes the room with what changes nothing of its verdict, such as which of its earthquakes is shown: no entry for undo. */
+export function adjust(next) {
+  room = next;
+  tell();
+}
+
 export const canUndo = () => past.length > 0;
 export const canRedo = () => future.length > 0;
 

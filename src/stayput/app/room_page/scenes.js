@@ -2,6 +2,7 @@
 
 import { el, fill, part, svg } from "../dom.js";
 import { tab } from "../memory.js";
+import { goTo } from "../screens.js";
 import { t } from "../words.js";
 import { compare } from "./comparing.js";
 import { drawPlan } from "./plan.js";
@@ -104,6 +105,7 @@ function open(scene) {
   remember(scene);
   part("scene-name").value = scene.name;
   say(t("openedScene", { name: scene.name }));
+  goTo("scene");
 }
 
 function rename(scene) {

@@ -123,9 +123,27 @@ function panels(sheet, { wall, start, width }) {
   });
 }
 
-const ARC = 24;
+const ARC = 24,
+  FELT = 12; // how far beside an opening's wall, and beyond its ends, the pointer still takes it [px]
 
-function leaf(sheet, { wall, start, width, hinge, opens }) {
+/** Where the pointer takes an opening: around its part of the wall, and where its door swings. */
+export function feltAt(sheet, one) {
+  const far = FELT / sheet.scale,
+    middle = -WALL / 2 / sheet.scale,
+    [low, high] = [one.start - far, one.start + one.width + far];
+  const strip = [
+    [low, middle - far],
+    [high, middle - far],
+    [high, middle + far],
+    [low, middle + far],
+  ].map(([along, into]) => sheet.atWall(one.wall, along, into));
+  if (!one.hinge || one.opens === "sliding") return path(strip);
+  const { at, edge } = swing(sheet, one);
+  return path(strip) + path([at, ...edge]);
+}
+
+/** Where a door hangs, and the arc of its edge as it opens. */
+function swing(sheet, { wall, start, width, hinge, opens }) {
   const sign = opens === "outwards" ? -1 : 1;
   const edge = Array.from({ length: ARC + 1 }, (_, i) => (i * Math.PI) / 2 / ARC).map((angle) => {
     const reach = width * Math.cos(angle);
@@ -135,7 +153,11 @@ function leaf(sheet, { wall, start, width, hinge, opens }) {
       sign * width * Math.sin(angle),
     );
   });
-  const at = sheet.atWall(wall, hinge === "start" ? start : start + width);
+  return { at: sheet.atWall(wall, hinge === "start" ? start : start + width), edge };
+}
+
+function leaf(sheet, door) {
+  const { at, edge } = swing(sheet, door);
   return [
     svg("path", { class: "swing", d: path(edge, false) }),
     svg("path", { class: "leaf", d: path([at, edge.at(-1)], false) }),

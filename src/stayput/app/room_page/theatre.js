@@ -2,13 +2,13 @@
 
 import * as api from "../api.js";
 import { patiently } from "../connection.js";
-import { el, fill, part, settled } from "../dom.js";
+import { el, fill, narrow, part, settled } from "../dom.js";
 import { worded } from "../refusals.js";
 import { shake, shownSpan, telling } from "../runs.js";
 import { strengthOf } from "../panel_shaking.js";
 import * as stages from "../stages.js";
 import * as transport from "../transport.js";
-import { both, length, number, t } from "../words.js";
+import { both, length, number, percent, t } from "../words.js";
 import { kindName } from "./kinds.js";
 import * as room from "./room.js";
 import * as sound from "./sound.js";
@@ -17,17 +17,29 @@ const SETTLED = 600, // after the last change [ms]
   SLOW = 400;
 const { clock } = transport;
 let outcomes = {},
-  shown = null, // {result, room}
+  shown = null, // {result, room, scene}
   asked = null,
+  verdict = null, // the newest on the room, or null
+  typical = null, // the direction of the earthquake that the verdict proposes, where that one is shown
+  own = false, // whether the reader has chosen the earthquake
   flight = null,
   problem = null,
   late = false, // whether the answer is long in coming
+  proposing = false, // whether the room changes by what the verdict proposes
   resume = false;
 
 /** Wires the picture and its buttons. */
 export function wire() {
   transport.wire(draw);
   stages.wire(() => clock.redraw());
+  addEventListener("shown", fromTheStart);
+}
+
+/** On a phone the picture begins anew when its screen is entered. */
+function fromTheStart() {
+  if (!narrow() || document.body.dataset.screen !== "see" || !clock.playing) return;
+  clock.seek(clock.start);
+  clock.play(true);
 }
 
 /** Writes the words again, for another language or theme. */
@@ -48,16 +60,28 @@ function draw(now) {
 
 const soon = settled(SETTLED, () => work());
 
+const memberOf = (one) => one.shaking?.member ?? 1;
+const without = (one) => JSON.stringify({ ...one, shaking: { ...one.shaking, member: undefined } });
+
 /** Shakes the room as it now is: the first one at once, others once they have settled. */
 export function changed() {
   if (room.current() === asked) return;
-  const first = asked === null;
+  const first = asked === null,
+    before = asked;
   asked = room.current();
+  if (!first && !proposing) {
+    const another = memberOf(asked) !== memberOf(before);
+    if (another) own = without(asked) === without(before);
+    typical = another ? null : typical;
+  }
   flight?.abort();
   problem = null;
   late = false;
   tell();
-  if (first) work();
+  const atOnce = first || proposing;
+  proposing = false;
+  if (!asked.furniture.length) soon.cancel();
+  else if (atOnce) work();
   else soon();
 }
 
@@ -71,10 +95,10 @@ async function work() {
   }, SLOW);
   part("see").setAttribute("aria-busy", "true");
   try {
-    const content = { scene: mine, measures: [] };
+    const content = { scene: played(), measures: [] };
     const answer = await patiently(() => api.simulate(content, own.signal), wanted);
     if (!answer || !wanted()) return;
-    shown = { result: shake(answer), room: mine };
+    shown = { result: shake(answer), room: mine, happens: answer.in_room ?? null };
     display();
     document.documentElement.dataset.drawn = String(performance.now());
   } catch (error) {
@@ -92,8 +116,9 @@ async function work() {
 /** Says that the picture is of the room before, that it is being computed, or why there is none. */
 function tell() {
   const old = shown?.room !== asked;
-  part("wait").hidden = !late || !old;
-  part("wait").textContent = t(shown ? "outdatedRoom" : "warming");
+  const empty = asked?.furniture.length === 0;
+  part("wait").hidden = !empty && (!late || !old);
+  part("wait").textContent = t(empty ? "state_empty" : shown ? "outdatedRoom" : "warming");
   part("problem").hidden = !problem;
   fill(part("problem"), problem ? worded(problem) : []);
   if (old === (part("see").dataset.old === "true")) return;
@@ -102,10 +127,52 @@ function tell() {
   if (clock.end && (old || resume)) clock.play(!old);
 }
 
+/** The scene that is shown: the room under the earthquake that the verdict proposes, or as it says itself. */
+export function played() {
+  const scene = room.current();
+  return typical === null || scene.direction !== undefined ? scene : { ...scene, direction: typical };
+}
+
+/** Takes the newest verdict, or null; where what is shown is not what happens most often, one of those is shown. */
+export function judged(result) {
+  verdict = result;
+  compare();
+  const proposed = result?.complete ? result.typical : null,
+    scene = room.current();
+  if (!proposed || own || !scene.shaking?.suite || shown?.room !== asked || isTypical()) return;
+  if (typical === proposed.direction_rad && memberOf(scene) === proposed.member) return;
+  typical = proposed.direction_rad;
+  proposing = true;
+  room.adjust({ ...scene, shaking: { ...scene.shaking, member: proposed.member } });
+}
+
+/** Whether what is shown is what happens in most runs. */
+const isTypical = () =>
+  !shown.happens ||
+  (shown.happens.hits.length > 0 === verdict.hit.estimate >= 0.5 &&
+    shown.happens.shut_in.length > 0 === verdict.shut_in.estimate >= 0.5);
+
+/** Says what happens in what is shown, beside how often that is so. */
+function compare() {
+  const happens = shown?.room === asked ? shown?.happens : null,
+    line = part("this-one");
+  line.hidden = !happens || verdict?.hit.estimate == null;
+  if (line.hidden) return;
+  const { hit, shut_in: shut } = verdict,
+    pieces = [...new Set(happens.hits.map(({ piece }) => kindName("furniture", piece)))].join(t("listed"));
+  const told = [
+    pieces
+      ? t("inThisHit", { pieces, share: percent(hit.estimate) })
+      : t("inThisNone", { share: percent(1 - hit.estimate) }),
+    happens.shut_in.length ? t("inThisShut", { share: percent(shut.estimate) }) : "",
+  ];
+  line.textContent = told.filter(Boolean).join(t("space"));
+}
+
 function display() {
   const { result } = shown,
     [run] = result.runs,
-    { start, end } = shownSpan(result);
+    { end } = shownSpan(result);
   stages.show([run.scene]);
   sound.take(run, result.floor);
   part("summary").textContent = strengthOf(result.motion);
@@ -114,7 +181,8 @@ function display() {
     part("fates"),
     run.pieces.map((one, i) => fate(one, run.scene.bodies[i].colour)),
   );
-  clock.span(start, end, telling(run));
+  compare();
+  clock.span(0, end, telling(run));
   clock.redraw();
 }
 

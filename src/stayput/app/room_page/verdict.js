@@ -1,13 +1,15 @@
 // The verdict on the room in one sentence, with how far it has come, of how many runs, and the best single change.
 
+import { isAway } from "../connection.js";
 import { el, fill, part } from "../dom.js";
 import { worded } from "../refusals.js";
 import { both, number, perCent, percent, t } from "../words.js";
 import { basis } from "./amounts.js";
 import { apply } from "./changes.js";
+import { fallingAlone } from "./findings.js";
 import * as room from "./room.js";
 
-const ENDED = ["done", "cancelled", "refused"],
+const ENDED = ["done", "cancelled", "refused", "empty"],
   BETWEEN = " · ";
 const SAMPLES = { quick: 20, usual: 60, fine: 200 };
 
@@ -47,6 +49,7 @@ export function show({ name, job, result, old, error }) {
   write(error ? worded(error) : result ? [both(result.verdict)] : []);
   part("rough").hidden = !result || old || result.complete;
   part("rough").textContent = result ? t("rough", { runs: number(result.runs) }) : "";
+  falls(error ? null : result);
   best(old || error ? null : result);
   part("basis").textContent = result ? basis(result) : "";
   progress(name, job);
@@ -56,7 +59,7 @@ export function show({ name, job, result, old, error }) {
 /** Says it in one line beside the steps, for where the verdict is on another screen. */
 function brief(name, result, old) {
   const refused = name === "refused",
-    counting = ENDED.includes(name) ? [] : [t("counting")],
+    counting = ENDED.includes(name) ? [] : [t(isAway() ? "serverAway" : "counting")],
     chances = result ? inBrief(result).join(BETWEEN) : t(`state_${name}`);
   const said = refused ? t("briefRefused") : result && old ? t("briefOld", { said: chances }) : chances;
   part("brief").dataset.old = String(Boolean(result) && old);
@@ -77,6 +80,13 @@ function write(content) {
   if (part("verdict").textContent !== said) fill(part("verdict"), content);
 }
 
+/** Names the pieces that overturn often and are not in the sentence, as they hit nobody. */
+function falls(result) {
+  const names = result ? fallingAlone(result) : [];
+  part("falls").hidden = !names.length;
+  part("falls").textContent = t("fallsToo", { pieces: names.join(t("listed")) });
+}
+
 function best(result) {
   const change = result?.changes.find((one) => one.helps);
   fill(
@@ -92,7 +102,7 @@ function progress(name, job) {
     share = job?.progress ?? 0;
   bar.hidden = !busy;
   part("cancel").hidden = !busy || !job;
-  part("verify").hidden = busy;
+  part("verify").hidden = busy || name === "empty";
   bar.value = share;
   bar.setAttribute("aria-valuetext", perCent(number(100 * share)));
   part("state").textContent = said(name, job);
@@ -100,6 +110,7 @@ function progress(name, job) {
 
 /** How far the question is, in words. */
 function said(name, job) {
+  if (isAway() && !ENDED.includes(name)) return t("serverAway");
   if (job?.position) return t("before", { n: number(job.position) });
   if (name === "running" && job?.result) return t("roomBetter");
   return name === "done" ? "" : t(`state_${name}`);

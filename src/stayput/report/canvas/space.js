@@ -37,9 +37,11 @@ export function spacePainter(canvas, first) {
   const gl = canvas.getContext("webgl2", { antialias: true, alpha: false });
   if (!gl) return null;
   let tools = prepareTools(),
-    made = prepare();
+    made = prepare(),
+    pending = null; // until what was drawn last is finished
   canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
   canvas.addEventListener("webglcontextrestored", () => {
+    pending = null;
     tools = prepareTools();
     made = prepare();
   });
@@ -140,6 +142,18 @@ export function spacePainter(canvas, first) {
     return [w, h, sharp];
   }
 
+  /** Whether the picture before is still being drawn: pictures that are asked for faster than that queue up. */
+  function busy() {
+    return pending !== null && gl.getSyncParameter(pending, gl.SYNC_STATUS) === gl.UNSIGNALED;
+  }
+
+  /** Notes when all that has been asked for so far is drawn. */
+  function mark() {
+    if (pending) gl.deleteSync(pending);
+    pending = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+  }
+
   function draw(t, camera, { chosen = null, shaken = false } = {}) {
     if (gl.isContextLost()) return;
     const [width, height, sharp] = fitted(),
@@ -190,6 +204,7 @@ export function spacePainter(canvas, first) {
     drawStill(eye, { ...lines, model: STILL }, sharp);
     gl.depthMask(true);
     drawTies(models, t, { ...lines, model: STILL }, sharp);
+    mark();
   }
 
   /** Draws the places of people, the doors and the windows: the pieces shine through them. */
@@ -223,5 +238,5 @@ export function spacePainter(canvas, first) {
     }
     gl.enable(gl.DEPTH_TEST);
   }
-  return { draw, take };
+  return { busy, draw, take };
 }
