@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any, cast
 
 from browsing import opened
 
-from stayput.rooms.verdict import ChangeVerdict
 from stayput.rooms.words import tags
 
 if TYPE_CHECKING:
@@ -19,6 +18,8 @@ if TYPE_CHECKING:
     from browsing import Opened
     from playwright.sync_api import Browser, Route
     from serving import Running
+
+    from stayput.rooms.verdict import ChangeVerdict
 
 QUEUED, ROUGH, DONE = "queued", "rough", "done"
 CELLS = (72, 54)

@@ -140,10 +140,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "turn {place} by 90° and move it, its middle {x:.2f} m from the left wall and {y:.2f} m from the near wall",
         "{place}の向きを90°変え、中心が左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
     ),
-    "falls_too": ("{often} {piece} overturns{interval}", "{often}「{piece}」が倒れます{interval}"),
+    "falls_too": ("{often} {piece} overturns{interval}", "{often}{piece}が倒れます{interval}"),
     "falls_with_others": (
         "{often} {piece} overturns{interval}, and others do too (pieces: {count})",
-        "{often}「{piece}」が倒れ{interval}、ほかにも倒れる家具があります（{count}個）",
+        "{often}{piece}が倒れ{interval}、ほかにも倒れる家具があります（{count}個）",
     ),
     "change_of_hit": (
         "{change}. The chance that somebody is hit {goes}",
