@@ -5,9 +5,12 @@ from __future__ import annotations
 import base64
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any, cast
 
 from browsing import opened
+
+from stayput.rooms.words import tags
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
@@ -15,6 +18,8 @@ if TYPE_CHECKING:
     from browsing import Opened
     from playwright.sync_api import Browser, Route
     from serving import Running
+
+    from stayput.rooms.verdict import ChangeVerdict
 
 QUEUED, ROUGH, DONE = "queued", "rough", "done"
 CELLS = (72, 54)
@@ -54,7 +59,7 @@ def piece(name: str, overturned: float, risk: float) -> dict[str, Any]:
 
 def change(what: str, hit: float, **more: Any) -> dict[str, Any]:
     english, japanese = more.pop("label", (f"{what} moved", f"「{what}」を移動"))
-    return {
+    told = {
         "what": what,
         "table": "furniture",
         "label": words(english, japanese),
@@ -77,6 +82,8 @@ def change(what: str, hit: float, **more: Any) -> dict[str, Any]:
         "worse": [],
         **more,
     }
+    clear = cast("ChangeVerdict", SimpleNamespace(better=told["better"], worse=told["worse"]))
+    return {**told, "tags": [words(*tag) for tag in tags(clear)]}
 
 
 def made() -> dict[str, Any]:

@@ -280,7 +280,8 @@ def test_the_server_prints_no_warning_of_what_it_is_asked(
 ) -> None:
     floor = {"static_friction": 0.6, "kinetic_friction": 0.5, "settlement": 0.01}
     sine = {"sine": {"amplitude": 1.0, "frequency": 1.0, "duration": 2.0}}
-    scene = {"furniture": PIECES["furniture"], "room": {"floor": floor}, "shaking": sine}
+    drum = {"name": "drum", "diameter": 0.4, "height": 0.9, "mass": 20.0, "at": [0.0, 3.0]}
+    scene = {"furniture": [*PIECES["furniture"], drum], "room": {"floor": floor}, "shaking": sine}
     with pytest.warns(sp.InputWarning, match="The floor settles by"):
         AssemblyScenario.parse(scene).run()  # which tells it in Python
     recwarn.clear()

@@ -157,7 +157,8 @@ def test_what_is_doubtful_about_a_file_is_told_in_both_languages(client: httpx.C
     clear = upload(client, RECORD, unit="m/s²").json()
     assert (clear["warnings"], clear["floor"]) == ([], "")
     rows = "".join(f"{0.01 * i:.2f},{i % 7},{i % 5},{i % 3}\n" for i in range(1500))
-    answer = upload(client, "# t,NS (gal),EW (gal),UD (gal)\n" + rows, "floor12.csv", unit="g").json()
+    text = "# acceleration (gal)\n# t,NS,EW,UD\n" + rows
+    answer = upload(client, text, "floor12.csv", unit="g").json()
     assert answer["floor"] == "floor 12"
     told = {one["field"]: one for one in answer["warnings"]}
     assert told.keys() == {"component", "unit", None}
@@ -168,6 +169,33 @@ def test_what_is_doubtful_about_a_file_is_told_in_both_languages(client: httpx.C
     assert any("6 g" in (one["message_ja"] or "") for one in answer["warnings"])
     assert any("ヘッダーには「gal」" in (one["message_ja"] or "") for one in answer["warnings"])
     assert client.get(f"/api/v1/motions/{answer['id']}").json()["warnings"] == answer["warnings"]
+
+
+def test_a_refusal_says_what_the_unit_may_be_and_what_else_is_missing(client: httpx.Client) -> None:
+    rows = "".join(f"{0.01 * i:.2f},{i % 7}\n" for i in range(1500))
+    asked = upload(client, "# acceleration in cm/s/s\n" + rows).json()
+    assert (asked["field"], asked["perhaps"], asked["also"]) == ("unit", "cm/s²", [])
+    asked = upload(client, "1\n-1\n" * 700).json()
+    assert (asked["field"], asked["perhaps"], asked["also"]) == ("unit", None, ["dt"])
+    assert upload(client, "t (s),a (gal)\n" + rows).status_code == 201
+
+
+def test_a_vertical_channel_does_not_shake_sideways(client: httpx.Client) -> None:
+    text = "# unit: m/s²\nt,NS,EW,UD\n" + "".join(
+        f"{0.01 * i:.2f},{i % 7},{i % 5},{i % 3}\n" for i in range(1500)
+    )
+    refused = upload(client, text, component="UD")
+    assert (refused.status_code, refused.json()["field"]) == (422, "component")
+    assert "'UD' is a vertical channel; it must be a horizontal one: NS" in refused.json()["message"]
+    assert "水平の成分を次から選んでください" in refused.json()["message_ja"]
+    found = upload(client, text).json()
+    for place in ("", "/preview"):
+        again = client.get(f"/api/v1/motions/{found['id']}{place}", params={"component": "UD"})
+        assert again.status_code == 422
+    scene = {**SCENE, "shaking": {**found["shaking"], "component": "UD"}}
+    told = client.post("/api/v1/simulate", json={"scene": scene})
+    assert told.status_code == 422
+    assert "vertical channel" in told.json()["message"]
 
 
 def test_a_motion_that_a_job_reads_stays(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -231,10 +259,9 @@ def test_channels_are_listed_and_another_one_is_taken(client: httpx.Client) -> N
     assert across["pga_m_s2"] == pytest.approx(0.5 * found["pga_m_s2"], rel=1e-5)
     run = client.post("/api/v1/simulate", json={"scene": {**SCENE, "shaking": across["shaking"]}}).json()
     assert run["motion"]["pga_m_s2"] == pytest.approx(across["pga_m_s2"])
-    up = client.get(place, params={"component": "z"}).json()
-    assert [one["used"] for one in up["channels"]] == [False, False, True]
-    preview = client.get(f"{place}/preview", params={"component": "z"}).json()
-    assert max(preview["high_m_s2"]) == pytest.approx(0.25, abs=1e-3)
+    assert [one["used"] for one in across["channels"]] == [False, True, False]
+    preview = client.get(f"{place}/preview", params={"component": "y"}).json()
+    assert max(preview["high_m_s2"]) == pytest.approx(0.5, abs=1e-3)
     none = client.get(place, params={"component": "w"})
     assert none.status_code == 422
     assert none.json()["field"] == "component"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import itertools
 import json
 import math
@@ -259,6 +260,9 @@ def test_the_card_says_what_to_buy_where_and_what_it_brings(plan: sp.ActionPlan,
     assert page.count('class="elevation"') == sum(step.fix is not None for step in plan.steps)
     for key in ("title", "buy", "where", "effect", "check"):
         assert say(f"action_plan.{key}", language) in page
+    (rough,) = re.findall(r'<p class="rough">(.*?)</p>', page)
+    for step in plan.steps:
+        assert all(say(one.label, language) in html.unescape(rough) for one in step.weakest)
     assert "<script" not in page
     assert "http://" not in page
     assert "https://" not in page

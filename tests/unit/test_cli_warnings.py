@@ -58,3 +58,15 @@ def test_a_length_in_the_plane_is_told_to_change_nothing(run):
     assert said.startswith("Warning: --length is 0.9 m, which changes nothing in the plane of the depth;")
     assert planar.stdout == run("simulate", *flags[2:]).stdout
     assert not told(run("simulate", *flags, "--dimensions", "3"))
+
+
+def test_a_vertical_channel_is_refused_as_component(run, tmp_path):
+    rows = "".join(f"{0.01 * i:.2f},{i % 7},{i % 5},{i % 3}\n" for i in range(400))
+    (tmp_path / "own.csv").write_text(f"t (s),NS (gal),EW (gal),UD (gal)\n{rows}")
+    done = run("simulate", "--motion", "{}/own.csv", "--component", "UD", "--json")
+    assert done.exit_code == 2
+    assert (
+        "'UD' is a vertical channel; it must be a horizontal one: NS (channel 1), EW (channel 2)"
+        in done.stderr
+    )
+    assert run("simulate", "--motion", "{}/own.csv", "--component", "EW", "--json").exit_code == 0

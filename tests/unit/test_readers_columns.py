@@ -49,7 +49,7 @@ def test_four_columns_are_time_x_y_z(read):
 
 
 @pytest.mark.parametrize(
-    "names", ["time,UD,EW,NS", "# t [s], UD [gal], EW [gal], NS [gal]", '"Time","UD","EW","NS"']
+    "names", ["time,UD,EW,NS", "# t [s], UD [m/s²], EW [m/s²], NS [m/s²]", '"Time","UD","EW","NS"']
 )
 def test_named_columns_are_taken_by_name(read, names):
     text = f"{names}\n0.00,1,2,3\n0.01,4,5,6\n0.02,7,8,9\n"
@@ -113,3 +113,41 @@ def test_a_missing_row_is_noticed_wherever_it_is(read, place):
     del rows[place]
     with pytest.raises(InputError, match="irregular"):
         read("".join(rows), unit="gal")
+
+
+@pytest.mark.parametrize(
+    ("names", "size"),
+    [
+        ("Time (s),NS (gal),EW (gal),UD (gal)", 0.01),
+        ("# t [s]; NS [cm/s²]; EW [gal]; UD [cm/s/s]", 0.01),
+        ('"time_s","ax_g","ay_g","az_g"', 9.80665),
+        ("t\tNS_gal\tEW_gal\tUD_gal", 0.01),
+    ],
+)
+def test_the_unit_is_that_of_the_columns_names_where_all_have_the_same(read, names, size):
+    mark = next(mark for mark in ",;\t" if mark in names)
+    rows = "".join(f"{mark.join(map(str, row))}\n" for row in ((0.0, 1, 2, 3), (0.01, 4, 5, 6)))
+    motion = read(f"{names}\n{rows}")
+    assert motion.x == pytest.approx(size * np.array([1, 4]))
+    assert motion.z == pytest.approx(size * np.array([3, 6]))
+    with pytest.raises(InputError, match="must be the one that the file states"):
+        read(f"{names}\n{rows}", unit="mm/s²")
+
+
+@pytest.mark.parametrize(
+    "names",
+    ["t,NS (gal),EW (gal),UD (g)", "t,NS (gal),EW (gal),UD", "t,NS,EW,UD", "no,NS (gal),EW (gal),UD (gal)"],
+)
+def test_the_unit_must_be_given_where_the_columns_names_leave_it_open(read, names):
+    rows = "0.00,1,2,3\n0.01,4,5,6\n"
+    with pytest.raises(InputError, match="unit must be given"):
+        read(f"{names}\n{rows}")
+    assert read(f"{names}\n{rows}", unit="gal").x == pytest.approx([0.01, 0.04])
+
+
+def test_unit_and_step_are_asked_for_together_where_both_are_missing(read):
+    with pytest.raises(InputError, match=r"no unit and no time step; .*, and dt \[s\]") as caught:
+        read("0\n1\n0\n")
+    assert caught.value.code == "motion.no_unit_nor_step"
+    with pytest.raises(InputError, match=r"no unit; "):
+        read("0\n1\n0\n", dt=0.01)

@@ -11,7 +11,7 @@ from test_readers_world import WAVE, cosmos, csmip_channel, esm
 import stayput as sp
 from stayput.errors import InputError, InputWarning, warnings_to
 from stayput.motion.channels import upper_floor
-from stayput.motion.readers import read_vertical
+from stayput.motion.readers import read_shaking, read_vertical
 
 
 @pytest.fixture
@@ -53,7 +53,7 @@ def test_a_long_sentence_is_cut_in_its_middle():
 @pytest.mark.parametrize(
     ("text", "what"),
     [
-        (jma(), "horizontal channels NS, EW; component names none of them, and NS is taken as x"),
+        (jma(), "horizontal channels NS, EW and none of them was chosen; NS is taken as x"),
         ("# t, NS, EW, UD\n0 1 2 3\n0.01 4 5 6\n", "NS is taken as x"),
         (at2(title="Q, S, UP"), "a vertical channel alone, 'UP'"),
         (cosmos(label="1: Up"), "a vertical channel alone, 'Up'"),
@@ -88,12 +88,14 @@ def test_what_stayput_writes_is_read_without_a_word(read, tmp_path):
     assert read(file.read_text(), name="record.csv")[1] == []
 
 
-@pytest.mark.parametrize("header", ["# time_s,acc_gal (band-passed)", "# acceleration [cm/s²]", "t,acc(gal)"])
+@pytest.mark.parametrize(
+    "header", ["# acc_gal (band-passed), time_s", "# acceleration [cm/s²]", "no,acc(gal)"]
+)
 def test_a_unit_that_the_header_does_not_mention_is_told(read, header):
     _, told = read(f"{header}\n0 0.1\n0.01 -0.2\n", unit="g")
     assert len(told) == 1
     assert "The unit is given as 'g' and the file's header mentions" in told[0]
-    with pytest.raises(InputError, match="its header mentions"):
+    with pytest.raises(InputError, match="without saying that it is the unit of the acceleration"):
         read(f"{header}\n0 0.1\n0.01 -0.2\n")
 
 
@@ -186,3 +188,34 @@ def test_vertical_components_are_read_as_such(tmp_path):
         with pytest.raises(InputError, match="The channels are 090; exactly one must be vertical"):
             read_vertical(file)
     assert told == []
+
+
+def test_a_vertical_channel_beside_horizontal_ones_is_told_or_refused(read, tmp_path):
+    motion, told = read(jma(), component="UD")
+    assert list(motion.components) == ["x"]
+    assert len(told) == 1
+    assert "'UD' is a vertical channel and is taken as x" in told[0]
+    assert "horizontal channels NS (channel 1), EW (channel 2)" in told[0]
+    file = tmp_path / "record.txt"
+    for component in ("UD", "up", "channel 3"):
+        with pytest.raises(
+            InputError, match=r"is a vertical channel; it must be a horizontal one: NS"
+        ) as caught:
+            read_shaking(file, component)
+        assert caught.value.field == "component"
+    with pytest.raises(InputError, match=r"^record\.txt \(JMA CSV\): .* vertical channel"):
+        sp.read_suite([file], "UD")
+    assert read_shaking(file, "EW").z is not None
+    file.write_text(at2(title="Q, S, UP"))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", InputWarning)
+        assert read_shaking(file, "UP").pga > 0.0  # the file has no other
+
+
+def test_a_channel_is_asked_for_among_the_horizontal_ones(tmp_path):
+    file = tmp_path / "array.v2"
+    labels = ("90 DEG", "UP", "360 DEG", "90 DEG")
+    file.write_text("".join(csmip_channel(i, label, WAVE) for i, label in enumerate(labels, start=1)))
+    with pytest.raises(InputError) as caught:
+        sp.read_motion(file)
+    assert "one of 90 DEG (channel 1), 360 DEG (channel 3), 90 DEG (channel 4)." in str(caught.value)

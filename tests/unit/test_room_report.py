@@ -247,7 +247,11 @@ def test_each_bar_stands_with_its_number(page):
         *(one.shut_in for one in verdict.places),
         *(one.probabilities[event] for one in verdict.pieces for event in ("overturned", "slid")),
         *verdict.collisions.values(),
-        *(chance for one in changes for chance in (one.hit, one.shut_in)),
+        *(
+            chance
+            for one in changes
+            for chance in (one.hit, one.shut_in, *(verdict.piece_changed(one) or ())[:1])
+        ),
     ]
     shown = [numbers.share(one.estimate, language) for one in wanted]
     assert [share.replace("\u00a0", " ") for share in told] == shown

@@ -18,10 +18,11 @@ from stayput.fragility.paired import Difference
 from stayput.model.floor_plan import FACING
 from stayput.montecarlo.several import turned
 from stayput.report.room.data import room_data
+from stayput.report.room.tables import simulations_of_room
 from stayput.rooms import effects
 from stayput.rooms.changes import Change, FreeFloor, measures_tried, other_places, overlap, places_at_walls
 from stayput.rooms.runs import groups_of, part_with
-from stayput.rooms.words import best_sentence, change_sentence, label_of
+from stayput.rooms.words import best_sentence, change_sentence, label_of, often, piece_within
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
@@ -301,7 +302,7 @@ def test_nobody_is_shut_in_where_there_is_no_way_out():
 
 def test_sentences_in_both_languages(verdict: RoomVerdict):
     english, japanese = (verdict.sentence(language) for language in LANGUAGES)
-    assert "the bookcase hits whoever is in the bed (95 % interval: " in english
+    assert "the bookcase hits whoever is in bed (95 % interval: " in english
     assert "「本棚」がベッドにいる人に当たります（95%区間：" in japanese
     for one in verdict.changes:
         assert change_sentence(one, verdict, "en").endswith(".")
@@ -403,16 +404,55 @@ def test_a_verdict_of_one_motion_says_so():
     )
     assert alone.motions == 1
     english, japanese = (alone.sentence(language) for language in LANGUAGES)
-    assert english.startswith("In this one motion, of JMA intensity 6-upper: in ")
-    assert "runs the bookcase hits" in english
+    assert english.startswith("In shaking of JMA intensity 6-upper: in ")
+    assert "runs of this one motion the bookcase hits" in english
     assert "earthquakes" not in english
-    assert japanese.startswith("この1つの地震動（震度6強）では、")
+    assert japanese.startswith("震度6強の揺れでは、この1つの地震動による計算")
+    assert "runs of pieces: this one motion × 4 Monte Carlo samples" in simulations_of_room(alone, "en")
     calm = {"intensity": "3", "builtin": "near-fault"}
     quiet = sp.verify_room(
         changed(furniture=piece(), shaking=calm, uncertainty={"samples": 4}), changes=False, progress=False
     )
-    assert quiet.sentence().startswith("In this one motion, of JMA intensity 3: in none of the 4 runs is ")
+    assert quiet.sentence().startswith(
+        "In shaking of JMA intensity 3: in none of the 4 runs of this one motion is anybody hit ("
+    )
     assert "（95%区間：0～" in quiet.sentence("ja")
+
+
+def test_a_verdict_of_one_record_is_not_of_earthquakes(tmp_path: Path):
+    sp.near_fault().write(tmp_path / "own.csv")
+    shaking = {"record": "own.csv", "intensity": "6-upper"}
+    tables = {"furniture": piece(name="Bookcase 2"), "shaking": shaking, "uncertainty": {"samples": 4}}
+    alone = sp.verify_room(sp.RoomScenario.parse({**BEDROOM, **tables}, tmp_path), progress=False)
+    english, japanese = (alone.sentence(language) for language in LANGUAGES)
+    assert "runs of this record “Bookcase 2” hits whoever is in bed" in english
+    assert "この記録による計算" in japanese
+    assert "「Bookcase 2」がベッドにいる人に当たります" in japanese
+    best = best_sentence(alone, "en")
+    assert "The chance that somebody is hit falls from " in best
+    assert "the Bookcase 2" not in best
+    report = alone.report(tmp_path / "room.html").read_text("utf-8")
+    assert "other earthquakes of this strength" not in report
+    assert "1 motions" not in report
+
+
+@pytest.mark.parametrize(
+    ("share", "english", "japanese"),
+    [
+        (0.8, "in 8 of 10 earthquakes", "地震10回中8回で"),
+        (0.03, "in 3 of 100 earthquakes", "地震100回中3回で"),
+        (0.97, "in 97 of 100 earthquakes", "地震100回中97回で"),
+        (0.002, "in 2 of 1,000 earthquakes", "地震1,000回中2回で"),
+        (1.0, "in all earthquakes", "地震のすべてで"),
+    ],
+)
+def test_how_often_is_a_count(share: float, english: str, japanese: str):
+    assert often(share, ("earthquakes", "地震")) == (english, japanese)
+
+
+def test_names_within_a_sentence_are_quoted_where_they_are_the_user_s_own():
+    assert piece_within("chest") == ("the chest of drawers", "「整理だんす」")
+    assert piece_within("Dad's bookcase") == ("“Dad's bookcase”", "「Dad's bookcase」")
 
 
 def test_a_verdict_of_an_earthquake_counts_the_scatter_of_its_strength():

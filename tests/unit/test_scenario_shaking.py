@@ -58,6 +58,25 @@ def test_a_folder_of_records(tmp_path):
         table.motions(tmp_path)
 
 
+def test_a_vertical_channel_is_no_component_along_the_shaking(tmp_path):
+    rows = "".join(f"{0.01 * i:.2f},{i % 7},{i % 5},{i % 3}\n" for i in range(400))
+    (tmp_path / "own.csv").write_text(f"# unit: gal\nt,NS,EW,UD\n{rows}")
+    with pytest.raises(
+        sp.InputError, match=r"^own\.csv .*'UD' is a vertical channel; it must be a horizontal one"
+    ):
+        shaking(tmp_path, record="own.csv", component="UD").motion(tmp_path)
+    assert list(shaking(tmp_path, record="own.csv", component="EW").motion(tmp_path).components) == [
+        "x",
+        "y",
+        "z",
+    ]
+    (tmp_path / "up.csv").write_text(
+        "# unit: gal\nt,UD\n" + "".join(f"{0.01 * i:.2f},{i % 3}\n" for i in range(400))
+    )
+    with pytest.warns(sp.InputWarning, match="a vertical channel alone"):
+        assert shaking(tmp_path, record="up.csv").motion(tmp_path).pga > 0.0
+
+
 def test_the_floor_of_a_storey(tmp_path):
     keys = {"builtin": "near-fault", "scale": 0.1}
     ground = shaking(tmp_path, **keys).motion(tmp_path)

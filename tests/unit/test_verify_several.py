@@ -14,10 +14,14 @@ from typer.testing import CliRunner
 import stayput as sp
 from stayput.catalogue import say
 from stayput.cli import app
+from stayput.model.room import SURFACES
+from stayput.model.soft_base import rigid_half_base
 from stayput.montecarlo.sampling import draws
 from stayput.montecarlo.several import drawn_assembly, drawn_room, draws_of_several
 from stayput.report.several.pairs import replay_of_several
+from stayput.report.several.tables import settlement_assumptions
 from stayput.scenario import AssemblyScenario
+from stayput.simulation.placing import placed
 from stayput.verification.several_options import label, options_of_several
 
 if TYPE_CHECKING:
@@ -164,6 +168,48 @@ def test_what_is_drawn() -> None:
     assert vase.solid.mass == pytest.approx(1.5 * draw.pieces[2].mass)
     assert drawn.joints[0].strength == pytest.approx(2000.0 * draw.joints)
     assert drawn.friction[0] == pytest.approx(0.6 * draw.between)
+
+
+def test_pieces_on_the_floor_sink_in_as_drawn_and_as_stated() -> None:
+    """The lower part has the narrower base, of which the length is looked at: the depth has drawn insets."""
+    scenario = parsed(room={"floor": "carpet"})
+    option = options_of_several(scenario)[0][1]
+    assembly, draw = scenario.assembly(option), draws_of_several(3, 1, 1, seed=2)[0][0]
+    room = scenario.surroundings()
+    drawn_pieces = drawn_assembly(assembly, draw).members
+    for members, around, factor in (
+        (scenario.assembly().members, room, 1.0),
+        (assembly.members, room, 1.0),
+        (drawn_pieces, drawn_room(assembly, room, draw.room), draw.room.settlement),
+    ):
+        lower, upper, vase = placed(members, around)
+        feet = lower.standing.solid.feet
+        assert feet is not None
+        z = lower.standing.solid.centre_of_gravity[2]
+        half_length = float(rigid_half_base(0.45, z, factor * SURFACES["carpet"].settlement))
+        assert np.abs(feet[:, 1]) == pytest.approx(half_length, rel=1e-12)
+        assert upper.standing.solid.feet is None
+        assert vase.standing.solid.feet is None
+    rigid = parsed().assembly().members
+    assert all(isinstance(member, sp.Standing) for member in rigid)
+
+
+def test_what_a_soft_floor_leaves_out_is_said() -> None:
+    alone = {"name": "drum", "diameter": 0.3, "height": 0.7, "mass": 5.0, "at": [3.0, 0.0]}
+    box, carried = DRESSER["furniture"][0], DRESSER["furniture"][1]
+
+    def said(furniture: list[dict[str, Any]], floor: str) -> list[str]:
+        scenario = parsed(furniture=furniture, joints=[], room={"floor": floor})
+        return [one.texts[1][0] for one in settlement_assumptions(scenario)]
+
+    solids, stacks = "Left out for round pieces and meshes", "A piece that carries others sinks in"
+    assert said([box], "carpet") == []
+    (only,) = said([box, alone], "carpet")
+    assert only.startswith(solids)
+    (only,) = said([box, carried], "carpet")
+    assert only.startswith(stacks)
+    assert len(said([box, carried, alone], "tatami, along the weave")) == 2
+    assert said([box, carried, alone], "locked caster") == []
 
 
 def test_a_bracket_that_reaches_the_wall_does_in_every_draw() -> None:

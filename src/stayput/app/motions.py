@@ -197,7 +197,10 @@ class Motions:
             intensity_class=class_of(intensity),
             expires_in_s=max(0.0, self._limits.keep - (time.monotonic() - stored.last_used)),
             floor=motion.floor,
-            warnings=[DoubtReply(**problem(warning).model_dump()) for warning in stored.warnings],
+            warnings=[
+                DoubtReply(**problem(warning).model_dump(include=set(DoubtReply.model_fields)))
+                for warning in stored.warnings
+            ],
             shaking=stored.shaking,
         )
 

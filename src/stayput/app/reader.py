@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, BinaryIO
 import numpy as np
 
 from stayput.errors import InputError, InputWarning, warnings_to
-from stayput.motion import read_motion
+from stayput.motion.readers import read_shaking
 
 if TYPE_CHECKING:
     from stayput.motion import Motion
@@ -35,7 +35,7 @@ class ReadingTask:
     path : str
         The file.
     component, unit, dt
-        As `read_motion` takes them.
+        As `read_shaking` takes them.
     numbers, samples : int
         Most numbers in the file, most samples of the motion.
     duration, seconds : float
@@ -77,7 +77,7 @@ def read(task: ReadingTask) -> ReadingResult:
 def _read(task: ReadingTask) -> Motion:
     with open(task.path, "rb") as file:  # noqa: PTH123 - a plain path is all that came
         _check_numbers(file.read(), task.numbers)
-    motion = read_motion(task.path, task.component, task.unit, dt=task.dt)
+    motion = read_shaking(task.path, task.component, task.unit, dt=task.dt)
     if motion.duration > task.duration:
         raise InputError("app.long_motion", value=motion.duration, most=task.duration)
     if len(motion) > task.samples:

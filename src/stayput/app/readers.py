@@ -135,7 +135,7 @@ class ReaderPool:
     async def read(
         self, path: Path, component: str | None = None, unit: str | None = None, dt: float | None = None
     ) -> tuple[Motion, tuple[InputWarning, ...]]:
-        """Read a record; see `read_motion`. Return it with the warnings about it.
+        """Read a record; see `read_shaking`. Return it with the warnings about it.
 
         Raises
         ------

@@ -12,6 +12,7 @@ from starlette.responses import Response
 from stayput.app.replies import Problem
 from stayput.catalogue import phrase
 from stayput.errors import LONGEST_SENTENCE, InputError, warnings_to
+from stayput.motion.units import unit_name
 from stayput.scenario.messages import shown
 
 if TYPE_CHECKING:
@@ -77,7 +78,14 @@ def unprinted() -> Generator[None]:
 def problem(error: InputError | InputWarning) -> Problem:
     """Return an error or a warning as it is sent."""
     field = error.field and error.field[:LONGEST_SENTENCE]
-    return Problem(message=error.told("en"), message_ja=error.told("ja"), field=field)
+    mentioned = error.values.get("mentioned") if field == "unit" else None
+    return Problem(
+        message=error.told("en"),
+        message_ja=error.told("ja"),
+        field=field,
+        perhaps=mentioned and unit_name(mentioned),
+        also=["dt"] if error.code == "motion.no_unit_nor_step" else [],
+    )
 
 
 def error_response(status: int, error: InputError, headers: Mapping[str, str] | None = None) -> Response:

@@ -33,6 +33,8 @@ class Problem(Reply):
     message: str = Field(description="One sentence.")
     message_ja: str | None = Field(default=None, description="The same in Japanese.")
     field: str | None = Field(default=None, description="Dotted name of what is wrong.")
+    perhaps: str | None = Field(default=None, description="What the field may be, as its file hints.")
+    also: list[str] = Field(default=[], description="Further fields that must be given with it.")
 
 
 class PingReply(Reply):

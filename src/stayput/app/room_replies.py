@@ -102,6 +102,7 @@ class RoomChangeReply(Reply):
     helps: bool
     better: list[str] = Field(description="What it clearly betters: hit, shut_in, blocked, overturned.")
     worse: list[str]
+    tags: list[Words] = Field(description="The same in words; that nothing is clear, where nothing is.")
 
 
 class TypicalRunReply(Reply):

@@ -6,17 +6,21 @@ TEXTS: dict[str, tuple[str, str]] = {
     "print": ("Print", "印刷"),
     "back": ("Back to the room", "部屋に戻る"),
     "now": (
-        "In shaking of JMA intensity {strength}, as the room is: {chances}.",
-        "{strength}の揺れでは、今の部屋のままだと{chances}。",
+        "Chances in shaking of JMA intensity {strength}, as the room is: {chances}.",
+        "{strength}の揺れでは、今の部屋のままだと{chances}です。",
+    ),
+    "now_of_one": (
+        "Chances under {motion}, of JMA intensity {strength}, as the room is: {chances}.",
+        "{motion}（{strength}）では、今の部屋のままだと{chances}です。",
     ),
     "then": (
-        "After all {last} steps: {chances}.",
-        "1～{last}をすべて行うと、{chances}。",
+        "Chances after all {last} steps: {chances}.",
+        "1～{last}をすべて行うと、{chances}です。",
     ),
-    "then_one": ("After step 1: {chances}.", "1を行うと、{chances}。"),
-    "chance_hit": ("the chance that somebody is hit is {share}", "人に家具が当たる確率は{share}"),
-    "chance_shut_in": ("that somebody is shut in, {share}", "外に出られなくなる確率は{share}"),
-    "chance_blocked": ("that a door is blocked, {share}", "ドアがふさがる確率は{share}"),
+    "then_one": ("Chances after step 1: {chances}.", "1を行うと、{chances}です。"),
+    "chance_hit": ("{share} that somebody is hit", "人に家具が当たる確率は{share}"),
+    "chance_shut_in": ("{share} that somebody is shut in", "外に出られなくなる確率は{share}"),
+    "chance_blocked": ("{share} that a door is blocked", "ドアがふさがる確率は{share}"),
     "piece_falls": ("{piece} {share}", "「{piece}」{share}"),
     "falls_now": (
         "Chance of overturning as the room is: {pieces}.",
@@ -35,9 +39,9 @@ TEXTS: dict[str, tuple[str, str]] = {
         "計算した範囲では、人に当たる確率や外に出られなくなる確率は変わりませんが、倒れにくくなります",
     ),
     "nothing": (
-        "In these earthquakes no piece hits anybody, blocks a door or overturns often: nothing has to be bought.",
+        "In the runs no piece hit anybody, blocked a door or overturned often: nothing has to be bought.",
         (
-            "計算した地震では、家具が人に当たることも、ドアをふさぐことも、何度も倒れることもありませんでした。"
+            "計算では、家具が人に当たることも、ドアをふさぐことも、何度も倒れることもありませんでした。"
             "買う物はありません。"
         ),
     ),
@@ -47,12 +51,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "rough": (
         (
-            "Steps marked C rest on assumed values: trust their order more than their chances. Before you buy, enter "
-            "what you have measured yourself, and make this plan again."
+            "Steps marked C rest on assumed values: trust their order more than their chances. Before you buy, measure or "
+            "look up what decides them ({inputs}), enter it in the room, and make this plan again."
         ),
         (
-            "Cの印がある項目は、仮定した値に基づきます。確率の値よりも、順位のほうが確かです。買う前に、実際に測った値を"
-            "入れて、作り直してください。"
+            "Cの印がある項目は、仮定した値に基づきます。確率の値よりも、順位のほうが確かです。買う前に、次の値を"
+            "測るか調べて部屋に入力し、作り直してください：{inputs}。"
         ),
     ),
     "home": ("Conditions: {conditions}.", "条件：{conditions}。"),
@@ -237,14 +241,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "runs": (
         (
-            "Chances with their 95 % intervals are from {runs} runs of the room, under the same {motions} motions "
-            "(seed {seed}) without and with each step. stayput {version}."
+            "Chances with their 95 % intervals are from {runs} runs of the room, under {motions} (seed {seed}) without "
+            "and with each step. stayput {version}."
         ),
         (
-            "確率とかっこ内の95%区間は、各項目を行う前と後を、同じ{motions}本の地震動（乱数のシード{seed}）で{runs}回ずつ"
-            "計算したものです。バージョン{version}。"
+            "確率とかっこ内の95%区間は、各項目を行う前と後を、{motions}（乱数のシード{seed}）で{runs}回ずつ計算したものです。"
+            "バージョン{version}。"
         ),
     ),
+    "same_motions": ("the same {count} motions", "同じ{count}本の地震動"),
     "limits": (
         (
             "This is a calculation for the furniture and the earthquakes that were stated: no guarantee, and no replacement "

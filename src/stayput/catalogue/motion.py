@@ -216,6 +216,20 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The file has {count} channels; component must name one of {channels}.",
         "記録に多くのチャンネルがあります（{count}個）。使うものを次から選んで入力してください：「{channels}」",
     ),
+    "vertical_component": (
+        "The component {component!r} is a vertical channel; it must be a horizontal one: {channels}.",
+        "「{component}」は上下動の成分です。水平の成分を次から選んでください：「{channels}」",
+    ),
+    "vertical_as_x": (
+        (
+            "The component {component!r} is a vertical channel and is taken as x, along the shaking; the file has the "
+            "horizontal channels {channels}."
+        ),
+        (
+            "「{component}」は上下動の成分ですが、揺れの方向（x）に使います。"
+            "ファイルには水平の成分「{channels}」があります。"
+        ),
+    ),
     "not_one_vertical": (
         "The channels are {channels}; exactly one must be vertical.",
         "ファイルのチャンネルは「{channels}」です。上下動の成分が1つだけ必要です。",
@@ -232,9 +246,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "x_chosen": (
         (
-            "The file has the horizontal channels {channels}; component names none of them, and {label} "
-            "is taken "
-            "as x, along the shaking."
+            "The file has the horizontal channels {channels} and none of them was chosen; {label} is taken as x, along "
+            "the shaking."
         ),
         (
             "ファイルには水平の成分が「{channels}」とあります。成分が選ばれていないので、"

@@ -62,11 +62,18 @@ TEXTS: dict[str, tuple[str, str]] = {
         "加速度の単位がファイルに書かれていません。次から選んでください：{known}",
     ),
     "no_unit_but_mentioned": (
-        "The file states no unit (its header mentions {mentioned!r}); unit must be given as one of {known}.",
         (
-            "加速度の単位がファイルに書かれていません（ヘッダーに「{mentioned}」という語があります）。"
-            "次から選んでください：{known}"
+            "The header mentions {mentioned!r} without saying that it is the unit of the acceleration; unit must be given "
+            "as one of {known}."
         ),
+        (
+            "ヘッダーに「{mentioned}」とありますが、加速度の単位とは書かれていません。"
+            "単位を次から選んでください：{known}"
+        ),
+    ),
+    "no_unit_nor_step": (
+        "The file states no unit and no time step; unit must be given as one of {known}, and dt [s].",
+        "加速度の単位と時間刻みがファイルに書かれていません。単位を次から選び、時間刻みを秒単位で入力してください：{known}",
     ),
     "another_unit": (
         "The unit is given as {given!r}; it must be the one that the file states, {stated}.",

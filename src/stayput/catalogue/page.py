@@ -169,7 +169,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "withoutRecord": ("Without this record", "この記録を使わない"),
     "recordAlt": ("The record's acceleration over time", "記録の加速度の時間変化"),
     "recordStrength": (", JMA intensity {at} ({class})", "、計測震度{at}（{class}）"),
-    "whichChannel": ("Component that shakes the piece (in the file: {n})", "家具を揺らす成分（全{n}成分）"),
+    "whichChannel": (
+        "Component that shakes the piece (horizontal ones in the file: {n})",
+        "家具を水平に揺らす成分（ファイルの水平成分：{n}）",
+    ),
     "oneChannel": ("Component: {name}.", "成分：{name}。"),
     "verticalChannel": ("{name} (vertical)", "{name}（上下動）"),
     "twiceUp": (

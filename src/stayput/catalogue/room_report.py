@@ -44,14 +44,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     "places": ("Who is hit, and how often", "人に当たる確率"),
     "places_text": (
         (
-            "The chance that a piece touches whoever is there, with its 95 % interval, which covers other earthquakes "
-            "of this strength too. By day ({day:g} hours) and at night ({night:g} hours) it is multiplied by the share "
+            "The chance that a piece touches whoever is there, with its 95 % interval{covers}. By day ({day:g} hours) and at night ({night:g} hours) it is multiplied by the share "
             "of the time in which somebody is there."
         ),
         (
-            "そこにいる人に家具が触れる確率と95%区間です。区間は、同じ強さのほかの地震も考えたものです。昼（{day:g}時間）"
-            "と夜（{night:g}時間）の値は、これに人がいる時間の割合を掛けたものです。"
+            "そこにいる人に家具が触れる確率と95%区間です{covers}。昼（{day:g}時間）と夜（{night:g}時間）の値は、これに人がいる時間の割合を掛けたものです。"
         ),
+    ),
+    "covers": (
+        ", which covers other earthquakes of this strength too",
+        "（同じ強さのほかの地震も考えた区間です）",
     ),
     "place": ("Place", "場所"),
     "hit": ("Hit by any piece", "いずれかの家具が当たる"),
@@ -142,9 +144,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "changed_hit": ("Somebody is hit", "人に当たる確率"),
     "changed_shut_in": ("Somebody has no way out", "外に出られない確率"),
     "changed_risk": ("Somebody is hit, counting the hours", "人に当たる確率（いる時間を考慮）"),
-    "better": ("clearly better", "明らかに良くなる"),
-    "worse": ("something gets worse", "悪くなる点がある"),
-    "chance": ("may be chance", "偶然の差かもしれない"),
+    "changed_overturned": ("The piece overturns", "その家具が倒れる確率"),
+    "comma": ("; ", "、"),
     "no_changes": ("No changes were compared.", "比較した変更はありません。"),
     "moved_text": (
         "{change}. The dashed outline is where it stands now.",
@@ -189,11 +190,6 @@ TEXTS: dict[str, tuple[str, str]] = {
             "人が通るには幅{passage:g} mが必要とし、家具を乗り越えたり押しのけたりしないものとします。床は"
             "{cell:g} cm四方に分けて調べます。"
         ),
-    ),
-    "limit_settlement": ("Sinking into the floor", "床の沈み込み"),
-    "limit_settlement_text": (
-        "Left out for the pieces that are simulated in space: on carpet and tatami they fall more easily than is told.",
-        "三次元で計算する家具では考慮しません。カーペットや畳の上では、示した値より倒れやすくなります。",
     ),
     "inputs": ("The scenario as TOML", "シナリオ（TOML）"),
     "again_text": (

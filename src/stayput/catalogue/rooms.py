@@ -78,41 +78,45 @@ TEXTS: dict[str, tuple[str, str]] = {
     "right_wall": ("right wall", "右の壁"),
     "near_side_wall": ("near wall", "手前の壁"),
     "far_side_wall": ("far wall", "奥の壁"),
-    # Where somebody is, as in "hits whoever is in the bed"; at a place with a name of its own
-    "at_bed": ("in the bed", "ベッド"),
+    # Within a sentence: what has a name of the user's own is quoted, what has none has an article
+    "the": ("the {name}", "{name}"),
+    "the_piece": ("the {name}", "「{name}」"),
+    "named": ("“{name}”", "「{name}」"),
+    # Where somebody is, as in "hits whoever is in bed"; at a place with a name of its own
+    "at_bed": ("in bed", "ベッド"),
     "at_futon": ("on the futon", "布団"),
     "at_cot": ("in the cot", "ベビーベッド"),
     "at_desk": ("at the desk", "机"),
     "at_sofa": ("on the sofa", "ソファ"),
     "at_play area": ("in the play area", "遊び場"),
-    "at_place": ("at “{place}”", "「{place}」"),
-    # How often
+    "at_place": ("at {place}", "{place}"),
+    # Of what: of many motions, each an earthquake; of a single one
     "earthquakes": ("earthquakes", "地震"),
     "runs": ("runs", "計算"),
-    "of_ten": ("in {count} of 10 {cases}", "10回の{cases}のうち{count}回で"),
-    "always": ("in all {cases}", "すべての{cases}で"),
-    "rarely": ("in {share} of the {cases}", "{share}の{cases}で"),
+    "runs_of": ("runs of {motion}", "{motion}による計算"),
+    "this_record": ("this record", "この記録"),
+    "this_motion": ("this one motion", "この1つの地震動"),
+    # How often
+    "count_of": ("in {count} of {all:,} {cases}", "{cases}{all:,}回中{count}回で"),
+    "always": ("in all {cases}", "{cases}のすべてで"),
+    "rarely": ("in {share} of the {cases}", "{cases}の{share}で"),
     # The verdict
     "strength": ("In shaking of JMA intensity {strength}: ", "{strength}の揺れでは、"),
     "strength_scattered": (
         "In earthquakes as stated, with the scatter of their strength around JMA intensity {strength}: ",
         "指定した地震では（強さのばらつきを含む。中央は{strength}）、",
     ),
-    "strength_of_one": (
-        "In this one motion, of JMA intensity {strength}: ",
-        "この1つの地震動（{strength}）では、",
-    ),
     "interval": ("95 % interval: ", "95%区間："),
     "hits": (
-        "{often} the {piece} hits whoever is {place}{interval}",
-        "{often}「{piece}」が{place}にいる人に当たります{interval}",
+        "{often} {piece} hits whoever is {place}{interval}",
+        "{often}{piece}が{place}にいる人に当たります{interval}",
     ),
     "nobody_hit": (
-        "in none of the {runs} runs is anybody hit{interval}",
-        "計算した{runs}回のいずれでも、人に当たる家具はありません{interval}",
+        "in none of the {count} {cases} is anybody hit{interval}",
+        "{cases}{count}回のいずれでも、人に当たる家具はありません{interval}",
     ),
     "no_places": ("no place of a person is given", "人のいる場所が指定されていません"),
-    "blocked": ("{often} the {door} stays blocked{interval}", "{often}{door}がふさがります{interval}"),
+    "blocked": ("{often} {door} stays blocked{interval}", "{often}{door}がふさがります{interval}"),
     "shut_in": (
         "{often} there is no way out for whoever is {place}{interval}",
         "{often}{place}にいる人が外に出られなくなります{interval}",
@@ -123,44 +127,45 @@ TEXTS: dict[str, tuple[str, str]] = {
         "None of the single changes that were tried makes it clearly better.",
         "試した変更のうち、明らかに良くなるものはありませんでした。",
     ),
-    "fix": ("{measure} on the {piece}", "「{piece}」を{measure}で固定"),
+    "fix": ("{measure} on {piece}", "{piece}を{measure}で固定"),
     "move_piece": (
-        "the {piece} moved to the {wall}, its middle {along:.2f} m from the {start}",
-        "「{piece}」を{wall}沿い（{start}から中心まで{along:.2f} m）へ移動",
+        "move {piece} to the {wall}, its middle {along:.2f} m from the {start}",
+        "{piece}を{wall}沿い（{start}から中心まで{along:.2f} m）へ移動",
     ),
     "move_place": (
-        "the {place} moved, its middle {x:.2f} m from the left wall and {y:.2f} m from the near wall",
+        "move {place}, its middle {x:.2f} m from the left wall and {y:.2f} m from the near wall",
         "{place}を、中心が左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
     ),
     "turn_place": (
-        (
-            "the {place} turned by 90° and moved, its middle {x:.2f} m from the left wall and {y:.2f} m from the near "
-            "wall"
-        ),
+        "turn {place} by 90° and move it, its middle {x:.2f} m from the left wall and {y:.2f} m from the near wall",
         "{place}の向きを90°変え、中心が左の壁から{x:.2f} m、手前の壁から{y:.2f} mの位置へ移動",
     ),
-    "falls": ("{often} the {piece} overturns{interval}", "{often}「{piece}」が倒れます{interval}"),
+    "falls_too": ("{often} {piece} overturns{interval}", "{often}{piece}が倒れます{interval}"),
     "falls_with_others": (
-        "{often} the {piece} overturns{interval}, and others do too (pieces: {count})",
-        "{often}「{piece}」が倒れ{interval}、ほかにも倒れる家具があります（{count}個）",
+        "{often} {piece} overturns{interval}, and others do too (pieces: {count})",
+        "{often}{piece}が倒れ{interval}、ほかにも倒れる家具があります（{count}個）",
     ),
-    "effect_blocked": (
-        "with {change}, a door is blocked {held} instead of {bare}",
-        "{change}すると、ドアがふさがる確率は{bare}から{held}になります",
+    "change_of_hit": (
+        "{change}. The chance that somebody is hit {goes}",
+        "{change}すると、人に当たる確率は{goes}",
     ),
-    "effect_overturned": (
-        "with {change}, it overturns {held} instead of {bare}",
-        "{change}すると、倒れる確率は{bare}から{held}になります",
+    "change_of_shut_in": (
+        "{change}. The chance that somebody is shut in {goes}",
+        "{change}すると、外に出られなくなる確率は{goes}",
     ),
-    "effect_hit": (
-        "with {change}, somebody is hit {held} instead of {bare}",
-        "{change}すると、人に当たる確率は{bare}から{held}になります",
+    "change_of_blocked": (
+        "{change}. The chance that a door is blocked {goes}",
+        "{change}すると、ドアがふさがる確率は{goes}",
     ),
-    "effect_shut_in": (
-        "with {change}, somebody is shut in {held} instead of {bare}",
-        "{change}すると、外に出られなくなる確率は{bare}から{held}になります",
+    "change_of_overturned": (
+        "{change}. The chance that it overturns {goes}",
+        "{change}すると、倒れる確率は{goes}",
     ),
+    "falls": ("falls from {bare} to {held}", "{bare}から{held}に下がります"),
+    "rises": ("rises from {bare} to {held}", "{bare}から{held}に上がります"),
+    "stays": ("stays at {bare}", "{bare}のままです"),
     # Tables
+    "motions": ("{count} motions", "地震動{count}本"),
     "report": ("Verification of a room", "部屋の地震対策の検証"),
     "who": ("Who is hit", "人のいる場所"),
     "by": ("by", "当たる家具"),
@@ -193,9 +198,20 @@ TEXTS: dict[str, tuple[str, str]] = {
     "hit_then": ("hit then", "人に当たる確率"),
     "hit_less": ("difference", "差"),
     "shut_in_then": ("shut in then", "外に出られない確率"),
+    "overturned_then": ("the piece overturns then", "その家具が倒れる確率"),
+    # What a change is clearly better or worse in
+    "fewer_hit": ("clearly fewer hit", "当たる確率が明らかに下がる"),
+    "more_hit": ("clearly more hit", "当たる確率が明らかに上がる"),
+    "fewer_shut_in": ("way out clearly free more often", "明らかに外へ出やすくなる"),
+    "more_shut_in": ("way out clearly free less often", "明らかに外へ出にくくなる"),
+    "fewer_blocked": ("door clearly free more often", "明らかにドアがふさがりにくくなる"),
+    "more_blocked": ("door clearly blocked more often", "明らかにドアがふさがりやすくなる"),
+    "fewer_overturned": ("clearly overturns less often", "明らかに倒れにくくなる"),
+    "more_overturned": ("clearly overturns more often", "明らかに倒れやすくなる"),
+    "nothing_clear": ("may be chance", "はっきりした差なし"),
     "simulations": (
-        "{runs} runs of pieces: {motions} motions × {samples} Monte Carlo samples, as the room is and for each change.",
-        "家具の計算{runs}回：地震動{motions}本 × 不確かさの標本{samples}組を、現状と各変更について計算しました。",
+        "{runs} runs of pieces: {motions} × {samples} Monte Carlo samples, as the room is and for each change.",
+        "家具の計算{runs}回：{motions} × 不確かさの標本{samples}組を、現状と各変更について計算しました。",
     ),
 }
 """Texts by their keys: English, Japanese."""

@@ -126,6 +126,15 @@ TEXTS: dict[str, tuple[str, str]] = {
         "How far they are from where they stood, rolling included.",
         "置かれていた位置からの距離で、転がりを含みます。",
     ),
+    "limit_settlement": ("Sinking into the floor", "床の沈み込み"),
+    "settlement_of_solids": (
+        "Left out for round pieces and meshes: on carpet and tatami they fall more easily than is told.",
+        "丸い物やメッシュの物体では考慮しません。カーペットや畳の上では、示した値より倒れやすくなります。",
+    ),
+    "settlement_of_stacks": (
+        "A piece that carries others sinks in as if it stood alone: on carpet and tatami the stack falls more easily than is told.",
+        "上に物が載っている家具も、単独で置いたときと同じだけ沈むものとします。カーペットや畳の上では、示した値より倒れやすくなります。",
+    ),
     "limit_body": ("Rigid bodies in space", "三次元の剛体"),
     "limit_body_text": (
         "The pieces do not bend, and what is inside them does not move.",

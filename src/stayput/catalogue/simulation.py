@@ -64,8 +64,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "物体がありません。少なくとも1つ指定してください。",
     ),
     "settles": (
-        "The floor settles by {value} m, which is left out: of solids and several pieces none sinks into it.",
-        "床の沈み込み（{value} m）は考慮していません。立体や複数の家具では、床に沈まないものとしています。",
+        "The floor settles by {value} m, which is left out for the solids that stand on it.",
+        "床の沈み込み（{value} m）は、床に置いた立体については考慮していません。",
     ),
     "chunk": ("Chunk", "一度に計算するケース数"),
     "tolerance": ("Tolerance", "許容誤差"),

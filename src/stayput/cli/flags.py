@@ -23,7 +23,7 @@ MotionArgument: TypeAlias = Annotated[
     str, typer.Argument(metavar="MOTION", help="A record's file; or near-fault, or sine:A,F[,T].")
 ]
 ComponentOption: TypeAlias = Annotated[
-    str | None, typer.Option("--component", help="The record's channel along the shaking.")
+    str | None, typer.Option("--component", help="The record's horizontal channel along the shaking.")
 ]
 UnitOption: TypeAlias = Annotated[
     str | None, typer.Option("--unit", help="The record's unit, where its file does not state it.")

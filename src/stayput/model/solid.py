@@ -12,6 +12,7 @@ from stayput.errors import InputError, instance_of, within
 from stayput.model.body import Body
 from stayput.model.inertia import inertia_of, moments_of_furniture, principal_axes, uniform_cone
 from stayput.model.mesh_file import read_convex_mesh
+from stayput.model.parameters import parameter_of
 from stayput.model.polyhedron import (
     TOLERANCE,
     check_filled,
@@ -22,6 +23,8 @@ from stayput.model.polyhedron import (
     triangulated,
     uniform_solid,
 )
+from stayput.model.room import Floor
+from stayput.model.soft_base import rigid_half_base
 from stayput.model.solid_fields import (
     checked_centre,
     checked_feet,
@@ -297,7 +300,7 @@ class Solid:
         return made
 
     @classmethod
-    def of(cls, body: Body, length: float | None = None) -> Solid:
+    def of(cls, body: Body, length: float | None = None, *, settlement: float = 0.0) -> Solid:
         """Make the box in space whose section a planar body is.
 
         Its moments of inertia are those of `stayput.model.inertia.moments_of_furniture`. Base corners that
@@ -310,11 +313,14 @@ class Solid:
             The section.
         length : float, optional
             Length across the shaking [m]; default the body's.
+        settlement : float
+            That of the `Floor` under it [m]: the feet are those of the narrower base that takes as much
+            energy to overturn as the one that sinks in.
 
         Raises
         ------
         InputError
-            No length, or one that is not possible.
+            No length, or a number that is not possible.
         """
         instance_of("body", body, Body)
         length = body.length if length is None else length
@@ -327,12 +333,14 @@ class Solid:
         moments = moments_of_furniture(b, l, h, body.inertia_about_cg / body.mass)
         x_g, z_g = body.centre_of_gravity
         feet = [(x, y, z) for x, z in ((-b / 2 + in_back, z_back), (b / 2 - in_front, z_front)) for y in ends]
+        if parameter_of(Floor, "settlement").check(settlement) > 0.0:
+            feet = _on_soft_floor(body, l, settlement)
         return cls(
             [(x, y, z) for x, z in (*lower, (-b / 2, h), (b / 2, h)) for y in ends],
             body.mass,
             centre_of_gravity=(x_g, 0.0, z_g),
             inertia=body.mass * np.diag(moments),
-            feet=feet if z_back != z_front or in_back or in_front else None,
+            feet=feet if z_back != z_front or in_back or in_front or settlement else None,
         )
 
     @classmethod
@@ -382,6 +390,20 @@ class Solid:
         low, high = vertices.min(axis=0), vertices.max(axis=0)
         origin = np.array([*(low + high)[:2] / 2, low[2]])
         return cls(vertices - origin, mass, **own)
+
+
+def _on_soft_floor(body: Body, length: float, settlement: float) -> list[tuple[float, float, float]]:
+    """Return the corners of the narrower base in the plane of the body's own; see `rigid_half_base`."""
+    x_g, z_g = body.centre_of_gravity
+    (back, z_back), (front, z_front), _, _ = body.corners
+    rise = (z_front - z_back) / (front - back)
+    ends = rigid_half_base(length / 2, z_g, settlement) * np.array([-1.0, 1.0])
+    feet = -rigid_half_base(-back, z_g, settlement), rigid_half_base(front, z_g, settlement)
+    return [
+        (float(x_g + u), float(y), float(body.base_heights[0] + rise * (u - back)))
+        for u in feet
+        for y in ends
+    ]
 
 
 def _remade(

@@ -15,7 +15,7 @@ from stayput.motion.processing import check_size
 from stayput.motion.units import STANDARD_GRAVITY, unit_factor
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Collection, Iterable, Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -120,16 +120,10 @@ def is_vertical(label: str) -> bool:
     return bool(_VERTICAL.fullmatch(plain) or _DOWN.fullmatch(plain))
 
 
-def labels_phrase(labels: Sequence[str], *, numbered: bool = False) -> Phrase:
-    """Return the labels of channels as a listing in both languages, with their places where asked for."""
-    english, japanese = (
-        comma.join(
-            f"{label or _UNNAMED} (channel {i})" if numbered else label or _UNNAMED
-            for i, label in enumerate(labels, start=1)
-        )
-        for comma in (", ", "、")
-    )
-    return english, japanese
+def labels_phrase(labels: Iterable[str]) -> Phrase:
+    """Return the labels of channels as a listing in both languages."""
+    shown = [label or _UNNAMED for label in labels]
+    return ", ".join(shown), "、".join(shown)
 
 
 def _spellings(label: str) -> set[str]:
@@ -154,18 +148,50 @@ def _chosen(channels: Sequence[Channel], component: str) -> int:
     if len(matches) == 1:
         return matches[0]
     code = "motion.ambiguous_channel" if matches else "motion.no_such_channel"
-    listing = labels_phrase(labels, numbered=True)
+    listing = _numbered(channels, _horizontal(channels))
     raise InputError(code, "component", component=component, channels=listing)
+
+
+def _horizontal(channels: Sequence[Channel]) -> dict[int, str]:
+    """Return the labels of the horizontal channels by their indices."""
+    return {i: channel.label for i, channel in enumerate(channels) if not is_vertical(channel.label)}
+
+
+def refuse_vertical(channels: Sequence[Channel], component: str | None) -> None:
+    """Raise `InputError` where a component names a vertical channel of a file that has horizontal ones."""
+    if values := _vertical_beside_horizontal(channels, component):
+        raise InputError("motion.vertical_component", "component", **values)
+
+
+def warn_of_vertical(channels: Sequence[Channel], component: str | None) -> None:
+    """Warn of the same: in Python it may be meant, as for the spectrum of a vertical channel."""
+    if values := _vertical_beside_horizontal(channels, component):
+        warn(InputWarning("motion.vertical_as_x", "component", **values))
+
+
+def _vertical_beside_horizontal(channels: Sequence[Channel], component: str | None) -> dict[str, Any] | None:
+    """Return the values of the sentence that says so, or None where it is not so."""
+    horizontal = _horizontal(channels)
+    if component is None or not horizontal or _chosen(channels, component) in horizontal:
+        return None
+    return {"component": str(component), "channels": _numbered(channels, horizontal)}
+
+
+def _numbered(channels: Sequence[Channel], which: Collection[int]) -> Phrase:
+    """Return the labels of some of the channels with their places, as a sentence lists what is allowed."""
+    return labels_phrase(
+        f"{channels[i].label or _UNNAMED} (channel {i + 1})" for i in which or range(len(channels))
+    )
 
 
 def _assigned(channels: Sequence[Channel], component: str | None) -> dict[str, Channel]:
     """Return which channel becomes which component: x, and y and z where only one channel can be meant."""
-    vertical = [i for i, channel in enumerate(channels) if is_vertical(channel.label)]
-    horizontal = [i for i in range(len(channels)) if i not in vertical]
+    horizontal = list(_horizontal(channels))
+    vertical = [i for i in range(len(channels)) if i not in horizontal]
     if component is not None:
         x = _chosen(channels, component)
     elif len(horizontal) > 2 or len(vertical) > 1:
-        labels = labels_phrase([channel.label for channel in channels], numbered=True)
+        labels = _numbered(channels, horizontal)
         raise InputError("motion.many_channels", "component", count=len(channels), channels=labels)
     else:
         x = (horizontal or vertical)[0]
@@ -178,7 +204,7 @@ def _assigned(channels: Sequence[Channel], component: str | None) -> dict[str, C
 
 def _warn_of_choice(x: Channel, channels: Sequence[Channel]) -> None:
     """Warn of the channel that became x where the caller named none and the file does not say either."""
-    horizontal = [channel.label for channel in channels if not is_vertical(channel.label)]
+    horizontal = list(_horizontal(channels).values())
     if not horizontal:
         warn(InputWarning("motion.vertical_alone", "component", label=x.label))
     elif len(horizontal) > 1 and {plain_label(label) for label in horizontal} != {"X", "Y"}:

@@ -11,7 +11,13 @@ import numpy as np
 from stayput.errors import InputError, finite, instance_of, visible, within
 from stayput.files import check_target, draft
 from stayput.motion import integrals
-from stayput.motion.channels import Listing, channels_of_traces, common_length, motion_fields
+from stayput.motion.channels import (
+    Listing,
+    channels_of_traces,
+    common_length,
+    motion_fields,
+    warn_of_vertical,
+)
 from stayput.motion.integrals import Peaks
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class, jma_intensity
 from stayput.motion.processing import (
@@ -399,4 +405,5 @@ class Motion:
             Gaps, different starts or steps, an unknown unit or component.
         """
         channels = channels_of_traces(traces, unit, name)
+        warn_of_vertical(channels, component)
         return cls(**motion_fields(channels, component, f"ObsPy traces [{unit}]"))

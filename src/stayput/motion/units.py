@@ -23,8 +23,8 @@ UNIT_NAMES: Phrase = ", ".join(ACCELERATION_UNITS), "、".join(ACCELERATION_UNIT
 """The accepted units, as a sentence lists them."""
 
 
-def unit_factor(unit: str) -> float:
-    """Return the size of a unit of acceleration [m/s²].
+def unit_name(unit: str) -> str:
+    """Return the name that `ACCELERATION_UNITS` has for a unit of acceleration.
 
     Parameters
     ----------
@@ -44,4 +44,9 @@ def unit_factor(unit: str) -> float:
             plain = plain.removesuffix(ending) + "/s²"
     if plain not in ACCELERATION_UNITS:
         raise InputError("motion.unknown_unit", "unit", unit=excerpt(str(unit)), known=UNIT_NAMES)
-    return ACCELERATION_UNITS[plain]
+    return plain
+
+
+def unit_factor(unit: str) -> float:
+    """Return the size of a unit of acceleration [m/s²]; argument and errors as for `unit_name`."""
+    return ACCELERATION_UNITS[unit_name(unit)]

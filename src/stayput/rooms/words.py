@@ -11,7 +11,7 @@ from stayput.catalogue.names import PIECES
 from stayput.fragility.probabilities import percent
 from stayput.model.floor_plan import PLACES
 from stayput.rooms.changes import wall_faced
-from stayput.verification.words import class_phrase, of_the_cases, sentence_of, share_text
+from stayput.verification.words import class_phrase, sentence_of, share_text
 from stayput.wording import inside
 
 if TYPE_CHECKING:
@@ -42,21 +42,48 @@ def piece_name(name: str) -> Phrase:
     return PIECES.get(name, (name, name))
 
 
+def piece_within(name: str) -> Phrase:
+    """Return the same as it stands within a sentence: "the bookcase", "“Bookcase 2”"."""
+    if name in PIECES:
+        return phrase("rooms.the_piece", name=PIECES[name])
+    return phrase("rooms.named", name=name)
+
+
+def _place_within(place: PersonPlace) -> Phrase:
+    if place.name in PLACES:
+        return phrase("rooms.the", name=place_name(place))
+    return phrase("rooms.named", name=place.name)
+
+
+def _door_within(door: Door) -> Phrase:
+    if door.name == "door":
+        return phrase("rooms.the", name=door_name(door))
+    return phrase("rooms.named", name=door.name)
+
+
 def _where_somebody_is(place: PersonPlace) -> Phrase:
-    """Return where the person of a place is: "in the bed"."""
+    """Return where the person of a place is: "in bed"."""
     if place.name in PLACES:
         return phrase(f"rooms.at_{place.name}")
-    return phrase("rooms.at_place", place=place.name)
+    return phrase("rooms.at_place", place=_place_within(place))
 
 
 def often(share: float, cases: Phrase) -> Phrase:
-    """Return how often something happens: "in 6 of 10 earthquakes"."""
-    tenths = round(10.0 * share)
+    """Return how often something happens: "in 6 of 10 earthquakes", "in 3 of 100 earthquakes"."""
     if share >= 1.0:
         return phrase("rooms.always", cases=cases)
-    if 1 <= tenths <= 9:
-        return phrase("rooms.of_ten", count=tenths, cases=cases)
+    for whole in (10, 100, 1000):
+        count = round(whole * share)
+        if 1 <= count < whole:
+            return phrase("rooms.count_of", count=count, all=whole, cases=cases)
     return phrase("rooms.rarely", share=share_text(share), cases=cases)
+
+
+def motion_phrase(verdict: RoomVerdict) -> Phrase | None:
+    """Return what the only motion of a verdict is called: "this record"; None where there are more."""
+    if verdict.motions > 1:
+        return None
+    return phrase("rooms.this_motion" if verdict.scenario.shaking.record is None else "rooms.this_record")
 
 
 def sentence_of_room(verdict: RoomVerdict, language: str) -> str:
@@ -65,8 +92,6 @@ def sentence_of_room(verdict: RoomVerdict, language: str) -> str:
         return say("verification.no_run", language)
     stated = verdict.scenario.shaking.strength
     key = "rooms.strength_scattered" if stated is not None and stated.scatter else "rooms.strength"
-    if verdict.motions == 1:
-        key = "rooms.strength_of_one"
     strength = say(key, language, strength=class_phrase(verdict.intensity))
     told = sentence_of([say(part, language) for part in _clauses(verdict)], language)
     return strength + (told[0].lower() + told[1:] if language == "en" else told)
@@ -74,25 +99,29 @@ def sentence_of_room(verdict: RoomVerdict, language: str) -> str:
 
 def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
     """Yield what happens, each with its interval."""
-    cases = phrase("rooms.runs" if verdict.motions == 1 else "rooms.earthquakes")
-    names = chain([phrase("rooms.interval")], repeat(("", "")))  # what the ends are is said once
+    only, runs = motion_phrase(verdict), phrase("rooms.runs")
+    of_one = runs if only is None else phrase("rooms.runs_of", motion=only)
+    # What the ends are, and which motion it is, is said once.
+    names = chain([phrase("rooms.interval")], repeat(("", "")))
+    cases = repeat(phrase("rooms.earthquakes")) if only is None else chain([of_one], repeat(runs))
 
     def ends_of(chance: Probability) -> Phrase:
         (english, japanese), (first, second) = next(names), interval_text(chance)
         return phrase("common.aside", content=(english + first, japanese + second))
 
     def happens(key: str, chance: Probability, **values: Phrase | int) -> Phrase:
-        return phrase(key, often=often(chance.estimate, cases), interval=ends_of(chance), **values)
+        return phrase(key, often=often(chance.estimate, next(cases)), interval=ends_of(chance), **values)
 
     worst = sorted(verdict.places, key=lambda one: -one.hit.estimate)
     told = [place for place in worst if place.hit.estimate >= TOLD] or [place for place in worst if place.by]
     if not verdict.places:
         yield phrase("rooms.no_places")
     elif not told:
-        yield phrase("rooms.nobody_hit", runs=verdict.hit.runs, interval=ends_of(verdict.hit))
+        next(cases)
+        yield phrase("rooms.nobody_hit", count=verdict.hit.runs, cases=of_one, interval=ends_of(verdict.hit))
     for place in told:
         first = place.by[0]
-        values = {"piece": piece_name(first.piece), "place": _where_somebody_is(place.place)}
+        values = {"piece": piece_within(first.piece), "place": _where_somebody_is(place.place)}
         yield happens("rooms.hits", first.probability, **values)
     named = {place.by[0].piece for place in told}
     falling = [piece for piece in verdict.pieces if piece.falls and piece.name not in named]
@@ -100,14 +129,14 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
     if falling:
         first, *others = falling
         yield happens(
-            "rooms.falls_with_others" if others else "rooms.falls",
+            "rooms.falls_with_others" if others else "rooms.falls_too",
             first.probabilities["overturned"],
-            piece=piece_name(first.name),
+            piece=piece_within(first.name),
             count=len(others),
         )
     for door in verdict.doors:
         if door.blocked.estimate >= TOLD:
-            yield happens("rooms.blocked", door.blocked, door=door_name(door.door))
+            yield happens("rooms.blocked", door.blocked, door=_door_within(door.door))
     shut = max(verdict.places, key=lambda one: one.shut_in.estimate, default=None)
     if shut is not None and shut.shut_in.estimate >= TOLD:
         yield happens("rooms.shut_in", shut.shut_in, place=_where_somebody_is(shut.place))
@@ -120,14 +149,16 @@ def interval_text(chance: Probability) -> Phrase:
 
 
 def change_label(change: Change, verdict: RoomVerdict, language: str) -> str:
-    """Return what a change consists of."""
-    return say(label_of(change, verdict), language)
+    """Return what a change consists of, as it stands by itself."""
+    label = say(label_of(change, verdict), language)
+    return label[:1].upper() + label[1:]
 
 
 def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
-    """Return the same in both languages."""
+    """Return the same within a sentence, in both languages."""
     if change.measure is not None:
-        return phrase("rooms.fix", measure=change.measure.label, piece=piece_name(change.what))
+        english, japanese = change.measure.label
+        return phrase("rooms.fix", measure=(inside(english), japanese), piece=piece_within(change.what))
     assert change.at is not None
     assert change.heading is not None
     x, y = change.at
@@ -135,12 +166,12 @@ def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
     if place is not None and change.what not in verdict.scenario.names:
         turned = abs(math.remainder(change.heading - place.heading, math.pi)) > 1e-6
         key = "rooms.turn_place" if turned else "rooms.move_place"
-        return phrase(key, place=place_name(place), x=x, y=y)
+        return phrase(key, place=_place_within(place), x=x, y=y)
     wall = wall_faced(change.heading)
     along, start = (y, "near_side_wall") if wall in ("left_wall", "right_wall") else (x, "left_wall")
     return phrase(
         "rooms.move_piece",
-        piece=piece_name(change.what),
+        piece=piece_within(change.what),
         wall=phrase(f"rooms.{wall}"),
         along=along,
         start=phrase(f"rooms.{start}"),
@@ -148,28 +179,31 @@ def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
 
 
 def change_sentence(result: ChangeVerdict, verdict: RoomVerdict, language: str) -> str:
-    """Return what a change brings, in one sentence."""
+    """Return what a change is and what it brings."""
+    return sentence_of([say(_effect(result, verdict), language)], language)
+
+
+def _effect(result: ChangeVerdict, verdict: RoomVerdict) -> Phrase:
     what = next(iter(result.better), "hit")
-    (held, change), own = (result.hit, result.hit_change), verdict.piece_changed(result)
+    (chance, change), own = (result.hit, result.hit_change), verdict.piece_changed(result)
     if what == "shut_in":
-        held, change = result.shut_in, result.shut_in_change
+        chance, change = result.shut_in, result.shut_in_change
     elif what == "blocked":
-        held, change = result.blocked, result.blocked_change
+        chance, change = result.blocked, result.blocked_change
     elif what == "overturned" and own is not None:
-        held, change = own
-    english, japanese = label_of(result.change, verdict)
-    shares = {
-        name: (of_the_cases(share), share_text(share)[1])
-        for name, share in (("held", held.estimate), ("bare", held.estimate - change.estimate))
-    }
-    told = say(
-        f"rooms.effect_{what}",
-        language,
-        change=(inside(english), japanese),
-        piece=piece_name(result.change.what),
-        **shares,
-    )
-    return sentence_of([told], language)
+        chance, change = own
+    held, bare = chance.estimate, chance.estimate - change.estimate
+    goes = "stays" if share_text(held) == share_text(bare) else "falls" if held < bare else "rises"
+    told = phrase(f"rooms.{goes}", bare=share_text(bare), held=share_text(held))
+    return phrase(f"rooms.change_of_{what}", change=label_of(result.change, verdict), goes=told)
+
+
+def tags(result: ChangeVerdict) -> list[Phrase]:
+    """Return what a change is clearly better in, and what worse; that nothing is clear, where nothing is."""
+    found = [("fewer", name) for name in result.better] + [("more", name) for name in result.worse]
+    # a way out that is free is more than a door
+    told = [(way, name) for way, name in found if name != "blocked" or (way, "shut_in") not in found]
+    return [phrase(f"rooms.{way}_{name}") for way, name in told] or [phrase("rooms.nothing_clear")]
 
 
 def best_sentence(verdict: RoomVerdict, language: str) -> str:
@@ -179,5 +213,4 @@ def best_sentence(verdict: RoomVerdict, language: str) -> str:
     best = verdict.best
     if best is None:
         return say("rooms.no_best", language)
-    change = change_sentence(best, verdict, language)
-    return say("rooms.best", language, change=change.rstrip(".。"))
+    return say("rooms.best", language, change=_effect(best, verdict))

@@ -29,7 +29,7 @@ from stayput.scenario.pieces import (
     StandingTable,  # noqa: TC001 - pydantic reads the annotations
 )
 from stayput.scenario.shaking import ShakingTable
-from stayput.scenario.tables import RoomTable
+from stayput.scenario.tables import RoomTable, floor_of
 from stayput.scenario.toml import read_toml
 from stayput.simulation.run import simulate
 from stayput.simulation.standing import MOST_BODIES, Assembly, Piece, Standing, friction_between
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
     import xarray as xr
 
-    from stayput.model.room import Room
+    from stayput.model.room import Floor, Room
     from stayput.model.solid import Solid
     from stayput.motion import Motion
     from stayput.motion.suites import Suite
@@ -178,10 +178,12 @@ class AssemblyScenario(FromFile):
             A body that is not possible, or a mesh that cannot be read.
         """
         chosen = self.stated if option is None else option
+        # furniture sinks into a floor that settles as a Piece alone
+        as_pieces = option is not None or self.floor.settlement > 0.0
         with self.naming_pieces():
             members = [
                 Piece(piece.body(), at, heading, measures)
-                if measures or (option is not None and piece.is_furniture)
+                if measures or (as_pieces and piece.is_furniture)
                 else Standing(solid, at, heading)
                 for piece, (solid, at, heading), measures in zip(
                     self.furniture, self._placed(), chosen.measures, strict=True
@@ -255,6 +257,11 @@ class AssemblyScenario(FromFile):
             ]
         except InputError as error:
             raise self.by_names(error) from None
+
+    @property
+    def floor(self) -> Floor:
+        """What the pieces stand on."""
+        return floor_of(self.room.floor)
 
     def surroundings(self) -> Room:
         """Make the room; the gaps of its walls are from the outermost of all pieces."""

@@ -22,7 +22,7 @@ from stayput.model.floor_plan import (
     PersonPlace,
     Window,
 )
-from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
+from stayput.model.room import WALLS_AROUND, Ceiling, Room, Wall
 from stayput.scenario.assembly import AssemblyScenario
 from stayput.scenario.assembly_options import AssemblyUncertaintyTable
 from stayput.scenario.fields import Table, Text, between, named, of, one_of
@@ -209,7 +209,6 @@ class RoomScenario(AssemblyScenario):
         InputError
             A piece that stands in a wall.
         """
-        floor = Floor.of(self.room.floor) if isinstance(self.room.floor, str) else self.room.floor.floor()
         ceiling = None if self.room.ceiling is None else Ceiling(**self.room.ceiling.model_dump())
         x, y = (
             np.array([one.along(axis) for one in standing]) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
@@ -217,7 +216,7 @@ class RoomScenario(AssemblyScenario):
         low, high = np.array([x[:, 0].min(), y[:, 0].min()]), np.array([x[:, 1].max(), y[:, 1].max()])
         gaps = self.floor_plan().distances(low, high)
         walls = {name: Wall(max(0.0, gap), construction=self.room.walls) for name, gap in gaps.items()}
-        return Room(floor, ceiling=ceiling, **walls)
+        return Room(self.floor, ceiling=ceiling, **walls)
 
 
 def read_room(path: str | PathLike[str]) -> RoomScenario:

@@ -9,7 +9,7 @@ from pydantic import Discriminator, Field, Tag, model_validator
 
 from stayput.building.model import MOST_STOREYS
 from stayput.errors import InputError
-from stayput.motion import Motion, near_fault, read_motion, sine
+from stayput.motion import Motion, near_fault, sine
 from stayput.motion.ground_shaking import (
     EARTHQUAKE_TERMS,
     EarthquakeSource,
@@ -22,7 +22,7 @@ from stayput.motion.ground_shaking import (
     strength_of_pgv,
 )
 from stayput.motion.intensity import CLASSES, intensity_of_class
-from stayput.motion.readers import read_vertical
+from stayput.motion.readers import read_shaking, read_vertical
 from stayput.motion.suites import FAMILIES, MIXED, Suite, read_suite, synthetic_suite
 from stayput.scenario.building import BuildingTable  # noqa: TC001 - pydantic reads the annotations
 from stayput.scenario.fields import (
@@ -128,7 +128,7 @@ class ShakingTable(Table):
 
     record: Text | None = Field(default=None, description="A record's file, relative to the scenario's file.")
     component: Text | None = Field(
-        default=None, description="Which of the record's channels is along the shaking."
+        default=None, description="Which of the record's horizontal channels is along the shaking."
     )
     unit: Text | None = Field(
         default=None, description="The record's unit, where its file does not state it."
@@ -323,7 +323,7 @@ class ShakingTable(Table):
         return suite[number - 1]
 
     def _recorded(self, record: str, folder: Path) -> Motion:
-        motion = read_motion(folder / record, self.component, self.unit, dt=self.dt)
+        motion = read_shaking(folder / record, self.component, self.unit, dt=self.dt)
         if not isinstance(self.vertical, str):
             return motion
         up = read_vertical(folder / self.vertical, self.unit, dt=self.dt)

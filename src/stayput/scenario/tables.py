@@ -134,6 +134,11 @@ class FloorTable(Table):
         return replace(Floor() if self.surface is None else Floor.of(self.surface), **given)
 
 
+def floor_of(given: str | FloorTable) -> Floor:
+    """Make the floor of a surface preset or of a table."""
+    return Floor.of(given) if isinstance(given, str) else given.floor()
+
+
 class WallTable(Table):
     """A wall beside the body."""
 
@@ -182,7 +187,7 @@ class RoomTable(Table):
 
     def room(self) -> Room:
         """Make the room."""
-        floor = Floor.of(self.floor) if isinstance(self.floor, str) else self.floor.floor()
+        floor = floor_of(self.floor)
         walls = {name: getattr(self, name) for name in WALLS_AROUND}
         walls["left_wall"] = self.left_wall or self.back_wall
         made = {name: Wall(**wall.model_dump()) for name, wall in walls.items() if wall is not None}

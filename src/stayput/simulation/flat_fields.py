@@ -173,12 +173,15 @@ def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.v
     settlement = numbers["room.floor.settlement"]
     x_g, z_g = numbers["body.cg_offset.x"], h / 2 + numbers["body.cg_offset.z"]
     left, right, top = -b / 2 - x_g, b / 2 - x_g, h - z_g
-    foot_left = -rigid_half_base(-left - numbers["body.base_insets.left"], z_g, settlement)
-    foot_right = rigid_half_base(right - numbers["body.base_insets.right"], z_g, settlement)
+    back, front = left + numbers["body.base_insets.left"], right - numbers["body.base_insets.right"]
+    foot_left, foot_right = -rigid_half_base(-back, z_g, settlement), rigid_half_base(front, z_g, settlement)
+    low, high = numbers["body.base_heights.left"], numbers["body.base_heights.right"]
+    # The narrower base lies in the plane of the body's own, so that a lean stays what it is.
+    rise = (high - low) / (front - back)
     for corner, (u, v) in enumerate(
         (
-            (foot_left, numbers["body.base_heights.left"] - z_g),
-            (foot_right, numbers["body.base_heights.right"] - z_g),
+            (foot_left, low + rise * (foot_left - back) - z_g),
+            (foot_right, high + rise * (foot_right - front) - z_g),
             (left, top),
             (right, top),
         )

@@ -117,8 +117,12 @@ def _placed(number: int, piece: Piece, room: Room, planes: NDArray[np.void], str
 
 
 def standing_of(piece: Piece, held: Held) -> Standing:
-    """Return a piece as it stands with what its measures change of it."""
-    body, solid = held.body, Solid.of(held.body)
+    """Return a piece as it stands, with what its measures and the floor change of it.
+
+    What stands higher stands on another piece, which does not give way as a soft floor does.
+    """
+    body = held.body
+    solid = Solid.of(body, settlement=held.room.floor.settlement if piece.at[2] == 0.0 else 0.0)
     upright, facing = (
         Standing(solid, tilt=(0.0, body.resting_tilt, 0.0)),
         Standing(solid, heading=piece.heading),

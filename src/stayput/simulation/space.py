@@ -24,6 +24,7 @@ from stayput.simulation.space_records import (
     world_of,
 )
 from stayput.simulation.space_run import Hit, SpaceRun
+from stayput.simulation.standing import Standing
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -38,12 +39,16 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.simulation.placing import Placed
     from stayput.simulation.space_engine import SpaceTrace
-    from stayput.simulation.standing import Assembly, Joint, Standing
+    from stayput.simulation.standing import Assembly, Joint
+
+ON_FLOOR_WITHIN = 1e-6
+"""Height up to which the lowest point of a body is on the floor [m]."""
 
 
-def warn_of_settlement(room: Room) -> None:
-    """Warn where the floor settles, which several bodies do not feel."""
-    if room.floor.settlement:
+def warn_of_settlement(assembly: Assembly, room: Room) -> None:
+    """Warn where solids stand on a floor that settles: only pieces of furniture have the base for that."""
+    solids = (one for one in assembly.members if isinstance(one, Standing))
+    if room.floor.settlement and any(one.along((0.0, 0.0, 1.0))[0] <= ON_FLOOR_WITHIN for one in solids):
         warn(InputWarning("simulation.settles", value=room.floor.settlement))
 
 
@@ -57,10 +62,10 @@ def simulate_assembly(
 ) -> SpaceRun:
     """Simulate solids in space; see `stayput.simulate`.
 
-    The gaps of the walls are from the outermost corners of all bodies. The floor's settlement is a law of one
-    piece of furniture: it is left out, and warned of.
+    The gaps of the walls are from the outermost corners of all bodies. The floor's settlement is a law of
+    furniture: for solids on the floor it is left out, and warned of.
     """
-    warn_of_settlement(room)
+    warn_of_settlement(assembly, room)
     shaking = SpaceShaking(acceleration_of(motion), motion.dt)
     traced = trace_assembly(assembly, room, shaking, GRAVITY.check(gravity), checked_step(step))
     return run_of_assembly(traced, assembly.joints, room, motion)

@@ -191,9 +191,8 @@ def _add(
     vertices = own(solid.vertices)
     first = len(points)
     on_rim: NDArray[np.bool_] = np.any(on_rims(solid), axis=0)
-    # feet stand in place of all that is not above them
-    feet_reach = -math.inf if solid.feet is None else solid.feet[:, 2].max() + 1e-6
-    on_floor = ~on_rim & (solid.vertices[:, 2] > feet_reach)
+    above = _above_feet(solid, solid.vertices)
+    on_floor = ~on_rim & above
     body["mass"] = solid.mass
     body["i1"], body["i2"], body["i3"] = moments
     body["rm"] = 1.0 / math.sqrt(solid.mass)
@@ -204,7 +203,7 @@ def _add(
         for v, x, f, r in zip(vertices, solid.vertices[:, 0] - about[0], on_floor, on_rim, strict=True)
     ]
     if solid.feet is not None:
-        stands = np.concatenate([solid.feet, _above_feet(solid, feet_reach)])
+        stands = np.concatenate([solid.feet, _cut_off(solid.vertices[~above], solid.feet)])
         points += [
             (*v, *floor.own_friction(x), 1, 0)
             for v, x in zip(own(stands), stands[:, 0] - about[0], strict=True)
@@ -216,7 +215,10 @@ def _add(
     body["points"] = len(points) - first
     body["radius"] = np.linalg.norm(vertices, axis=1).max()
     body["first_rim"], body["rims"] = len(rims), len(solid.rims)
-    rims += [(*own(rim[:3]), *(rim[3:6] @ axes), rim[6], int(rim[2] > feet_reach), 1) for rim in solid.rims]
+    rims += [
+        (*own(rim[:3]), *(rim[3:6] @ axes), rim[6], int(free), 1)
+        for rim, free in zip(solid.rims, _above_feet(solid, solid.rims[:, :3]), strict=True)
+    ]
     body["first_face"], body["faces"] = len(faces), len(solid.faces)
     body["first_edge"] = len(edges)
     for face, normal in zip(solid.faces, solid.normals @ axes, strict=True):
@@ -227,15 +229,25 @@ def _add(
     body["edges"] = len(edges) - body["first_edge"]
 
 
-def _above_feet(solid: Solid, reach: float) -> NDArray[np.float64]:
+def _above_feet(solid: Solid, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return which points are higher than all feet as the body stands; in place of the others stand the feet.
+
+    A body without feet stands on its points.
+    """
+    if solid.feet is None:
+        return np.ones(len(points), np.bool_)
+    up = solid.up_at_rest
+    up = np.array([0.0, 0.0, 1.0]) if up is None else up
+    return points @ up > (solid.feet @ up).max() + 1e-6
+
+
+def _cut_off(low: NDArray[np.float64], feet: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return points above the low corners of a body with feet, which touch the floor where it falls over.
 
     A corner that juts out beyond the feet is cut off at 45°: at the height of its distance from the nearest
     foot. So the body tips over the foot, and lies on its side.
     """
-    assert solid.feet is not None
-    low = solid.vertices[solid.vertices[:, 2] <= reach]
-    apart = np.linalg.norm(low[:, np.newaxis, :2] - solid.feet[:, :2], axis=2).min(axis=1)
+    apart = np.linalg.norm(low[:, np.newaxis, :2] - feet[:, :2], axis=2).min(axis=1)
     return low[apart > 1e-9] + apart[apart > 1e-9, np.newaxis] * [0.0, 0.0, 1.0]
 
 

@@ -56,12 +56,12 @@ def verify_several(
     """
     began = time.perf_counter()
     room, gravity, shaking = scenario.surroundings(), scenario.gravity, scenario.shaking
-    warn_of_settlement(room)
     options, rejected = options_of_several(scenario)
     ground = scenario.ground()
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
     settings = Settings.of(scenario, len(ground), slide_limit)
     assemblies = [scenario.assembly(option) for option in options]
+    warn_of_settlement(assemblies[0], room)
     total = len(ground) * settings.samples * len(options)
     draw = partial(
         draws_of_several,

@@ -6,9 +6,9 @@ const HOME = new URL(document.documentElement.dataset.home ?? ".", document.base
 
 /** A refusal by the server: its sentence in English, in Japanese if it has one, the field, the HTTP status (0: no answer). */
 export class Refused extends Error {
-  constructor({ message = "", message_ja = null, field = null }, status) {
+  constructor({ message = "", message_ja = null, field = null, perhaps = null, also = [] }, status) {
     super(message);
-    Object.assign(this, { japanese: message_ja, field, status });
+    Object.assign(this, { japanese: message_ja, field, perhaps, also, status });
   }
 }
 

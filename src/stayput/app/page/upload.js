@@ -10,7 +10,7 @@ import { worded } from "./refusals.js";
 import { change, current } from "./scene.js";
 import { both, number, spoken, t } from "./words.js";
 
-const UNITS = ["m/s²", "gal", "g"];
+const UNITS = ["m/s²", "cm/s²", "gal", "mm/s²", "g"];
 const LONGEST = 4096; // letters of a record in a link, with those of its vertical component
 const sent = new Map(); // the ids of the records in links that were sent to the server again, by their letters
 let waiting = null,
@@ -60,7 +60,7 @@ async function send(file, said) {
     else use(motion, letters);
   } catch (error) {
     if (error.name === "AbortError") return;
-    tell(() => [refusal(worded(error, "unreadable")), asking(file, said, error.field)]);
+    tell(() => [refusal(worded(error, "unreadable")), asking(file, said, error)]);
   }
 }
 
@@ -80,14 +80,18 @@ export function again() {
 export const refusal = (words) => el("p", { class: "refusal", role: "alert" }, ...words);
 
 /** Asks for what a file does not say: its unit and step, or which of its channels is wanted. */
-function asking(file, said, field) {
+function asking(file, said, { field, perhaps, also }) {
   const unit = () =>
-    el("select", { id: "unit" }, ...UNITS.map((one) => el("option", { value: one, text: one })));
+    el(
+      "select",
+      { id: "unit" },
+      ...UNITS.map((one) => el("option", { value: one, text: one, selected: one === perhaps })),
+    );
   const dt = () => el("input", { id: "step", type: "number", step: "any" });
   const component = () => el("input", { id: "component", type: "text" });
-  const missing = { unit: { unit, dt }, dt: { dt }, component: { component } }[field];
-  if (!missing) return null;
-  const fields = Object.entries(missing).map(([name, make]) => [name, make()]);
+  const ways = { unit, dt, component };
+  if (!ways[field]) return null;
+  const fields = [field, ...also].map((name) => [name, ways[name]()]);
   const values = () => Object.fromEntries(fields.map(([name, one]) => [name, one.value.trim()]));
   return el(
     "div",
@@ -212,20 +216,29 @@ async function turn(component) {
   }
 }
 
-/** Which of the file's channels shakes the piece, and the others, which may be taken in its place. */
+/** Which of the file's horizontal channels shakes the piece, and the others, which may be taken in its place. */
 function channels({ channels: all = [] }) {
   const used = all.find((one) => one.used);
   if (!used) return null;
-  const name = (one) => (one.vertical ? t("verticalChannel", { name: one.name }) : one.name);
-  if (all.length === 1)
-    return used.name.startsWith("channel") ? null : el("p", { text: t("oneChannel", { name: name(used) }) });
+  const level = all.filter((one) => !one.vertical);
+  if (level.length < 2) {
+    if (used.name.startsWith("channel")) return null;
+    const name = used.vertical ? t("verticalChannel", { name: used.name }) : used.name;
+    return el("p", { text: t("oneChannel", { name }) });
+  }
   const field = choice({
-    label: t("whichChannel", { n: all.length }),
-    options: all.map((one) => ({ id: one.name, label: name(one) })),
+    label: t("whichChannel", { n: level.length }),
+    options: level.map((one) => ({ id: one.name, label: one.name })),
     changed: turn,
   });
   field.set(used.name);
   return field.element;
+}
+
+/** The vertical component that acts: of a file of its own, or beside the horizontal ones of the record's. */
+function verticalOf({ vertical: up, motion: { channels: all = [], components } }) {
+  const name = up?.name ?? (components.includes("z") ? all.find((one) => one.vertical)?.name : null);
+  return name ? el("p", { text: t("withVertical", { name }) }) : [];
 }
 
 /** What the server has to say of the record. */
@@ -277,7 +290,7 @@ function about(record) {
       ` ${number(motion.duration_s, 0)}\u00a0s, ${number(motion.pga_m_s2, 2)}\u00a0m/s²${strength}`,
     ),
     channels(motion) ?? [],
-    record.vertical ? el("p", { text: t("withVertical", { name: record.vertical.name }) }) : [],
+    verticalOf(record),
     measured(),
     ...warnings(motion),
     preview ? picture(preview) : [],

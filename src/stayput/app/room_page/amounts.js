@@ -24,5 +24,14 @@ export const quantile = ({ median, p90 }, unit, decimals) =>
         most: p90 === null ? t("notKnown") : `${number(p90, decimals)}\u00a0${unit}`,
       });
 
+/** What a verdict rests on: runs under many earthquakes, or under a single record or other motion. */
+export const basis = ({ motions, runs, seed, seconds }) =>
+  t(motions === 1 ? "basisOfOneMotion" : "basisOfRoom", {
+    motions: number(motions),
+    runs: number(runs),
+    seed: String(seed),
+    seconds: number(seconds, 1),
+  });
+
 /** A text that begins large. */
 export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);

@@ -20,13 +20,7 @@ export function show(result) {
 /** Whether a change is seen in one of its chances at all. */
 const seen = (share, change) => share !== null && (share.estimate > 0 || change.estimate !== 0);
 
-/** What a change is clearly better or worse in; a way out that is free is more than a door. */
-const told = (names) => names.filter((name) => name !== "blocked" || !names.includes("shut_in"));
-
-function tag({ helps, better, worse }) {
-  const words = [...told(better).map((name) => t(`better_${name}`)), ...told(worse).map((name) => t(`worse_${name}`))];
-  return el("span", { class: helps ? "tag" : "tag gradeC", text: words.length ? words.join(t("listed")) : t("unclear") });
-}
+const tag = ({ helps, tags }) => el("span", { class: helps ? "tag" : "tag gradeC", text: tags.map(both).join(t("listed")) });
 
 /** The chance that a change betters, which its bar shows: that of being hit where it betters none. */
 function shown({ better, hit, shut_in: shut, overturned }) {

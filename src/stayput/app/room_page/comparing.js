@@ -1,11 +1,11 @@
-// Two rooms side by side, under the same earthquakes and with the same random numbers; worked out one after the other.
+// Two rooms side by side, under the same shaking and with the same random numbers; worked out one after the other.
 
 import * as api from "../api.js";
 import { el, fill, part, svg } from "../dom.js";
 import { worded } from "../refusals.js";
-import { both, number, percent, t } from "../words.js";
+import { both, percent, t } from "../words.js";
 import { line } from "../verification.js";
-import { capital, chance, points } from "./amounts.js";
+import { basis, capital, chance, points } from "./amounts.js";
 import { kindName } from "./kinds.js";
 import { drawPlan } from "./plan.js";
 
@@ -99,15 +99,7 @@ function numbers() {
       ),
     ),
     el("p", { class: "hint", text: t("compareUnpaired") }),
-    el("p", {
-      class: "hint",
-      text: t("basisOfRoom", {
-        motions: number(first.result.motions),
-        runs: number(first.result.runs + second.result.runs),
-        seed: String(first.result.seed),
-        seconds: number(first.result.seconds + second.result.seconds, 1),
-      }),
-    }),
+    ...sides.map(({ name, result }) => el("p", { class: "hint", text: t("basisOf", { name, basis: basis(result) }) })),
   ];
 }
 

@@ -12,6 +12,7 @@ const MOTIONS = ["record", "component", "unit", "dt", "vertical", "sine", "built
 let presets = null,
   wanted = null, // the record that the server is being asked for
   reading = false, // the room goes into the fields, which is no change of the room
+  computedSuite = {}, // the suite of computed earthquakes, which comes again after a record
   whenLost = () => {};
 const waves = new Map(); // the records that links hold, {name, letters} by their ids
 
@@ -28,7 +29,8 @@ export function wire(known, lost) {
 /** Puts what the room says into the fields. */
 export function take() {
   const shaking = room.current().shaking ?? {},
-    { record } = shaking;
+    { record, suite } = shaking;
+  if (typeof suite === "object") computedSuite = suite;
   put({ ...told(room.current()), record: kept(record) });
   if (record && record !== fields.current().record?.id && record !== wanted) fetchRecord(shaking);
 }
@@ -102,8 +104,9 @@ export function withoutRecord(before) {
 
 /** What a room says, as the fields have it. */
 function told({ shaking = {}, room: surfaces = {} }) {
-  const { suite, intensity, building, storey, member } = shaking,
+  const { record, suite, intensity, building, storey, member } = shaking,
     { plain } = fields,
+    computed = record ? fields.current() : plain, // a record leaves the fields of computed earthquakes as they are
     way = WAYS.find((one) => shaking[one] !== undefined),
     middle = presets.intensities.find((one) => one.id === intensity)?.middle;
   return {
@@ -115,8 +118,8 @@ function told({ shaking = {}, room: surfaces = {} }) {
     intensity: middle ?? (Number(intensity) || fields.current().intensity),
     entry: way ? { [way]: shaking[way] } : null,
     scaled: intensity !== undefined || way !== undefined,
-    family: suite?.family ?? plain.family,
-    member: member ?? 1,
+    family: suite?.family ?? computed.family,
+    member: member ?? (record ? computed.member : 1),
     storeys: building?.storeys ?? 0,
     storey: storey ?? 1,
     structure: building?.structure ?? plain.structure,
@@ -138,7 +141,7 @@ function written(before, keys) {
     else delete surfaces.ceiling;
   }
   if (has(keys, "record", "family", "member")) {
-    const suite = { ...(typeof shaking.suite === "object" ? shaking.suite : {}), family: scene.family };
+    const suite = { ...computedSuite, family: scene.family };
     for (const key of MOTIONS) delete shaking[key];
     Object.assign(shaking, scene.record ? scene.record.shaking : { suite, member: scene.member });
     if (scene.record?.vertical) shaking.vertical = scene.record.vertical.id;

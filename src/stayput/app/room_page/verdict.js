@@ -4,6 +4,7 @@ import { isAway } from "../connection.js";
 import { el, fill, part } from "../dom.js";
 import { worded } from "../refusals.js";
 import { both, number, perCent, percent, t } from "../words.js";
+import { basis } from "./amounts.js";
 import { apply } from "./changes.js";
 import { fallingAlone } from "./findings.js";
 import * as room from "./room.js";
@@ -50,14 +51,7 @@ export function show({ name, job, result, old, error }) {
   part("rough").textContent = result ? t("rough", { runs: number(result.runs) }) : "";
   falls(error ? null : result);
   best(old || error ? null : result);
-  part("basis").textContent = result
-    ? t("basisOfRoom", {
-        motions: number(result.motions),
-        runs: number(result.runs),
-        seed: String(result.seed),
-        seconds: number(result.seconds, 1),
-      })
-    : "";
+  part("basis").textContent = result ? basis(result) : "";
   progress(name, job);
   brief(name, result, old);
 }

@@ -11,7 +11,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 from stayput.errors import InputError, InputWarning, warn, warnings_to, within
-from stayput.motion.channels import is_vertical, labels_phrase, motion_fields, upper_floor_warning
+from stayput.motion.channels import (
+    is_vertical,
+    labels_phrase,
+    motion_fields,
+    refuse_vertical,
+    upper_floor_warning,
+    warn_of_vertical,
+)
 from stayput.motion.processing import STEP_RANGE
 from stayput.motion.readers import columns, cosmos, csmip, esm, jma, knet, knet_csv, peer
 from stayput.motion.readers.text import check_end, file_text
@@ -86,10 +93,43 @@ def read_motion(
     Warns
     -----
     InputWarning
-        It is read, but perhaps not as it was meant: a channel had to be chosen, the peak is above 5 g,
-        the header mentions another unit or an upper floor, channels seem to be missing.
+        It is read, but perhaps not as it was meant: a channel had to be chosen, or is the vertical one of a
+        file that has horizontal ones; the peak is above 5 g, the header mentions another unit or an upper
+        floor, channels seem to be missing.
     """
-    return _read(path, lambda channels: component, unit, dt)
+
+    def asked(channels: Sequence[Channel]) -> str | None:
+        warn_of_vertical(channels, component)
+        return component
+
+    return _read(path, asked, unit, dt)
+
+
+def read_shaking(
+    path: str | os.PathLike[str],
+    component: str | None = None,
+    unit: str | None = None,
+    *,
+    dt: float | None = None,
+) -> Motion:
+    """Read a record that shakes furniture sideways: a vertical channel is not taken for a horizontal one.
+
+    Parameters
+    ----------
+    path, component, unit, dt
+        As for `read_motion`.
+
+    Raises
+    ------
+    InputError
+        Likewise; or ``component`` names a vertical channel of a file that has horizontal ones.
+    """
+
+    def asked(channels: Sequence[Channel]) -> str | None:
+        refuse_vertical(channels, component)
+        return component
+
+    return _read(path, asked, unit, dt)
 
 
 def read_vertical(

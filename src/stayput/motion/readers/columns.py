@@ -1,8 +1,9 @@
 """Columns of numbers, parted by blanks, tabs, commas or semicolons.
 
 One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z. Lines that begin
-with "#", "%" or "//" are comments; one that says "unit: m/s²" states the unit, which the caller
-must do otherwise. One line of column names may stand above the numbers.
+with "#", "%" or "//" are comments. One line of column names may stand above the numbers. A comment that says
+"unit: m/s²" states the unit, and so do names of columns that all have the same one, as in
+"t, NS (gal), EW (gal), UD (gal)"; the caller must do it otherwise.
 """
 
 from __future__ import annotations
@@ -14,8 +15,15 @@ from typing import TYPE_CHECKING
 from stayput.errors import InputError
 from stayput.motion.channels import Channel
 from stayput.motion.readers.fields import Numbers
-from stayput.motion.readers.header import acceleration_unit, regular_step, stated_unit, time_step
+from stayput.motion.readers.header import (
+    acceleration_unit,
+    mentioned_unit,
+    regular_step,
+    stated_unit,
+    time_step,
+)
 from stayput.motion.readers.text import chunks
+from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     import numpy as np
@@ -26,6 +34,7 @@ FORMAT = "columns of numbers"
 _COMMENT = ("#", "%", "//")
 _STARTS = re.compile(r"[+\-]?\.?[0-9]")
 _NAME = re.compile(r"[A-Za-z][A-Za-z\-]{0,11}")
+_TIME = re.compile(r"t(?![a-z])|.*time", re.IGNORECASE)
 _NOT_FINITE = re.compile(r"[+\-]?(?:nan|inf|infinity)", re.IGNORECASE)
 _LABELS = {1: [""], 2: ["", ""], 4: ["t", "x", "y", "z"]}
 _HEAD = 20_000  # characters at the beginning in which comments and names are looked for
@@ -75,9 +84,24 @@ def _is_names(line: str) -> bool:
     return all(_NAME.match(text) and not _NOT_FINITE.fullmatch(text) for text in fields)
 
 
+def _headings(above: list[str]) -> list[str]:
+    """Return the fields of the last line above the numbers, which may name the columns."""
+    return _split(above[-1].lstrip("#%/ ")) if above else []
+
+
+def _unit_of_columns(above: list[str], count: int) -> str | None:
+    """Return the one unit in the names of all columns but the time's: "t, NS (gal), EW (gal), UD (gal)"."""
+    headings = _headings(above)
+    if len(headings) != count or not _TIME.match(headings[0].strip("\"' ")):
+        return None
+    units = [mentioned_unit(heading) for heading in headings[1:]]
+    same = None not in units and len({unit_factor(unit or "") for unit in units}) == 1
+    return units[0] if same else None
+
+
 def _names(above: list[str], count: int) -> list[str]:
     """Return the columns' names, from the last line above the numbers where that has as many."""
-    fields = _split(above[-1].lstrip("#%/ ")) if above else []
+    fields = _headings(above)
     names = [m[0] if (m := _NAME.match(text.strip("\"' "))) else "" for text in fields]
     return names if len(names) == count and all(names) else _LABELS[count]
 
@@ -117,12 +141,12 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     head = _head(text)
     named = bool(head.content) and _is_names(head.content[0])
     above = head.comments + head.content[:1] if named else head.comments
-    stated = next(filter(None, map(stated_unit, head.comments)), None)
-    factor = acceleration_unit(stated, unit, "\n".join(above))
     table = _table(text, named)
+    count = table.shape[1]
+    stated = next(filter(None, map(stated_unit, head.comments)), None) or _unit_of_columns(above, count)
+    factor = acceleration_unit(stated, unit, "\n".join(above), step_missing=count == 1 and dt is None)
     if len(table) < 2:
         raise InputError("motion.column_one_row")
-    count = table.shape[1]
     labels = _names(above, count)
     place = " ".join(above)
     if count == 1:

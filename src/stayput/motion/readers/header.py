@@ -35,13 +35,15 @@ def stated_unit(header: str) -> str | None:
     return match[1].rstrip(".") if match else None
 
 
-def _mentioned_unit(header: str) -> str | None:
+def mentioned_unit(header: str) -> str | None:
     """Return the one unit of acceleration that a header mentions: "acc_gal", "PGA [cm/s²]"."""
     names = {(m[1] or m[2]).lower() for m in _MENTIONED.finditer(header)}
     return names.pop() if len({unit_factor(name) for name in names}) == 1 else None
 
 
-def acceleration_unit(stated: str | None, given: str | None, header: str = "") -> float:
+def acceleration_unit(
+    stated: str | None, given: str | None, header: str = "", *, step_missing: bool = False
+) -> float:
     """Return the size of the unit of a file's numbers [m/s²].
 
     Parameters
@@ -52,17 +54,21 @@ def acceleration_unit(stated: str | None, given: str | None, header: str = "") -
         Unit that the caller states.
     header : str
         What the file says besides; a unit that it mentions is not taken, but compared.
+    step_missing : bool
+        Whether the time step must be given too, so that the refusal asks for both at once.
 
     Raises
     ------
     InputError
         Neither does, they contradict each other, or the name is unknown.
     """
-    mentioned = None if stated is not None else _mentioned_unit(header)
+    mentioned = None if stated is not None else mentioned_unit(header)
     if stated is None and given is None:
-        if mentioned is None:
-            raise InputError("motion.no_unit", "unit", known=UNIT_NAMES)
-        raise InputError("motion.no_unit_but_mentioned", "unit", mentioned=mentioned, known=UNIT_NAMES)
+        if mentioned is not None:
+            raise InputError("motion.no_unit_but_mentioned", "unit", mentioned=mentioned, known=UNIT_NAMES)
+        if step_missing:
+            raise InputError("motion.no_unit_nor_step", "unit", known=UNIT_NAMES)
+        raise InputError("motion.no_unit", "unit", known=UNIT_NAMES)
     if stated is not None and given is not None and unit_factor(stated) != unit_factor(given):
         raise InputError("motion.another_unit", "unit", given=given, stated=excerpt(stated))
     factor = unit_factor(stated if stated is not None else given or "")

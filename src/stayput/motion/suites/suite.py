@@ -12,7 +12,7 @@ import numpy as np
 
 from stayput.errors import InputError, list_of
 from stayput.motion.processing import whole
-from stayput.motion.readers import read_motion
+from stayput.motion.readers import read_shaking
 from stayput.motion.record import Motion
 from stayput.motion.spectrum import DAMPING, PERIODS, spectra
 from stayput.motion.suites.matching import matched
@@ -274,7 +274,7 @@ def read_suite(
         A folder, whose files are taken in the order of their names, all but hidden ones and Markdown; or
         the files themselves, in this order.
     component, unit, dt
-        As for `read_motion`, for every file.
+        As for `read_motion`, for every file; a vertical channel beside horizontal ones is refused.
     name : str, optional
         Default: the folder's name.
 
@@ -303,7 +303,7 @@ def read_suite(
 
 def _read(file: Path, component: str | None, unit: str | None, dt: float | None) -> Motion:
     try:
-        return read_motion(file, component, unit, dt=dt)
+        return read_shaking(file, component, unit, dt=dt)
     except InputError as error:
         if file.name in str(error):
             raise

@@ -31,7 +31,7 @@ from stayput.rooms.step_words import (
 )
 from stayput.rooms.steps import COST_BOUNDS
 from stayput.rooms.verdict import FALLS
-from stayput.rooms.words import piece_name
+from stayput.rooms.words import motion_phrase, piece_name
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.words import class_phrase, share_text
 
@@ -133,7 +133,7 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
         **framed(language, "action_plan", f"{title} – {named}" if named else title, SHEETS),
         "name": named,
         "sentences": [say(told, language) for told in _sentences(plan)],
-        "rough": any(step.grade == max(MEANINGS) for step in plan.steps),
+        "rough": say(_rough(plan), language) if any(map(_is_rough, plan.steps)) else "",
         "plan": drawing,
         "scale": say("action_plan.scale", language, plan=scale, elevation=_elevation_scale(plan)),
         "rows": [_row(number, step, plan, language) for number, step in enumerate(plan.steps, 1)],
@@ -141,6 +141,16 @@ def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
         "weakest": listed_once(plan, lambda step: [joined(one.label for one in step.weakest)], language),
         "notes": [say(note, language) for note in _notes(plan)],
     }
+
+
+def _is_rough(step: PlanStep) -> bool:
+    return step.grade == max(MEANINGS)
+
+
+def _rough(plan: ActionPlan) -> Phrase:
+    """Return that some steps rest on assumed values, and which these are, each once."""
+    labels = (one.label for step in plan.steps if _is_rough(step) for one in step.weakest)
+    return phrase("action_plan.rough", inputs=joined(dict.fromkeys(labels)))
 
 
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
@@ -159,7 +169,9 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
         now = joined(
             phrase(f"action_plan.chance_{key}", share=share_text(was)) for key, (_, was) in told.items()
         )
-        yield phrase("action_plan.now", strength=strength, chances=now)
+        only = motion_phrase(verdict)
+        key = "action_plan.now" if only is None else "action_plan.now_of_one"
+        yield phrase(key, strength=strength, motion=only or "", chances=now)
         then = joined(
             phrase(f"action_plan.chance_{key}", share=with_ends(chance)) for key, (chance, _) in told.items()
         )
@@ -318,7 +330,8 @@ def _notes(plan: ActionPlan) -> Iterator[Phrase]:
     yield phrase("action_plan.grades", meanings=grades)
     if any(step.fix is not None for step in plan.steps):
         yield from _notes_on_products(runs)
+    motions = motion_phrase(verdict) or phrase("action_plan.same_motions", count=verdict.motions)
     yield phrase(
-        "action_plan.runs", runs=runs, motions=verdict.motions, seed=verdict.seed, version=stayput.__version__
+        "action_plan.runs", runs=runs, motions=motions, seed=verdict.seed, version=stayput.__version__
     )
     yield phrase("action_plan.limits")

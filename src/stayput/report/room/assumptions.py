@@ -7,7 +7,12 @@ from typing import TYPE_CHECKING
 
 from stayput.catalogue import phrase
 from stayput.model.parameters import GIVEN
-from stayput.report.several.tables import NOT_DRAWN, drawn_between, piece_assumptions, rolling_assumptions
+from stayput.report.several.tables import (
+    drawn_between,
+    piece_assumptions,
+    rolling_assumptions,
+    settlement_assumptions,
+)
 from stayput.report.verdict.assumptions import (
     MODEL,
     Assumption,
@@ -18,7 +23,6 @@ from stayput.report.verdict.assumptions import (
     shaking_assumptions,
 )
 from stayput.rooms.ways import CELL, PASSAGE
-from stayput.uncertainty import USUAL
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -30,11 +34,10 @@ def assumptions_of_room(verdict: RoomVerdict) -> list[Assumption]:
     """Return the assumptions of a verdict on a room, those of its model first."""
     scenario = verdict.scenario
     room = scenario.surroundings()
-    in_plane = any(piece.in_plane for piece in verdict.pieces)
-    drawn = [name for name in USUAL if in_plane or name not in NOT_DRAWN]
     walls = [] if room.left_wall is None else [fixed_to("wall_fixing", room.left_wall)]
     return [
         *_limits(verdict),
+        *settlement_assumptions(scenario),
         *rolling_assumptions(scenario),
         _direction(scenario.direction),
         *piece_assumptions(scenario),
@@ -42,17 +45,14 @@ def assumptions_of_room(verdict: RoomVerdict) -> list[Assumption]:
         *walls,
         *(() if room.ceiling is None else ceiling_assumptions(room.ceiling)),
         *shaking_assumptions(scenario, verdict.motions),
-        *drawn_assumptions(drawn, scenario.uncertainty.as_stated),
+        *drawn_assumptions(scenario.uncertainty.as_stated),
         drawn_between(),
     ]
 
 
 def _limits(verdict: RoomVerdict) -> Iterator[Assumption]:
     values = {"passage": PASSAGE, "cell": 100.0 * CELL}
-    keys = ["alone", "persons", "passage"]
-    if not all(piece.in_plane for piece in verdict.pieces):
-        keys.append("settlement")
-    for key in keys:
+    for key in ("alone", "persons", "passage"):
         text = phrase(f"room_report.limit_{key}_text", **values)
         yield Assumption((phrase(f"room_report.limit_{key}"), text), MODEL)
     for key in ("contacts", "devices"):

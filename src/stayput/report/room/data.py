@@ -8,12 +8,13 @@ import json
 from typing import TYPE_CHECKING, Any
 
 import stayput
+from stayput.catalogue import LANGUAGES
 from stayput.motion.intensity import intensity_class
 from stayput.report.several.data import in_both
 from stayput.report.summary import number
 from stayput.report.verdict.data import quantiles_data, strength_data
 from stayput.rooms.ways import CELL
-from stayput.rooms.words import best_sentence, change_label, change_sentence, sentence_of_room
+from stayput.rooms.words import best_sentence, change_label, change_sentence, sentence_of_room, tags
 from stayput.spreadsheets import text_cell
 
 if TYPE_CHECKING:
@@ -109,6 +110,7 @@ def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
         "helps": result.helps,
         "better": list(result.better),
         "worse": list(result.worse),
+        "tags": [dict(zip(LANGUAGES, tag, strict=True)) for tag in tags(result)],
     }
 
 

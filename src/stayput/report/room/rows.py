@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from stayput.catalogue import say
 from stayput.montecarlo.counting import OVERTURNED, SLID
 from stayput.report.verdict import numbers
-from stayput.rooms.words import change_label, door_name, piece_name, place_name
+from stayput.rooms.words import change_label, door_name, piece_name, place_name, tags
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -84,20 +84,29 @@ class ChangeRow(NamedTuple):
         What it consists of.
     kind : str
         What can be said of it, of `KINDS`.
+    tags : tuple of str
+        What is clearly better or worse with it.
     hit, shut_in : Probability
         That a place is hit, and that no way leads out from one.
     hit_change, shut_in_change : str
         Their differences from the room as it is.
+    overturned : Probability or None
+        That the piece overturns; None of a place.
+    overturned_change : str
+        Its difference from the room as it is.
     risk : str
         How often somebody is hit, by the hours that people are at each place.
     """
 
     label: str
     kind: str
+    tags: tuple[str, ...]
     hit: Probability
     hit_change: str
     shut_in: Probability
     shut_in_change: str
+    overturned: Probability | None
+    overturned_change: str
     risk: str
 
 
@@ -184,23 +193,27 @@ def collision_rows(verdict: RoomVerdict, language: str) -> list[tuple[str, str, 
 
 def change_rows(verdict: RoomVerdict, language: str) -> list[ChangeRow]:
     """Return the single changes: those that clearly help, the best first, then the others."""
-    rows = [
-        ChangeRow(
-            change_label(one.change, verdict, language),
-            _kind(one),
-            one.hit,
-            numbers.change(one.hit_change, language),
-            one.shut_in,
-            numbers.change(one.shut_in_change, language),
-            numbers.share(one.risk, language),
+    rows: list[ChangeRow] = []
+    for one in verdict.changes:
+        own, change = verdict.piece_changed(one) or (None, None)
+        rows.append(
+            ChangeRow(
+                change_label(one.change, verdict, language),
+                _kind(one),
+                tuple(say(tag, language) for tag in tags(one)),
+                one.hit,
+                numbers.change(one.hit_change, language),
+                one.shut_in,
+                numbers.change(one.shut_in_change, language),
+                own,
+                "" if change is None else numbers.change(change, language),
+                numbers.share(one.risk, language),
+            )
         )
-        for one in verdict.changes
-    ]
     return sorted(rows, key=lambda row: KINDS.index(row.kind))
 
 
 def _kind(one: ChangeVerdict) -> str:
     if one.helps:
         return "better"
-    worse = any(change.clear and change.estimate > 0.0 for change in (one.hit_change, one.shut_in_change))
-    return "worse" if worse else "chance"
+    return "worse" if one.worse else "chance"

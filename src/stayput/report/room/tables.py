@@ -11,6 +11,7 @@ from stayput.rooms.words import (
     best_sentence,
     change_label,
     door_name,
+    motion_phrase,
     piece_name,
     place_name,
     sentence_of_room,
@@ -76,6 +77,7 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
             numbers.with_interval(one.hit, language),
             numbers.change(one.hit_change, language),
             numbers.with_interval(one.shut_in, language),
+            "" if (own := verdict.piece_changed(one)) is None else numbers.with_interval(own[0], language),
         )
         for one in verdict.changes
     ]
@@ -91,11 +93,13 @@ def tables(verdict: RoomVerdict, language: str) -> tuple[TextTable, ...]:
             tuple((say(label, language), numbers.with_interval(chance, language)) for label, chance in ways),
             *(texts("blocked_at_rest") if stuck else ()),
         ),
-        TextTable(texts("change", "hit_then", "hit_less", "shut_in_then"), tuple(changes)),
+        TextTable(texts("change", "hit_then", "hit_less", "shut_in_then", "overturned_then"), tuple(changes)),
     )
 
 
 def simulations_of_room(verdict: RoomVerdict, language: str) -> str:
     """Return how many runs the verdict rests on."""
-    values = {"runs": f"{verdict.runs:,}", "motions": verdict.motions, "samples": verdict.samples}
-    return say("rooms.simulations", language, **values)
+    motions = motion_phrase(verdict) or phrase("rooms.motions", count=verdict.motions)
+    return say(
+        "rooms.simulations", language, runs=f"{verdict.runs:,}", motions=motions, samples=verdict.samples
+    )

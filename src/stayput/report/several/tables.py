@@ -20,7 +20,6 @@ from stayput.report.verdict.assumptions import (
 )
 from stayput.report.verdict.tables import device_cells
 from stayput.simulation.space_devices import JOINT, JOINT_LABEL
-from stayput.uncertainty import USUAL
 from stayput.verification.several_options import brief_label
 from stayput.verification.several_words import is_own, reason_of_several, title_of_several
 
@@ -32,9 +31,6 @@ if TYPE_CHECKING:
     from stayput.scenario import AssemblyScenario
     from stayput.scenario.pieces import StandingTable
     from stayput.verification import AssemblyOptionVerdict, AssemblyVerdict
-
-NOT_DRAWN = ("settlement",)
-"""Quantities of `USUAL` that several pieces do not have."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,14 +110,14 @@ def simulations_of_several(verdict: AssemblyVerdict, language: str) -> str:
 def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
     """Return the assumptions of a verdict on several pieces."""
     scenario = verdict.scenario
-    drawn = [name for name in USUAL if name not in NOT_DRAWN]
     return [
         *piece_assumptions(scenario),
         *room_assumptions(scenario),
         *shaking_assumptions(scenario, verdict.motions),
-        *drawn_assumptions(drawn, scenario.uncertainty.as_stated),
+        *drawn_assumptions(scenario.uncertainty.as_stated),
         drawn_between(),
         Assumption((phrase("several.limit_body"), phrase("several.limit_body_text")), MODEL),
+        *settlement_assumptions(scenario),
         *rolling_assumptions(scenario),
         *(
             Assumption((phrase(f"report.limit_{key}"), phrase(f"report.limit_{key}_text")), MODEL)
@@ -143,6 +139,21 @@ def piece_assumptions(scenario: AssemblyScenario) -> Iterator[Assumption]:
 def drawn_between() -> Assumption:
     """Return how what is between the pieces is drawn."""
     return Assumption((phrase("several.drawn_between"), phrase("several.drawn_between_text")), "low")
+
+
+def settlement_assumptions(scenario: AssemblyScenario) -> Iterator[Assumption]:
+    """Yield for which pieces the sinking into a soft floor is left out, or less than it may be."""
+    if scenario.floor.settlement == 0.0:
+        return
+    pieces = scenario.furniture
+    left_out = {
+        "solids": any(piece.on is None and not piece.is_furniture for piece in pieces),
+        "stacks": any(piece.on is not None for piece in pieces),
+    }
+    for key, applies in left_out.items():
+        if applies:
+            text = phrase(f"several.settlement_of_{key}")
+            yield Assumption((phrase("several.limit_settlement"), text), MODEL)
 
 
 def rolling_assumptions(scenario: AssemblyScenario) -> Iterator[Assumption]:

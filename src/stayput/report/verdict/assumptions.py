@@ -62,7 +62,7 @@ def assumptions(verdict: Verdict) -> list[Assumption]:
         *room_assumptions(scenario),
         *_contents(scenario),
         *shaking_assumptions(scenario, verdict.motions),
-        *drawn_assumptions(USUAL, measured),
+        *drawn_assumptions(measured),
         *(Assumption((_text(f"limit_{key}"), _text(f"limit_{key}_text")), MODEL) for key in LIMITS),
     ]
 
@@ -78,9 +78,9 @@ def shaking_assumptions(scenario: Scenario | AssemblyScenario, count: int) -> It
         yield _building(scenario)
 
 
-def drawn_assumptions(quantities: Collection[str], measured: Collection[str]) -> Iterator[Assumption]:
-    """Yield what is drawn of the quantities of `USUAL`, and what is not since it was measured."""
-    for name in quantities:
+def drawn_assumptions(measured: Collection[str]) -> Iterator[Assumption]:
+    """Yield what is drawn, and what is not since it was measured."""
+    for name in USUAL:
         if name not in measured:
             yield _drawn(name, USUAL[name])
     for name in measured:
