@@ -249,10 +249,10 @@ def shared(one: list[float], other: list[float]) -> float:
 def test_names_stand_beside_their_own_things(
     browser: Browser, server: Running, language: str, size: dict[str, int]
 ) -> None:
-    told = """async (room) => (await import("/room/editor.js")).tellResult({ cell_m: 0.5,
-        pieces: room.furniture.map(
-            ({ name }) => ({ name, probabilities: { overturned: { estimate: 0.83 } } })),
-        places: ["desk", "Desk 2"].map((name) => ({ name, hit: { estimate: 0.88 } })), doors: [] })"""
+    told = """async (room) => (await import("/room/editor.js")).tellResult({ cell_m: 0.5, doors: [],
+        pieces: room.furniture.map(({ name }) => (
+          { name, probabilities: { overturned: { estimate: 0.83 } } })),
+        places: ["desk", "Desk 2"].map((name) => ({ name, hit: { estimate: 0.88 } })) })"""
     with editing(browser, server, OFFICE, language=language, size=size) as it:
         with it.page.expect_request(lambda one: one.url.endswith("/api/v1/room")):
             it.take({**OFFICE, "title": "asked"})
@@ -492,7 +492,7 @@ def test_numbers_are_typed_and_wrong_ones_are_said(browser: Browser, server: Run
         inspector = it.page.locator("#inspector")
         for label, value, words in (
             ("Height", "0", "From 0.1 to 10000 cm."),
-            ("Its middle along that wall", "7", "From 0 to 3 m."),
+            ("Its middle along that wall, from the near or left end", "7", "From 0 to 3 m."),
             ("Mass with its content", "", "From 0.001 to 1000000 kg."),
         ):
             it.field(label, value)

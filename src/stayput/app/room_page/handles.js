@@ -13,7 +13,7 @@ import { plan, sheetNow, shownRoom } from "./view.js";
 const OFF = 13, // a handle from its side [px]
   IN_WALL = 4, // one of the room from its floor
   ASIDE = 60, // the same from the middle of the wall
-  TURN = 40, // the handle to turn with, from the same
+  TURN = [40, 58, 76], // the handle to turn with, from the same: as near as no name is there
   SEEN = 6,
   FELT = 15, // radius in which the pointer takes it [px]
   FELT_BY_FINGER = 20;
@@ -105,12 +105,13 @@ function turnHandle(room, what, at) {
     [wide, high] = size;
   const seen = ([x, y]) => x > OFF && y > OFF && x < wide - OFF && y < high - OFF,
     onName = ([x, y]) => names.some(([x0, y0, x1, y1]) => x > x0 - OFF && x < x1 + OFF && y > y0 - OFF && y < y1 + OFF);
-  const sides = Object.values(SIDES).filter((one) => seen(at(one, TURN))),
-    side = sides.find((one) => !onName(at(one, TURN))) ?? sides[0] ?? SIDES.front,
+  const spots = TURN.flatMap((far) => Object.values(SIDES).map((side) => ({ side, spot: at(side, far) }))),
+    onSheet = spots.filter(({ spot }) => seen(spot)),
+    { side, spot } = onSheet.find((one) => !onName(one.spot)) ?? onSheet[0] ?? spots[0],
     offset = Math.atan2(side[1], side[0]);
   return {
     name: "turn",
-    at: at(side, TURN),
+    at: spot,
     pull: (from, [x, y], free) => {
       const middle = thing(from, what).at,
         angle = tidyAngle(Math.atan2(y - middle[1], x - middle[0]) - offset);
