@@ -15,6 +15,7 @@ import stayput as sp
 from stayput.catalogue import LANGUAGES
 from stayput.cli import app
 from stayput.fragility.paired import Difference
+from stayput.measures import Belt, LBracket, TensionPole
 from stayput.model.floor_plan import FACING
 from stayput.montecarlo.several import turned
 from stayput.report.room.data import room_data
@@ -122,6 +123,12 @@ def test_pieces_on_or_joined_to_each_other_run_together():
     whole = room.assembly(room.stated)
     parts = [part_with(room, group, whole) for group in groups_of(room)]
     assert [part.in_plane for part in parts] == [False, True]
+    # what holds a piece to the wall is loaded by shaking along the wall too
+    for measure, in_plane in ((Belt(), False), (LBracket(), False), (TensionPole(), True)):
+        (chest,) = parts[1].assembly.members
+        assert isinstance(chest, sp.Piece)
+        held = replace(parts[1].assembly, members=[replace(chest, measures=(measure,))])
+        assert parts[1]._replace(assembly=held).in_plane is in_plane
     assert parts[1].room.near_side_wall.gap == pytest.approx(0.02)
 
 
@@ -150,6 +157,13 @@ def test_changes_are_compared_run_by_run(verdict: RoomVerdict):
         assert one.helps <= (one.risk < verdict.risk or one.shut_in.estimate < verdict.shut_in.estimate)
     kinds = {(one.change.what, one.change.measure is None) for one in verdict.changes}
     assert {("bookcase", False), ("bookcase", True), ("bed", True)} <= kinds
+
+
+def test_the_order_of_the_file_changes_no_number(verdict: RoomVerdict):
+    turned = sp.verify_room(changed(furniture=BEDROOM["furniture"][::-1]), changes=False, progress=False)
+    assert (turned.hit, turned.shut_in, turned.risk) == (verdict.hit, verdict.shut_in, verdict.risk)
+    chances = [{one.name: one.probabilities for one in each.pieces} for each in (turned, verdict)]
+    assert chances[0] == chances[1]
 
 
 def test_a_change_says_what_is_clearly_better_and_what_worse(verdict: RoomVerdict):

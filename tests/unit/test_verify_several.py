@@ -140,22 +140,29 @@ def test_what_a_file_may_not_say(changed: dict[str, Any], said: str) -> None:
 
 def test_draws_are_those_of_one_piece_and_more() -> None:
     single = draws(2, 3, seed=1)
-    several = draws_of_several(3, 2, 3, seed=1)
+    several = draws_of_several("abc", 2, 3, seed=1)
     for motion, row in enumerate(several):
         for sample, draw in enumerate(row):
             assert draw.room == single[motion][sample]
             assert len({piece.mass for piece in draw.pieces}) == 3
             assert len({piece.friction for piece in draw.pieces}) == 1
-    stated = draws_of_several(3, 2, 3, seed=1, as_stated=["mass", "friction"])
+    stated = draws_of_several("abc", 2, 3, seed=1, as_stated=["mass", "friction"])
     assert all(piece.mass == 1.0 for row in stated for draw in row for piece in draw.pieces)
     assert stated[0][0].between == 1.0
     assert stated[0][0].joints == several[0][0].joints != 1.0
 
 
+def test_draws_do_not_depend_on_the_order_of_the_pieces() -> None:
+    (several,), (turned,) = (draws_of_several(names, 1, 3, seed=1) for names in ("abc", "cab"))
+    for one, other in zip(several, turned, strict=True):
+        assert one.pieces == (*other.pieces[1:], other.pieces[0])
+        assert one._replace(pieces=()) == other._replace(pieces=())
+
+
 def test_what_is_drawn() -> None:
     scenario = parsed()
     option = options_of_several(scenario)[0][1]
-    assembly, draw = scenario.assembly(option), draws_of_several(3, 1, 1, seed=2)[0][0]
+    assembly, draw = scenario.assembly(option), draws_of_several("abc", 1, 1, seed=2)[0][0]
     drawn = drawn_assembly(assembly, draw)
     lower, upper, vase = drawn.members
     assert isinstance(lower, sp.Piece)
@@ -174,7 +181,7 @@ def test_pieces_on_the_floor_sink_in_as_drawn_and_as_stated() -> None:
     """The lower part has the narrower base, of which the length is looked at: the depth has drawn insets."""
     scenario = parsed(room={"floor": "carpet"})
     option = options_of_several(scenario)[0][1]
-    assembly, draw = scenario.assembly(option), draws_of_several(3, 1, 1, seed=2)[0][0]
+    assembly, draw = scenario.assembly(option), draws_of_several("abc", 1, 1, seed=2)[0][0]
     room = scenario.surroundings()
     drawn_pieces = drawn_assembly(assembly, draw).members
     for members, around, factor in (
@@ -217,7 +224,7 @@ def test_a_bracket_that_reaches_the_wall_does_in_every_draw() -> None:
     option = next(one for one in options_of_several(scenario)[0] if one.name == "l_bracket")
     assembly, room = scenario.assembly(option), scenario.room.room()
     gaps = []
-    for draw in draws_of_several(3, 1, 16, seed=1)[0]:
+    for draw in draws_of_several("abc", 1, 16, seed=1)[0]:
         wall = drawn_room(assembly, room, draw.room).left_wall
         assert wall is not None
         gaps.append(wall.gap)

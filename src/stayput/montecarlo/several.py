@@ -72,7 +72,7 @@ class DrawOfSeveral(NamedTuple):
 
 
 def draws_of_several(
-    bodies: int,
+    names: Sequence[str],
     motions: int,
     samples: int,
     seed: int,
@@ -81,17 +81,20 @@ def draws_of_several(
     as_stated: Collection[str] = (),
     any_direction: bool = False,
 ) -> list[list[DrawOfSeveral]]:
-    """Return the draws of every motion.
+    """Return the draws of every motion, which do not depend on the order of the pieces.
 
     Parameters
     ----------
-    bodies : int
-        Pieces.
+    names : sequence of str
+        Names of the pieces; the first by the alphabet has the draws of a single piece.
     motions, samples, seed, start, as_stated
         As for `stayput.montecarlo.sampling.draws`.
     any_direction : bool
         Whether the direction of the motion is drawn too.
     """
+    bodies = len(names)
+    by_name = sorted(range(bodies), key=lambda body: names[body])
+    rank = [by_name.index(body) for body in range(bodies)]
     own = {f"{name} {body}": USUAL[name] for body in range(1, bodies) for name in OWN}
     like = {name: USUAL[other] for name, other in LIKE.items()}
     turned = {"direction": Uniform(0.0, 2.0 * math.pi)} if any_direction else {}
@@ -109,7 +112,9 @@ def draws_of_several(
         others = (
             replace(first, **{name: values[f"{name} {body}"] for name in OWN}) for body in range(1, bodies)
         )
-        return DrawOfSeveral((first, *others), *(values[name] for name in (*LIKE, *turned)))
+        each = (first, *others)
+        pieces = tuple(each[number] for number in rank)
+        return DrawOfSeveral(pieces, *(values[name] for name in (*LIKE, *turned)))
 
     return [[one(motion, sample) for sample in range(samples)] for motion in range(motions)]
 

@@ -16,6 +16,7 @@ import numpy as np
 from stayput.execution import Call, ThreadExecutor
 from stayput.measures import element_rows, hold
 from stayput.measures.bracket import REACH
+from stayput.measures.wall import WallDevice
 from stayput.mechanics.columns import FAILED_OUTCOME, H_TILT, H_X, H_Z, OVERTURNED_OUTCOME, RESULT
 from stayput.mechanics.devices.columns import HOLDS
 from stayput.mechanics.runner import shaking as shaking_in_plane
@@ -67,12 +68,17 @@ class RoomPart(NamedTuple):
 
     @property
     def in_plane(self) -> bool:
-        """Whether the plane across its length tells how it falls; see `stayput.studies.three_dimensions`."""
+        """Whether the plane across its length tells how it falls; see `stayput.studies.three_dimensions`.
+
+        It does not tell the forces on what holds it to the wall: shaking along the wall turns the piece about
+        one of the devices and adds to what that one bears.
+        """
         only = self.assembly.members[0]
         return (
             len(self.bodies) == 1
             and isinstance(only, Piece)
             and only.at[2] == 0.0
+            and not any(isinstance(measure, WallDevice) for measure in only.measures)
             and (only.body.length or 0.0) >= LONG * only.body.width
         )
 

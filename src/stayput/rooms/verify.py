@@ -140,7 +140,7 @@ def question_of(scenario: RoomScenario, threads: int | None) -> Question:
     floors = floors_of(room, threads)
     settings = Settings.of(room, len(floors.motions), SLIDE_LIMIT)  # which changes no run
     drawn = draws_of_several(
-        len(room.names),
+        room.names,
         settings.motions,
         settings.samples,
         settings.seed,

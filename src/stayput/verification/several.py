@@ -65,7 +65,7 @@ def verify_several(
     total = len(ground) * settings.samples * len(options)
     draw = partial(
         draws_of_several,
-        len(scenario.names),
+        scenario.names,
         settings.motions,
         seed=settings.seed,
         as_stated=settings.as_stated,

@@ -45,7 +45,7 @@ def replay_of_several(verdict: AssemblyVerdict, result: AssemblyOptionVerdict, m
     hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), 3)
     floors = hazard.stated(shaking.strength, shaking.scale, verdict.seed)
     drawn = draws_of_several(
-        len(scenario.names), len(ground), verdict.samples, verdict.seed, as_stated=settings.as_stated
+        scenario.names, len(ground), verdict.samples, verdict.seed, as_stated=settings.as_stated
     )
     return replay(
         scenario.assembly(result.option),
