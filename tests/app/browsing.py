@@ -14,7 +14,7 @@ from playwright.sync_api import sync_playwright
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator, Mapping
 
-    from playwright.sync_api import Browser, Page, Response, Route
+    from playwright.sync_api import Browser, FloatRect, Page, Response, Route
     from serving import Running
 
 
@@ -62,6 +62,12 @@ class Opened:
             act()
         self.settle()
         return _body(found.value), found.value.json()
+
+    def box(self, selector: str) -> FloatRect:
+        """Return where an element is on the screen."""
+        found = self.page.locator(selector).bounding_box()
+        assert found
+        return found
 
     def settle(self) -> None:
         """Wait until the newest scene is drawn; the server's first one is compiled before."""

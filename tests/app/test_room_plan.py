@@ -5,25 +5,17 @@ from __future__ import annotations
 
 import math
 import re
-from importlib import resources
 from typing import TYPE_CHECKING
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from browsing import DESK, LOCALES, PHONE, WAIT, browser  # noqa: F401
 from room_editing import ROOM, editing
 
 import stayput as sp
-from stayput.app.pages import TEXTS_OF, tables
-from stayput.catalogue import room_plan
-from stayput.scenario.pieces import StandingTable
-from stayput.scenario.room import DoorTable, PlaceTable, WindowTable
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
     from serving import Running
-
-SOURCES = resources.files("stayput.app").joinpath("room_page")
 
 
 def test_a_piece_is_dragged_and_turns_its_back_to_a_wall_that_it_comes_near(
@@ -407,30 +399,6 @@ def test_the_left_and_the_near_wall_are_pulled_and_what_stands_there_stays(
         assert it.room() == ROOM
 
 
-@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
-def test_what_is_refused_breaks_no_layout(browser: Browser, server: Running, size: dict[str, int]) -> None:
-    word = "averylongword" * 20
-    refusal = {"message": word, "message_ja": None, "field": "scene.furniture[1].at"}
-    fits = "document.documentElement.scrollWidth <= innerWidth"
-    with editing(browser, server, size=size, refused=422) as it:
-        it.take({**ROOM, "furniture": [{**ROOM["furniture"][0], "length": 90.0, "name": word}]})
-        it.page.set_input_files("#file", {"name": f"{word}.txt"[-200:], "mimeType": "", "buffer": b"hello"})
-        it.page.wait_for_selector("#uploaded .refusal")
-        assert it.page.evaluate(fits)
-        it.select("furniture-0")
-        it.field("Mass with its content", "-5")
-        assert it.page.locator("#inspector .why:visible").count() == 1
-        assert it.page.evaluate(fits)
-        for path in ("room", "simulate"):
-            it.page.route(f"**/api/v1/{path}", lambda route: route.fulfill(status=422, json=refusal))
-        it.take({**ROOM, "title": "refused"})
-        it.page.wait_for_selector("#answer[data-state=refused]", state="attached")
-        it.page.wait_for_selector("#plan-problems .refusal")
-        for screen in ("scene", "see", "understand", "keep"):
-            it.page.click(f"#steps button[data-screen={screen}]")
-            assert it.page.evaluate(fits), screen
-
-
 def test_a_smaller_room_takes_everything_with_it(browser: Browser, server: Running) -> None:
     with editing(browser, server) as it:
         it.page.evaluate("async () => (await import('/room/room.js')).select(null)")
@@ -479,149 +447,3 @@ def test_what_stands_in_something_else_is_said_at_once(browser: Browser, server:
         )
         assert it.wrong.endswith("It must not.")
         assert "wrong" in (it.page.get_attribute("[data-thing=doors-0]", "class") or "")
-
-
-def test_numbers_are_typed_and_wrong_ones_are_said(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        it.select("furniture-0")
-        it.field("Gap to the wall", "5")
-        assert it.room()["furniture"][0]["gap"] == pytest.approx(0.05)
-        it.field("Height", "150")
-        assert it.room()["furniture"][0]["height"] == pytest.approx(1.5)
-        before = it.room()
-        inspector = it.page.locator("#inspector")
-        for label, value, words in (
-            ("Height", "0", "From 0.1 to 10000 cm."),
-            ("Its middle along that wall, from the near or left end", "7", "From 0 to 3 m."),
-            ("Mass with its content", "", "From 0.001 to 1000000 kg."),
-        ):
-            it.field(label, value)
-            assert it.room() == before
-            field = inspector.get_by_label(label, exact=True)
-            assert field.get_attribute("aria-invalid") == "true"
-            assert words in inspector.inner_text().replace("\u00a0", " ")
-        it.field("Name", "chest")
-        assert it.room() == before
-        assert "is the name of something else" in inspector.inner_text()
-        it.field("Name", "Grandmother's")
-        assert it.room()["furniture"][0]["name"] == "Grandmother's"
-        it.page.locator("#inspector").get_by_label("Stands with its back to", exact=True).select_option("")
-        assert it.room()["furniture"][0]["at"] == pytest.approx([0.2, 2.0])
-
-
-def test_places_doors_and_windows_have_their_numbers(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        it.select("places-0")
-        it.field("Share of the day with somebody there", "25")
-        it.field("up to this height", "40")  # below the lower one
-        assert it.room()["places"][0] == {**ROOM["places"][0], "day": 0.25}
-        it.field("up to this height", "90")
-        assert it.room()["places"][0]["high"] == pytest.approx(0.9)
-        it.select("doors-0")
-        inspector = it.page.locator("#inspector")
-        inspector.get_by_label("How it opens", exact=True).select_option("outwards")
-        inspector.get_by_label("Hinge", exact=True).select_option("end")
-        inspector.get_by_label("It leads out", exact=True).uncheck()
-        it.field("Clear width", "300")  # longer than its wall
-        door = {
-            "wall": "right_wall",
-            "start": 0.1,
-            "width": 0.7,
-            "opens": "outwards",
-            "hinge": "end",
-            "way_out": False,
-        }
-        assert it.room()["doors"][0] == door
-        it.select("windows-0")
-        it.field("Sill above the floor", "60")
-        assert it.room()["windows"][0]["sill"] == pytest.approx(0.6)
-
-
-def test_measures_that_fit_are_put_on_a_piece(browser: Browser, server: Running) -> None:
-    with editing(browser, server) as it:
-        it.select("furniture-0")
-        inspector = it.page.locator("#inspector")
-        inspector.get_by_label("Screwed L-brackets", exact=True).check()
-        inspector.get_by_label("Adhesive gel mats", exact=True).check()
-        inspector.get_by_label("Anti-slip sheet", exact=True).check()  # in the place of the mats
-        assert [one["type"] for one in it.room()["furniture"][0]["measures"]] == [
-            "l_bracket",
-            "anti_slip_sheet",
-        ]
-        sp.RoomScenario.parse(it.room())
-        it.select("furniture-1")
-        assert inspector.get_by_label("Screwed L-brackets", exact=True).is_disabled()
-        assert "Only for a piece with its back to a wall." in inspector.inner_text()
-
-
-def test_a_verdict_is_drawn_in_layers(browser: Browser, server: Running) -> None:
-    grid = """(await import("/room/editor.js")).tellResult({ cell_m: 0.5,
-        pieces: ["bookcase", "chest"].map((name) => ({ name, probabilities: { overturned: { estimate: 0.4 } },
-          fell: { nx: 2, ny: 1, shares: btoa(String.fromCharCode(255, 26)) },
-          stood: { nx: 2, ny: 1, shares: btoa(String.fromCharCode(0, 0)) } })),
-        places: [{ name: "bed", hit: { estimate: 0.3 } }],
-        doors: [{ name: "door", blocked: { estimate: 0 } }] }"""
-    with editing(browser, server) as it:
-        it.ask()
-        assert not it.page.locator("#plan-layers").is_visible()
-        it.page.evaluate(f"async () => {{ {grid}); }}")
-        classes = it.page.eval_on_selector_all(
-            "#plan .cover", "all => all.map((one) => one.getAttribute('class'))"
-        )
-        assert sorted(classes) == sorted(
-            f"cover fell hue{hue} step{step}" for hue in (0, 1) for step in (2, 10)
-        )
-        told = it.page.text_content("#plan .layer-names") or ""
-        assert "hit: 30" in told
-        assert "overturns: 40" in told
-        assert it.page.locator("#plan .hit").count() == 1
-        assert it.page.locator("#plan .blocked").count() == 0
-        it.page.get_by_label("Where pieces fall").uncheck()
-        assert it.page.locator("#plan .cover").count() == 0
-        it.page.get_by_label("Who is hit").uncheck()
-        assert "hit:" not in (it.page.text_content("#plan .layer-names") or "")
-        it.page.evaluate(f"async () => {{ {grid}, {{ old: true }}); }}")
-        assert "old" in (it.page.get_attribute("#plan", "class") or "")
-
-
-@pytest.mark.parametrize(
-    ("theme", "language", "size"), [("light", "en", DESK), ("dark", "ja", PHONE)], ids=["desk", "phone"]
-)
-def test_axe_finds_nothing_serious_in_the_editor(
-    browser: Browser, server: Running, theme: str, language: str, size: dict[str, int]
-) -> None:
-    with editing(browser, server, theme=theme, language=language, size=size) as it:
-        for thing in (None, "furniture-0", "places-0", "doors-0"):
-            if thing:
-                it.page.evaluate(
-                    "async (index) => (await import('/room/room.js')).select({ table: index[0], index: 0 })",
-                    thing.split("-"),
-                )
-            found = Axe().run(it.page, {"include": [["#editor"]]}).response["violations"]
-            assert [one["id"] for one in found if one["impact"] in ("serious", "critical")] == []
-            assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
-
-
-def test_every_word_of_the_editor_is_there_and_the_japanese_has_no_english_left() -> None:
-    words = tables("room")["en"].keys()
-    for part in TEXTS_OF["room"]:
-        assert part is room_plan or part.TEXTS.keys() & room_plan.TEXTS.keys() == set(), part
-    sources = {
-        one.name: one.read_text("utf-8") for one in SOURCES.iterdir() if one.name.endswith((".js", ".html"))
-    }
-    used = set(re.findall(r'\bt\("(\w+)"', "".join(sources.values())))
-    assert used - words == set()
-    for name, text in sources.items():
-        assert len(text.splitlines()) < 300, name
-        assert "http://" not in text.replace("http://www.w3.org/2000/svg", ""), name
-    for key, (_, japanese) in room_plan.TEXTS.items():
-        plain = re.sub(r"\{\w+\}|〔.*?〕|\bc?m\b", "", japanese)
-        assert re.search(r"[A-Za-z]", plain) is None, key
-
-
-def test_defaults_of_the_page_are_those_of_the_scenario(browser: Browser, server: Running) -> None:
-    tables = {"furniture": StandingTable, "places": PlaceTable, "doors": DoorTable, "windows": WindowTable}
-    with editing(browser, server) as it:
-        found = it.page.evaluate("import('/room/kinds.js').then((one) => one.DEFAULTS)")
-    for name, table in tables.items():
-        assert found[name] == {key: table.model_fields[key].default for key in found[name]}, name

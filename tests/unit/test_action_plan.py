@@ -255,7 +255,7 @@ def test_the_same_bits_for_any_number_of_threads():
 def test_the_card_says_what_to_buy_where_and_what_it_brings(plan: sp.ActionPlan, language: str):
     page = plan_html(plan, language)
     assert f'<html lang="{language}">' in page
-    assert "{" not in re.sub(r"<style>.*?</style>", "", page, flags=re.DOTALL)
+    assert "{" not in re.sub(r"<(style|script)>.*?</\1>", "", page, flags=re.DOTALL)
     assert page.count("<tr>") == len(plan.steps) + 1
     assert page.count('class="elevation"') == sum(step.fix is not None for step in plan.steps)
     for key in ("title", "buy", "where", "effect", "check"):
