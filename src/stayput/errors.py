@@ -51,6 +51,11 @@ def visible(text: str) -> str:
     return _CONTROL.sub(lambda found: repr(found[0])[1:-1], text)
 
 
+def without_control(text: str) -> str:
+    """Return a text without its control characters; blanks and tabs stay."""
+    return _CONTROL.sub(lambda found: found[0] if found[0].isspace() else "", text)
+
+
 def readable(sentence: str) -> str:
     """Return a sentence, cut in its middle where it is too long: what is allowed stands at the end."""
     sentence = visible(sentence)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from stayput.errors import InputError, instance_of
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Sequence
+    from collections.abc import Generator, Iterable, Sequence
 
 PLOT_SUFFIXES = (".png", ".svg", ".pdf")
 """The kinds of file a plot is saved as."""
@@ -46,6 +46,32 @@ def check_target(path: str | Path, suffixes: Sequence[str]) -> Path:
     if target.is_dir():
         raise InputError("model.file_is_folder", file=repr(str(target)))
     return target
+
+
+def check_apart(outputs: Iterable[Path | None], inputs: Iterable[Path]) -> None:
+    """Refuse to write a file in the place of one that is read, by whichever name or link.
+
+    Parameters
+    ----------
+    outputs : iterable of Path or None
+        The files to write; None where one is not asked for.
+    inputs : iterable of Path
+        What is read. What does not exist is passed over: its reader refuses it.
+
+    Raises
+    ------
+    InputError
+        One of them is both.
+    """
+    read = list(inputs)
+    for target in outputs:
+        for source in read:
+            try:
+                same = target is not None and target.samefile(source)
+            except OSError:  # one of them does not exist
+                continue
+            if same:
+                raise InputError("model.file_is_input", file=repr(str(target)), source=repr(str(source)))
 
 
 @contextmanager

@@ -304,6 +304,8 @@ def test_any_bytes(file, content):
 
 HEADS = [
     "",
+    "time [ms],NS [gal],EW [m/s2],UD [g]\n",
+    "# t; NS (gal); EW (cm/s); UD (mm)\n",
     "NPTS= 3, DT= .01\n",
     "SITE CODE= 1\nSAMPLING RATE= 100Hz\nNS,EW,UD\n",
     "Origin Time\nScale Factor\n",

@@ -1,6 +1,8 @@
 """Flags that commands share: the shaking over a file's, the language; what is refused of a command line."""
 
 import json
+import os
+from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
@@ -125,6 +127,21 @@ def test_an_earthquake_may_have_a_kind_wherever_its_numbers_end():
 @pytest.mark.parametrize(
     ("words", "said"),
     [
+        ("7,20,nan", "shaking.earthquake.depth is NaN; it must be"),
+        ("7,nan,20", "shaking.earthquake.distance is NaN; it must be"),
+        ("inf,20", "shaking.earthquake.magnitude is Infinity; it must be"),
+        ("7,inf", "shaking.earthquake.distance is Infinity; it must be"),
+    ],
+)
+def test_a_number_of_an_earthquake_that_is_not_finite_is_refused_by_its_name(words, said):
+    done = cli("simulate", "--earthquake", words)
+    assert done.exit_code == 2
+    assert done.stderr.startswith(said)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
         (("simulate", "--pga", "strong"), "--pga is 'strong'; it must be a number.\n"),
         (("simulate", "--storey", "1.5"), "--storey is '1.5'; it must be a whole number.\n"),
         (("app", "--port", "99999"), "--port is '99999'; it must be a whole number from 0 to 65535.\n"),
@@ -161,6 +178,63 @@ def test_report_and_plan_may_not_be_one_file(tmp_path):
     assert done.exit_code == 2
     assert "--report and --plan are both" in done.stderr
     assert not (tmp_path / "r.html").exists()
+
+
+@pytest.mark.parametrize("link", [os.symlink, os.link])
+@pytest.mark.parametrize(
+    ("words", "ending"),
+    [
+        (("verify", "room.toml", "--plan"), ".html"),
+        (("verify", "room.toml", "--report"), ".html"),
+        (("verify", "room.toml", "--markdown"), ".md"),
+        (("verify", "room.toml", "--csv"), ".csv"),
+        (("simulate", "room.toml", "--plot"), ".png"),
+        (("simulate", "room.toml", "--animate"), ".gif"),
+    ],
+)
+def test_no_output_takes_the_place_of_the_scenario_or_of_its_record(
+    tmp_path, monkeypatch, link, words, ending
+):
+    monkeypatch.chdir(tmp_path)
+    record = sp.sine(amplitude=1.0, frequency=1.0, duration=1.0).write("record.csv")
+    text = ROOM.replace('builtin = "near-fault"\nSHAKING', 'record = "record.csv"')
+    Path("room.toml").write_text(text, encoding="utf-8")
+    other = sp.sine(amplitude=2.0, frequency=1.0, duration=1.0).write("other.csv")
+    for number, (source, flags) in enumerate(
+        [("room.toml", ()), (record, ()), (other, ("--motion", "other.csv"))]
+    ):
+        before = Path(source).read_bytes()
+        out = Path(f"out{number}{ending}")
+        link(source, out)
+        done = cli(*words, out, *flags)
+        assert done.exit_code == 2
+        assert done.stderr.startswith(f"The file to write is '{out}'; it must be another one than '{source}'")
+        assert out.samefile(source)
+        assert Path(source).read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("words", "ending"),
+    [
+        (("motion", "convert", "record.csv"), ".csv"),
+        (("motion", "plot", "record.csv"), ".svg"),
+        (("motion", "spectrum", "record.csv", "--out"), ".csv"),
+        (("motion", "spectrum", "record.csv", "--plot"), ".pdf"),
+        (("building", "--motion", "record.csv", "--storey", "3", "--out"), ".csv"),
+        (("building", "--motion", "record.csv", "--plot"), ".png"),
+    ],
+)
+def test_no_output_takes_the_place_of_a_record(tmp_path, monkeypatch, words, ending):
+    monkeypatch.chdir(tmp_path)
+    record = sp.sine(amplitude=1.0, frequency=1.0, duration=1.0).write("record.csv")
+    before = record.read_bytes()
+    out = Path(f"out{ending}")
+    out.symlink_to(record)
+    done = cli(*words, out)
+    assert done.exit_code == 2
+    assert "it must be another one than 'record.csv', which is read" in done.stderr
+    assert out.is_symlink()
+    assert record.read_bytes() == before
 
 
 def test_simulate_speaks_japanese():

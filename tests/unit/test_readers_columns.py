@@ -130,13 +130,13 @@ def test_the_unit_is_that_of_the_columns_names_where_all_have_the_same(read, nam
     motion = read(f"{names}\n{rows}")
     assert motion.x == pytest.approx(size * np.array([1, 4]))
     assert motion.z == pytest.approx(size * np.array([3, 6]))
-    with pytest.raises(InputError, match="must be the one that the file states"):
+    with pytest.raises(InputError, match="must be the one in the heading"):
         read(f"{names}\n{rows}", unit="mm/s²")
 
 
 @pytest.mark.parametrize(
     "names",
-    ["t,NS (gal),EW (gal),UD (g)", "t,NS (gal),EW (gal),UD", "t,NS,EW,UD", "no,NS (gal),EW (gal),UD (gal)"],
+    ["t,NS (gal),EW (gal),UD", "t,NS,EW,UD", "# no,NS (gal),EW (gal),UD (gal)"],
 )
 def test_the_unit_must_be_given_where_the_columns_names_leave_it_open(read, names):
     rows = "0.00,1,2,3\n0.01,4,5,6\n"
@@ -151,3 +151,95 @@ def test_unit_and_step_are_asked_for_together_where_both_are_missing(read):
     assert caught.value.code == "motion.no_unit_nor_step"
     with pytest.raises(InputError, match=r"no unit; "):
         read("0\n1\n0\n", dt=0.01)
+
+
+ROWS = "".join(f"{0.01 * i:.2f},{i},{2 * i},{3 * i}\n" for i in range(4))
+
+
+@pytest.mark.parametrize("names", ["time [s],NS [m/s2],EW [gal],UD [g]", "# t; NS_m/s/s; EW_gal; UD_g"])
+def test_each_column_has_the_unit_of_its_own_heading(read, names):
+    text = f"{names}\n{ROWS}".replace(",", ";" if ";" in names else ",")
+    motion = read(text, component="NS")
+    assert motion.x == pytest.approx([0.0, 1.0, 2.0, 3.0])
+    assert motion.y == pytest.approx([0.0, 0.02, 0.04, 0.06])
+    assert motion.z == pytest.approx(9.80665 * np.array([0, 3, 6, 9]))
+    assert read(text, component="EW").x == pytest.approx([0.0, 0.02, 0.04, 0.06])
+    with pytest.raises(InputError, match=r"'m/s2'; it must be the one in the heading 'EW") as caught:
+        read(text, unit="m/s2", component="EW")
+    assert caught.value.field == "unit"
+
+
+@pytest.mark.parametrize(
+    ("names", "message"),
+    [
+        ("t,NS (gal),EW (g),UD", "'UD' states no unit, and the other columns have different ones"),
+        ("# unit: m/s²\nt,NS (gal),EW (gal),UD (gal)", r"unit 'm/s²', and the heading 'NS \(gal\)'"),
+        ("no,NS (gal),EW (gal),UD (gal)", "first column is headed 'no'"),
+        ("NS [gal],EW [gal],UD [gal],UP [gal]", r"first column is headed 'NS \[gal\]'"),
+        ("NS,EW,UD,clock", "first column is headed 'NS'"),
+        ("time,time 2,NS,EW", "'time', 'time 2' are all headed as the time"),
+        ("time [min],NS [gal],EW [gal],UD [gal]", r"headed 'time \[min\]'; it must be in s or ms"),
+    ],
+)
+def test_headings_that_are_refused(read, names, message):
+    with pytest.raises(InputError, match=message):
+        read(f"{names}\n{ROWS}")
+
+
+@pytest.mark.parametrize("unit", [None, "m/s2"])
+@pytest.mark.parametrize(
+    ("heading", "quantity"),
+    [
+        ("NS [m/s]", "velocity"),
+        ("NS (cm/sec)", "velocity"),
+        ("NS_kine", "velocity"),
+        ("vel_NS", "velocity"),
+        ("NS [mm]", "displacement"),
+        ("NS_cm", "displacement"),
+        ("Displacement NS", "displacement"),
+    ],
+)
+def test_velocity_and_displacement_are_never_read_as_acceleration(read, heading, quantity, unit):
+    with pytest.raises(InputError, match=f"says {quantity}; .* must be an acceleration"):
+        read(f"t,{heading},EW [m/s2],UD [m/s2]\n{ROWS}", unit=unit)
+
+
+@pytest.mark.parametrize("heading", ["time [ms]", "t (msec)", "time_ms", "Zeit [ms]"])
+def test_time_in_milliseconds(read, heading):
+    motion = read(f"{heading},NS [gal],EW [gal],UD [gal]\n0,0,0,0\n10,1,2,3\n20,2,4,6\n")
+    assert motion.dt == 0.01
+
+
+def test_the_time_is_the_column_that_is_headed_so(read):
+    rows = "".join(f"{-i},{2 * i},{3 * i},{0.01 * i:.2f}\n" for i in range(4))
+    motion = read(f"NS [gal],EW [gal],UD [gal],time [s]\n{rows}", component="EW")
+    assert motion.dt == 0.01
+    assert motion.x == pytest.approx([0.0, 0.02, 0.04, 0.06])
+    assert motion.y == pytest.approx([0.0, -0.01, -0.02, -0.03])
+
+
+@pytest.mark.parametrize(
+    "names", ["UD,UD2,UD3", "acceleration_UD,acceleration_UD2,acceleration_UD3", "a 1 (x),a 2 (x),a 3 (x)"]
+)
+def test_columns_have_names_of_their_own(read, names):
+    motion = read(f"time,{names}\n{ROWS}", unit="m/s2", component=names.split(",")[1].split(" (")[0])
+    assert motion.x.tolist() == [0.0, 2.0, 4.0, 6.0]
+    assert motion.listing is not None
+    assert len(set(motion.listing.names)) == 3
+
+
+@pytest.mark.parametrize("mark", ["\ufeff\ufeff", "\u202e", "\u200b"])
+@pytest.mark.parametrize("head", ["{}time [s],{}NS [gal],EW [gal],UD [gal]", "{}# unit: gal"])
+def test_characters_that_are_not_seen_before_a_heading(read, head, mark):
+    motion = read(f"{head.replace('{}', mark)}\n{ROWS}")
+    assert motion.dt == 0.01
+    assert motion.x == pytest.approx([0.0, 0.01, 0.02, 0.03])
+
+
+def test_headings_parted_by_blanks_keep_their_units(read):
+    motion = read("t [s]  NS [gal]  EW [g]  UD [gal]\n" + ROWS.replace(",", " "), component="EW")
+    assert motion.x == pytest.approx(9.80665 * np.array([0, 2, 4, 6]))
+
+
+def test_the_heading_of_a_single_column(read):
+    assert read("NS [gal]\n0\n1\n2\n", dt=0.01).x == pytest.approx([0.0, 0.01, 0.02])

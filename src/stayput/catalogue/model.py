@@ -116,6 +116,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The file to write is {file}; it must be a file, and that is a folder.",
         "書き込むファイル{file}はフォルダーです。ファイルを指定してください。",
     ),
+    "file_is_input": (
+        "The file to write is {file}; it must be another one than {source}, which is read.",
+        "書き込むファイルが{file}になっていますが、読み込むファイル{source}と同じです。別のファイルを指定してください。",
+    ),
     "not_written": (
         "The file to write is {file}; it could not be written: {reason}.",
         "ファイル{file}に書き込めませんでした（{reason}）。",

@@ -176,6 +176,37 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The first number, {number:g}, looks like a count; only samples may stand there.",
         "最初の数値（{number:g}）はデータの個数のようです。データだけを書いてください。",
     ),
+    "column_another_unit": (
+        "The unit is given as {given!r}; it must be the one in the heading {column}, or be left out.",
+        (
+            "「{given}」という単位が選ばれましたが、列の見出し{column}には別の単位が書かれています。"
+            "見出しの単位を選ぶか、単位の指定をやめてください。"
+        ),
+    ),
+    "column_header_unit": (
+        "The header states the unit {stated}, and the heading {column} another one; they must agree.",
+        "ヘッダーに書かれている単位は{stated}ですが、列の見出し{column}には別の単位が書かれています。一致しなければなりません。",
+    ),
+    "column_no_unit": (
+        "The heading {column} states no unit, and the other columns have different ones; it must state its own.",
+        "列の見出し{column}に単位がなく、ほかの列の単位は互いに異なります。見出しに単位を書いてください。",
+    ),
+    "column_quantity": (
+        "The heading {column} says {quantity}; every column but the time must be an acceleration.",
+        "列の見出し{column}は{quantity}を表しています。時刻以外の列はすべて加速度でなければなりません。",
+    ),
+    "column_no_time": (
+        "The first column is headed {column} and no other one is headed as the time; one must be.",
+        "最初の列の見出しは{column}で、時刻の見出しのある列がありません。時刻の列が必要です。",
+    ),
+    "column_times": (
+        "The columns {columns} are all headed as the time; only one must be.",
+        "時刻の見出しのある列が複数あります（{columns}）。時刻の列は1つでなければなりません。",
+    ),
+    "column_time_unit": (
+        "The time is headed {column}; it must be in s or ms.",
+        "時刻の見出しが{column}になっています。単位は秒またはミリ秒でなければなりません。",
+    ),
     # COSMOS.
     "cosmos_no_end": (
         "The samples have no line End-of-data after them; the file must be complete.",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -47,7 +47,7 @@ def building(
     """Floor motions of a building: the peaks of every storey, and the motion of one."""
     from stayput.building import Building
     from stayput.errors import InputError
-    from stayput.files import PLOT_SUFFIXES, check_target
+    from stayput.files import PLOT_SUFFIXES, check_apart, check_target
 
     if out is not None:
         check_target(out, (".csv",))
@@ -55,6 +55,7 @@ def building(
             raise InputError("cli.out_needs_storey", "--out", out=repr(str(out)))
     if plot is not None:
         check_target(plot, PLOT_SUFFIXES)
+    check_apart((out, plot), [Path(motion)])
     described = Building(storeys, structure, period, damping, nonlinear=not linear)
     for number in storey or ():
         described.model.place(number)

@@ -80,7 +80,7 @@ def building_table(text: str) -> dict[str, Any]:
 def earthquake_table(text: str) -> dict[str, Any]:
     """Return the earthquake table of ``MAGNITUDE,DISTANCE[,DEPTH[,VS30]][,KIND]``."""
     parts = [part.strip() for part in text.split(",")]
-    kind = {"kind": parts.pop()} if parts[-1].isalpha() else {}
+    kind = {"kind": parts.pop()} if parts[-1].isalpha() and not _is_number(parts[-1]) else {}
     values = _numbers("--earthquake", text, parts, (2, 3, 4), "7,20,10,300,crustal")
     return dict(zip(("magnitude", "distance", "depth", "vs30"), values, strict=False)) | kind
 
@@ -196,6 +196,24 @@ def _refused_alone(kind: type[Given], path: Path) -> str | None:
     return None
 
 
+def inputs_of(tables: Mapping[str, Any], path: Path | None, motion: str | None) -> list[Path]:
+    """Return the files that a scenario is read from: its own, and those of its motion.
+
+    Parameters
+    ----------
+    tables : mapping
+        The file's tables.
+    path : Path, optional
+        The file.
+    motion : str, optional
+        The flag in the place of the file's motion.
+    """
+    shaking = table_of(tables, "shaking")
+    folder = Path() if path is None else path.parent
+    records = [folder / value for key in ("record", "vertical") if isinstance(value := shaking.get(key), str)]
+    return [*([] if path is None else [path]), *records, *([] if motion is None else [Path(motion)])]
+
+
 def motion_of(text: str, **fields: str | float | None) -> Motion:
     """Return the motion of a ``--motion`` text and of single keys of the shaking table.
 
@@ -276,6 +294,14 @@ def table_of(tables: Mapping[str, Any], name: str) -> dict[str, Any]:
     """Return a table of a scenario's tables; empty where there is none."""
     table: Any = tables.get(name)
     return cast("dict[str, Any]", table) if isinstance(table, dict) else {}
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _numbers(flag: str, text: str, parts: list[str], counts: tuple[int, ...], example: str) -> list[float]:

@@ -15,6 +15,7 @@ from stayput.cli.flags import (
     TimeStepOption,
     UnitOption,
     chosen_measures,
+    inputs_of,
     overlaid,
     parsed,
     scenario_data,
@@ -116,6 +117,7 @@ def simulate(
 
     Flags override what the scenario file says; --body without a file stands free of walls.
     """
+    from stayput.files import check_apart
     from stayput.report.summary import piece_name
     from stayput.scenario import Scenario
     from stayput.simulation.run import Run
@@ -124,6 +126,7 @@ def simulate(
     check_language(lang)
     _check_targets(plot, animate)
     given = scenario_data(scenario, body)
+    check_apart((plot, animate), inputs_of(given, scenario, motion))
     several = scenario is not None and isinstance(scenario_data(scenario, None).get("furniture"), list)
     of_one = {
         "--body": body,

@@ -16,6 +16,7 @@ from stayput.cli.flags import (
     ThreadsOption,
     TimeStepOption,
     UnitOption,
+    inputs_of,
     parsed,
     scenario_data,
 )
@@ -91,7 +92,7 @@ def verify(
     Flags that say how the floor is shaken override what the file says.
     """
     from stayput.errors import InputError, within
-    from stayput.files import check_target
+    from stayput.files import check_apart, check_target
     from stayput.wording import check_language
 
     check_language(lang)
@@ -107,6 +108,7 @@ def verify(
     if plan is None and any(home):
         raise InputError("cli.home_without_plan")
     given = scenario_data(scenario, None)
+    check_apart((report, markdown, csv, plan), inputs_of(given, scenario, motion))
     if plan is not None and "plan" not in given:
         raise InputError("cli.plan_of_a_room", "--plan").at(scenario.name)
     data = shaken(

@@ -120,6 +120,11 @@ def is_vertical(label: str) -> bool:
     return bool(_VERTICAL.fullmatch(plain) or _DOWN.fullmatch(plain))
 
 
+def is_direction(label: str) -> bool:
+    """Return whether a label is that of a direction: "NS", "East", "x", "Up"."""
+    return is_vertical(label) or plain_label(label) in {*_AZIMUTHS, "X", "Y"}
+
+
 def labels_phrase(labels: Iterable[str]) -> Phrase:
     """Return the labels of channels as a listing in both languages."""
     shown = [label or _UNNAMED for label in labels]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path  # noqa: TC003 - Typer reads the annotations
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -134,9 +134,10 @@ def plot(
     dt: TimeStepOption = None,
 ) -> None:
     """Plot acceleration, velocity and displacement of every component."""
-    from stayput.files import PLOT_SUFFIXES, check_target
+    from stayput.files import PLOT_SUFFIXES, check_apart, check_target
 
     check_target(out, PLOT_SUFFIXES)
+    check_apart((out,), [Path(motion)])
     record = motion_of(motion, component=component, unit=unit, dt=dt)
 
     from stayput.report.plot import plot_motion  # Matplotlib takes its time to load
@@ -160,13 +161,14 @@ def spectrum(
     ] = None,
 ) -> None:
     """Print the response spectra of a motion: what it does to oscillators of every period."""
-    from stayput.files import PLOT_SUFFIXES, check_target
+    from stayput.files import PLOT_SUFFIXES, check_apart, check_target
     from stayput.motion.spectrum import PERIODS, response_spectrum
 
     if out is not None:
         check_target(out, (".csv",))
     if plot is not None:
         check_target(plot, PLOT_SUFFIXES)
+    check_apart((out, plot), [Path(motion)])
     record = motion_of(motion, component=component, unit=unit, dt=dt)
 
     def spectra(periods: ArrayLike) -> dict[str, ResponseSpectrum]:
@@ -235,10 +237,11 @@ def convert(
     ] = None,
 ) -> None:
     """Write a motion in another format, or changed."""
-    from stayput.files import check_target
+    from stayput.files import check_apart, check_target
     from stayput.motion.writers import FORMATS
 
     check_target(out, tuple(FORMATS))
+    check_apart((out,), [Path(motion)])
     if scale is not None and intensity is not None:
         raise one_of_two("--scale", f"{scale:g}", "--intensity", repr(intensity))
     record = motion_of(motion, component=component, unit=unit, dt=dt)

@@ -1,9 +1,10 @@
 """Columns of numbers, parted by blanks, tabs, commas or semicolons.
 
 One column is x, with ``dt`` from the caller; two are time and x; four are time, x, y, z. Lines that begin
-with "#", "%" or "//" are comments. One line of column names may stand above the numbers. A comment that says
-"unit: m/s²" states the unit, and so do names of columns that all have the same one, as in
-"t, NS (gal), EW (gal), UD (gal)"; the caller must do it otherwise.
+with "#", "%" or "//" are comments. One line of headings may stand above the numbers: the column that is
+headed "time" or "t" is the time, in s or "[ms]"; without such a heading the first is. A comment that says
+"unit: m/s²" states the unit, and each heading that of its column, as in "t, NS (gal), EW (gal), UD (g)"; the
+caller must do it otherwise.
 """
 
 from __future__ import annotations
@@ -12,18 +13,12 @@ import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from stayput.errors import InputError
+from stayput.errors import InputError, without_control
 from stayput.motion.channels import Channel
 from stayput.motion.readers.fields import Numbers
-from stayput.motion.readers.header import (
-    acceleration_unit,
-    mentioned_unit,
-    regular_step,
-    stated_unit,
-    time_step,
-)
+from stayput.motion.readers.header import regular_step, stated_unit, time_step
+from stayput.motion.readers.headings import are_headings, column_factors, read_headings, split
 from stayput.motion.readers.text import chunks
-from stayput.motion.units import unit_factor
 
 if TYPE_CHECKING:
     import numpy as np
@@ -33,18 +28,8 @@ FORMAT = "columns of numbers"
 
 _COMMENT = ("#", "%", "//")
 _STARTS = re.compile(r"[+\-]?\.?[0-9]")
-_NAME = re.compile(r"[A-Za-z][A-Za-z\-]{0,11}")
-_TIME = re.compile(r"t(?![a-z])|.*time", re.IGNORECASE)
-_NOT_FINITE = re.compile(r"[+\-]?(?:nan|inf|infinity)", re.IGNORECASE)
 _LABELS = {1: [""], 2: ["", ""], 4: ["t", "x", "y", "z"]}
 _HEAD = 20_000  # characters at the beginning in which comments and names are looked for
-
-
-def _split(line: str) -> list[str]:
-    for mark in (";", ","):
-        if mark in line:
-            return [value.strip() for value in line.rstrip(f"{mark} \t").split(mark)]
-    return line.split()
 
 
 @dataclass
@@ -65,7 +50,7 @@ class _Head:
 
 def _head(text: str) -> _Head:
     head = _Head()
-    for line in map(str.strip, text[:_HEAD].split("\n")):
+    for line in map(str.strip, without_control(text[:_HEAD]).split("\n")):
         if line.startswith(_COMMENT):
             head.comments.append(line)
         elif line and len(head.content) < 2:
@@ -78,46 +63,18 @@ def recognise(text: str) -> bool:
     return any(_STARTS.match(line) for line in _head(text).content)
 
 
-def _is_names(line: str) -> bool:
-    """Return whether every field begins like a name, and none is a number that is not finite."""
-    fields = [text.strip("\"' ") for text in _split(line)]
-    return all(_NAME.match(text) and not _NOT_FINITE.fullmatch(text) for text in fields)
-
-
-def _headings(above: list[str]) -> list[str]:
-    """Return the fields of the last line above the numbers, which may name the columns."""
-    return _split(above[-1].lstrip("#%/ ")) if above else []
-
-
-def _unit_of_columns(above: list[str], count: int) -> str | None:
-    """Return the one unit in the names of all columns but the time's: "t, NS (gal), EW (gal), UD (gal)"."""
-    headings = _headings(above)
-    if len(headings) != count or not _TIME.match(headings[0].strip("\"' ")):
-        return None
-    units = [mentioned_unit(heading) for heading in headings[1:]]
-    same = None not in units and len({unit_factor(unit or "") for unit in units}) == 1
-    return units[0] if same else None
-
-
-def _names(above: list[str], count: int) -> list[str]:
-    """Return the columns' names, from the last line above the numbers where that has as many."""
-    fields = _headings(above)
-    names = [m[0] if (m := _NAME.match(text.strip("\"' "))) else "" for text in fields]
-    return names if len(names) == count and all(names) else _LABELS[count]
-
-
 def _table(text: str, named: bool) -> NDArray[np.float64]:
     """Return the numbers, shape (rows, columns); the first line is passed over where it has the names."""
     table, count, row = Numbers("the_numbers"), 0, 0
     for chunk in chunks(text):
         tokens: list[str] = []
         for line in map(str.strip, chunk.split("\n")):
-            if not line or line.startswith(_COMMENT):
+            if not line or (line if line.isascii() else without_control(line)).startswith(_COMMENT):
                 continue
             if named:
                 named = False
                 continue
-            values = _split(line)
+            values = split(line)
             row, count = row + 1, count or len(values)
             if count not in _LABELS:
                 raise InputError("motion.column_count", columns=count)
@@ -139,27 +96,32 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
         No unit or time step, another number of columns, an incomplete row, irregular sampling.
     """
     head = _head(text)
-    named = bool(head.content) and _is_names(head.content[0])
+    named = bool(head.content) and are_headings(head.content[0])
     above = head.comments + head.content[:1] if named else head.comments
     table = _table(text, named)
     count = table.shape[1]
-    stated = next(filter(None, map(stated_unit, head.comments)), None) or _unit_of_columns(above, count)
-    factor = acceleration_unit(stated, unit, "\n".join(above), step_missing=count == 1 and dt is None)
+    line = above[-1].lstrip("#%/ ") if above else ""
+    headings = read_headings(line, count, comment=not named)
+    stated = next(filter(None, map(stated_unit, head.comments)), None)
+    place = " ".join(above)
+    step_missing = count == 1 and dt is None
+    factors = column_factors(headings, count, stated, unit, "\n".join(above), step_missing=step_missing)
     if len(table) < 2:
         raise InputError("motion.column_one_row")
-    labels = _names(above, count)
-    place = " ".join(above)
     if count == 1:
         # Some files begin with the number of samples: nearly as large as the number of lines, and no sample.
         if len(table) > 10 and 1 <= len(table) - table[0, 0] <= 2:
             raise InputError("motion.column_count_first", number=float(table[0, 0]))
-        return [Channel("", factor * table[:, 0], time_step(None, dt), location=place)]
-    step = regular_step(table[:, 0])
+        return [Channel("", factors[0] * table[:, 0], time_step(None, dt), location=place)]
+    labels = headings.names or _LABELS[count]
+    time = headings.time or 0
+    step = regular_step(headings.time_factor * table[:, time])
     # The column's times are rounded: the two may differ by a fifth of a step at the last sample.
     if dt is not None and abs(dt - step) * (len(table) - 1) > 0.2 * step:
         raise InputError("motion.time_column_step", "dt", given=dt, step=step)
     step = time_step(step if dt is None else dt, None)
     return [
-        Channel(label, factor * table[:, i], step, location=place)
-        for i, label in enumerate(labels[1:], start=1)
+        Channel(label, factors[i] * table[:, i], step, location=place)
+        for i, label in enumerate(labels)
+        if i != time
     ]
