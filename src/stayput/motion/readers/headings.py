@@ -81,7 +81,7 @@ def are_headings(line: str) -> bool:
     return all(_NAME.match(text) and not _NOT_FINITE.fullmatch(text) for text in headings_in(line))
 
 
-def read_headings(line: str, count: int, comment_above: str | None) -> Headings:
+def read_headings(line: str, count: int, row_below: str | None) -> Headings:
     """Return what the last line above the numbers says of the columns.
 
     Parameters
@@ -90,7 +90,7 @@ def read_headings(line: str, count: int, comment_above: str | None) -> Headings:
         The line, without the mark of a comment.
     count : int
         How many columns there are.
-    comment_above : str, optional
+    row_below : str, optional
         The first line of numbers, where the headings are a comment. A comment may be about anything: only
         names are taken of it, unless its first field is the time, or any is and the numbers are parted as
         its fields are.
@@ -106,7 +106,7 @@ def read_headings(line: str, count: int, comment_above: str | None) -> Headings:
     times = [i for i, text in enumerate(texts) if _TIME.match(text) and not _is_motion(text)]
     times = times or [i for i, text in enumerate(texts) if _OF_TIME.search(text)]
     names = _names(texts)
-    alike = comment_above is None or (bool(times) and (times[0] == 0 or _mark(line) == _mark(comment_above)))
+    alike = row_below is None or (bool(times) and (times[0] == 0 or _mark(line) == _mark(row_below)))
     if not alike:
         return Headings(names=names)
     if count == 1:
