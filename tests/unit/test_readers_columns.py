@@ -210,9 +210,10 @@ def test_time_in_milliseconds(read, heading):
     assert motion.dt == 0.01
 
 
-def test_the_time_is_the_column_that_is_headed_so(read):
+@pytest.mark.parametrize("comment", ["", "# "])
+def test_the_time_is_the_column_that_is_headed_so(read, comment):
     rows = "".join(f"{-i},{2 * i},{3 * i},{0.01 * i:.2f}\n" for i in range(4))
-    motion = read(f"NS [gal],EW [gal],UD [gal],time [s]\n{rows}", component="EW")
+    motion = read(f"{comment}NS [gal],EW [gal],UD [gal],time [s]\n{rows}", component="EW")
     assert motion.dt == 0.01
     assert motion.x == pytest.approx([0.0, 0.02, 0.04, 0.06])
     assert motion.y == pytest.approx([0.0, -0.01, -0.02, -0.03])

@@ -89,7 +89,7 @@ def test_what_stayput_writes_is_read_without_a_word(read, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "header", ["# acc_gal (band-passed), time_s", "# acceleration [cm/s²]", "no,acc(gal)"]
+    "header", ["# acc_gal (band-passed), time_s", "# acceleration [cm/s²]", "# no,acc(gal)"]
 )
 def test_a_unit_that_the_header_does_not_mention_is_told(read, header):
     _, told = read(f"{header}\n0 0.1\n0.01 -0.2\n", unit="g")

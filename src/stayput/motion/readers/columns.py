@@ -101,7 +101,7 @@ def read(text: str, unit: str | None, dt: float | None) -> list[Channel]:
     table = _table(text, named)
     count = table.shape[1]
     line = above[-1].lstrip("#%/ ") if above else ""
-    headings = read_headings(line, count, comment=not named)
+    headings = read_headings(line, count, None if named else "".join(head.content[:1]))
     stated = next(filter(None, map(stated_unit, head.comments)), None)
     place = " ".join(above)
     step_missing = count == 1 and dt is None

@@ -58,16 +58,21 @@ class Headings(NamedTuple):
 
 def split(line: str) -> list[str]:
     """Return the fields of a line of columns."""
-    for mark in (";", ","):
-        if mark in line:
-            return [value.strip() for value in line.rstrip(f"{mark} \t").split(mark)]
-    return line.split()
+    mark = _mark(line)
+    if mark is None:
+        return line.split()
+    return [value.strip() for value in line.rstrip(f"{mark} \t").split(mark)]
+
+
+def _mark(line: str) -> str | None:
+    """Return what parts the fields of a line; None of blanks."""
+    return next((mark for mark in (";", ",") if mark in line), None)
 
 
 def headings_in(line: str) -> list[str]:
     """Return the fields of a line of headings, without quotation marks and characters that are not seen."""
     # Of headings that are parted by blanks, "NS [gal]" is one.
-    joined = re.sub(r"\s+(?=[(\[])", " " if re.search("[;,]", line) else "", without_control(line))
+    joined = re.sub(r"(?<!\s)\s+(?=[(\[])", " " if _mark(line) else "", without_control(line))
     return [text.strip("\"' ") for text in split(joined)]
 
 
@@ -76,7 +81,7 @@ def are_headings(line: str) -> bool:
     return all(_NAME.match(text) and not _NOT_FINITE.fullmatch(text) for text in headings_in(line))
 
 
-def read_headings(line: str, count: int, *, comment: bool) -> Headings:
+def read_headings(line: str, count: int, row_below: str | None) -> Headings:
     """Return what the last line above the numbers says of the columns.
 
     Parameters
@@ -85,9 +90,10 @@ def read_headings(line: str, count: int, *, comment: bool) -> Headings:
         The line, without the mark of a comment.
     count : int
         How many columns there are.
-    comment : bool
-        Whether it is a comment. One in which no field is the time may be about anything: of it only names
-        are taken.
+    row_below : str, optional
+        The first line of numbers, where the headings are a comment. A comment may be about anything: only
+        names are taken of it, unless its first field is the time, or any is and the numbers are parted as
+        its fields are.
 
     Raises
     ------
@@ -100,7 +106,8 @@ def read_headings(line: str, count: int, *, comment: bool) -> Headings:
     times = [i for i, text in enumerate(texts) if _TIME.match(text) and not _is_motion(text)]
     times = times or [i for i, text in enumerate(texts) if _OF_TIME.search(text)]
     names = _names(texts)
-    if comment and not times:
+    alike = row_below is None or (bool(times) and (times[0] == 0 or _mark(line) == _mark(row_below)))
+    if not alike:
         return Headings(names=names)
     if count == 1:
         return Headings(texts, None, names=names)
