@@ -31,8 +31,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "行ったあとも倒れることがある家具と確率：{pieces}。",
     ),
     "falls_no_more": (
-        "With that, the chance of overturning is below {share} for every piece.",
-        "すべて行うと、{share}以上の確率で倒れる家具はありません。",
+        "After that, no piece overturned in {share} of the runs or more.",
+        "すべて行った計算では、{share}以上の割合で倒れた家具はありませんでした。",
     ),
     "only_falls": (
         "with or without it, nobody is hit or shut in more often in these runs; but it falls less",
@@ -44,6 +44,10 @@ TEXTS: dict[str, tuple[str, str]] = {
             "計算では、家具が人に当たることも、ドアをふさぐことも、何度も倒れることもありませんでした。"
             "買う物はありません。"
         ),
+    ),
+    "in_place": (
+        "Taken as already in place: {measures}.",
+        "すでに取り付けてあるものとした対策：{measures}。",
     ),
     "unsolved": (
         "Nothing that was tried helps with: {pieces}.",

@@ -41,6 +41,9 @@ if TYPE_CHECKING:
     from stayput.simulation.standing import Assembly
 
 
+SAME = 0.05
+"""Distance below which another place is the one where something is already [m]."""
+
 FIRST_RUNS = 20
 """Runs of the room after which there is a first answer, at least."""
 
@@ -398,7 +401,7 @@ def _best_at_wall(
     best, least = None, math.inf
     for middle in middles:
         shift = np.array(middle) - origin
-        if same and np.hypot(*shift) < 1e-3:
+        if same and np.hypot(*shift) < SAME:
             continue
         question.advance(0)  # who has left may end it here
         over = swept(ways, [outline + shift for outline in outlines])
@@ -426,10 +429,13 @@ def _best_place(
 ) -> PersonPlace | None:
     """Return where a place is hit least, the nearest of those that are alike."""
 
+    def away(place: PersonPlace) -> float:
+        shift = math.hypot(place.at[0] - here.at[0], place.at[1] - here.at[1])
+        return shift + abs(math.remainder(place.heading - here.heading, math.pi))
+
     def key(place: PersonPlace) -> tuple[float, float]:
         question.advance(0)  # who has left may end it here
         share = over[:, ways.cells(place.corners)].any(axis=1).mean()
-        away = math.hypot(place.at[0] - here.at[0], place.at[1] - here.at[1])
-        return float(share), away + abs(math.remainder(place.heading - here.heading, math.pi))
+        return float(share), away(place)
 
-    return min(others, key=key, default=None)
+    return min((one for one in others if away(one) >= SAME), key=key, default=None)

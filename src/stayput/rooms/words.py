@@ -73,7 +73,7 @@ def often(share: float, cases: Phrase) -> Phrase:
     if share >= 1.0:
         return phrase("rooms.always", cases=cases)
     for whole in (10, 100, 1000):
-        count = round(whole * share)
+        count = math.floor(whole * share + 0.5)  # a half is rounded up
         if 1 <= count < whole:
             return phrase("rooms.count_of", count=count, all=whole, cases=cases)
     return phrase("rooms.rarely", share=share_text(share), cases=cases)
@@ -212,5 +212,5 @@ def best_sentence(verdict: RoomVerdict, language: str) -> str:
         return ""
     best = verdict.best
     if best is None:
-        return say("rooms.no_best", language)
+        return say("rooms.no_best", language) if verdict.complete else ""
     return say("rooms.best", language, change=_effect(best, verdict))

@@ -62,7 +62,7 @@ function also(one, title, verdict) {
 
 function tens(share, title) {
   if (share === null) return null;
-  const fallen = Math.round(10 * share),
+  const fallen = Math.round(10 * share), // a half is rounded up, as in the sentence
     pieces = [];
   for (let i = 0; i < 10; i++) {
     const x = 4 + i * 26;

@@ -11,9 +11,10 @@ import * as room from "./room.js";
 /** Lists the changes of a result. */
 export function show(result) {
   part("changes-wait").hidden = result.complete;
+  const shown = shownOf(result);
   fill(
     part("ranking"),
-    result.changes.map(option),
+    result.changes.map((one) => option(one, shown)),
   );
 }
 
@@ -22,15 +23,14 @@ const seen = (share, change) => share !== null && (share.estimate > 0 || change.
 
 const tag = ({ helps, tags }) => el("span", { class: helps ? "tag" : "tag gradeC", text: tags.map(both).join(t("listed")) });
 
-/** The chance that a change betters, which its bar shows: that of being hit where it betters none. */
-function shown({ better, hit, shut_in: shut, overturned }) {
-  if (better.includes("hit")) return [t("somebodyHit"), hit];
-  if (better.includes("shut_in")) return [t("somebodyShutIn"), shut];
-  if (better.includes("overturned") && overturned) return [t("itOverturns"), overturned];
-  return [t("somebodyHit"), hit];
+/** What the bars of all changes show, so that they can be compared: the worst that happens in the room as it is. */
+function shownOf({ hit, shut_in: shut }) {
+  if (hit.estimate > 0) return (one) => [t("somebodyHit"), one.hit];
+  if (shut.estimate > 0) return (one) => [t("somebodyShutIn"), one.shut_in];
+  return (one) => (one.overturned ? [t("itOverturns"), one.overturned] : [t("somebodyHit"), one.hit]);
 }
 
-function option(one) {
+function option(one, shown) {
   const label = both(one.label),
     { overturned, overturned_change: rarer, shut_in: shut, shut_in_change: freed } = one,
     [what, share] = shown(one);

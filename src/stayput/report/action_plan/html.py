@@ -31,7 +31,7 @@ from stayput.rooms.step_words import (
 )
 from stayput.rooms.steps import COST_BOUNDS
 from stayput.rooms.verdict import FALLS
-from stayput.rooms.words import motion_phrase, piece_name
+from stayput.rooms.words import motion_phrase, piece_name, piece_within
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.words import class_phrase, share_text
 
@@ -184,6 +184,13 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
         yield phrase("action_plan.falls_still", pieces=after)
     elif together is not None and before is not None:
         yield phrase("action_plan.falls_no_more", share=share_text(FALLS))
+    in_place = [
+        phrase("rooms.fix", measure=measure.label, piece=piece_within(name))
+        for name, measures in zip(verdict.scenario.names, verdict.scenario.stated.measures, strict=True)
+        for measure in measures
+    ]
+    if in_place:
+        yield phrase("action_plan.in_place", measures=joined(in_place))
     if plan.unsolved:
         pieces = joined(piece_name(name) for name in plan.unsolved)
         yield phrase("action_plan.unsolved", pieces=pieces)
