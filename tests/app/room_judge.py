@@ -67,6 +67,7 @@ def change(what: str, hit: float, **more: Any) -> dict[str, Any]:
             f"With {english}, somebody is hit less often.", f"{japanese}すると、人に当たる確率が減ります。"
         ),
         "measure": None,
+        "drilled": False,
         "measures": None,
         "at_m": None,
         "heading_rad": None,
@@ -97,6 +98,7 @@ def made() -> dict[str, Any]:
     }
     belt = {
         "measure": "belt",
+        "drilled": True,
         "measures": [{"type": "belt"}],
         "label": ("belts on the bookcase", "「本棚」をベルトで固定"),
     }

@@ -91,7 +91,7 @@ def test_what_the_verdict_rests_on_is_told(browser: Browser, server: Running) ->
         assert (
             pieces.count("of the chance of being hit") == 2
         )  # nothing is said of the wardrobe, which hits nobody
-        assert it.text("#falls") == "These also overturn, without reaching anybody: Chest of drawers (10 %)."
+        assert it.text("#falls") == "Overturning without reaching anybody: Chest of drawers (10 %)."
         assert "Bookcase and Chest of drawers" in it.text("#meetings")
 
 
@@ -128,7 +128,7 @@ def test_what_falls_and_what_blocks_the_way_is_told_where_nobody_is_hit(
         assert alone["y"] + alone["height"] < it.box("#steps")["y"]  # on the first screen
         assert (
             it.text("#falls")
-            == "These also overturn, without reaching anybody: Chest of drawers (10 %); Wardrobe (90 %)."
+            == "Overturning without reaching anybody: Chest of drawers (10 %); Wardrobe (90 %)."
         )
         assert "somebody is shut in 70 %, and in 0 % with this change: wardrobe moved" in it.text("#pieces")
         tags = it.page.locator("#ranking .tag").all_inner_texts()
@@ -145,7 +145,7 @@ def test_a_room_without_furniture_has_no_chances(browser: Browser, server: Runni
     with room_page(browser, server, judge) as it:
         it.page.click("#plan-empty")
         it.page.wait_for_selector("#answer[data-state=empty]")
-        assert "There is no furniture" in it.text("#answer")
+        assert "Nothing in the room that can fall yet" in it.text("#answer")
         assert "%" not in it.text("#answer")
         assert not it.page.locator("#ranking").is_visible()
         assert "no furniture" in it.text("#see")
@@ -227,6 +227,18 @@ def test_a_change_is_made_and_taken_back(browser: Browser, server: Running) -> N
         assert (turned["places"][0]["at"], turned["places"][0]["heading"]) == ([1.6, 1.26], 0)
         for room in (held, moved, first):  # one entry each
             assert after(it, judge, lambda: it.page.click("#plan-undo")) == room
+
+
+def test_where_nothing_may_be_drilled_no_change_asks_for_it(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        rows = it.page.locator("#ranking > li")
+        (best,) = (one for one in made()["changes"] if one["measure"] == "belt")
+        drilled, all_of_them = best["label"]["en"], rows.count()
+        assert drilled in " ".join(rows.all_inner_texts()).lower()
+        it.page.get_by_label("No drilling (rented)").check()
+        assert rows.count() == all_of_them - 1
+        assert drilled not in " ".join(rows.all_inner_texts()).lower()
 
 
 def test_the_old_verdict_is_marked_and_its_question_ends(browser: Browser, server: Running) -> None:

@@ -89,6 +89,7 @@ class RoomChangeReply(Reply):
     label: Words
     sentence: Words
     measure: str | None
+    drilled: bool = Field(description="Whether it takes holes in a wall.")
     measures: list[dict[str, Any]] | None = Field(description="What is put on the piece, as in a scene.")
     at_m: tuple[float, float] | None
     heading_rad: float | None

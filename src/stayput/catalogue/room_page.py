@@ -29,7 +29,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "before": ("Waiting for the server: {n} before you.", "順番を待っています。前に{n}件あります。"),
     "roomBetter": ("More runs make the numbers surer …", "計算を続けて、数値を確かにしています…"),
     "counting": ("counting …", "計算中…"),
-    "state_empty": ("There is no furniture in the room.", "部屋に家具がありません。"),
+    "state_empty": ("Nothing in the room that can fall yet.", "倒れるおそれのある家具がまだありません。"),
     "serverAway": (
         "The server does not answer; it goes on once it is back.",
         "サーバーから応答がありません。戻りしだい続けます。",
@@ -38,6 +38,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "briefShutIn": ("shut in: {share}", "出られない：{share}"),
     "briefOld": ("before the change: {said}", "変更前：{said}"),
     "briefRefused": ("The room cannot be worked out; see why.", "この部屋は計算できません。理由を見る"),
+    "bestChange": ("Best single change: {sentence}", "最も効果のある変更：{sentence}"),
+    "noBest": (
+        "None of the single changes that may be made here makes it clearly better.",
+        "ここで行える変更のうち、明らかに良くなるものはありませんでした。",
+    ),
     "makeBest": ("Try this change", "この変更を試す"),
     "basisOfRoom": (
         "From {runs} runs of pieces under {motions} earthquakes; friction and weights were varied too. Seed {seed}, {seconds} s of computing.",
@@ -100,8 +105,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "外への通り道をふさぎます。出られない確率は{now}で、「{change}」と{then}になります。",
     ),
     "fallsToo": (
-        "These also overturn, without reaching anybody: {pieces}.",
-        "人には当たりませんが、次の家具も倒れます：{pieces}。",
+        "Overturning without reaching anybody: {pieces}.",
+        "倒れる家具（人には当たらない）：{pieces}。",
     ),
     "fallsOften": ("{piece} ({share})", "{piece}（{share}）"),
     "pieceSlides": ("Slides far in {share}.", "大きく滑る確率は{share}。"),

@@ -142,8 +142,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "falls_too": ("{often} {piece} overturns{interval}", "{often}{piece}が倒れます{interval}"),
     "falls_with_others": (
-        "{often} {piece} overturns{interval}, and others do too (pieces: {count})",
-        "{often}{piece}が倒れ{interval}、ほかにも倒れる家具があります（{count}個）",
+        "{often} {piece} overturns{interval}, beside others ({count})",
+        "{often}{piece}が倒れます{interval}。ほかにも{count}個の家具が倒れることがあります",
     ),
     "change_of_hit": (
         "{change}. The chance that somebody is hit {goes}",

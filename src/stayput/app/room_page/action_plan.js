@@ -21,10 +21,12 @@ const own = new Map(), // what was ticked or not by hand
   fields = {};
 let job = null, // the verdict's, once that is complete
   flight = null, // what ends the question about a plan
-  made = false;
+  made = false,
+  homeSaid = () => {}; // called when what the home is like has been said
 
-/** Wires the buttons. */
-export function wire() {
+/** Wires the buttons; "changed" is called when what the home is like has been said. */
+export function wire(changed) {
+  homeSaid = changed;
   part("make-plan").addEventListener("click", work);
   part("stop-plan").addEventListener("click", () => forget());
   part("card").addEventListener("click", ({ target }) => {
@@ -42,6 +44,7 @@ export function build() {
         changed: (on) => {
           own.set(name, on);
           forget();
+          homeSaid();
         },
       });
       fields[name] = field;
@@ -51,6 +54,9 @@ export function build() {
   update();
   tell();
 }
+
+/** Whether a change may be made in this home. */
+export const mayBe = ({ drilled }) => !drilled || !isSo("no_drilling");
 
 const isSo = (name) => own.get(name) ?? SAID[name](room.current().room ?? {});
 

@@ -1,6 +1,7 @@
 // Single changes of the room, the best one first, each with its effect, its interval, and the button that makes it.
 
 import { bar } from "../bars.js";
+import { mayBe } from "./action_plan.js";
 import { el, fill, part } from "../dom.js";
 import { both, percent, t } from "../words.js";
 import { capital, chance, points } from "./amounts.js";
@@ -14,7 +15,7 @@ export function show(result) {
   const shown = shownOf(result);
   fill(
     part("ranking"),
-    result.changes.map((one) => option(one, shown)),
+    result.changes.filter(mayBe).map((one) => option(one, shown)),
   );
 }
 

@@ -98,7 +98,7 @@ async function take(hash) {
 function wire() {
   verdict.wire();
   judging.wire(judged);
-  actionPlan.wire();
+  actionPlan.wire(() => judged(judging.state()));
   theatre.wire();
   scenes.wire(address.isOwn(room.current()));
   part("cancel").addEventListener("click", judging.cancel);

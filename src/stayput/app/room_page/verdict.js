@@ -4,6 +4,7 @@ import { isAway } from "../connection.js";
 import { el, fill, part } from "../dom.js";
 import { worded } from "../refusals.js";
 import { both, number, perCent, percent, t } from "../words.js";
+import { mayBe } from "./action_plan.js";
 import { basis } from "./amounts.js";
 import { apply } from "./changes.js";
 import { fallingAlone } from "./findings.js";
@@ -88,10 +89,11 @@ function falls(result) {
 }
 
 function best(result) {
-  const change = result?.changes.find((one) => one.helps);
+  const change = result?.changes.filter(mayBe).find((one) => one.helps),
+    none = result?.complete && result.changes.length ? t("noBest") : "";
   fill(
     part("best"),
-    ...(result?.changes.length ? [el("span", { text: both(result.best) })] : []),
+    el("span", { text: change ? t("bestChange", { sentence: both(change.sentence) }) : none }),
     ...(change ? [" ", el("button", { type: "button", class: "primary", text: t("makeBest"), onclick: () => apply(change) })] : []),
   );
 }

@@ -98,6 +98,7 @@ def _change(result: ChangeVerdict, verdict: RoomVerdict) -> dict[str, Any]:
         "label": in_both(lambda language: change_label(change, verdict, language)),
         "sentence": in_both(lambda language: change_sentence(result, verdict, language)),
         "measure": None if change.measure is None else change.measure.kind,
+        "drilled": change.measure is not None and change.measure.drilled,
         "at_m": None if change.at is None else list(change.at),
         "heading_rad": change.heading,
         "hit": chance_data(result.hit),
