@@ -34,7 +34,7 @@ SINE = {"amplitude": 1.0, "frequency": 1.0}
 def refused(answer: httpx.Response, status: int, field: str | None = None) -> str:
     assert answer.status_code == status, answer.text
     problem = answer.json()
-    assert set(problem) == {"message", "message_ja", "field"}
+    assert set(problem) == {"message", "message_ja", "field", "perhaps", "also"}
     assert problem["message"].endswith((".", "…"))
     if field is not None:
         assert problem["field"] == field
@@ -285,7 +285,7 @@ def test_slow_bodies_are_given_up() -> None:
         connection.sendall(request("/api/v1/simulate", b"{", "Content-Type: application/json", length=2))
         status, body = answer(connection)
         assert status == 408
-        assert set(json.loads(body)) == {"message", "message_ja", "field"}
+        assert set(json.loads(body)) == {"message", "message_ja", "field", "perhaps", "also"}
 
 
 def test_pings_are_answered_while_others_compute(client: httpx.Client) -> None:

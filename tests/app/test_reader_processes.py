@@ -88,13 +88,13 @@ def test_refusals_are_the_same_as_here(tmp_path: Path, readers: ReaderPool, text
 
 
 def test_warnings_come_across(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    def read_motion(*_: object, **__: object) -> sp.Motion:
+    def read_shaking(*_: object, **__: object) -> sp.Motion:
         warn("It is very strong.")
         return sp.sine(1.0, 1.0, 2.0)
 
     path = tmp_path / "a"
     path.write_text("1")
-    monkeypatch.setattr(reader, "read_motion", read_motion)
+    monkeypatch.setattr(reader, "read_shaking", read_shaking)
     task = reader.ReadingTask(str(path), None, None, None, 9, 10_000, 600.0, 9.0)
     assert reader.read(task).warnings == ("It is very strong.",)
 

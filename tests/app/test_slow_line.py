@@ -25,7 +25,7 @@ RATE = 50_000
 LATENCY = 0.4
 """How long a request waits for its answer to begin [s]."""
 
-MOST_BYTES = 105_000
+MOST_BYTES = 107_000
 MOST_REQUESTS = 4
 STEPS = ["page", "script", "simulation"]
 """What is asked for one after the other; what can be chosen comes beside the script."""

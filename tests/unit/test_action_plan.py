@@ -205,7 +205,7 @@ def test_what_still_falls_is_said(plan: sp.ActionPlan):
     before = plan.verdict
     nothing = replace(plan, steps=(), unsolved=("bookcase",))
     chance = next(one for one in before.pieces if one.name == "bookcase").probabilities["overturned"]
-    told = phrase("action_plan.piece_falls", piece=piece_name("bookcase"), share=share_text(chance.estimate))
+    told = phrase("action_plan.piece_falls", piece=piece_name("bookcase"), was=share_text(chance.estimate))
     for number, language in enumerate(LANGUAGES):
         assert told[number] in plan_html(nothing, language).replace("\xa0", " ")
 

@@ -21,19 +21,9 @@ TEXTS: dict[str, tuple[str, str]] = {
     "chance_hit": ("{share} that somebody is hit", "人に家具が当たる確率は{share}"),
     "chance_shut_in": ("{share} that somebody is shut in", "外に出られなくなる確率は{share}"),
     "chance_blocked": ("{share} that a door is blocked", "ドアがふさがる確率は{share}"),
-    "piece_falls": ("{piece} {share}", "「{piece}」{share}"),
-    "falls_now": (
-        "Chance of overturning as the room is: {pieces}.",
-        "今の部屋のままだと倒れる家具と確率：{pieces}。",
-    ),
-    "falls_still": (
-        "Some may still overturn: {pieces}.",
-        "行ったあとも倒れることがある家具と確率：{pieces}。",
-    ),
-    "falls_no_more": (
-        "After that, no piece overturned in {share} of the runs or more.",
-        "すべて行った計算では、{share}以上の割合で倒れた家具はありませんでした。",
-    ),
+    "falls": ("Chance of overturning: {pieces}.", "倒れる確率：{pieces}。"),
+    "piece_falls": ("{piece} {was}", "「{piece}」{was}"),
+    "piece_falls_then": ("{piece} {was} → {now}", "「{piece}」{was}→{now}"),
     "only_falls": (
         "with or without it, nobody is hit or shut in more often in these runs; but it falls less",
         "計算した範囲では、人に当たる確率や外に出られなくなる確率は変わりませんが、倒れにくくなります",

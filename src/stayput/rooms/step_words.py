@@ -181,19 +181,22 @@ def chances_after(effect: RoomEffect) -> dict[str, tuple[Probability, float]]:
     }
 
 
-def falls(plan: ActionPlan, then: RoomEffect | None) -> Phrase | None:
-    """Return which pieces overturn often, as the room is or with something; None where none does."""
+def falls(plan: ActionPlan) -> Phrase | None:
+    """Return which pieces overturn often, before the steps and after all of them; None where none does."""
+    before = {piece.name: piece.probabilities["overturned"].estimate for piece in plan.verdict.pieces}
     names = plan.verdict.scenario.names
-    by_name = {piece.name: piece.probabilities["overturned"] for piece in plan.verdict.pieces}
-    chances = [by_name[name] for name in names] if then is None else then.overturned
-    often = [(chance, name) for name, chance in zip(names, chances, strict=True) if chance.estimate >= FALLS]
-    often.sort(key=lambda pair: -pair[0].estimate)
-    if not often:
-        return None
-    return joined(
-        phrase("action_plan.piece_falls", piece=piece_name(name), share=share_text(chance.estimate))
-        for chance, name in often
-    )
+    after = {} if plan.together is None else dict(zip(names, plan.together.overturned, strict=True))
+
+    def told(name: str) -> Phrase:
+        was = share_text(before[name])
+        if name not in after:
+            return phrase("action_plan.piece_falls", piece=piece_name(name), was=was)
+        now = with_ends(after[name])
+        return phrase("action_plan.piece_falls_then", piece=piece_name(name), was=was, now=now)
+
+    often = [name for name in names if before[name] >= FALLS or (after and after[name].estimate >= FALLS)]
+    often.sort(key=lambda name: -before[name])
+    return joined(map(told, often)) if often else None
 
 
 def effects(effect: RoomEffect, plan: ActionPlan, before: RoomEffect | None = None) -> Phrase:

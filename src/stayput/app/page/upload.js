@@ -2,13 +2,13 @@
 
 import * as api from "./api.js";
 import { choice, oneOf } from "./controls.js";
-import { el, fill, part, svg } from "./dom.js";
-import { classOf } from "./panel_shaking.js";
+import { el, fill, part } from "./dom.js";
+import { inNumbers, picture } from "./record.js";
 import { patiently } from "./connection.js";
 import { packed, unpackedBytes, utf8 } from "./packing.js";
 import { worded } from "./refusals.js";
 import { change, current } from "./scene.js";
-import { both, number, spoken, t } from "./words.js";
+import { spoken, t } from "./words.js";
 
 const UNITS = ["m/s²", "cm/s²", "gal", "mm/s²", "g"];
 const LONGEST = 4096; // letters of a record in a link, with those of its vertical component
@@ -275,20 +275,8 @@ function measured() {
 /** What is known of the record in use, and the button that ends its use. */
 function about(record) {
   const { motion } = record;
-  const strength =
-    motion.intensity === null
-      ? ""
-      : t("recordStrength", {
-          at: number(motion.intensity, 1),
-          class: both(classOf(motion.intensity).label),
-        });
   return [
-    el(
-      "p",
-      {},
-      el("strong", { text: record.name }),
-      ` ${number(motion.duration_s, 0)}\u00a0s, ${number(motion.pga_m_s2, 2)}\u00a0m/s²${strength}`,
-    ),
+    el("p", {}, el("strong", { text: record.name }), ` ${inNumbers(motion)}`),
     channels(motion) ?? [],
     verticalOf(record),
     measured(),
@@ -300,16 +288,4 @@ function about(record) {
       onclick: () => change({ record: null, scaled: false, onFloor: false }),
     }),
   ].flat();
-}
-
-function picture({ time_s, low_m_s2, high_m_s2 }) {
-  const most = Math.max(...high_m_s2, ...low_m_s2.map((one) => -one), 1e-9),
-    end = time_s.at(-1) || 1;
-  const at = (values) =>
-    values.map((one, i) => `${((300 * time_s[i]) / end).toFixed(1)} ${(24 - (22 * one) / most).toFixed(1)}`);
-  return svg(
-    "svg",
-    { viewBox: "0 0 300 48", class: "trace", role: "img", "aria-label": t("recordAlt") },
-    svg("path", { d: `M${at(high_m_s2).join("L")}L${at(low_m_s2).reverse().join("L")}Z` }),
-  );
 }

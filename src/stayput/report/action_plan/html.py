@@ -30,7 +30,6 @@ from stayput.rooms.step_words import (
     with_ends,
 )
 from stayput.rooms.steps import COST_BOUNDS
-from stayput.rooms.verdict import FALLS
 from stayput.rooms.words import motion_phrase, piece_name, piece_within
 from stayput.uncertainty import USUAL, Lognormal
 from stayput.verification.words import class_phrase, share_text
@@ -155,10 +154,10 @@ def _rough(plan: ActionPlan) -> Phrase:
 
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     """Yield how it is, how it would be, and what was asked for."""
-    verdict, together = plan.verdict, plan.together
+    verdict, together, falling = plan.verdict, plan.together, falls(plan)
     strength = class_phrase(verdict.intensity)
     if together is None:
-        if falls(plan, None) is None and not plan.unsolved:
+        if falling is None and not plan.unsolved:
             yield phrase("action_plan.nothing")
     else:
         told = {
@@ -177,13 +176,8 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
         )
         key = "action_plan.then_one" if len(plan.steps) == 1 else "action_plan.then"
         yield phrase(key, last=len(plan.steps), chances=then)
-    before, after = falls(plan, None), falls(plan, together)
-    if before is not None:
-        yield phrase("action_plan.falls_now", pieces=before)
-    if together is not None and after is not None:
-        yield phrase("action_plan.falls_still", pieces=after)
-    elif together is not None and before is not None:
-        yield phrase("action_plan.falls_no_more", share=share_text(FALLS))
+    if falling is not None:
+        yield phrase("action_plan.falls", pieces=falling)
     in_place = [
         phrase("rooms.fix", measure=measure.label, piece=piece_within(name))
         for name, measures in zip(verdict.scenario.names, verdict.scenario.stated.measures, strict=True)
