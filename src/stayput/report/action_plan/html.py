@@ -1,4 +1,4 @@
-"""A plan to buy and do as one HTML page that prints on one sheet of A4 for up to five pieces."""
+"""A plan to buy and do as one HTML page that prints on one sheet of A4 for up to four pieces."""
 
 from __future__ import annotations
 
