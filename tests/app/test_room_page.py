@@ -148,7 +148,7 @@ def test_a_room_without_furniture_has_no_chances(browser: Browser, server: Runni
         assert "Nothing in the room that can fall yet" in it.text("#answer")
         assert "%" not in it.text("#answer")
         assert not it.page.locator("#ranking").is_visible()
-        assert "no furniture" in it.text("#see")
+        assert "Nothing in the room that can fall yet" in it.text("#see")
         assert it.page.locator("#plan .thing").count() == 0
         assert len(judge.asked) == 1
         room = after(it, judge, lambda: it.page.click("#plan-undo"))
