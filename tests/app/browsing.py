@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import chromium
 import pytest
+from axe_playwright_python.sync_playwright import Axe
 from page_coverage import recorded, start
 from playwright.sync_api import sync_playwright
 
@@ -68,6 +69,15 @@ class Opened:
         found = self.page.locator(selector).bounding_box()
         assert found
         return found
+
+    def grave(self) -> list[str]:
+        """Return what axe finds that is serious or critical."""
+        found = Axe().run(self.page).response["violations"]
+        return [
+            f"{one['id']}: {one['nodes'][0]['html'][:120]} {one['nodes'][0]['failureSummary'][:160]}"
+            for one in found
+            if one["impact"] in ("serious", "critical")
+        ]
 
     def settle(self) -> None:
         """Wait until the newest scene is drawn; the server's first one is compiled before."""

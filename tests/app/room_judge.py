@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from browsing import opened
 
+from stayput.rooms.verdict import FALLS
 from stayput.rooms.words import tags
 
 if TYPE_CHECKING:
@@ -50,6 +51,7 @@ def piece(name: str, overturned: float, risk: float) -> dict[str, Any]:
         "engine": "plane",
         "probabilities": {"overturned": chance(overturned), "slid": slid, "device_failed": chance(0.0)},
         "peak_slide_m": spread,
+        "falls": overturned >= FALLS,
         "risk": risk,
         "outline_m": [(0.0, 1.5), (0.3, 1.5), (0.3, 2.3), (0.0, 2.3)],
         "fell": zone(overturned),

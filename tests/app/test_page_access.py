@@ -9,27 +9,17 @@ from importlib import resources
 from typing import TYPE_CHECKING
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from browsing import COMPILING, DESK, PHONE, browser, opened  # noqa: F401
 
 from stayput.app.pages import tables
 from stayput.report.embedding import canvas_files
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
+    from playwright.sync_api import Browser
     from serving import Running
 
 
 PAGE = resources.files("stayput.app").joinpath("page")
-
-
-def grave(page: Page) -> list[str]:
-    found = Axe().run(page).response["violations"]
-    return [
-        f"{one['id']}: {one['nodes'][0]['html'][:120]} {one['nodes'][0]['failureSummary'][:160]}"
-        for one in found
-        if one["impact"] in ("serious", "critical")
-    ]
 
 
 @pytest.mark.parametrize(
@@ -53,7 +43,7 @@ def test_axe_finds_nothing_serious(
             if size is DESK:
                 it.page.wait_for_selector("#understand[data-state=done]", timeout=COMPILING)
                 it.page.wait_for_selector("#map svg", timeout=COMPILING)
-            assert grave(it.page) == []
+            assert it.grave() == []
 
 
 def test_the_keyboard_reaches_and_works_everything(browser: Browser, server: Running) -> None:

@@ -100,6 +100,7 @@ def test_what_falls_and_what_blocks_the_way_is_told_where_nobody_is_hit(
 ) -> None:
     verdict = made()
     verdict["pieces"][2]["probabilities"]["overturned"] = chance(0.9)
+    verdict["pieces"][2]["falls"] = True
     verdict["shut_in"] = chance(0.7)
     freed = change(
         "wardrobe",

@@ -6,13 +6,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from axe_playwright_python.sync_playwright import Axe
 from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
 from room_judge import DONE, QUEUED, ROUGH, Judge, judged, room_page
 
 if TYPE_CHECKING:
     from browsing import Opened
-    from playwright.sync_api import Browser, Page, Route
+    from playwright.sync_api import Browser, Route
     from serving import Running
 
 
@@ -173,13 +172,4 @@ def test_axe_finds_nothing_serious(
         it.page.click("#keep-scene button")
         for screen in SCREENS if size is PHONE else ("scene",):
             it.go(screen)
-            assert grave(it.page) == []
-
-
-def grave(page: Page) -> list[str]:
-    found = Axe().run(page).response["violations"]
-    return [
-        f"{one['id']}: {one['nodes'][0]['html'][:120]} {one['nodes'][0]['failureSummary'][:160]}"
-        for one in found
-        if one["impact"] in ("serious", "critical")
-    ]
+            assert it.grave() == []

@@ -68,6 +68,7 @@ class RoomPieceReply(Reply):
     engine: str
     probabilities: dict[str, ShareReply]
     peak_slide_m: SpreadReply
+    falls: bool = Field(description="Whether it overturns so often that it is to be held.")
     risk: float | None
     outline_m: list[tuple[float, float]]
     fell: ZoneReply = Field(description="Where it lies having overturned: its fall zone.")

@@ -63,6 +63,34 @@ def rigid_half_base(half_base: ArrayLike, height: ArrayLike, settlement: ArrayLi
     return np.where(w > 0.0, np.minimum(a, np.maximum(LEAST * a, softer)), a)
 
 
+def narrower_base(
+    ends: tuple[ArrayLike, ArrayLike],
+    heights: tuple[ArrayLike, ArrayLike],
+    height: ArrayLike,
+    settlement: ArrayLike,
+) -> tuple[tuple[NDArray[np.float64], NDArray[np.float64]], tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Return the two ends of the rigid base that stands for one that sinks in, each with its height [m].
+
+    It lies in the plane of the body's own base, so that a lean stays what it is.
+
+    Parameters
+    ----------
+    ends : tuple of float or ndarray
+        Of the body's own base at its back, below 0, and at its front, from below the centre of gravity [m].
+    heights : tuple of float or ndarray
+        Of these ends [m].
+    height : float or ndarray
+        z, of the centre of gravity [m].
+    settlement : float or ndarray
+        w₀ [m]; 0 returns the body's own base, to the bit.
+    """
+    back, front, low, high = (np.asarray(value, np.float64) for value in (*ends, *heights))
+    foot_back = -rigid_half_base(-back, height, settlement)
+    foot_front = rigid_half_base(front, height, settlement)
+    rise = (high - low) / (front - back)
+    return (foot_back, low + rise * (foot_back - back)), (foot_front, high + rise * (foot_front - front))
+
+
 def landing_factor(
     place: ArrayLike, half_base_squared: ArrayLike, height: ArrayLike, inertia: ArrayLike
 ) -> NDArray[np.float64]:

@@ -24,7 +24,7 @@ from stayput.model.polyhedron import (
     uniform_solid,
 )
 from stayput.model.room import Floor
-from stayput.model.soft_base import rigid_half_base
+from stayput.model.soft_base import narrower_base, rigid_half_base
 from stayput.model.solid_fields import (
     checked_centre,
     checked_feet,
@@ -393,17 +393,12 @@ class Solid:
 
 
 def _on_soft_floor(body: Body, length: float, settlement: float) -> list[tuple[float, float, float]]:
-    """Return the corners of the narrower base in the plane of the body's own; see `rigid_half_base`."""
+    """Return the corners of the narrower base along its depth and its length; see `narrower_base`."""
     x_g, z_g = body.centre_of_gravity
-    (back, z_back), (front, z_front), _, _ = body.corners
-    rise = (z_front - z_back) / (front - back)
+    (back, _), (front, _), _, _ = body.corners
     ends = rigid_half_base(length / 2, z_g, settlement) * np.array([-1.0, 1.0])
-    feet = -rigid_half_base(-back, z_g, settlement), rigid_half_base(front, z_g, settlement)
-    return [
-        (float(x_g + u), float(y), float(body.base_heights[0] + rise * (u - back)))
-        for u in feet
-        for y in ends
-    ]
+    feet = narrower_base((back, front), body.base_heights, z_g, settlement)
+    return [(float(x_g + u), float(y), float(z)) for u, z in feet for y in ends]
 
 
 def _remade(

@@ -119,6 +119,11 @@ class Answer(NamedTuple):
             collisions(by_number),
         )
 
+    @property
+    def overturning(self) -> list[float]:
+        """The chance that each piece overturns."""
+        return [one.probability_of_overturning().estimate for one in self.outcomes]
+
     def joined(self, more: Answer) -> Answer:
         """Return this and what happens in further samples of the same motions."""
         motions = len(self.missing)
@@ -226,7 +231,7 @@ def changes_of(
         return body in harmful, risk, chances[body]
 
     part_of = {body: part for part in parts for body in part.bodies}
-    chances = [one.probability_of_overturning().estimate for one in as_it_is.outcomes]
+    chances = as_it_is.overturning
     for body in sorted(harmful | falling_pieces(as_it_is), key=harm, reverse=True):
         for change, held in measures_tried(scenario, whole, part_of[body].bodies, body):
             (runs,) = question.run([held])
@@ -286,8 +291,7 @@ def harmful_pieces(as_it_is: Answer, plan: FloorPlan, ends: EndOfRuns) -> set[in
 
 def falling_pieces(as_it_is: Answer) -> set[int]:
     """Return the pieces that overturn so often that they are to be held, wherever they fall."""
-    chances = [one.probability_of_overturning().estimate for one in as_it_is.outcomes]
-    return {body for body, chance in enumerate(chances) if chance >= FALLS}
+    return {body for body, chance in enumerate(as_it_is.overturning) if chance >= FALLS}
 
 
 def events_with(

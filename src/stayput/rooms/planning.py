@@ -197,12 +197,13 @@ class _Planner:
             without = _order(self._together(others))
             if without <= reached:
                 needed, reached = others, without
+        all_of_them = _for_people(self._together(needed))
         for number, one in enumerate(needed, start=1):
             others = [other for other in needed if other is not one]
             yield replace(
                 one.step,
                 together=self._together(needed[:number]),
-                for_people=_for_people(self._together(others)) > _for_people(self._together(needed)),
+                for_people=_for_people(self._together(others)) > all_of_them,
             )
 
     def _by_gain(self, chosen: list[_Chosen]) -> list[_Chosen]:

@@ -13,7 +13,7 @@ from stayput.model.body import Body
 from stayput.model.inertia import moments_of_furniture
 from stayput.model.parameters import Parameter, parameters
 from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
-from stayput.model.soft_base import landing_factor, rigid_half_base
+from stayput.model.soft_base import landing_factor, narrower_base, rigid_half_base
 from stayput.model.state import State, refuse_bad_start
 from stayput.motion.units import GRAVITY
 
@@ -173,15 +173,16 @@ def case_rows(numbers: Mapping[str, NumberOrColumn], count: int) -> NDArray[np.v
     settlement = numbers["room.floor.settlement"]
     x_g, z_g = numbers["body.cg_offset.x"], h / 2 + numbers["body.cg_offset.z"]
     left, right, top = -b / 2 - x_g, b / 2 - x_g, h - z_g
-    back, front = left + numbers["body.base_insets.left"], right - numbers["body.base_insets.right"]
-    foot_left, foot_right = -rigid_half_base(-back, z_g, settlement), rigid_half_base(front, z_g, settlement)
-    low, high = numbers["body.base_heights.left"], numbers["body.base_heights.right"]
-    # The narrower base lies in the plane of the body's own, so that a lean stays what it is.
-    rise = (high - low) / (front - back)
+    (foot_left, low), (foot_right, high) = narrower_base(
+        (left + numbers["body.base_insets.left"], right - numbers["body.base_insets.right"]),
+        (numbers["body.base_heights.left"], numbers["body.base_heights.right"]),
+        z_g,
+        settlement,
+    )
     for corner, (u, v) in enumerate(
         (
-            (foot_left, low + rise * (foot_left - back) - z_g),
-            (foot_right, high + rise * (foot_right - front) - z_g),
+            (foot_left, low - z_g),
+            (foot_right, high - z_g),
             (left, top),
             (right, top),
         )

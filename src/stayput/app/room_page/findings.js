@@ -6,8 +6,6 @@ import { both, number, percent, t } from "../words.js";
 import { capital, chance, quantile } from "./amounts.js";
 import { kindName } from "./kinds.js";
 
-const FALLS = 0.05; // share from which on a piece is said to overturn
-
 /** Writes all of them. */
 export function show(result) {
   fill(part("who"), result.places.length ? result.places.map(place) : el("p", { text: t("noPlaces") }));
@@ -95,7 +93,7 @@ function inTheWay({ changes, shut_in: now }, name) {
 export function fallingAlone({ pieces, places }) {
   const hitting = new Set(places.flatMap((one) => one.by.map(({ piece }) => piece)));
   return pieces
-    .filter(({ name, probabilities: { overturned } }) => overturned.estimate >= FALLS && !hitting.has(name))
+    .filter(({ name, falls }) => falls && !hitting.has(name))
     .map(({ name, probabilities: { overturned } }) =>
       t("fallsOften", { piece: kindName("furniture", name), share: percent(overturned.estimate) }),
     );

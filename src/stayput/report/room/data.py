@@ -77,6 +77,7 @@ def room_data(verdict: RoomVerdict) -> dict[str, Any]:
                 "engine": "plane" if piece.in_plane else "space",
                 "probabilities": {event: chance_data(one) for event, one in piece.probabilities.items()},
                 "peak_slide_m": quantiles_data(piece.slide),
+                "falls": piece.falls,
                 "risk": number(piece.risk),
                 "outline_m": piece.outline.tolist(),
             }
