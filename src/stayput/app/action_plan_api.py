@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
 from fastapi import Depends, Query, Request
@@ -9,22 +10,26 @@ from starlette.responses import Response
 
 from stayput.app.jobs import Job, StoppedError
 from stayput.app.middleware import REPORT_POLICY
-from stayput.app.refusals import refused
+from stayput.app.refusals import RefusedError, refused
 from stayput.app.requests import Name  # noqa: TC001 - FastAPI reads the annotations
 from stayput.app.room_replies import PlanProgressReply
 from stayput.app.service import json_response, problems
 from stayput.catalogue import LANGUAGES, Language
+from stayput.errors import InputError
 from stayput.report.action_plan.html import plan_html
+from stayput.rooms.decisions import changes_between
 from stayput.rooms.planning import action_plan
 from stayput.rooms.steps import Home
 from stayput.rooms.verdict import RoomVerdict
 
 if TYPE_CHECKING:
     import threading
+    from collections.abc import Callable
 
     from fastapi import APIRouter
 
     from stayput.app.service import Service
+    from stayput.rooms.steps import ActionPlan
 
 
 def _asked_home(
@@ -74,16 +79,7 @@ def add_action_plan(router: APIRouter, service: Service) -> None:
 
             if key not in reports:
                 job.plan_runs[str(home)] = 0
-                made = action_plan(
-                    verdict,
-                    no_drilling=home.no_drilling,
-                    tatami=home.tatami,
-                    plasterboard=home.plasterboard,
-                    dropped_ceiling=home.dropped_ceiling,
-                    threads=service.limits.threads,
-                    progress=False,
-                    on_progress=go_on,
-                )
+                made = _plan(job, verdict, home, service.limits.threads, go_on)
                 for language in LANGUAGES:  # the page's language may be changed
                     reports[_key(language, home)] = plan_html(made, language).encode("utf-8")
             headers = {"Content-Security-Policy": REPORT_POLICY}
@@ -102,6 +98,36 @@ def add_action_plan(router: APIRouter, service: Service) -> None:
         job, _ = finished(name)
         made = _key(LANGUAGES[0], home) in job.reports
         return json_response(PlanProgressReply(made=made, runs=job.plan_runs.get(str(home), 0)))
+
+
+def _plan(
+    job: Job, verdict: RoomVerdict, home: Home, threads: int | None, on_progress: Callable[[int], None]
+) -> ActionPlan:
+    """Return the plan of a room; changes that are tried in it are its steps.
+
+    Raises
+    ------
+    RefusedError
+        The room cannot have been as it is said to have been before these changes.
+    """
+    before = verdict.scenario if job.before is None else job.before
+    try:
+        return action_plan(
+            replace(verdict, scenario=before),
+            decided=changes_between(before, verdict.scenario),
+            no_drilling=home.no_drilling,
+            tatami=home.tatami,
+            plasterboard=home.plasterboard,
+            dropped_ceiling=home.dropped_ceiling,
+            threads=threads,
+            progress=False,
+            on_progress=on_progress,
+        )
+    except InputError as error:
+        if job.before is None:
+            raise
+        told = error.told("en"), error.told("ja")
+        raise RefusedError(422, InputError("app.before_refused", "before", why=told)) from None
 
 
 def _key(language: Language, home: Home) -> str:

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from stayput.app.limits import Limits
     from stayput.rooms.verdict import RoomVerdict
+    from stayput.scenario.room import RoomScenario
     from stayput.verification import Verdict
 
     AnyVerdict = Verdict | RoomVerdict
@@ -68,6 +69,8 @@ class Job:
         Pages that were made of the verdict, by their names.
     plan_runs : dict of int
         Runs made for plans to buy and do, by what the home is like.
+    before : RoomScenario or None
+        The room before the changes that are tried in it, where some are.
     """
 
     id: str
@@ -84,6 +87,7 @@ class Job:
     last_used: float = field(default_factory=time.monotonic)
     reports: dict[str, bytes] = field(default_factory=dict[str, bytes])
     plan_runs: dict[str, int] = field(default_factory=dict[str, int])
+    before: RoomScenario | None = None
     stop: threading.Event = field(default_factory=threading.Event)
     slice_began: float = 0.0
 
@@ -121,6 +125,7 @@ class Jobs:
         total: int,
         motions: frozenset[str] = frozenset(),
         lease: float | None = None,
+        before: RoomScenario | None = None,
     ) -> Job:
         """Begin a job, now or when it is its turn.
 
@@ -135,6 +140,8 @@ class Jobs:
             The uploaded motions that it reads.
         lease : float, optional
             How long it goes on without being asked for [s].
+        before : RoomScenario, optional
+            The room before the changes that are tried in it.
 
         Raises
         ------
@@ -152,7 +159,7 @@ class Jobs:
                 or sum(job.client == client for job in own) >= limits.jobs_per_page
             ):
                 raise refused(429, "app.many_jobs", retry_after=10, count=len(active))
-            job = Job(secrets.token_hex(16), total, motions, lease, client)
+            job = Job(secrets.token_hex(16), total, motions, lease, client, before=before)
             self._jobs[job.id] = job
             self._turns.add(client, job)
             self._give_turns()

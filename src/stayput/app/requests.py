@@ -91,6 +91,13 @@ class RoomRequest(Request):
     """A room to be verified."""
 
     scene: RoomData
+    before: Annotated[
+        RoomData | None,
+        Field(
+            description="The same room before the changes that are tried in it: a plan to buy and do begins "
+            "there, and has them as steps."
+        ),
+    ] = None
     changes: bool = Field(default=True, description="Whether single changes are tried, which takes longer.")
     slide_limit_m: SlideLimit = SLIDE_LIMIT
     lease_s: Lease = None

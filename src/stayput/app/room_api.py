@@ -38,11 +38,11 @@ def add_rooms(router: APIRouter, service: Service) -> None:
     async def start(body: RoomRequest) -> Response:
         """Begin the verification of a room: it goes on as a job, whose result gets better while it runs."""
 
-        def prepare() -> tuple[RoomScenario, int]:
+        def prepare() -> tuple[RoomScenario, int, RoomScenario | None]:
             scenario = read_room_scene(body.scene, service.limits, service.motions)
-            return scenario, _checked(scenario, service.limits)
+            return scenario, _checked(scenario, service.limits), _before(body, scenario, service)
 
-        scenario, runs = await service.workers.run(prepare)
+        scenario, runs, before = await service.workers.run(prepare)
 
         def work(
             on_progress: Callable[[int, int], None], on_verdict: Callable[[RoomVerdict], None]
@@ -57,7 +57,24 @@ def add_rooms(router: APIRouter, service: Service) -> None:
                 on_verdict=on_verdict,
             )
 
-        return service.begun(work, runs, scenario, body.lease_s)
+        return service.begun(work, runs, scenario, body.lease_s, before)
+
+
+def _before(body: RoomRequest, scenario: RoomScenario, service: Service) -> RoomScenario | None:
+    """Return the room before the changes that are tried in it.
+
+    Raises
+    ------
+    RefusedError
+        What is wrong with it; one of other pieces or places.
+    """
+    if body.before is None:
+        return None
+    before = read_room_scene(body.before, service.limits, service.motions)
+    (names, places), others = ((room.names, len(room.places)) for room in (before, scenario))
+    if (names, places) != others:
+        raise refused(422, "app.another_room", "before")
+    return before
 
 
 def _checked(scenario: RoomScenario, limits: Limits) -> int:

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from stayput.app.readers import ReaderPool
     from stayput.app.verdict_replies import JobReply
     from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario.room import RoomScenario
     from stayput.verification import Verdict
 
 POLL_INTERVAL = 0.5
@@ -233,10 +234,15 @@ class Service:
         return job_reply(job, self.jobs.position(job), self.motions.with_file_names)
 
     def begun(
-        self, work: JobWork, runs: int, scenario: Scenario | AssemblyScenario, lease: float | None
+        self,
+        work: JobWork,
+        runs: int,
+        scenario: Scenario | AssemblyScenario,
+        lease: float | None,
+        before: RoomScenario | None = None,
     ) -> Response:
         """Begin a job, and return where it stands and where to look for it; see `Jobs.start`."""
-        job = self.jobs.start(work, runs, uploaded_motions(scenario), lease)
+        job = self.jobs.start(work, runs, uploaded_motions(scenario), lease, before)
         return json_response(self.reply_of(job), 202, {"Location": f"/api/v1/jobs/{job.id}"})
 
     def done(self, name: str) -> tuple[Job, AnyVerdict]:

@@ -28,6 +28,11 @@ TEXTS: dict[str, tuple[str, str]] = {
         "with or without it, nobody is hit or shut in more often in these runs; but it falls less",
         "計算した範囲では、人に当たる確率や外に出られなくなる確率は変わりませんが、倒れにくくなります",
     ),
+    "no_gain": (
+        "in these runs it changes nothing",
+        "計算した範囲では、何も変わりません",
+    ),
+    "decided": ("your choice", "決めた変更"),
     "nothing": (
         "In the runs no piece hit anybody, blocked a door or overturned often: nothing has to be bought.",
         (

@@ -107,6 +107,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The job is of a room; this is there for the verification of a single piece.",
         "部屋の計算です。これは家具1点の検証で使えます。",
     ),
+    "another_room": (
+        "before is another room than scene; it must have the same pieces and places of people.",
+        "beforeがsceneとは別の部屋です。家具と人のいる場所を同じにしてください。",
+    ),
+    "before_refused": (
+        "The room as it was before the changes that are tried cannot be worked out: {why} Take them back, or say that they are already made.",
+        "試している変更の前の部屋は計算できません。{why}変更を元に戻すか、「もう行った」を選んでください。",
+    ),
     "no_plan_yet": (
         "The job is {state}; there is a plan to buy and do once it is done, of a room.",
         "「買う物とやること」は、部屋の計算が終わってから開いてください。",

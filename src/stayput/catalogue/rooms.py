@@ -164,6 +164,27 @@ TEXTS: dict[str, tuple[str, str]] = {
     "falls": ("falls from {bare} to {held}", "{bare}から{held}に下がります"),
     "rises": ("rises from {bare} to {held}", "{bare}から{held}に上がります"),
     "stays": ("stays at {bare}", "{bare}のままです"),
+    # Changes that have been decided on
+    "decided_unknown": (
+        "{name} of a decided change is not in the room; it must be one of {there}.",
+        "決めた変更の{name}は、この部屋にありません。次のいずれかにしてください：{there}",
+    ),
+    "decided_both": (
+        "The decided change of {name} must be either a measure or another place.",
+        "{name}の決めた変更は、対策か別の位置のどちらか一方にしてください。",
+    ),
+    "decided_on_no_piece": (
+        "The decided change of {name} puts a measure on what is no furniture; it must be another place.",
+        "{name}は家具ではないので、対策は取り付けられません。別の位置を指定してください。",
+    ),
+    "decided_twice": (
+        "The decided changes move {name} twice; it must be moved once.",
+        "決めた変更が{name}を2回動かしています。1回にしてください。",
+    ),
+    "decided_joined": (
+        "The decided changes move {name}, which stands on or is joined to another piece; it must stand by itself.",
+        "{name}は、ほかの家具の上にあるか、つながれているので動かせません。単独の家具にしてください。",
+    ),
     # Tables
     "motions": ("{count} motions", "地震動{count}本"),
     "report": ("Verification of a room", "部屋の地震対策の検証"),

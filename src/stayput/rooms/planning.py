@@ -1,14 +1,13 @@
 """`action_plan`: which moves and measures help most in a room, how strong they must be, and in which order.
 
-One thing at most is moved, what brings most. On each piece that does harm, or overturns often wherever it
-falls, comes the set of measures that helps most by itself; a device on a wall comes in such a number that
-what it is screwed to bears it, as far as the studs behind the piece allow. All runs are under the same
-earthquakes and draws as the room as it is.
+One thing at most is moved, what brings most, unless it has been decided what to move. On each piece that does
+harm, or overturns often wherever it falls, come the measures that have been decided on, else the set with
+which it does least harm by itself; a device on a wall comes in such a number that what it is screwed to bears
+it, as far as the studs behind the piece allow. All runs are under the same earthquakes and draws.
 """
 
 from __future__ import annotations
 
-import math
 import time
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
@@ -18,11 +17,11 @@ import numpy as np
 from stayput.errors import InputError, instance_of
 from stayput.measures import MEASURES
 from stayput.measures.floor import SOFT
-from stayput.measures.wall import WallDevice
 from stayput.measures.wedge import WedgeStopper
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import bar
 from stayput.rooms.changes import can_be_held
+from stayput.rooms.decisions import decisions_of, elsewhere, moved_as_decided, with_places
 from stayput.rooms.effects import (
     effect_of,
     falling_pieces,
@@ -32,9 +31,9 @@ from stayput.rooms.effects import (
     tracks_of_part,
 )
 from stayput.rooms.events import hits_of
-from stayput.rooms.forces import MARGIN, Purchase, more_than, quantile_of, strengths_of, unbreakable
+from stayput.rooms.purchases import in_number, purchases_of
 from stayput.rooms.runs import part_with, with_member
-from stayput.rooms.steps import SETS, STUD_PITCH, ActionPlan, Fix, Home, PlanStep
+from stayput.rooms.steps import SETS, ActionPlan, Fix, Home, PlanStep
 from stayput.rooms.verdict import RoomVerdict
 from stayput.rooms.verify import floors_of, question_of, states, verdict_of
 from stayput.simulation.placing import placed
@@ -49,8 +48,11 @@ if TYPE_CHECKING:
     from stayput.fragility import Probability
     from stayput.measures import Measure
     from stayput.model.floor_plan import FloorPlan, PersonPlace
+    from stayput.rooms.changes import Change
+    from stayput.rooms.decisions import Decisions
     from stayput.rooms.effects import Move, Question
     from stayput.rooms.events import Hits
+    from stayput.rooms.forces import Purchase
     from stayput.rooms.runs import PartRuns, RoomPart
     from stayput.rooms.tracks import Track
     from stayput.rooms.verdict import RoomEffect
@@ -67,6 +69,7 @@ WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
 def action_plan(
     verdict: RoomVerdict,
     *,
+    decided: Sequence[Change] = (),
     no_drilling: bool = False,
     tatami: bool = False,
     plasterboard: bool = False,
@@ -81,8 +84,11 @@ def action_plan(
     ----------
     verdict : RoomVerdict
         The room. Its earthquakes and draws are used again; its single changes are not needed.
+    decided : sequence of Change
+        Changes that are made in any case, such as ``[verdict.best.change]``: they are steps of the plan,
+        whatever they bring, and nothing else is moved or put on the same piece.
     no_drilling : bool
-        Whether nothing may be screwed to a wall.
+        Whether nothing else may be screwed to a wall.
     tatami, plasterboard, dropped_ceiling : bool
         What floor, walls and ceiling are, whatever the scenario says: tatami; plasterboard without studs that
         can be used; a ceiling on wires, against which no pole may push. The room is verified anew with them.
@@ -92,6 +98,12 @@ def action_plan(
         Whether to draw a bar on standard error; default on a terminal.
     on_progress : callable, optional
         Called with the number of runs just made; an exception that it raises stops the work.
+
+    Raises
+    ------
+    InputError
+        A decided change of something that is not in the room, or is moved twice; a move to where it cannot
+        stand; a measure that cannot be put in place.
     """
     began = time.perf_counter()
     asked = instance_of("verdict", verdict, RoomVerdict)
@@ -108,7 +120,7 @@ def action_plan(
 
         question = question_of(home.of(asked.scenario), threads)._replace(advance=count)
         (*_, state) = states(question)
-        steps, unsolved = _Planner(question, state, home).steps()
+        steps, unsolved = _Planner(question, state, home, decisions_of(question, decided)).steps()
     as_it_is = verdict_of(question, state, asked.slide_limit)
     now = replace(as_it_is, complete=True, runs=made, seconds=time.perf_counter() - began)
     return ActionPlan(now, home, steps, unsolved)
@@ -138,12 +150,12 @@ class _Tried(NamedTuple):
 class _Chosen(NamedTuple):
     """A step before its place in the order is known.
 
-    ``here`` is how the piece moves then where it stands; ``there``, once it has been moved. ``plan`` is that
-    with the place of a person moved, where one is.
+    ``here`` is how the piece moves then where it stands; ``there``, once it has been moved. ``place`` is the
+    place of a person where it is moved to, with its number.
     """
 
     step: PlanStep
-    plan: FloorPlan | None
+    place: tuple[int, PersonPlace] | None
     here: _Way
     there: _Way
 
@@ -159,10 +171,12 @@ class _Planner:
         The room as it is.
     home : Home
         What the home is like.
+    decisions : Decisions
+        What is done in any case.
     """
 
-    def __init__(self, question: Question, state: RoomState, home: Home) -> None:
-        self.question, self.state, self.home = question, state, home
+    def __init__(self, question: Question, state: RoomState, home: Home, decisions: Decisions) -> None:
+        self.question, self.state, self.home, self.decisions = question, state, home, decisions
         hits = state.as_it_is.events.hits
         struck = {body for own in hits for body, one in enumerate(own) if one.happened.any()}
         self.harmful = struck | harmful_pieces(state.as_it_is, question.plan, state.ends)
@@ -172,27 +186,27 @@ class _Planner:
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
         """Return the steps in their order, and the pieces on which nothing helps."""
         names = self.question.scenario.names
-        best = self._best_move()
-        chosen = [] if best is None else [self._moving(*best)]
-        moved = None if best is None else best[0].change.what
-        whole = self.question.whole if best is None else self._after(best[0])
+        moves = self._decided_moves() or self._best_move()
+        chosen = [self._moving(move, effect) for move, effect in moves]
+        moved = {move.change.what for move, _ in moves}
+        whole = self._after([move for move, _ in moves])
         unsolved: list[str] = []
-        for body in sorted(self.harmful | self.falling):
+        for body in sorted(self.harmful | self.falling | set(self.decisions.measures)):
             fixing = self._fixing(body, whole)
             if fixing is not None:
                 chosen.append(fixing)
-            elif moved != names[body] or body in self.falling:
+            elif names[body] not in moved or body in self.falling:
                 unsolved.append(names[body])
         return tuple(self._in_order(chosen)), tuple(unsolved)
 
     def _in_order(self, chosen: list[_Chosen]) -> Iterable[PlanStep]:
         """Yield the steps that are needed, each time that which brings most with those before it.
 
-        One without which the others bring as much is not needed.
+        One that has not been decided on, and without which the others bring as much, is not needed.
         """
         needed = self._by_gain(chosen)
         reached = _order(self._together(needed))
-        for one in reversed(needed):
+        for one in [one for one in reversed(needed) if not one.step.decided]:
             others = [other for other in needed if other is not one]
             without = _order(self._together(others))
             if without <= reached:
@@ -219,14 +233,12 @@ class _Planner:
 
     def _together(self, done: list[_Chosen]) -> RoomEffect:
         """Return what some of the steps bring together."""
-        plan = next((one.plan for one in done if one.plan is not None), self.question.plan)
-        relocated = next((one for one in done if one.step.move is not None), None)
-        way = _Way({}, self.state.as_it_is.missing) if relocated is None else relocated.here
-        for one in done:
-            if one is not relocated:
-                there = relocated is not None and one.step.what == relocated.step.what
-                way = way.joined(one.there if there else one.here)
-        return self._effect(plan, way)
+        moves = [one for one in done if one.step.move is not None]
+        relocated = {one.step.what for one in moves}
+        way = _Way({}, self.state.as_it_is.missing)
+        for one in [*moves, *(one for one in done if one.step.move is None)]:
+            way = way.joined(one.there if one.step.what in relocated else one.here)
+        return self._effect(with_places(self.question.plan, [one.place for one in moves if one.place]), way)
 
     def _hits(self, place: PersonPlace, tracks: Sequence[Track]) -> Hits:
         """Return the contacts of a piece with a place, which are looked for once."""
@@ -238,34 +250,45 @@ class _Planner:
     def _effect(self, plan: FloorPlan, way: _Way) -> RoomEffect:
         return effect_of(plan, way.tracks, way.missing, self.state.as_it_is, self.state.ends, self._hits)
 
-    def _best_move(self) -> tuple[Move, RoomEffect] | None:
-        """Return the move that clearly helps and helps most, and what it brings."""
+    def _decided_moves(self) -> list[tuple[Move, RoomEffect]]:
+        """Return what it has been decided to move, and what that brings."""
+        found: list[tuple[Move, RoomEffect]] = []
+        for change in self.decisions.moves:
+            move = moved_as_decided(self.question, self.state.as_it_is, change)
+            found.append((move, self._effect(move.plan, _Way(move.instead, move.missing))))
+        return found
+
+    def _best_move(self) -> list[tuple[Move, RoomEffect]]:
+        """Return the move that clearly helps and helps most, and what it brings, or nothing."""
         found: list[tuple[Move, RoomEffect]] = []
         parts, as_it_is, ends = self.state.parts, self.state.as_it_is, self.state.ends
-        for move in moves_of(self.question, parts, as_it_is, ends, self.harmful):
+        free = self.harmful - set(self.decisions.measures)
+        for move in moves_of(self.question, parts, as_it_is, ends, free):
             effect = self._effect(move.plan, _Way(move.instead, move.missing))
             if effect.helps:
                 found.append((move, effect))
-        return min(found, key=lambda pair: _order(pair[1]), default=None)
+        return sorted(found, key=lambda pair: _order(pair[1]))[:1]
 
     def _moving(self, move: Move, effect: RoomEffect) -> _Chosen:
         scenario, what = self.question.scenario, move.change.what
         bodies = list(move.instead) or sorted(self.harmful)
         deciding = {one: None for body in bodies for one in inputs_in_room((), scenario, body)}
         overturned = self._overturned(bodies[0]) if move.instead else None
-        step = PlanStep(what, move.change, None, effect, effect, overturned, None, tuple(deciding))
+        decided = move.change in self.decisions.moves
+        step = PlanStep(
+            what, move.change, None, effect, effect, overturned, None, tuple(deciding), decided=decided
+        )
         way = _Way(move.instead, move.missing)
-        return _Chosen(step, None if move.instead else move.plan, way, way)
+        places = list(enumerate(move.plan.places))
+        was = self.question.plan.places
+        return _Chosen(step, next((own for own in places if own[1] != was[own[0]]), None), way, way)
 
-    def _after(self, move: Move) -> Assembly:
-        """Return the pieces with one moved."""
-        whole, change = self.question.whole, move.change
-        for body in move.instead:
-            assert change.at is not None
-            assert change.heading is not None
-            member = whole.members[body]
-            elsewhere = replace(member, at=(*change.at, member.at[2]), heading=change.heading)
-            whole = with_member(whole, body, elsewhere)
+    def _after(self, moves: Sequence[Move]) -> Assembly:
+        """Return the pieces with some moved."""
+        whole = self.question.whole
+        for move in moves:
+            for body in move.instead:
+                whole = with_member(whole, body, elsewhere(whole.members[body], move.change))
         return whole
 
     def _overturned(self, body: int) -> Probability:
@@ -273,16 +296,10 @@ class _Planner:
 
     def _fixing(self, body: int, whole: Assembly) -> _Chosen | None:
         """Return the best measures on a piece, which stands in ``whole`` as it is to stand."""
-        as_it_is = self.state.as_it_is
-        bare = self._own_risk(
-            _Way({one: as_it_is.tracks[one] for one in self._group(body)}, as_it_is.missing)
+        decided = self.decisions.measures.get(body)
+        tried = (
+            self._worth(body, whole) if decided is None else [self._tried_as_decided(body, whole, decided)]
         )
-        tried = [
-            one
-            for one in self._tried(body)
-            if (one.own < bare or _frees(one.effect) or self._steadies(one, body))
-            and self._held(body, one.measures, whole) is not None
-        ]
         if not tried:
             return None
         best = min(tried, key=_merit)
@@ -302,8 +319,27 @@ class _Planner:
             self._overturned(body),
             instead,
             deciding,
+            decided=decided is not None,
         )
         return _Chosen(step, None, here, there)
+
+    def _worth(self, body: int, whole: Assembly) -> list[_Tried]:
+        """Return the measures that help on a piece and can be put on it where it is to stand too."""
+        as_it_is = self.state.as_it_is
+        bare = self._own_risk(
+            _Way({one: as_it_is.tracks[one] for one in self._group(body)}, as_it_is.missing)
+        )
+        return [
+            one
+            for one in self._tried(body)
+            if (one.own < bare or _frees(one.effect) or self._steadies(one, body))
+            and self._held(body, one.measures, whole) is not None
+        ]
+
+    def _tried_as_decided(self, body: int, whole: Assembly, measures: tuple[Measure, ...]) -> _Tried:
+        """Run the measures that have been decided on, where the piece stands or, if it must, is to stand."""
+        part = self._held(body, measures, self.question.whole) or self._with(body, measures, whole)
+        return self._as_tried(measures, part, self.question.run([part])[0], body)
 
     def _steadies(self, tried: _Tried, body: int) -> bool:
         """Return whether a piece that overturns often does so less with measures, clearly or not."""
@@ -345,25 +381,29 @@ class _Planner:
 
     def _held(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart | None:
         """Return the part of a piece with measures on it, or None where they cannot be put there."""
-        group, piece = self._group(body), whole.members[body]
-        if not isinstance(piece, Piece):
+        if not isinstance(whole.members[body], Piece):
             return None
         try:
-            held = replace(piece, measures=(*piece.measures, *measures))
-            part = part_with(self.question.scenario, group, with_member(whole, body, held))
+            part = self._with(body, measures, whole)
         except InputError:  # another measure at the same place
             return None
-        return part if can_be_held(part, group.index(body), self.question.plan) else None
+        return part if can_be_held(part, self._group(body).index(body), self.question.plan) else None
+
+    def _with(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart:
+        """Return the part of a piece with measures on it, which have not been put in place."""
+        piece = whole.members[body]
+        assert isinstance(piece, Piece)
+        held = replace(piece, measures=(*piece.measures, *measures))
+        return part_with(self.question.scenario, self._group(body), with_member(whole, body, held))
 
     def _fitted(self, tried: _Tried, body: int, whole: Assembly) -> tuple[Fix, _Way, _Way]:
         """Return measures as they are bought, and how the piece moves where it stands and where it will.
 
         Where the studs allow it there are as many devices as what they are screwed to asks for.
         """
-        measures, part = tried.measures, self._held(body, tried.measures, whole)
-        assert part is not None
+        measures, part = tried.measures, self._with(body, tried.measures, whole)
         purchases = purchases_of(self.question, part, measures, body)
-        fitted = tuple(_more(one, _length(whole, body)) for one in purchases)
+        fitted = tuple(in_number(one, _length(whole, body)) for one in purchases)
         more, here = self._held(body, fitted, whole), self._held(body, fitted, self.question.whole)
         if fitted != measures and more is not None and here is not None:
             measures, part = fitted, more
@@ -396,34 +436,6 @@ class _Planner:
                 if all(one.enough for one in purchases_of(weaker, part, measures, body)):
                     return level
         return None
-
-
-def purchases_of(
-    question: Question, part: RoomPart, measures: tuple[Measure, ...], body: int
-) -> tuple[Purchase, ...]:
-    """Return what to buy: how strong one must be, and how strong what it is fixed to is."""
-    place = part.bodies.index(body)
-    piece = part.assembly.members[place]
-    held = placed(part.assembly.members, part.room)[place].held
-    assert isinstance(piece, Piece)
-    assert held is not None
-    kinds = {measure.kind for measure in measures}
-    strong = tuple(
-        unbreakable(measure.fitted_to(piece.body)) if measure.kind in kinds else measure
-        for measure in piece.measures
-    )
-    member = replace(piece, measures=strong)
-    runs = question.run([part._replace(assembly=with_member(part.assembly, place, member))])[0]
-    found: list[Purchase] = []
-    for measure in measures:
-        strengths = strengths_of(held, measure.kind)
-        if strengths is None:
-            found.append(Purchase(measure))
-            continue
-        holds, fails = strengths
-        needed = quantile_of(runs.peaks, (place, measure.kind)).times(MARGIN)
-        found.append(Purchase(measure, needed, holds, fails))
-    return tuple(found)
 
 
 def _overturns(runs: PartRuns, place: int) -> Probability:
@@ -460,13 +472,3 @@ def _length(whole: Assembly, body: int) -> float:
     piece = whole.members[body]
     assert isinstance(piece, Piece)
     return piece.body.length or 0.0
-
-
-def _more(purchase: Purchase, length: float) -> Measure:
-    """Return a device on a wall in the number that its fixing needs, one on each stud at most."""
-    measure = purchase.measure
-    if not isinstance(measure, WallDevice) or purchase.needed is None or purchase.holds is None:
-        return measure
-    most = max(measure.count, math.floor(length / STUD_PITCH[0]) + 1)
-    needed = math.ceil(measure.count * more_than(purchase.needed, purchase.holds))
-    return replace(measure, count=min(most, max(measure.count, needed)))

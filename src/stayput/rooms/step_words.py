@@ -239,8 +239,8 @@ def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
     One that only keeps a piece from overturning changes nothing for people.
     """
     step = plan.steps[number - 1]
-    if not step.for_people:
-        yield phrase("action_plan.only_falls")
+    if not step.for_people and (not step.decided or changes_nothing(step.alone)):
+        yield phrase("action_plan.only_falls" if _steadies(step) else "action_plan.no_gain")
         return
     if len(plan.steps) == 1:
         key = "only" if step.alone.helps else "only_unclear"
@@ -257,6 +257,12 @@ def what_it_brings(number: int, plan: ActionPlan) -> Iterator[Phrase]:
         yield phrase(f"action_plan.{key}", chance=effects(step.alone, plan))
     if after:
         yield phrase("action_plan.after_others", chance=effects(step.together, plan, before))
+
+
+def _steadies(step: PlanStep) -> bool:
+    """Return whether a piece overturns less often with a step."""
+    was, fix = step.overturned, step.fix
+    return was is not None and fix is not None and fix.overturns.estimate < was.estimate
 
 
 def with_ends(chance: Probability) -> Phrase:

@@ -162,6 +162,8 @@ class PlanStep:
     for_people : bool
         Whether without it, and with all other steps, somebody is hit or shut in more often, or a door is
         blocked; else it only keeps a piece from overturning.
+    decided : bool
+        Whether it had been decided on before the plan was made.
     """
 
     what: str
@@ -173,6 +175,7 @@ class PlanStep:
     instead: Fix | None
     inputs: tuple[Input, ...]
     for_people: bool = True
+    decided: bool = False
 
     @property
     def grade(self) -> Grade:

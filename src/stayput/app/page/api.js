@@ -28,10 +28,11 @@ async function ask(path, options = {}) {
 }
 
 const json = async (path, options) => (await ask(path, options)).json();
+const NOTED = "was"; // what the page notes of something that is tried elsewhere or held: it is no part of a scene
 const sent = (content, signal) => ({
   method: "POST",
   headers: { "content-type": "application/json" },
-  body: JSON.stringify(content),
+  body: JSON.stringify(content, (key, value) => (key === NOTED ? undefined : value)),
   signal,
 });
 

@@ -8,6 +8,7 @@ import { capital, chance, points } from "./amounts.js";
 import { FACING } from "./geometry.js";
 import { DEFAULTS } from "./kinds.js";
 import * as room from "./room.js";
+import { noted } from "./tried.js";
 
 /** Lists the changes of a result. */
 export function show(result) {
@@ -65,7 +66,7 @@ export function apply({ table, what, measures, at_m: at, heading_rad: heading })
   const before = room.current();
   const index = before[table].findIndex((one) => (one.name ?? one.kind ?? DEFAULTS.places.kind) === what);
   if (index < 0) return;
-  const changed = { ...before[table][index] };
+  const changed = noted(before[table][index], measures ? "measures" : "place");
   if (measures) changed.measures = [...(changed.measures ?? []), ...[measures].flat()];
   else if (table === "places") Object.assign(changed, { at, heading });
   else toWall(changed, at, heading);

@@ -128,14 +128,14 @@ export function withOrigin(room, [x, y], width, length) {
   const free = (one) => (one.at && !room.furniture.some(({ name }) => name === one.on)
     ? { ...one, at: [fine(one.at[0] - x), fine(one.at[1] - y), ...one.at.slice(2)] }
     : one);
+  const back = (one) => (one.against ? { ...one, along: fine(one.along - along(one.against)) } : free(one));
+  const all = (one) => (one.was?.place ? { ...back(one), was: { ...one.was, place: back(one.was.place) } } : back(one));
   const opened = (one) => ({ ...one, start: fine(one.start - along(one.wall)) });
   const next = {
     ...room,
-    furniture: room.furniture.map((one) =>
-      one.against ? { ...one, along: fine(one.along - along(one.against)) } : free(one),
-    ),
+    furniture: room.furniture.map(all),
   };
-  if (room.places) next.places = room.places.map(free);
+  if (room.places) next.places = room.places.map(all);
   for (const table of ["doors", "windows"]) if (room[table]) next[table] = room[table].map(opened);
   return withSides(next, width, length);
 }
@@ -211,7 +211,7 @@ export function newThing(room, table, kind) {
 export function doubled(room, what) {
   const { table, index } = what,
     old = room[table][index],
-    copy = structuredClone(old);
+    { was, ...copy } = structuredClone(old); // what is tried with the first is not tried with this one
   if (table !== "windows")
     copy.name = freeName(room, table, old.preset ?? old.kind ?? old.name ?? DEFAULTS[table].name);
   const [next, made] = withNew(room, table, copy);

@@ -5,6 +5,7 @@ import * as api from "../api.js";
 import { settled } from "../dom.js";
 import { line } from "../verification.js";
 import * as room from "./room.js";
+import { roomBefore } from "./tried.js";
 
 const SETTLED = 600; // after the last change [ms]
 const jobs = line(api.room);
@@ -74,7 +75,7 @@ async function work() {
   };
   become({ name: "running", job: null, error: null });
   try {
-    const job = await jobs.run({ scene: asked, changes: true }, take);
+    const job = await jobs.run({ scene: asked, before: roomBefore(asked), changes: true }, take);
     if (job) take(job);
   } catch (error) {
     if (mine === round) become({ name: "refused", job: null, error });

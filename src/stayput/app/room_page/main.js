@@ -25,6 +25,7 @@ import * as room from "./room.js";
 import * as scenes from "./scenes.js";
 import * as surfaces from "./surfaces.js";
 import * as theatre from "./theatre.js";
+import * as tried from "./tried.js";
 import * as verdict from "./verdict.js";
 
 const PANELS = [shaking, surfaces, building];
@@ -65,6 +66,7 @@ function again() {
   verdict.build();
   files.build();
   actionPlan.build();
+  tried.show();
   scenes.list();
   comparing.show();
   judged(judging.state());
@@ -76,6 +78,7 @@ const changed = beforeNextFrame(() => {
   environment.take();
   verdict.update();
   actionPlan.update();
+  tried.show();
   judging.changed();
   theatre.changed();
   address.changed();

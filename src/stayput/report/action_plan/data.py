@@ -53,6 +53,7 @@ def _step(step: PlanStep, plan: ActionPlan) -> dict[str, Any]:
         "alone": _effect(step.alone),
         "together": _effect(step.together),
         "for_people": step.for_people,
+        "decided": step.decided,
         "cost_class": step.cost_class,
         "grade": step.grade.value,
         "weakest": [list(one.label) for one in step.weakest],

@@ -78,6 +78,8 @@ class CardRow(NamedTuple):
         Its place in the order.
     heading : str
         What to do.
+    decided : str
+        That it had been decided on before the plan was made; empty if it had not.
     cost : str
         Its cost class.
     level : int
@@ -96,6 +98,7 @@ class CardRow(NamedTuple):
 
     number: int
     heading: str
+    decided: str
     cost: str
     level: int
     grade: str
@@ -199,8 +202,8 @@ def _plan(plan: ActionPlan, language: str) -> tuple[Markup, int]:
     numbers: dict[str, str] = {}
     for number, step in enumerate(plan.steps, 1):
         numbers[step.what] = f"{numbers[step.what]}+{number}" if step.what in numbers else f"{number}"
-    move = next((step.move for step in plan.steps if step.move is not None), None)
-    drawing = plan_with(plan.verdict, move, language, numbers)
+    moves = [step.move for step in plan.steps if step.move is not None]
+    drawing = plan_with(plan.verdict, moves, language, numbers)
     sheet = PlanSheet(plan.verdict.plan)
     metres = [size / sheet.scale for size in sheet.size]
     scale = next(
@@ -258,6 +261,7 @@ def _row(number: int, step: PlanStep, plan: ActionPlan, language: str) -> CardRo
     return CardRow(
         number,
         say(heading(step, plan), language),
+        own("decided") if step.decided else "",
         own("free") if step.fix is None else own("cost", level=step.cost_class),
         step.cost_class,
         step.grade.value,

@@ -16,7 +16,9 @@ from stayput.rooms.words import change_label, piece_name
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
+
+    from numpy.typing import NDArray
 
     from stayput.fragility import Probability
     from stayput.rooms.changes import Change
@@ -49,19 +51,19 @@ def change_plan(verdict: RoomVerdict, language: str) -> tuple[str, str] | None:
     best = next((one.change for one in verdict.changes if one.helps and one.change.at is not None), None)
     if best is None:
         return None
-    return plan_with(verdict, best, language), change_label(best, verdict, language)
+    return plan_with(verdict, [best], language), change_label(best, verdict, language)
 
 
 def plan_with(
-    verdict: RoomVerdict, change: Change | None, language: str, numbered: Mapping[str, str] | None = None
+    verdict: RoomVerdict, moves: Iterable[Change], language: str, numbered: Mapping[str, str] | None = None
 ) -> str:
-    """Return a plan of the room, with something moved if so, and numbers before names.
+    """Return a plan of the room with some things moved, and numbers before names.
 
     Parameters
     ----------
     verdict : RoomVerdict
         The room.
-    change : Change or None
+    moves : iterable of Change
         What is moved.
     language : str
         "en" or "ja".
@@ -70,20 +72,21 @@ def plan_with(
     """
     pieces = [replace(piece, covers=None) for piece in _pieces(verdict)]
     plan, kinds = verdict.plan, _kinds(verdict)
-    moved = None
-    if change is not None and change.what in verdict.scenario.names:
-        body = verdict.scenario.names.index(change.what)
-        before = pieces[body].outline
-        pieces[body] = _moved(pieces[body], _standing(verdict)[body], change)
-        moved = before, pieces[body].outline
-    elif change is not None:
+    moved: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
+    for change in moves:
         assert change.at is not None
         assert change.heading is not None
-        number = [place.name for place in plan.places].index(change.what)
-        place = plan.places[number]
-        other = replace(place, at=change.at, heading=change.heading)
-        moved = place.corners, other.corners
-        plan = replace(plan, places=(*plan.places[:number], other, *plan.places[number + 1 :]))
+        if change.what in verdict.scenario.names:
+            body = verdict.scenario.names.index(change.what)
+            before = pieces[body].outline
+            pieces[body] = _moved(pieces[body], _standing(verdict)[body], change)
+            moved.append((before, pieces[body].outline))
+        else:
+            number = [place.name for place in plan.places].index(change.what)
+            place = plan.places[number]
+            other = replace(place, at=change.at, heading=change.heading)
+            moved.append((place.corners, other.corners))
+            plan = replace(plan, places=(*plan.places[:number], other, *plan.places[number + 1 :]))
     return plan_svg(plan, pieces, kinds, language, moved=moved, numbered=numbered)
 
 

@@ -18,7 +18,7 @@ from stayput.rooms.ways import CELL
 from stayput.rooms.words import door_name, piece_name, place_name
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -64,7 +64,7 @@ def plan_svg(
     language: str,
     *,
     notes: Mapping[str, str] | None = None,
-    moved: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None,
+    moved: Iterable[tuple[NDArray[np.float64], NDArray[np.float64]]] = (),
     numbered: Mapping[str, str] | None = None,
 ) -> str:
     """Return the plan of a room, to scale and with y upwards; its style is canvas/plan.css.
@@ -81,8 +81,8 @@ def plan_svg(
         "en" or "ja".
     notes : mapping of str, optional
         What is told of a piece, a place or a door, by its name.
-    moved : tuple of ndarray, optional
-        Outline before and after of what was moved [m].
+    moved : iterable of tuple of ndarray
+        Outlines before and after of what is moved [m].
     numbered : mapping of str, optional
         The number before the name of a piece or a place.
     """
@@ -123,8 +123,7 @@ def plan_svg(
             )
         )
     things = [label.box for label in labels[: len(plan.places) + len(pieces)]]
-    if moved is not None:
-        content.append(_moved_svg(sheet, *moved))
+    content += [_moved_svg(sheet, before, after) for before, after in moved]
     content += [scale_svg(sheet, language), names_svg(labels, things, sheet.floor)]
     listed = say("common.listed", language).join((*places, *called, *doors))
     name = say("room_report.plan_alt", language, width=plan.width, length=plan.length, content=listed)

@@ -1,0 +1,78 @@
+// Changes of the room that are tried: what a thing was before is noted with it, under "was", until the change is taken
+// back or said to be made. Where it stood is one note, what held it another.
+
+import { el, fill, part } from "../dom.js";
+import { t, within } from "../words.js";
+import { given } from "./edits.js";
+import { kindName, measureKinds } from "./kinds.js";
+import * as room from "./room.js";
+
+const PLACE = ["at", "heading", "against", "along", "gap"],
+  TABLES = ["furniture", "places"],
+  OF = { place: PLACE, measures: ["measures"] };
+
+const only = (thing, keys) => Object.fromEntries(keys.filter((key) => key in thing).map((key) => [key, thing[key]]));
+const without = (thing, keys) => Object.fromEntries(Object.entries(thing).filter(([key]) => !keys.includes(key)));
+
+/** A thing that is about to be tried at another place, or with other measures, with what it was noted. */
+export const noted = (thing, note) => ({ ...thing, was: { [note]: only(thing, OF[note]), ...thing.was } });
+
+/** A thing as it was before something was tried with it. */
+const asBefore = ({ was, ...thing }) =>
+  Object.keys(was ?? {}).reduce((one, note) => ({ ...without(one, OF[note]), ...was[note] }), thing);
+
+/** What is tried in a room: the thing, the note, and the thing as it was. */
+const triedIn = (here) =>
+  TABLES.flatMap((table) =>
+    (here[table] ?? []).flatMap((thing, index) =>
+      Object.entries(thing.was ?? {})
+        .filter(([note, was]) => JSON.stringify(only(thing, OF[note])) !== JSON.stringify(was))
+        .map(([note, was]) => ({ what: { table, index }, note, thing, was })),
+    ),
+  );
+
+/** The room before what is tried in it; null where nothing is. */
+export function roomBefore(here) {
+  if (!triedIn(here).length) return null;
+  return { ...here, ...Object.fromEntries(TABLES.filter((table) => here[table]).map((table) => [table, here[table].map(asBefore)])) };
+}
+
+/** What is tried, in words: "the desk moved". */
+function said({ what: { table }, note, thing, was }) {
+  const name = kindName(table, thing.name ?? thing.kind);
+  if (note === "place") return t("triedMoved", { what: name });
+  const had = (was.measures ?? []).map(({ type }) => type),
+    more = (thing.measures ?? []).filter(({ type }) => !had.includes(type));
+  const labels = more.map(({ type }) => within(measureKinds().find((one) => one.type === type)?.label ?? type));
+  return t("triedMeasures", { what: name, measures: labels.join(t("listed")) || t("triedNone") });
+}
+
+/** Lists what is tried, each with what may become of it; called after each change, and for another language. */
+export function show() {
+  const all = triedIn(room.current());
+  part("tried").hidden = part("with-tried").hidden = !all.length;
+  part("with-tried").textContent = all.length ? t("withTried", { changes: all.map(said).join(t("listed")) }) : "";
+  fill(part("tried-list"), all.map(entry));
+}
+
+function entry(one) {
+  const label = said(one),
+    { was, ...left } = one.thing,
+    others = without(was, [one.note]),
+    kept = Object.keys(others).length ? { was: others } : { was: undefined };
+  const back = () => become(one.what, { ...nothing(left, OF[one.note]), ...one.was, ...kept });
+  return el(
+    "li",
+    { class: "row" },
+    el("span", { text: label }),
+    button("takeBack", label, back),
+    button("isMade", label, () => become(one.what, kept)),
+  );
+}
+
+const nothing = (thing, keys) => Object.fromEntries(keys.filter((key) => key in thing).map((key) => [key, undefined]));
+
+const become = (what, values) => room.change(given(room.current(), what, values));
+
+const button = (key, label, onclick) =>
+  el("button", { type: "button", text: t(key), "aria-label": `${t(key)}${t("colon")}${label}`, onclick });

@@ -1,0 +1,138 @@
+"""Changes of a room that have been decided on, before a plan of what else to do is made."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+from stayput.errors import InputError, instance_of
+from stayput.rooms.changes import Change
+from stayput.rooms.effects import Move, tracks_of_part
+from stayput.rooms.runs import groups_of, placed_elsewhere, with_member
+from stayput.rooms.verify import refuse_what_stands_wrong
+from stayput.simulation.placing import bare
+from stayput.simulation.standing import Piece
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping, Sequence
+
+    from stayput.measures import Measure
+    from stayput.model.floor_plan import FloorPlan, PersonPlace
+    from stayput.rooms.effects import Answer, Question
+    from stayput.scenario.room import RoomScenario
+    from stayput.simulation.standing import Standing
+
+
+class Decisions(NamedTuple):
+    """What is done in any case.
+
+    Parameters
+    ----------
+    moves : tuple of Change
+        What is moved, each thing once.
+    measures : mapping of int to tuple of Measure
+        What is put on the piece of a number.
+    """
+
+    moves: tuple[Change, ...]
+    measures: Mapping[int, tuple[Measure, ...]]
+
+
+def decisions_of(question: Question, changes: Sequence[Change]) -> Decisions:
+    """Return decided changes, the moves apart from the measures.
+
+    Raises
+    ------
+    InputError
+        A change of what is not in the room, or both a measure and a move, or neither; a measure on what is no
+        furniture; something moved twice, or to where it cannot stand; a piece moved that stands on another.
+    """
+    names, plan, whole = question.scenario.names, question.plan, question.whole
+    single = {names[group[0]] for group in groups_of(question.scenario) if len(group) == 1}
+    moves: list[Change] = []
+    measures: dict[int, tuple[Measure, ...]] = {}
+    for number, change in enumerate(changes):
+        field, what = f"decided[{number}]", instance_of("decided", change, Change).what
+        body = names.index(what) if what in names else None
+        place = next((n for n, one in enumerate(plan.places) if one.name == what), None)
+        if body is None and place is None:
+            there = ", ".join(map(repr, [*names, *(one.name for one in plan.places)]))
+            raise InputError("rooms.decided_unknown", field, name=repr(what), there=there)
+        if (change.measure is None) == (change.at is None):
+            raise InputError("rooms.decided_both", field, name=repr(what))
+        if change.measure is not None:
+            if body is None or not isinstance(whole.members[body], Piece):
+                raise InputError("rooms.decided_on_no_piece", field, name=repr(what))
+            measures[body] = (*measures.get(body, ()), change.measure)
+            continue
+        if what in {one.what for one in moves}:
+            raise InputError("rooms.decided_twice", field, name=repr(what))
+        if body is not None and what not in single:
+            raise InputError("rooms.decided_joined", field, name=repr(what))
+        if body is not None:
+            there = elsewhere(whole.members[body], change)
+            whole, heading = with_member(whole, body, there), bare(there).heading
+        else:
+            assert place is not None
+            moved = _place_moved(plan.places[place], change)
+            plan, heading = with_places(plan, [(place, moved)]), moved.heading
+        moves.append(replace(change, heading=heading))
+    if moves:
+        refuse_what_stands_wrong(question.scenario, plan, whole)
+    return Decisions(tuple(moves), measures)
+
+
+def elsewhere(member: Piece | Standing, move: Change) -> Piece | Standing:
+    """Return a piece where it is moved to."""
+    assert move.at is not None
+    heading = bare(member).heading if move.heading is None else move.heading
+    return replace(member, at=(*move.at, member.at[2]), heading=heading)
+
+
+def with_places(plan: FloorPlan, moved: Iterable[tuple[int, PersonPlace]]) -> FloorPlan:
+    """Return a plan with the places of some numbers elsewhere."""
+    others = dict(moved)
+    return replace(plan, places=tuple(others.get(n, one) for n, one in enumerate(plan.places)))
+
+
+def _place_moved(place: PersonPlace, move: Change) -> PersonPlace:
+    assert move.at is not None
+    return replace(place, at=move.at, heading=place.heading if move.heading is None else move.heading)
+
+
+def moved_as_decided(question: Question, as_it_is: Answer, change: Change) -> Move:
+    """Return a decided move, with the tracks of a piece where it stands then."""
+    names, plan = question.scenario.names, question.plan
+    if change.what not in names:
+        number = next(n for n, one in enumerate(plan.places) if one.name == change.what)
+        place = _place_moved(plan.places[number], change)
+        return Move(change, with_places(plan, [(number, place)]), {}, as_it_is.missing)
+    body = names.index(change.what)
+    then = bare(elsewhere(question.whole.members[body], change))
+    part = placed_elsewhere(question.scenario, question.whole, body, then.at[:2], then.heading)
+    (runs,) = question.run([part])
+    return Move(change, plan, tracks_of_part(part, runs), runs.missing)
+
+
+def changes_between(before: RoomScenario, after: RoomScenario) -> tuple[Change, ...]:
+    """Return the changes that make one room of another with the same pieces and places.
+
+    A piece that stands on or is joined to another in either counts as not moved.
+    """
+    stated = [room.stated.measures for room in (before, after)]
+    pieces = [[bare(one) for one in room.assembly(room.stated).members] for room in (before, after)]
+    single = [{group[0] for group in groups_of(room) if len(group) == 1} for room in (before, after)]
+    found: list[Change] = []
+    for number, (name, was, now) in enumerate(zip(before.names, *pieces, strict=True)):
+        if all(number in own for own in single) and (was.at, was.heading) != (now.at, now.heading):
+            found.append(Change(name, at=now.at[:2], heading=now.heading))
+        had = list(stated[0][number])
+        for measure in stated[1][number]:
+            if measure in had:
+                had.remove(measure)
+            else:
+                found.append(Change(name, measure))
+    for was, now in zip(before.floor_plan().places, after.floor_plan().places, strict=True):
+        if (was.at, was.heading) != (now.at, now.heading):
+            found.append(Change(was.name, at=now.at, heading=now.heading))
+    return tuple(found)

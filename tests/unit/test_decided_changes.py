@@ -1,0 +1,137 @@
+"""Changes of a room that have been decided on: they are steps of the plan."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import pytest
+
+import stayput as sp
+from stayput.measures import Belt, LBracket
+from stayput.report.action_plan.html import plan_html
+from stayput.rooms.changes import Change
+from stayput.rooms.decisions import changes_between
+
+ROOM: dict[str, Any] = {
+    "plan": {"width": 3.6, "length": 2.7},
+    "furniture": [
+        {"name": "bookcase", "preset": "bookcase", "against": "left_wall", "along": 1.9},
+        {"name": "chest", "preset": "chest", "against": "near_side_wall", "along": 1.6},
+    ],
+    "places": [{"kind": "bed", "at": [1.4, 1.9], "heading": math.pi / 2}],
+    "doors": [{"wall": "right_wall", "start": 0.3}],
+    "room": {"ceiling": {"height": 2.4}},
+    "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 3}},
+    "uncertainty": {"samples": 6},
+}
+MOVED = {"name": "bookcase", "preset": "bookcase", "against": "right_wall", "along": 2.2}
+
+
+def room(*furniture: dict[str, Any], **tables: Any) -> sp.RoomScenario:
+    return sp.RoomScenario.parse(
+        {**ROOM, "furniture": [*furniture, *ROOM["furniture"][len(furniture) :]], **tables}
+    )
+
+
+def verified(scenario: sp.RoomScenario) -> sp.RoomVerdict:
+    return sp.verify_room(scenario, changes=False, progress=False)
+
+
+@pytest.fixture(scope="module")
+def verdict() -> sp.RoomVerdict:
+    return verified(room())
+
+
+def decided(verdict: sp.RoomVerdict, *changes: Change, **home: Any) -> sp.ActionPlan:
+    return sp.action_plan(verdict, decided=changes, progress=False, **home)
+
+
+def test_decided_changes_are_steps_and_the_rest_is_planned_with_them(verdict: sp.RoomVerdict):
+    move = Change("bookcase", at=(3.43, 2.2), heading=math.pi)
+    plan = decided(verdict, move, Change("chest", Belt()))
+    steps = {(step.what, step.move is not None): step for step in plan.steps if step.decided}
+    assert set(steps) == {("bookcase", True), ("chest", False)}
+    chest = steps["chest", False].fix
+    assert chest is not None
+    assert chest.kinds == ("belt",)
+    assert chest.purchases[0].needed is not None  # how strong it must be is told
+    others = [step for step in plan.steps if not step.decided]
+    assert all(step.move is None for step in others)  # nothing else is moved
+    assert {step.what for step in others} <= {"bookcase"}
+
+
+def test_what_decided_changes_bring_is_what_the_room_with_them_gives(verdict: sp.RoomVerdict):
+    """All decided moves and measures together are as that room verified by itself, from another file."""
+    held = {**MOVED, "measures": [{"type": "l_bracket"}]}
+    bed = {**ROOM["places"][0], "at": [1.2, 0.8]}
+    after = room(held, {**ROOM["furniture"][1], "against": "far_side_wall"}, places=[bed])
+    changes = changes_between(room(), after)
+    assert {(one.what, one.measure is None) for one in changes} == {
+        ("bookcase", True),
+        ("bookcase", False),
+        ("chest", True),
+        ("bed", True),
+    }
+    plan, there = decided(verdict, *changes), verified(after)
+    last = max(number for number, step in enumerate(plan.steps) if step.decided)
+    if all(step.decided for step in plan.steps[: last + 1]):
+        together = plan.steps[last].together
+        assert together.hit.estimate == there.hit.estimate
+        assert together.shut_in.estimate == there.shut_in.estimate
+        falls = {one.name: one.probabilities["overturned"].estimate for one in there.pieces}
+        assert [one.estimate for one in together.overturned] == [falls[name] for name in there.scenario.names]
+    else:
+        pytest.fail(f"other steps come between: {[(s.what, s.decided) for s in plan.steps]}")
+
+
+def test_a_choice_without_effect_stays_and_says_so(verdict: sp.RoomVerdict):
+    """The chest, which does no harm, is moved by a hand's breadth."""
+    here = next(s for s in verdict.scenario.furniture if s.name == "chest")
+    assert here.along == 1.6
+    at = (1.55, 0.26)
+    plan = decided(verdict, Change("chest", at=at, heading=math.pi / 2))
+    (step,) = [one for one in plan.steps if one.decided]
+    assert step.what == "chest"
+    page = plan_html(plan)
+    assert "your choice" in page
+    assert json.loads(plan.to_json())["steps"][plan.steps.index(step)]["decided"] is True
+    assert "決めた変更" in plan_html(plan, "ja")
+
+
+def test_measures_in_place_are_told_apart_from_those_decided_on():
+    held = {**ROOM["furniture"][1], "measures": [{"type": "gel_mats"}]}
+    plan = decided(verified(room(ROOM["furniture"][0], held)), Change("bookcase", LBracket()))
+    page = plan_html(plan)
+    assert "Taken as already in place: Adhesive gel mats on the chest of drawers." in page
+    assert [step.what for step in plan.steps if step.decided] == ["bookcase"]
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (Change("desk", LBracket()), "'desk'"),
+        (Change("bed", LBracket()), "furniture"),
+        (Change("bookcase"), "either a measure or another place"),
+        (Change("bookcase", LBracket(), at=(1.0, 1.0)), "either a measure or another place"),
+        (Change("bookcase", at=(1.4, 1.9), heading=0.0), "bed"),
+        (Change("bookcase", at=(9.0, 1.9), heading=0.0), "bookcase"),
+    ],
+)
+def test_what_cannot_be_decided_is_refused_in_a_sentence(verdict: sp.RoomVerdict, change: Change, told: str):
+    with pytest.raises(sp.InputError, match=told):
+        decided(verdict, change)
+
+
+def test_nothing_is_moved_twice(verdict: sp.RoomVerdict):
+    move = Change("bookcase", at=(3.43, 2.2), heading=math.pi)
+    with pytest.raises(sp.InputError, match="twice"):
+        decided(verdict, move, move)
+
+
+def test_what_stands_on_another_stays_there():
+    box = {"name": "box", "preset": "television", "on": "chest", "at": [0.0, 0.0], "heading": math.pi / 2}
+    scenario = sp.RoomScenario.parse({**ROOM, "furniture": [*ROOM["furniture"], box]})
+    with pytest.raises(sp.InputError, match="stands on or is joined"):
+        decided(verified(scenario), Change("chest", at=(1.8, 0.3)))
