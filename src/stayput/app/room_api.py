@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from stayput.app.refusals import refused
+from stayput.app.refusals import RefusedError, refused
 from stayput.app.requests import RoomRequest  # noqa: TC001 - FastAPI reads the annotations
 from stayput.app.scenes import motions_of, read_room_scene, refusal
 from stayput.app.service import problems
@@ -70,7 +70,12 @@ def _before(body: RoomRequest, scenario: RoomScenario, service: Service) -> Room
     """
     if body.before is None:
         return None
-    before = read_room_scene(body.before, service.limits, service.motions)
+    try:
+        before = read_room_scene(body.before, service.limits, service.motions)
+    except RefusedError as refused_scene:
+        error = refused_scene.error
+        field = error.field and error.field.replace("scene", "before", 1)
+        raise RefusedError(refused_scene.status_code, error.about(field)) from None
     (names, places), others = ((room.names, len(room.places)) for room in (before, scenario))
     if (names, places) != others:
         raise refused(422, "app.another_room", "before")

@@ -4,7 +4,7 @@
 import { el, fill, part } from "../dom.js";
 import { t, within } from "../words.js";
 import { given } from "./edits.js";
-import { kindName, measureKinds } from "./kinds.js";
+import { measureKinds, nameOf } from "./kinds.js";
 import * as room from "./room.js";
 
 const PLACE = ["at", "heading", "against", "along", "gap"],
@@ -25,9 +25,10 @@ const asBefore = ({ was, ...thing }) =>
 const triedIn = (here) =>
   TABLES.flatMap((table) =>
     (here[table] ?? []).flatMap((thing, index) =>
-      Object.entries(thing.was ?? {})
-        .filter(([note, was]) => JSON.stringify(only(thing, OF[note])) !== JSON.stringify(was))
-        .map(([note, was]) => ({ what: { table, index }, note, thing, was })),
+      Object.keys(OF)
+        .filter((note) => thing.was?.[note])
+        .filter((note) => JSON.stringify(only(thing, OF[note])) !== JSON.stringify(thing.was[note]))
+        .map((note) => ({ what: { table, index }, note, thing, was: thing.was[note] })),
     ),
   );
 
@@ -38,8 +39,8 @@ export function roomBefore(here) {
 }
 
 /** What is tried, in words: "the desk moved". */
-function said({ what: { table }, note, thing, was }) {
-  const name = kindName(table, thing.name ?? thing.kind);
+function said({ what, note, thing, was }) {
+  const name = nameOf(room.current(), what);
   if (note === "place") return t("triedMoved", { what: name });
   const had = (was.measures ?? []).map(({ type }) => type),
     more = (thing.measures ?? []).filter(({ type }) => !had.includes(type));

@@ -1,0 +1,124 @@
+"""Changes that are tried on the page of a room: listed, taken back, made, and steps of the plan."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+import copy
+from typing import TYPE_CHECKING, Any
+
+from browsing import browser  # noqa: F401
+from room_judge import Judge, after, judged, place_of, room_page
+from test_room_api import ROOM, ended
+
+import stayput as sp
+from stayput.measures import LBracket
+from stayput.rooms.changes import Change
+
+if TYPE_CHECKING:
+    import httpx
+    from browsing import Opened
+    from playwright.sync_api import Browser
+    from serving import Running
+
+NOTE = '"was"'
+"""What the page notes, which nobody else is sent."""
+
+
+def buttons(it: Opened, name: str) -> Any:
+    return it.page.locator("#tried").get_by_role("button", name=name)
+
+
+def lines(it: Opened) -> list[str]:
+    return it.page.locator("#tried-list li > span").all_inner_texts()
+
+
+def test_what_is_tried_is_listed_and_the_room_before_it_is_sent(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        it.go("understand")
+        first = judge.scene
+        assert judge.asked[-1]["before"] is None
+        assert not it.page.locator("#tried").is_visible()
+        after(it, judge, lambda: it.page.click("#best button"))
+        assert judge.asked[-1]["before"] == first
+        held = after(it, judge, lambda: it.page.click("#ranking > li:nth-child(2) button"))
+        assert judge.asked[-1]["before"] == first
+        turned = after(it, judge, lambda: it.page.click("#ranking > li:nth-child(3) button"))
+        assert judge.asked[-1]["before"] == first
+        assert lines(it) == ["Bookcase moved", "Bookcase with belts", "Bed moved"]
+        assert it.text("#with-tried").startswith("With what is being tried: Bookcase moved")
+        assert NOTE not in str(judge.asked)
+        it.page.reload()
+        it.settle()
+        judged(it)
+        assert (judge.scene, judge.asked[-1]["before"]) == (turned, first)
+        it.go("understand")
+        back = after(it, judge, buttons(it, "Take back: Bookcase moved").click)
+        assert place_of(back, "bookcase") == place_of(first, "bookcase")
+        assert back["furniture"][0]["measures"] == held["furniture"][0]["measures"]
+        assert lines(it) == ["Bookcase with belts", "Bed moved"]
+
+
+def test_what_is_made_is_the_room_as_it_is(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        it.go("understand")
+        first = judge.scene
+        after(it, judge, lambda: it.page.click("#best button"))
+        held = after(it, judge, lambda: it.page.click("#ranking > li:nth-child(2) button"))
+        after(it, judge, buttons(it, "Already made: Bookcase with belts").click)
+        before = copy.deepcopy(first)
+        before["furniture"][0]["measures"] = held["furniture"][0]["measures"]
+        assert judge.asked[-1]["before"] == before
+        assert lines(it) == ["Bookcase moved"]
+        after(it, judge, buttons(it, "Already made: Bookcase moved").click)
+        assert judge.asked[-1]["before"] is None
+        assert judge.scene == held
+        assert not it.page.locator("#tried").is_visible()
+        assert after(it, judge, lambda: it.page.click("#plan-undo")) == held
+        assert lines(it) == ["Bookcase moved"]
+
+
+def test_a_copy_of_what_is_tried_is_not_tried(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        after(it, judge, lambda: it.page.click("#ranking > li:nth-child(2) button"))
+        after(it, judge, lambda: it.page.locator("#plan [data-thing=furniture-0]").press("d"))
+        copies = [one for one in judge.asked[-1]["before"]["furniture"] if one.get("measures")]
+        assert len(copies) == 1
+        assert lines(it) == ["Bookcase with belts"]
+
+
+def test_the_plan_begins_with_the_room_before_what_is_tried(client: httpx.Client) -> None:
+    held = copy.deepcopy(ROOM)
+    held["furniture"][0]["measures"] = [{"type": "l_bracket"}]
+    asked: dict[str, Any] = {"scene": held, "before": ROOM, "changes": False}
+    job = ended(client, client.post("/api/v1/room", json=asked).json())
+    assert job["state"] == "done", job["error"]
+    answer = client.get(f"/api/v1/jobs/{job['id']}/plan")
+    verdict = sp.verify_room(sp.RoomScenario.parse(ROOM), changes=False, progress=False)
+    name = verdict.scenario.names[0]
+    plan = sp.action_plan(verdict, decided=[Change(name, LBracket())], progress=False)
+    assert answer.text == plan.to_html("en")
+    assert "your choice" in answer.text
+
+
+def test_a_room_before_that_cannot_have_been_is_refused(client: httpx.Client) -> None:
+    another = {**ROOM["furniture"][0], "name": "another"}
+    for before, field in (([], "before.furniture"), ([another], "before")):
+        asked = {"scene": ROOM, "before": {**ROOM, "furniture": before}}
+        refusal = client.post("/api/v1/room", json=asked)
+        assert refusal.status_code == 422
+        assert refusal.json()["field"] == field
+    elsewhere = copy.deepcopy(ROOM)
+    (x, y), piece = ROOM["places"][0]["at"], elsewhere["furniture"][0]
+    for key in ("against", "along", "gap"):
+        piece.pop(key, None)
+    piece |= {"at": [x, y], "heading": 0.0}  # on the bed
+    asked = {"scene": ROOM, "before": elsewhere, "changes": False}
+    job = ended(client, client.post("/api/v1/room", json=asked).json())
+    assert job["state"] == "done"
+    answer = client.get(f"/api/v1/jobs/{job['id']}/plan")
+    assert answer.status_code == 422
+    assert "Take them back" in answer.json()["message"]
+    assert "元に戻す" in answer.json()["message_ja"]
