@@ -66,12 +66,12 @@ def test_what_is_made_is_the_room_as_it_is(browser: Browser, server: Running) ->
         first = judge.scene
         after(it, judge, lambda: it.page.click("#best button"))
         held = after(it, judge, lambda: it.page.click("#ranking > li:nth-child(2) button"))
-        after(it, judge, buttons(it, "Already made: Bookcase with belts").click)
+        after(it, judge, buttons(it, "Already done: Bookcase with belts").click)
         before = copy.deepcopy(first)
         before["furniture"][0]["measures"] = held["furniture"][0]["measures"]
         assert judge.asked[-1]["before"] == before
         assert lines(it) == ["Bookcase moved"]
-        after(it, judge, buttons(it, "Already made: Bookcase moved").click)
+        after(it, judge, buttons(it, "Already done: Bookcase moved").click)
         assert judge.asked[-1]["before"] is None
         assert judge.scene == held
         assert not it.page.locator("#tried").is_visible()

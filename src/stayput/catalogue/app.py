@@ -112,7 +112,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "beforeがsceneとは別の部屋です。家具と人のいる場所を同じにしてください。",
     ),
     "before_refused": (
-        "The room as it was before the changes that are tried cannot be worked out: {why} Take them back, or say that they are already made.",
+        "The room as it was before the changes that are tried cannot be worked out: {why} Take them back, or say that they are already done.",
         "試している変更の前の部屋は計算できません。{why}変更を元に戻すか、「もう行った」を選んでください。",
     ),
     "no_plan_yet": (

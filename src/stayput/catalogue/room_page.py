@@ -138,7 +138,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "triedMeasures": ("{what} with {measures}", "{what}に{measures}"),
     "triedNone": ("nothing more", "追加なし"),
     "takeBack": ("Take back", "元に戻す"),
-    "isMade": ("Already made", "もう行った"),
+    "isMade": ("Already done", "もう行った"),
     "planTitle": ("Plan to buy and do", "買う物とやること"),
     "planMake": ("Work out the plan", "「買う物とやること」を作る"),
     "planWait": ("It can be worked out once the verdict is complete.", "判定の計算が終わると作れます。"),
