@@ -16,14 +16,12 @@ from starlette.responses import Response
 from stayput.app.refusals import refused
 from stayput.app.running import own_measures, run_of
 from stayput.app.space_running import name_in, pieces_run, space_run_of
-from stayput.catalogue import say
 from stayput.report.animation import animate_run
 from stayput.report.history import history
 from stayput.report.space.animation import animate_space_run
 from stayput.rooms.verdict import RoomVerdict
-from stayput.rooms.words import piece_name
+from stayput.rooms.words import names_in
 from stayput.scenario import AssemblyScenario, Scenario
-from stayput.scenario.room import RoomScenario
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -192,11 +190,8 @@ def _shown_in_space(
     scenario: Scenario | AssemblyScenario, *, held: bool
 ) -> tuple[SpaceRun, Callable[[Language], tuple[str, ...]]]:
     """Return the run of a scene in space, and what its bodies are called in a language."""
-    if isinstance(scenario, RoomScenario):
-        called = [piece_name(name) for name in scenario.names]
-        return pieces_run(scenario), lambda language: tuple(say(name, language) for name in called)
     if isinstance(scenario, AssemblyScenario):
-        return pieces_run(scenario), lambda _: scenario.names
+        return pieces_run(scenario), lambda language: names_in(scenario, language)
     measures = own_measures(scenario) if held else ()
     run = space_run_of(scenario, scenario.motion(), measures)
     return run, lambda language: (name_in(scenario, language),)

@@ -1,6 +1,6 @@
 """Texts of the page of a room, apart from its editor; its script fills in what stands in braces."""
 
-SHARED = ("rooms.door",)
+SHARED = ("rooms.door", "rooms.numbered")
 """Texts of other modules that the page says too; their keys there are their keys on the page."""
 
 TEXTS: dict[str, tuple[str, str]] = {
