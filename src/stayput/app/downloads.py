@@ -7,8 +7,9 @@ import io
 import shutil
 import tempfile
 import threading
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 from starlette.responses import Response
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.simulation.run import Run
     from stayput.simulation.space_run import SpaceRun
+
+AnyRun = TypeVar("AnyRun", "Run", "SpaceRun")
 
 _drawing = threading.Lock()  # Matplotlib draws on one thread at a time
 
@@ -143,6 +146,7 @@ def film(
     held: bool,
     seconds: float | None = None,
     note: str = "",
+    named: Callable[[str], str] = str,
 ) -> bytes:
     """Return a run as a film: a page that plays it, a GIF, or an MP4.
 
@@ -162,6 +166,8 @@ def film(
         How much of the run is shown, in which something happens [s]; by default all.
     note : str
         A sentence that stands in every frame of a GIF or MP4.
+    named : callable
+        Puts the users' names for their files into a text.
 
     Raises
     ------
@@ -178,12 +184,18 @@ def film(
         if isinstance(scenario, Scenario) and scenario.dimensions == 2:
             measures = own_measures(scenario) if held else ()
             name = name_in(scenario, language)
-            run = run_of(scenario, motion, measures)
+            run = _of_named_motion(run_of(scenario, motion, measures), named)
             animate_run(run, path, name=name, language=language, seconds=seconds, note=note)
         else:
-            run, names = _shown_in_space(scenario, held=held)
+            shown, names = _shown_in_space(scenario, held=held)
+            run = _of_named_motion(shown, named)
             animate_space_run(run, path, names=names(language), language=language, seconds=seconds, note=note)
         return path.read_bytes()
+
+
+def _of_named_motion(run: AnyRun, named: Callable[[str], str]) -> AnyRun:
+    """Return a run whose motion is called as its user calls its file."""
+    return replace(run, motion=replace(run.motion, name=named(run.motion.name)))
 
 
 def _shown_in_space(

@@ -84,6 +84,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name} and {other} stand {depth} in each other.",
         "「{name}」と「{other}」が{depth}重なっています。",
     ),
+    "opensAgainst": (
+        "{name} does not open fully: {other} is in its way.",
+        "「{name}」が「{other}」に当たり、全開できません。",
+    ),
     "noFurniture": (
         "The room is empty; put at least one piece of furniture into it.",
         "部屋に家具がありません。1つ以上置いてください。",
