@@ -185,7 +185,7 @@ class Judge:
         verdict = made()
         if not self.asked[place]["changes"]:
             verdict["changes"] = []
-        rough = {**verdict, "complete": False, "runs": 24, "changes": []}
+        rough = {**verdict, "complete": False, "samples": 1, "runs": 24, "changes": []}
         return {
             "id": f"{place:032x}",
             "state": {QUEUED: "waiting", ROUGH: "running", DONE: "done"}[stage],

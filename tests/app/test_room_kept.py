@@ -244,3 +244,14 @@ def test_a_large_record_is_said_not_to_be_in_a_room_s_link(
         it.page.wait_for_selector("#notices:not([hidden])")
         judged(it)
         assert "record" not in judge.scene["shaking"]
+
+
+def test_a_film_says_the_name_of_the_user_s_file(client: httpx.Client, tmp_path: Path) -> None:
+    path = small_record(tmp_path)
+    sent = client.post(
+        "/api/v1/motions", files={"file": (path.name, path.read_bytes())}, data={"unit": "m/s2", "dt": "0.02"}
+    ).json()
+    scene = {**ROOM, "shaking": {"record": sent["id"]}}
+    page = client.post("/api/v1/simulate/film", json={"scene": scene}).text
+    assert sent["name"] in page
+    assert sent["id"] not in page

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
-from room_judge import DONE, QUEUED, ROUGH, Judge, judged, room_page
+from room_judge import DONE, QUEUED, ROUGH, Judge, judged, made, room_page
 
 if TYPE_CHECKING:
     from browsing import Opened
@@ -146,6 +146,26 @@ def test_a_finger_is_not_told_to_drop_files(browser: Browser, server: Running) -
         assert it.text("#drop label").count("A record of your own") == 1
 
 
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_on_its_side_the_player_is_in_sight(
+    browser: Browser, server: Running, monkeypatch: pytest.MonkeyPatch, language: str
+) -> None:
+    long = {
+        **made(),
+        "verdict": {
+            "en": "The bookcase hits whoever is in bed. " * 8,
+            "ja": "「本棚」がベッドにいる人に当たります。" * 8,
+        },
+    }
+    monkeypatch.setattr("room_judge.made", lambda: long)
+    with room_page(browser, server, Judge(), size=SIDE, language=language) as it:
+        it.go("see")
+        picture, player = it.box("#space"), it.box(".transport")
+        assert picture["height"] > 110
+        assert picture["y"] + picture["height"] <= player["y"] + 1
+        assert player["y"] + player["height"] <= it.box("#steps")["y"]
+
+
 @pytest.mark.parametrize("size", [PHONE, SIDE], ids=["upright", "on its side"])
 def test_a_phone_shows_one_step_at_a_time(browser: Browser, server: Running, size: dict[str, int]) -> None:
     with room_page(browser, server, Judge(), size=size) as it:
@@ -162,7 +182,13 @@ def test_a_phone_shows_one_step_at_a_time(browser: Browser, server: Running, siz
 
 @pytest.mark.parametrize(
     ("theme", "language", "size"),
-    [("light", "en", DESK), ("dark", "ja", DESK), ("light", "ja", PHONE), ("dark", "en", PHONE)],
+    [
+        ("light", "en", DESK),
+        ("dark", "ja", DESK),
+        ("light", "ja", PHONE),
+        ("dark", "en", PHONE),
+        ("dark", "ja", SIDE),
+    ],
 )
 def test_axe_finds_nothing_serious(
     browser: Browser, server: Running, theme: str, language: str, size: dict[str, int]
@@ -170,6 +196,6 @@ def test_axe_finds_nothing_serious(
     with room_page(browser, server, Judge(), theme=theme, language=language, size=size) as it:
         it.go("keep")
         it.page.click("#keep-scene button")
-        for screen in SCREENS if size is PHONE else ("scene",):
+        for screen in SCREENS if size in (PHONE, SIDE) else ("scene",):
             it.go(screen)
             assert it.grave() == []

@@ -225,7 +225,10 @@ def _add_runs(router: APIRouter, service: Service) -> None:
         def work() -> Response:
             scenario = service.shaken(body.scene, body.measures)
             held = which == "with"
-            content = film(scenario, kind, lang, service.limits, held=held, seconds=seconds, note=note)
+            named = service.motions.named
+            content = film(
+                scenario, kind, lang, service.limits, held=held, seconds=seconds, note=note, named=named
+            )
             answer = attachment(content, f"run_{which}.{kind}", FILMS[kind])
             answer.headers["Content-Security-Policy"] = REPORT_POLICY
             return answer

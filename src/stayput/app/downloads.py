@@ -7,8 +7,9 @@ import io
 import shutil
 import tempfile
 import threading
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 from starlette.responses import Response
@@ -16,14 +17,12 @@ from starlette.responses import Response
 from stayput.app.refusals import refused
 from stayput.app.running import own_measures, run_of
 from stayput.app.space_running import name_in, pieces_run, space_run_of
-from stayput.catalogue import say
 from stayput.report.animation import animate_run
 from stayput.report.history import history
 from stayput.report.space.animation import animate_space_run
 from stayput.rooms.verdict import RoomVerdict
-from stayput.rooms.words import piece_name
+from stayput.rooms.words import names_in
 from stayput.scenario import AssemblyScenario, Scenario
-from stayput.scenario.room import RoomScenario
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -37,6 +36,8 @@ if TYPE_CHECKING:
     from stayput.motion import Motion
     from stayput.simulation.run import Run
     from stayput.simulation.space_run import SpaceRun
+
+AnyRun = TypeVar("AnyRun", "Run", "SpaceRun")
 
 _drawing = threading.Lock()  # Matplotlib draws on one thread at a time
 
@@ -145,6 +146,7 @@ def film(
     held: bool,
     seconds: float | None = None,
     note: str = "",
+    named: Callable[[str], str] = str,
 ) -> bytes:
     """Return a run as a film: a page that plays it, a GIF, or an MP4.
 
@@ -164,6 +166,8 @@ def film(
         How much of the run is shown, in which something happens [s]; by default all.
     note : str
         A sentence that stands in every frame of a GIF or MP4.
+    named : callable
+        Puts the users' names for their files into a text.
 
     Raises
     ------
@@ -180,23 +184,26 @@ def film(
         if isinstance(scenario, Scenario) and scenario.dimensions == 2:
             measures = own_measures(scenario) if held else ()
             name = name_in(scenario, language)
-            run = run_of(scenario, motion, measures)
+            run = _of_named_motion(run_of(scenario, motion, measures), named)
             animate_run(run, path, name=name, language=language, seconds=seconds, note=note)
         else:
-            run, names = _shown_in_space(scenario, held=held)
+            shown, names = _shown_in_space(scenario, held=held)
+            run = _of_named_motion(shown, named)
             animate_space_run(run, path, names=names(language), language=language, seconds=seconds, note=note)
         return path.read_bytes()
+
+
+def _of_named_motion(run: AnyRun, named: Callable[[str], str]) -> AnyRun:
+    """Return a run whose motion is called as its user calls its file."""
+    return replace(run, motion=replace(run.motion, name=named(run.motion.name)))
 
 
 def _shown_in_space(
     scenario: Scenario | AssemblyScenario, *, held: bool
 ) -> tuple[SpaceRun, Callable[[Language], tuple[str, ...]]]:
     """Return the run of a scene in space, and what its bodies are called in a language."""
-    if isinstance(scenario, RoomScenario):
-        called = [piece_name(name) for name in scenario.names]
-        return pieces_run(scenario), lambda language: tuple(say(name, language) for name in called)
     if isinstance(scenario, AssemblyScenario):
-        return pieces_run(scenario), lambda _: scenario.names
+        return pieces_run(scenario), lambda language: names_in(scenario, language)
     measures = own_measures(scenario) if held else ()
     run = space_run_of(scenario, scenario.motion(), measures)
     return run, lambda language: (name_in(scenario, language),)

@@ -26,6 +26,7 @@ from stayput.report.verdict.assumptions import (
     shaking_assumptions,
 )
 from stayput.rooms.verdict import RoomVerdict
+from stayput.rooms.words import names_in
 from stayput.scenario import AssemblyScenario, Scenario
 from stayput.scenario.room import RoomScenario
 from stayput.verification.options import YOURS
@@ -69,7 +70,8 @@ def run_figure(
     source = _source(scenario, language, named, motion=named(shaken))
     if isinstance(scenario, AssemblyScenario):
         run = pieces_run(scenario)
-        return histories_chart([run], scenario.names, [became(run, scenario.names)[place]], source)
+        called = names_in(scenario, language)
+        return histories_chart([run], called, [became(run, called)[place]], source)
     measures, piece = own_measures(scenario), scenario.furniture
     in_place = [(), measures] if measures else [()]
     names = [name_in(scenario, language)]

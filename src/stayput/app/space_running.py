@@ -32,6 +32,7 @@ from stayput.report.space.scene import space_scene
 from stayput.report.space.summary import space_summary
 from stayput.report.summary import device_results, number, piece_name, place_called
 from stayput.rooms.one_run import happens_in
+from stayput.rooms.words import names_in
 from stayput.scenario.room import RoomScenario
 from stayput.simulation.outcome import EventKind
 from stayput.simulation.run import simulate
@@ -104,11 +105,12 @@ def simulated_pieces(scenario: AssemblyScenario) -> SpaceSimulateReply:
     """Run several pieces."""
     ground, _ = ground_and_floor(scenario)
     run = pieces_run(scenario)
-    reply = _reply(scenario, [space_scene(run, scenario.names)], [became(run, scenario.names)], ground)
+    told = became(run, names_in(scenario, "en"))[0], became(run, names_in(scenario, "ja"))[1]
+    reply = _reply(scenario, [space_scene(run, scenario.names)], [told], ground)
     if isinstance(scenario, RoomScenario):
         hits, blocked, shut_in = happens_in(run, scenario)
-        told = [HitReply(piece=piece, place=place) for piece, place in hits]
-        reply.in_room = RunInRoomReply(hits=told, blocked=[*blocked], shut_in=[*shut_in])
+        each = [HitReply(piece=piece, place=place) for piece, place in hits]
+        reply.in_room = RunInRoomReply(hits=each, blocked=[*blocked], shut_in=[*shut_in])
     return reply
 
 

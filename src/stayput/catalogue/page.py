@@ -456,6 +456,7 @@ TEXTS: dict[str, tuple[str, str]] = {
         "What you see is from the scene before. The new one is being computed.",
         "表示中の図は前の条件のものです。新しい条件で計算しています。",
     ),
+    "computing": ("The first picture is being computed.", "最初の図を計算しています。"),
     "warming": (
         "The server is getting ready. At the very first start it compiles the mechanics, which takes about half a minute; then the first picture comes.",
         "サーバーが準備をしています。初めて起動したときは計算部の準備に30秒ほどかかり、その後に最初の図が出ます。",

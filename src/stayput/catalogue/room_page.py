@@ -1,6 +1,6 @@
 """Texts of the page of a room, apart from its editor; its script fills in what stands in braces."""
 
-SHARED = ("rooms.door",)
+SHARED = ("rooms.door", "rooms.numbered")
 """Texts of other modules that the page says too; their keys there are their keys on the page."""
 
 TEXTS: dict[str, tuple[str, str]] = {
@@ -23,8 +23,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     # The verdict
     "answerTitle": ("What happens in this room", "この部屋で起こること"),
     "rough": (
-        "First, rough numbers from few runs ({runs}); the intervals are still wide.",
-        "少ない計算（{runs}回）による最初の目安です。確率にはまだ大きな幅があります。",
+        "First, rough numbers from few runs of the room ({runs}); the intervals are still wide.",
+        "部屋の少ない計算（{runs}回）による最初の目安です。確率にはまだ大きな幅があります。",
     ),
     "before": ("Waiting for the server: {n} before you.", "順番を待っています。前に{n}件あります。"),
     "roomBetter": ("More runs make the numbers surer …", "計算を続けて、数値を確かにしています…"),
@@ -45,14 +45,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "makeBest": ("Try this change", "この変更を試す"),
     "basisOfRoom": (
-        "From {runs} runs of pieces under {motions} earthquakes; friction and weights were varied too. Seed {seed}, {seconds} s of computing.",
-        "{motions}種類の地震による、家具の計算{runs}回の結果です。摩擦や重さも変えています。乱数のシードは{seed}、計算時間は{seconds}秒です。",
+        "Runs of the room: {whole} = {motions} earthquakes × {each}, each time with other friction and weights. Runs of single pieces for that and for all changes: {runs}. Seed {seed}, {seconds} s of computing.",
+        "部屋の計算{whole}回（地震{motions}種類 × {each}回、毎回摩擦や重さを変えます）の結果です。変更を試した分を含め、家具1つずつの計算は{runs}回です。乱数のシードは{seed}、計算時間は{seconds}秒です。",
     ),
     "basisOfOneMotion": (
-        "From {runs} runs of pieces under this one motion; friction and weights were varied. Seed {seed}, {seconds} s of computing.",
-        "この1つの地震動による、家具の計算{runs}回の結果です。摩擦や重さを変えています。乱数のシードは{seed}、計算時間は{seconds}秒です。",
+        "Runs of the room under this one motion: {whole}, each time with other friction and weights. Runs of single pieces for that and for all changes: {runs}. Seed {seed}, {seconds} s of computing.",
+        "この1つの地震動による、部屋の計算{whole}回（毎回摩擦や重さを変えます）の結果です。変更を試した分を含め、家具1つずつの計算は{runs}回です。乱数のシードは{seed}、計算時間は{seconds}秒です。",
     ),
-    "careOwn": ("{n} runs", "{n}回"),
+    "careOwn": ("{n} runs of the room", "部屋を{n}回"),
     "chanceBetween": ("{share} ({low} to {high})", "{share}（{low}～{high}）"),
     "pointsBetween": ("{by} points ({low} to {high})", "{by}ポイント（{low}～{high}）"),
     "medianAndMost": ("{median}, in 1 of 10 hits over {most}", "{median}（10回に1回は{most}を超える）"),
@@ -120,9 +120,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "変更を1つずつ計算しています…",
     ),
     "changesNote": (
-        "The bar is the chance of what is named above it, after the change; the thin line is how sure that is. Each change is tried alone, under the same shaking. One that was made can be undone in the plan.",
-        "棒はその上に書いたことの、変更後の確率です。細い線はその確かさを表します。変更は1つずつ、同じ揺れで試しています。行った変更は、間取り図で元に戻せます。",
+        "The bar is the chance of what is named above it, after the change; the thin line is how sure that is. Each change is tried alone, under the same shaking. One that was made can be undone in the plan. Points are percentage points: from 40 % to 30 % is −10 points.",
+        "棒はその上に書いたことの、変更後の確率です。細い線はその確かさを表します。変更は1つずつ、同じ揺れで試しています。行った変更は、間取り図で元に戻せます。ポイントは確率の差で、40%が30%になれば−10ポイントです。",
     ),
+    "allChanges": ("Show all {n}", "{n}件すべてを表示"),
     "itOverturns": ("It overturns", "この家具が倒れる"),
     "hitChange": ("Somebody is hit: {share}; {by}.", "人に当たる確率：{share}、差：{by}。"),
     "shutChange": ("Shut in: {share}; {by}.", "出られない確率：{share}、差：{by}。"),

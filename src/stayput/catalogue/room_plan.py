@@ -34,12 +34,13 @@ TEXTS: dict[str, tuple[str, str]] = {
             "Drag things with the mouse or a finger; near a wall a piece turns its back to it. Pull the round handles to "
             "change a size or to turn it; with Alt held down nothing snaps. With the keyboard: Tab goes from thing to thing, the "
             "arrows move by 5 cm, with Shift by 1 cm, R turns by 90°, D makes another of the same, Delete removes, "
-            "Escape gives up a drag, Ctrl+Z takes a change back and Ctrl+Y makes it again."
+            "Enter goes to its numbers and Escape back, Escape gives up a drag, Ctrl+Z takes a change back and Ctrl+Y makes it again."
         ),
         (
             "マウスや指で動かせます。家具は壁に近づけると背を壁に向けて付きます。丸い印を引くと大きさや向きが変わります。"
             "〔Alt〕キーを押している間は壁や辺に吸着しません。キーボードでは、〔Tab〕で次へ移り、矢印で5 cm（〔Shift〕と一緒に1 cm）ずつ動かし、"
-            "〔R〕で90°回し、〔D〕で同じものを増やし、〔Delete〕で取り除きます。〔Esc〕でドラッグをやめ、〔Ctrl+Z〕で元に戻し、〔Ctrl+Y〕でやり直します。"
+            "〔R〕で90°回し、〔D〕で同じものを増やし、〔Delete〕で取り除きます。"
+            "〔Enter〕で数値の欄に移り、〔Esc〕で戻ります。〔Esc〕でドラッグをやめ、〔Ctrl+Z〕で元に戻し、〔Ctrl+Y〕でやり直します。"
         ),
     ),
     "pullToSize": ("Pull to change the size", "引いて大きさを変える"),
@@ -83,6 +84,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "inOther": (
         "{name} and {other} stand {depth} in each other.",
         "「{name}」と「{other}」が{depth}重なっています。",
+    ),
+    "opensAgainst": (
+        "{name} does not open fully: {other} is in its way.",
+        "「{name}」が「{other}」に当たり、全開できません。",
     ),
     "noFurniture": (
         "The room is empty; put at least one piece of furniture into it.",

@@ -81,7 +81,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Within a sentence: what has a name of the user's own is quoted, what has none has an article
     "the": ("the {name}", "{name}"),
     "the_piece": ("the {name}", "「{name}」"),
+    "a_numbered_piece": ("{name}", "「{name}」"),
     "named": ("“{name}”", "「{name}」"),
+    # What there are several of and has no name of its own
+    "numbered": ("{name} {number}", "{name}{number}"),
     # Where somebody is, as in "hits whoever is in bed"; at a place with a name of its own
     "at_bed": ("in bed", "ベッド"),
     "at_futon": ("on the futon", "布団"),
@@ -89,6 +92,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     "at_desk": ("at the desk", "机"),
     "at_sofa": ("on the sofa", "ソファ"),
     "at_play area": ("in the play area", "遊び場"),
+    "at_numbered_bed": ("in bed {number}", "ベッド{number}"),
+    "at_numbered_futon": ("on futon {number}", "布団{number}"),
+    "at_numbered_cot": ("in cot {number}", "ベビーベッド{number}"),
+    "at_numbered_desk": ("at desk {number}", "机{number}"),
+    "at_numbered_sofa": ("on sofa {number}", "ソファ{number}"),
+    "at_numbered_play area": ("in play area {number}", "遊び場{number}"),
     "at_place": ("at {place}", "{place}"),
     # Of what: of many motions, each an earthquake; of a single one
     "earthquakes": ("earthquakes", "地震"),

@@ -175,9 +175,10 @@ def simulate(
         pieces = parsed(RoomScenario if "plan" in given else AssemblyScenario, data, scenario, motion)
         with compiling():
             found = pieces.run()
-        _show_in_space(
-            found, pieces.names, _Wanted(("", ""), pieces.title, plot, animate, speed, fps, lang, json)
-        )
+        from stayput.rooms.words import names_in
+
+        called = pieces.names if json else names_in(pieces, lang)
+        _show_in_space(found, called, _Wanted(("", ""), pieces.title, plot, animate, speed, fps, lang, json))
         return
     checked = parsed(Scenario, data, scenario, motion)
     if length is not None and checked.dimensions == 2:

@@ -39,7 +39,8 @@ class Painter:
 
     def __init__(self, film: Film, width: int, height: int) -> None:
         self._film = film
-        self._layout = FrameLayout(width, height, film.scene.start, film.scene.end, bool(film.note))
+        caption = " ".join(filter(None, (film.note, film.caption)))
+        self._layout = FrameLayout(width, height, film.scene.start, film.scene.end, film.strip_title, caption)
         self._scene, self._line = self._layout.scene, self._layout.line
         room, view = room_data(film.scene.runs[0]), film.scene.view
         # A face of the room that the view leaves out would only be seen where the frame is wider than it.
@@ -55,9 +56,7 @@ class Painter:
             self._middle = view.left + self._half if wall_is_left else view.right - self._half
         self._low = view.low
         motion = film.scene.motion
-        self._still = self._layout.still(
-            film.strip_title, " ".join(filter(None, (film.note, film.caption))), motion.time, {"x": motion.x}
-        )
+        self._still = self._layout.still(motion.time, {"x": motion.x})
 
     def frame(self, time: float) -> Image.Image:
         """Return the frame of an instant [s], in RGB."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -12,9 +12,25 @@ from stayput.report.palette import ALARM, COMPONENT_COLOURS, FAINT, INK, MUTED, 
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+    from PIL import ImageFont
 
 SMOOTH = 2
 """A scene is drawn so many times larger and reduced, which smooths its edges."""
+
+
+class _SetText(NamedTuple):
+    """A text in lines, its font, and how high it is [pixels]."""
+
+    text: str
+    face: ImageFont.FreeTypeFont
+    height: float
+
+
+def _set(text: str, size: float, room: float) -> _SetText:
+    words, face = with_face(text, size)
+    lines = wrapped(words, face, room)
+    draw = ImageDraw.Draw(Image.new("1", (1, 1)))
+    return _SetText(lines, face, draw.multiline_textbbox((0, 0), lines, font=face, spacing=2)[3])
 
 
 class FrameLayout:
@@ -26,35 +42,32 @@ class FrameLayout:
         Size of a frame [pixels].
     start, end : float
         The time that the strip spans [s].
-    noted : bool
-        Whether a note stands before the caption, which takes lines of its own.
+    heading, caption : str
+        Texts above and below the strip, which get as many lines as they need.
     """
 
-    def __init__(self, width: int, height: int, start: float, end: float, noted: bool = False) -> None:
+    def __init__(self, width: int, height: int, start: float, end: float, heading: str, caption: str) -> None:
         self._size = (width, height)
         self._span = (start, end)
         unit = height / 480.0
         self._fonts = {size: font(size * unit) for size in (11, 13, 15)}
         self._header = round(40 * unit)
-        below = 76 if noted else 46
-        self._strip = (
-            round(46 * unit),
-            height - round((58 + below) * unit),
-            width - round(12 * unit),
-            height - round(below * unit),
-        )
-        self.scene = (width * SMOOTH, (self._strip[1] - round(22 * unit) - self._header) * SMOOTH)
+        left, right = round(46 * unit), width - round(12 * unit)
+        self._caption = _set(caption, 11 * unit, width - 16.0)
+        self._heading = _set(heading, 13 * unit, right - left - 48 * unit)
+        if "\n" in self._heading.text:
+            self._heading = _set(heading, 11 * unit, right - left - 48 * unit)
+        bottom = height - round(max(46 * unit, self._caption.height + 14 * unit))
+        self._strip = (left, bottom - round(58 * unit), right, bottom)
+        above = round(max(22 * unit, self._heading.height + 6 * unit))
+        self.scene = (width * SMOOTH, (self._strip[1] - above - self._header) * SMOOTH)
         self.line = max(1, round(unit * SMOOTH))
 
-    def still(
-        self, heading: str, caption: str, time: NDArray[np.float64], parts: dict[str, NDArray[np.float64]]
-    ) -> Image.Image:
+    def still(self, time: NDArray[np.float64], parts: dict[str, NDArray[np.float64]]) -> Image.Image:
         """Return the part that all frames share: the strip with its heading, and the caption.
 
         Parameters
         ----------
-        heading, caption : str
-            Texts above and below the strip.
         time : ndarray, shape (n,)
             Times [s].
         parts : dict
@@ -64,8 +77,8 @@ class FrameLayout:
         draw = ImageDraw.Draw(image)
         left, top, right, bottom = self._strip
         small, text = self._fonts[11], self._fonts[13]
-        words, face = with_face(heading, text.size)
-        draw.text((left, top - 3), words, fill=INK, font=face, anchor="ls")
+        above = (left, top - 3 - self._heading.height)
+        draw.multiline_text(above, self._heading.text, fill=INK, font=self._heading.face, spacing=2)
         start, end = self._span
         shown = (time >= start) & (time <= end)
         peak = max(float(np.abs(a[shown]).max(initial=0.0)) for a in parts.values()) or 1.0
@@ -82,9 +95,8 @@ class FrameLayout:
             place = (left - 4, middle - half * level / peak)
             draw.text(place, f"{level:z.1f}", fill=MUTED, font=small, anchor="rm")
         draw.text((left - 4, middle), "m/s²", fill=MUTED, font=small, anchor="rm")
-        words, face = with_face(caption, small.size)
-        lines = wrapped(words, face, self._size[0] - 16.0)
-        draw.multiline_text((8, bottom + 6), lines, fill=MUTED, font=face, spacing=2)
+        below = (8, bottom + 6)
+        draw.multiline_text(below, self._caption.text, fill=MUTED, font=self._caption.face, spacing=2)
         return image
 
     def frame(self, still: Image.Image, scene: Image.Image, time: float) -> Image.Image:

@@ -71,7 +71,7 @@ def window_in_space(runs: Sequence[SpaceRun], longest: float = LONGEST) -> tuple
 
 
 def _around(first: float, last: float, duration: float, longest: float) -> tuple[float, float]:
-    end = min(duration, last + AFTER)
+    end = min(duration, last + min(AFTER, 0.4 * longest))
     return math.floor(10.0 * max(0.0, first - BEFORE, end - longest)) / 10.0, end
 
 

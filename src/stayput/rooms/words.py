@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from itertools import chain, repeat
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import phrase, say
 from stayput.catalogue.names import PIECES
@@ -15,57 +15,98 @@ from stayput.verification.words import class_phrase, sentence_of, share_text
 from stayput.wording import inside
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from stayput.catalogue import Phrase
     from stayput.fragility import Probability
     from stayput.model.floor_plan import Door, PersonPlace
     from stayput.rooms.changes import Change
     from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
+    from stayput.scenario import AssemblyScenario
 
 TOLD = 0.005
 """From this share on something is told in the verdict's sentence."""
 
 
+class DefaultName(NamedTuple):
+    """The name of what has none of its own: its kind, with a number where there are several."""
+
+    kind: str
+    number: str
+
+
+def default_name(name: str, kinds: Mapping[str, Phrase]) -> DefaultName | None:
+    """Return what a name such as "bookcase" or "bookcase 2" consists of; None for a name of the user's own.
+
+    With a number the kind may also be written as it is called in either language: "Bookcase 2", "本棚 2".
+    """
+    if name in kinds:
+        return DefaultName(name, "")
+    before, _, number = name.rpartition(" ")
+    if not (number.isascii() and number.isdecimal()):
+        return None
+    called = (kind for kind, words in kinds.items() if before.lower() in (kind, *words))
+    return next((DefaultName(kind, number) for kind in called), None)
+
+
+def _called(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
+    """Return what something is called by itself, translated where that is a default name."""
+    found = default_name(name, kinds)
+    if found is None:
+        return (name, name)
+    kind = kinds[found.kind]
+    return phrase("rooms.numbered", name=kind, number=found.number) if found.number else kind
+
+
+def _within(name: str, kinds: Mapping[str, Phrase]) -> Phrase:
+    """Return what something is called within a sentence: "the desk", "desk 2", "“My own”"."""
+    found = default_name(name, kinds)
+    if found is None:
+        return phrase("rooms.named", name=name)
+    called = _called(name, kinds)
+    return called if found.number else phrase("rooms.the", name=called)
+
+
+_PLACES: dict[str, Phrase] = {kind: phrase(f"rooms.{kind}") for kind in PLACES}
+_DOOR: dict[str, Phrase] = {"door": phrase("rooms.door")}
+
+
 def place_name(place: PersonPlace) -> Phrase:
-    """Return what a place is called, translated where that is its kind."""
-    return phrase(f"rooms.{place.name}") if place.name in PLACES else (place.name, place.name)
+    """Return what a place is called, translated where it has no name of its own."""
+    return _called(place.name, _PLACES)
 
 
 def door_name(door: Door) -> Phrase:
     """Return what a door is called, translated where it has no name of its own."""
-    return phrase("rooms.door") if door.name == "door" else (door.name, door.name)
+    return _called(door.name, _DOOR)
 
 
 def piece_name(name: str) -> Phrase:
-    """Return what a piece is called, translated where that is a preset's name."""
-    return PIECES.get(name, (name, name))
+    """Return what a piece is called, translated where that is a preset's name, with a number or without."""
+    return _called(name, PIECES)
 
 
 def piece_within(name: str) -> Phrase:
-    """Return the same as it stands within a sentence: "the bookcase", "“Bookcase 2”"."""
-    if name in PIECES:
-        return phrase("rooms.the_piece", name=PIECES[name])
-    return phrase("rooms.named", name=name)
+    """Return the same as it stands within a sentence: "the bookcase", "bookcase 2", "“My shelf”"."""
+    found = default_name(name, PIECES)
+    if found is None:
+        return phrase("rooms.named", name=name)
+    return phrase("rooms.a_numbered_piece" if found.number else "rooms.the_piece", name=piece_name(name))
 
 
-def _place_within(place: PersonPlace) -> Phrase:
-    if place.name in PLACES:
-        return phrase("rooms.the", name=place_name(place))
-    return phrase("rooms.named", name=place.name)
-
-
-def _door_within(door: Door) -> Phrase:
-    if door.name == "door":
-        return phrase("rooms.the", name=door_name(door))
-    return phrase("rooms.named", name=door.name)
+def names_in(scenario: AssemblyScenario, language: str) -> tuple[str, ...]:
+    """Return what the pieces of a scene are called in a language."""
+    return tuple(say(piece_name(name), language) for name in scenario.names)
 
 
 def _where_somebody_is(place: PersonPlace) -> Phrase:
-    """Return where the person of a place is: "in bed"."""
-    if place.name in PLACES:
-        return phrase(f"rooms.at_{place.name}")
-    return phrase("rooms.at_place", place=_place_within(place))
+    """Return where the person of a place is: "in bed", "at desk 2"."""
+    found = default_name(place.name, _PLACES)
+    if found is None:
+        return phrase("rooms.at_place", place=_within(place.name, _PLACES))
+    if found.number:
+        return phrase(f"rooms.at_numbered_{found.kind}", number=found.number)
+    return phrase(f"rooms.at_{found.kind}")
 
 
 def often(share: float, cases: Phrase) -> Phrase:
@@ -136,7 +177,7 @@ def _clauses(verdict: RoomVerdict) -> Iterator[Phrase]:
         )
     for door in verdict.doors:
         if door.blocked.estimate >= TOLD:
-            yield happens("rooms.blocked", door.blocked, door=_door_within(door.door))
+            yield happens("rooms.blocked", door.blocked, door=_within(door.door.name, _DOOR))
     shut = max(verdict.places, key=lambda one: one.shut_in.estimate, default=None)
     if shut is not None and shut.shut_in.estimate >= TOLD:
         yield happens("rooms.shut_in", shut.shut_in, place=_where_somebody_is(shut.place))
@@ -166,7 +207,7 @@ def label_of(change: Change, verdict: RoomVerdict) -> Phrase:
     if place is not None and change.what not in verdict.scenario.names:
         turned = abs(math.remainder(change.heading - place.heading, math.pi)) > 1e-6
         key = "rooms.turn_place" if turned else "rooms.move_place"
-        return phrase(key, place=_place_within(place), x=x, y=y)
+        return phrase(key, place=_within(place.name, _PLACES), x=x, y=y)
     wall = wall_faced(change.heading)
     along, start = (y, "near_side_wall") if wall in ("left_wall", "right_wall") else (x, "left_wall")
     return phrase(

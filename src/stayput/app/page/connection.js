@@ -11,6 +11,12 @@ let back = null;
 /** Whether the server does not answer; "connection" is sent to the window where that changes. */
 export const isAway = () => back !== null;
 
+/** Why there is no picture yet, as the key of a sentence: the server still compiles, or it computes. */
+export async function whyLong() {
+  const answer = await api.ping().catch(() => null);
+  return answer?.ready === false ? "warming" : "computing";
+}
+
 /** Lets some time pass [ms]. */
 export const pause = (milliseconds) =>
   new Promise((done) => {

@@ -1,7 +1,7 @@
 // The page: the scene is set, sent, seen, understood, kept. This file says what follows from what.
 
 import * as api from "./api.js";
-import { patiently, untilBack } from "./connection.js";
+import { patiently, untilBack, whyLong } from "./connection.js";
 import * as everyday from "./everyday.js";
 import { beforeNextFrame } from "./canvas/clock.js";
 import { readInks } from "./canvas/pen.js";
@@ -58,7 +58,7 @@ async function simulate() {
   flying = true;
   stale = false;
   part("see").setAttribute("aria-busy", "true");
-  const slow = setTimeout(() => tellWait(shown ? "outdated" : "warming"), SLOW);
+  const slow = setTimeout(tellSlow, SLOW);
   const scene = current(),
     file = pieces.shownName();
   try {
@@ -93,6 +93,14 @@ function tellWait(what) {
   part("wait").hidden = !what;
   part("wait").textContent = what ? t(what) : "";
   tellOld();
+}
+
+/** Says why the picture is long in coming. */
+async function tellSlow() {
+  tellWait(shown ? "outdated" : "computing");
+  if (shown) return;
+  const why = await whyLong();
+  if (waiting === "computing") tellWait(why);
 }
 
 /** Says why there is no picture of the scene, or that there is one. */
@@ -270,7 +278,7 @@ async function take(hash) {
 
 /** Takes a file of several pieces from a link; returns what is wrong with it, as the notices say it, or null. */
 async function takeFile(linked) {
-  const slow = setTimeout(() => tellWait(shown ? "outdated" : "warming"), SLOW);
+  const slow = setTimeout(tellSlow, SLOW);
   try {
     return (await pieces.takeLinked(linked)) ? null : { file: linked.name, error: null };
   } catch (error) {

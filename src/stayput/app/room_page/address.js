@@ -89,13 +89,18 @@ export function settle() {
 /** A room of a text; null where it is none that could be drawn. */
 function parsed(text) {
   try {
-    const made = JSON.parse(text),
-      tables = ["furniture", "places", "doors", "windows"].map((name) => made[name] ?? []);
-    const whole =
-      [made.plan.width, made.plan.length].every((side) => side > 0) &&
-      tables.every((table) => Array.isArray(table) && table.every((one) => one !== null && typeof one === "object"));
-    return whole ? made : null;
+    const made = JSON.parse(text);
+    return isWhole(made) ? made : null;
   } catch {
     return null;
   }
+}
+
+/** Whether a value is a room that could be drawn. */
+export function isWhole(made) {
+  const tables = ["furniture", "places", "doors", "windows"].map((name) => made?.[name] ?? []);
+  return (
+    [made?.plan?.width, made?.plan?.length].every((side) => side > 0) &&
+    tables.every((table) => Array.isArray(table) && table.every((one) => one !== null && typeof one === "object"))
+  );
 }

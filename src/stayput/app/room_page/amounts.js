@@ -11,7 +11,10 @@ export function chance({ estimate, low, high }) {
 
 /** A difference of two chances in points, with its interval and its sign. */
 export function points({ estimate, low, high }) {
-  const signed = (share) => `${share > 0 ? "+" : share < 0 ? "−" : "±"}${number(Math.abs(100 * share))}`;
+  const signed = (share) => {
+    const whole = Math.sign(share) * Math.round(Math.abs(100 * share));
+    return `${whole > 0 ? "+" : whole < 0 ? "−" : ""}${number(Math.abs(whole))}`;
+  };
   return t("pointsBetween", { by: signed(estimate), low: signed(low), high: signed(high) });
 }
 
@@ -24,10 +27,15 @@ export const quantile = ({ median, p90 }, unit, decimals) =>
         most: p90 === null ? t("notKnown") : `${number(p90, decimals)}\u00a0${unit}`,
       });
 
+/** How many runs of the room a verdict rests on. */
+export const wholeRuns = ({ motions, samples }) => number(motions * samples);
+
 /** What a verdict rests on: runs under many earthquakes, or under a single record or other motion. */
-export const basis = ({ motions, runs, seed, seconds }) =>
+export const basis = ({ motions, samples, runs, seed, seconds }) =>
   t(motions === 1 ? "basisOfOneMotion" : "basisOfRoom", {
+    whole: wholeRuns({ motions, samples }),
     motions: number(motions),
+    each: number(samples),
     runs: number(runs),
     seed: String(seed),
     seconds: number(seconds, 1),

@@ -3,27 +3,42 @@
 import { bar } from "../bars.js";
 import { mayBe } from "./action_plan.js";
 import { el, fill, part } from "../dom.js";
-import { both, percent, t } from "../words.js";
+import { both, number, percent, t } from "../words.js";
 import { capital, chance, points } from "./amounts.js";
 import { FACING } from "./geometry.js";
 import { DEFAULTS } from "./kinds.js";
 import * as room from "./room.js";
 import { noted } from "./tried.js";
 
-/** Lists the changes of a result. */
+const NEXT = 3; // so many follow those that help; the others are listed when they are asked for
+let allShown = false;
+
+/** Lists the changes of a result: those that help and the next few, or all where they have been asked for. */
 export function show(result) {
   part("changes-wait").hidden = result.complete;
-  const shown = shownOf(result);
-  fill(
-    part("ranking"),
-    result.changes.filter(mayBe).map((one) => option(one, shown)),
-  );
+  const shown = shownOf(result),
+    possible = result.changes.filter(mayBe),
+    first = possible.findLastIndex(({ helps }) => helps) + 1 + NEXT,
+    cut = !allShown && possible.length > first + 1;
+  const options = possible.slice(0, cut ? first : undefined).map((one) => option(one, shown));
+  fill(part("ranking"), options);
+  part("all-changes").hidden = !cut;
+  part("all-changes").textContent = t("allChanges", { n: number(possible.length) });
+  part("all-changes").onclick = () => {
+    allShown = true;
+    show(result);
+    part("ranking").children[first].querySelector("button").focus();
+  };
 }
 
 /** Whether a change is seen in one of its chances at all. */
 const seen = (share, change) => share !== null && (share.estimate > 0 || change.estimate !== 0);
 
-const tag = ({ helps, tags }) => el("span", { class: helps ? "tag" : "tag gradeC", text: tags.map(both).join(t("listed")) });
+const tag = ({ better, worse, tags }) =>
+  el("span", {
+    class: worse.length ? "tag gradeC" : better.length ? "tag" : "tag unclear",
+    text: tags.map(both).join(t("listed")),
+  });
 
 /** What the bars of all changes show, so that they can be compared: the worst that happens in the room as it is. */
 function shownOf({ hit, shut_in: shut }) {

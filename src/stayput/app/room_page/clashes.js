@@ -1,10 +1,11 @@
-// What stands in something else: pieces in walls, in each other, and where a person is. The server refuses these.
+// What stands in something else: pieces in walls, in each other, and where a person is; doors that open against them.
 
-import { carrier, extents, lying, standing, things } from "./geometry.js";
+import { carrier, extents, lying, onWall, opening, standing, thing, things } from "./geometry.js";
 import { nameOf } from "./kinds.js";
 import { length, t } from "../words.js";
 
-const DEEPEST = 1e-6; // by rounding [m]
+const DEEPEST = 1e-6, // by rounding [m]
+  ARC = 12; // parts of the arc that a door's edge goes along
 
 /** How deep two convex outlines are in each other [m]; 0 or less: they are apart. */
 export function depthOf(first, second) {
@@ -20,7 +21,33 @@ export function depthOf(first, second) {
   return least;
 }
 
-/** Each thing that stands where it cannot: {what, other, depth}; other is null for a wall. */
+/** How far an outline reaches beyond the walls [m]; 0 or less: it does not. */
+export function beyondWalls(plan, outline) {
+  const [x0, y0, x1, y1] = extents(outline);
+  return Math.max(-x0, -y0, x1 - plan.width, y1 - plan.length);
+}
+
+/** The floor over which a door swings, as an outline. */
+export function sweep(room, what) {
+  const { wall, start, width, hinge } = opening(room, what),
+    at = hinge === "start" ? start : start + width;
+  const edge = Array.from({ length: ARC + 1 }, (_, i) => (i * Math.PI) / 2 / ARC).map((angle) =>
+    onWall(room.plan, wall, at + (hinge === "start" ? 1 : -1) * width * Math.cos(angle), width * Math.sin(angle)),
+  );
+  return [onWall(room.plan, wall, at), ...edge];
+}
+
+/** The pieces and places that are on a part of the floor. */
+export const inTheWay = (room, floor) =>
+  things(room, ["furniture", "places"]).filter((one) => depthOf(floor, thing(room, one).outline) > DEEPEST);
+
+/** Each door that opens against something: {what, other}. The server takes these, and counts the doors as blocked. */
+export const obstructed = (room) =>
+  things(room, ["doors"])
+    .filter((what) => opening(room, what).opens === "inwards")
+    .flatMap((what) => inTheWay(room, sweep(room, what)).map((other) => ({ what, other })));
+
+/** Each thing that stands where it cannot: {what, other, depth}; other is null for a wall. The server refuses these. */
 export function clashes(room) {
   const found = [],
     bodies = things(room, ["furniture"]).map((what) => {
@@ -29,8 +56,7 @@ export function clashes(room) {
     }),
     people = things(room, ["places"]).map((what) => ({ what, ...lying(room, what.index) }));
   bodies.forEach((one, number) => {
-    const [x0, y0, x1, y1] = extents(one.outline),
-      out = Math.max(-x0, -y0, x1 - room.plan.width, y1 - room.plan.length);
+    const out = beyondWalls(room.plan, one.outline);
     if (out > DEEPEST) found.push({ what: one.what, other: null, depth: out });
     for (const other of [...bodies.slice(0, number), ...people]) {
       if (other.what.table === "furniture" && carrier(room, number) === other.what.index) continue;
@@ -40,8 +66,7 @@ export function clashes(room) {
     }
   });
   for (const one of people) {
-    const [x0, y0, x1, y1] = extents(one.outline),
-      out = Math.max(-x0, -y0, x1 - room.plan.width, y1 - room.plan.length);
+    const out = beyondWalls(room.plan, one.outline);
     if (out > DEEPEST) found.push({ what: one.what, other: null, depth: out });
   }
   return found;
@@ -50,6 +75,7 @@ export function clashes(room) {
 /** A clash as a sentence. */
 export function clashSentence(room, { what, other, depth }) {
   const name = nameOf(room, what);
+  if (depth === undefined) return t("opensAgainst", { name, other: nameOf(room, other) });
   if (!other) return t("inWall", { name, depth: length(depth) });
   return t("inOther", { name, other: nameOf(room, other), depth: length(depth) });
 }

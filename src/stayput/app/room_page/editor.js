@@ -146,7 +146,7 @@ export function tellRefusal(error) {
 function tellProblems(found) {
   const lines = found.map((one) => [clashSentence(shownRoom(), one)]);
   if (shownRoom().furniture.length === 0) lines.push([t("noFurniture")]);
-  const servers = refusal && !lines.length;
+  const servers = refusal && found.length === lines.length && found.every(({ depth }) => depth === undefined);
   if (servers) lines.push(refusal.words);
   // what is about no thing of the plan is said in the verdict alone where that stands beside the plan
   part("plan-problems").classList.toggle("general", Boolean(servers && !refusal.thing));

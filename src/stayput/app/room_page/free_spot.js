@@ -1,20 +1,20 @@
 // Where something new goes that is not dragged: a free spot along a wall, or else on the floor.
 
 import { atWall, inWall, newThing, placed, withNew } from "./edits.js";
-import { clashes, depthOf } from "./clashes.js";
+import { beyondWalls, depthOf, inTheWay, sweep } from "./clashes.js";
 import { FACING, WALLS, onWall, opening, standing, thing, things, wallLength } from "./geometry.js";
 
-const STEP = 0.1; // between the spots that are tried [m]
+const STEP = 0.1, // between the spots that are tried [m]
+  APART = 0.5; // so far from others a spot is as good as one that is farther [m]
 
 /** The room with a new thing of a kind at a free spot, and which it is. */
 export function added(room, table, kind) {
   const [next, what] = withNew(room, table, newThing(room, table, kind));
-  const tried =
-    table === "furniture" ? piece(next, what) : table === "places" ? place(next, what) : openings(next, what);
+  if (table === "doors" || table === "windows") return [freelyOpening(next, what), what];
   let first = null;
-  for (const one of tried) {
-    first ??= one;
+  for (const one of table === "furniture" ? piece(next, what) : place(next, what)) {
     if (fits(one, what)) return [one, what];
+    first ??= one;
   }
   return [first ?? next, what];
 }
@@ -27,9 +27,30 @@ const steps = (side, size) => {
 
 function* piece(room, what) {
   const { width, length } = standing(room, what.index);
-  for (const wall of WALLS)
-    for (const along of steps(wallLength(room.plan, wall), length)) yield atWall(room, what, wall, along);
+  for (const wall of emptiestFirst(room)) {
+    const spots = steps(wallLength(room.plan, wall), length).map((along) => atWall(room, what, wall, along)),
+      free = spots.filter((one) => fits(one, what)).map((one) => [one, Math.min(APART, clearance(one, what))]);
+    yield* free.sort(([, one], [, other]) => other - one).map(([one]) => one);
+  }
+  yield atWall(room, what, WALLS[0], 0);
   yield* onFloor(room, what, width, length);
+}
+
+/** The walls, those first of which pieces take the least share. */
+function emptiestFirst(room) {
+  const taken = (wall) => {
+    const at = room.furniture.flatMap((one, i) => (one.against === wall ? standing(room, i).length : []));
+    return at.reduce((sum, one) => sum + one, 0) / wallLength(room.plan, wall);
+  };
+  return [...WALLS].sort((one, other) => taken(one) - taken(other));
+}
+
+/** How far something is from what is nearest to it: pieces, places, the floor that doors need [m]. */
+function clearance(room, what) {
+  const { outline } = thing(room, what),
+    others = things(room, ["furniture", "places", "doors"]).filter((one) => !same(one, what));
+  const taken = others.map((one) => (one.table === "doors" ? before(room, one) : thing(room, one).outline));
+  return Math.min(...taken.map((one) => -depthOf(outline, one)));
 }
 
 function* place(room, what) {
@@ -50,18 +71,21 @@ function* onFloor(room, what, width, length) {
   }
 }
 
-function* openings(room, what) {
+/** With an opening where the floor before it is free; else where at least its swing is; else anywhere. */
+function freelyOpening(room, what) {
   const { width } = opening(room, what);
-  for (const wall of ["far_side_wall", "right_wall", "near_side_wall", "left_wall"])
-    for (const along of steps(wallLength(room.plan, wall), width))
-      yield inWall(room, what, wall, along - width / 2);
+  const spots = ["far_side_wall", "right_wall", "near_side_wall", "left_wall"].flatMap((wall) =>
+    steps(wallLength(room.plan, wall), width).map((along) => inWall(room, what, wall, along - width / 2)),
+  );
+  const apart = spots.filter((one) => besideOthers(one, what));
+  const free = (floor) => apart.find((one) => !inTheWay(one, floor(one, what)).length);
+  return free(before) ?? (what.table === "doors" ? free(sweep) : null) ?? apart[0] ?? spots[0];
 }
 
 /** Whether nothing is in its way: neither things, nor the floor that doors need, nor windows behind what is high. */
 function fits(room, what) {
-  if (what.table === "doors" || what.table === "windows") return opensFreely(room, what);
-  if (clashes(room).some((one) => same(one.what, what) || (one.other && same(one.other, what)))) return false;
   const { outline, low = 0, high = null, up = 0, height = 0 } = thing(room, what);
+  if (beyondWalls(room.plan, outline) > 1e-6) return false;
   const others = things(room, ["places", "furniture"]).filter((one) => !same(one, what));
   if (others.some((one) => depthOf(outline, thing(room, one).outline) > 1e-6)) return false;
   const top = high ?? up + height;
@@ -82,9 +106,10 @@ function before(room, what) {
   return [a, b, c, d];
 }
 
-function opensFreely(room, what) {
+/** Whether no other opening is where an opening is. */
+function besideOthers(room, what) {
   const one = opening(room, what);
-  const apart = things(room, ["doors", "windows"])
+  return things(room, ["doors", "windows"])
     .filter((other) => !same(other, what))
     .map((other) => opening(room, other))
     .every(
@@ -93,9 +118,4 @@ function opensFreely(room, what) {
         other.start + other.width <= one.start + 1e-6 ||
         other.start >= one.start + one.width - 1e-6,
     );
-  const floor = before(room, what);
-  return (
-    apart &&
-    things(room, ["furniture"]).every((other) => depthOf(floor, standing(room, other.index).outline) <= 1e-6)
-  );
 }

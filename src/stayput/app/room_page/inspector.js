@@ -9,7 +9,7 @@ import { amount, naming } from "./fields.js";
 import { WALLS, carrier, fromWall, opening, thing, wallLength } from "./geometry.js";
 import { measuresOf } from "./inspector_measures.js";
 import { double } from "./keys.js";
-import { DEFAULTS, HINGES, OPENS, fillings, limitsOf, nameOf, pieceSizes } from "./kinds.js";
+import { DEFAULTS, HINGES, OPENS, fillings, kindName, limitsOf, nameOf, pieceSizes } from "./kinds.js";
 import { change, current, selected } from "./room.js";
 
 const METRES = { unit: "m", decimals: 2 },
@@ -85,7 +85,7 @@ function name(what) {
   const taken = (text) =>
     ["furniture", "places", "doors"].includes(what.table) &&
     current()[what.table].some(
-      (one, index) => index !== what.index && (one.name ?? one.kind ?? DEFAULTS[what.table].name) === text,
+      (_, index) => index !== what.index && nameOf(current(), { ...what, index }) === kindName(what.table, text),
     );
   const refuse = (text) => (!text ? t("nameEmpty") : taken(text) ? t("nameTaken", { name: text }) : null);
   const field = naming({

@@ -1,5 +1,6 @@
-// The keyboard on the plan: arrows, R, D, Delete, Escape; and, anywhere on the page, undo and redo.
+// The keyboard on the plan: arrows, R, D, Delete, Enter, Escape; and, anywhere on the page, undo and redo.
 
+import { part } from "../dom.js";
 import { described, where } from "./described.js";
 import { atWall, doubled, emptied as cleared, inWall, nextWall, placed, removed, turned } from "./edits.js";
 import { FACING, WALLS, carrier, fromWall, onWall, opening, thing, tidyAngle, upright } from "./geometry.js";
@@ -16,6 +17,7 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowD
 /** Wires the plan, and undo and redo of the whole page. */
 export function wire() {
   plan().addEventListener("keydown", pressed);
+  part("inspector").addEventListener("keydown", backToPlan);
   plan().addEventListener("focusin", (event) => {
     const what = focused(event.target);
     if (what) select(what);
@@ -57,9 +59,21 @@ function pressed(event) {
   else if (key === "d") double(what);
   else if (key === "delete" || key === "backspace") remove(what);
   else if (key === "escape") select(null);
-  else if (key === "enter" || key === " ") select(what);
+  else if (key === " ") select(what);
+  else if (key === "enter") toNumbers(what);
   else return;
   event.preventDefault();
+}
+
+/** Goes to the numbers of a thing, past the others that stand between on the way with the tabulator. */
+function toNumbers(what) {
+  select(what);
+  part("inspector").querySelector("input, select").focus();
+}
+
+/** From the numbers back to the thing on the plan. */
+function backToPlan({ key, target }) {
+  if (key === "Escape" && selected() && !target.matches("select")) focusOn(selected());
 }
 
 function nudge(what, direction, step) {

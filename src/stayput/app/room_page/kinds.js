@@ -84,36 +84,36 @@ export const openingValues = (table, opening) => ({ ...DEFAULTS[table], ...openi
 /** The label of a kind, as it begins a line. */
 export const labelOf = (kind) => both(kind.label).replace(/^[a-z]/, (letter) => letter.toUpperCase());
 
-const short = (kind) =>
-  labelOf(kind)
-    .split(/[,（(]/)[0]
-    .trim();
+const short = (label) => label.split(/[,（(]/)[0].trim();
 
-/** What a kind is called by itself. */
-export function kindName(table, id) {
-  if (table === "furniture") return pieceKind(id) ? short(pieceKind(id)) : id;
-  if (table === "places") return places.some((one) => one.id === id) ? short(placeKind(id)) : id;
-  return table === "doors" && id !== "door" ? id : t(table === "doors" ? "door" : "window");
+/** What is said of the kinds of a table; openings have but one. */
+const kindsOf = (table) => ({ furniture, places })[table] ?? [{ id: "door", label: t(table === "doors" ? "door" : "window") }];
+
+/** The kind that a name with a number begins with: by its id, or as it is called in either language. */
+const kindBefore = (table, text) =>
+  kindsOf(table).find(({ id, label }) => [id, ...(typeof label === "string" ? [label] : Object.values(label)).map(short)].some((one) => one.toLowerCase() === text));
+
+/** What something of a table is called whose name is its kind, as "desk", or that with a number, as "desk 2". */
+export function kindName(table, name) {
+  const plain = kindsOf(table).find(({ id }) => id === name);
+  if (plain) return short(labelOf(plain));
+  const [, before, number] = /^(.+) (\d+)$/.exec(name) ?? [],
+    kind = before && kindBefore(table, before.toLowerCase());
+  return kind ? t("numbered", { name: short(labelOf(kind)), number }) : name;
 }
 
 /** What a thing is called: by its kind where it has no name of its own. */
 export function nameOf(room, { table, index }) {
   const thing = room[table][index];
   if (table === "windows") return t("window");
-  if (table === "doors") return (thing.name ?? "door") === "door" ? t("door") : thing.name;
-  if (table === "places") {
-    const name = thing.name ?? thing.kind ?? DEFAULTS.places.kind;
-    return places.some((one) => one.id === name) ? kindName("places", name) : name;
-  }
-  return pieceKind(thing.name) ? kindName("furniture", thing.name) : thing.name;
+  return kindName(table, thing.name ?? thing.kind ?? DEFAULTS[table].kind ?? DEFAULTS[table].name);
 }
 
-/** A name for another of a kind that nothing of its table has: the kind's own, then with a number. */
+/** A name for another of a kind that is not called as anything of its table is: the kind's id, then with a number. */
 export function freeName(room, table, id) {
-  const taken = new Set((room[table] ?? []).map((one) => one.name ?? one.kind ?? DEFAULTS[table].name));
-  if (!taken.has(id)) return id;
-  for (let number = 2; ; number++) {
-    const name = `${kindName(table, id)} ${number}`;
-    if (!taken.has(name)) return name;
+  const taken = new Set((room[table] ?? []).map((_, index) => nameOf(room, { table, index })));
+  for (let number = 1; ; number++) {
+    const name = number === 1 ? id : `${id} ${number}`;
+    if (!taken.has(kindName(table, name))) return name;
   }
 }

@@ -26,6 +26,7 @@ import * as scenes from "./scenes.js";
 import * as surfaces from "./surfaces.js";
 import * as theatre from "./theatre.js";
 import * as tried from "./tried.js";
+import * as undoMemory from "./undo_memory.js";
 import * as verdict from "./verdict.js";
 
 const PANELS = [shaking, surfaces, building];
@@ -138,6 +139,7 @@ async function begin() {
   }
   editor.build(part("editor"), presets);
   room.replace(await take(location.hash));
+  undoMemory.wire();
   for (const panel of PANELS) panel.build(presets);
   wire();
   environment.wire(presets, lost);

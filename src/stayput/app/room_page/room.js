@@ -40,6 +40,16 @@ export function adjust(next) {
   tell();
 }
 
+/** What can be undone and redone, the last step at the end of each: {past, future}. */
+export const history = () => ({ past, future });
+
+/** Goes on with the history of this very room, from before the page was loaded again. */
+export function takeUp(earlier) {
+  past.push(...earlier.past);
+  future.push(...earlier.future);
+  tell();
+}
+
 export const canUndo = () => past.length > 0;
 export const canRedo = () => future.length > 0;
 

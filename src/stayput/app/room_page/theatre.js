@@ -1,7 +1,7 @@
 // The room in space, shaken: asked for after each change, played beside the plan.
 
 import * as api from "../api.js";
-import { patiently } from "../connection.js";
+import { patiently, whyLong } from "../connection.js";
 import { el, fill, narrow, part, settled } from "../dom.js";
 import { worded } from "../refusals.js";
 import { shake, shownSpan, telling } from "../runs.js";
@@ -24,7 +24,7 @@ let outcomes = {},
   own = false, // whether the reader has chosen the earthquake
   flight = null,
   problem = null,
-  late = false, // whether the answer is long in coming
+  late = null, // where the answer is long in coming, why, as the key of a sentence
   proposing = false, // whether the room changes by what the verdict proposes
   resume = false;
 
@@ -76,7 +76,7 @@ export function changed() {
   }
   flight?.abort();
   problem = null;
-  late = false;
+  late = null;
   tell();
   const atOnce = first || proposing;
   proposing = false;
@@ -89,8 +89,10 @@ async function work() {
   const mine = room.current(),
     own = (flight = new AbortController()),
     wanted = () => own === flight && mine === asked;
-  const slow = setTimeout(() => {
-    late = wanted();
+  const slow = setTimeout(async () => {
+    const why = await whyLong();
+    if (!wanted() || shown?.room === mine || problem) return;
+    late = why;
     tell();
   }, SLOW);
   part("see").setAttribute("aria-busy", "true");
@@ -107,7 +109,7 @@ async function work() {
     clearTimeout(slow);
     if (own === flight) {
       part("see").removeAttribute("aria-busy");
-      late = false;
+      late = null;
       tell();
     }
   }
@@ -118,7 +120,7 @@ function tell() {
   const old = shown?.room !== asked;
   const empty = asked?.furniture.length === 0;
   part("wait").hidden = !empty && (!late || !old);
-  part("wait").textContent = t(empty ? "state_empty" : shown ? "outdatedRoom" : "warming");
+  part("wait").textContent = t(empty ? "state_empty" : shown ? "outdatedRoom" : (late ?? "computing"));
   part("problem").hidden = !problem;
   fill(part("problem"), problem ? worded(problem) : []);
   if (old === (part("see").dataset.old === "true")) return;

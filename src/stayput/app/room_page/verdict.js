@@ -5,7 +5,7 @@ import { el, fill, part } from "../dom.js";
 import { worded } from "../refusals.js";
 import { both, number, perCent, percent, t } from "../words.js";
 import { mayBe } from "./action_plan.js";
-import { basis } from "./amounts.js";
+import { basis, wholeRuns } from "./amounts.js";
 import { apply } from "./changes.js";
 import { fallingAlone } from "./findings.js";
 import * as room from "./room.js";
@@ -49,7 +49,7 @@ export function show({ name, job, result, old, error }) {
   else delete here.dataset.job;
   write(error ? worded(error) : result ? [both(result.verdict)] : []);
   part("rough").hidden = !result || old || result.complete;
-  part("rough").textContent = result ? t("rough", { runs: number(result.runs) }) : "";
+  part("rough").textContent = result ? t("rough", { runs: wholeRuns(result) }) : "";
   falls(error ? null : result);
   best(old || error ? null : result);
   part("basis").textContent = result ? basis(result) : "";

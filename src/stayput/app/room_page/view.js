@@ -1,7 +1,7 @@
 // The plan that is edited: what it shows now, which may be a room that is only tried while something is dragged.
 
 import { part } from "../dom.js";
-import { clashes } from "./clashes.js";
+import { clashes, obstructed } from "./clashes.js";
 import { LAYERS } from "./layers.js";
 import { drawPlan, keyOf, layersOf } from "./plan.js";
 import { current, selected } from "./room.js";
@@ -75,7 +75,7 @@ export function showLayer(name, on) {
 export function draw() {
   const room = shownRoom();
   if (!element || !room) return;
-  const found = clashes(room),
+  const found = [...clashes(room), ...obstructed(room)],
     wrong = found.flatMap((one) => [one.what, one.other]).filter(Boolean);
   if (refused) wrong.push(refused);
   sheet = drawPlan(element, room, {

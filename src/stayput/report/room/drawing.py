@@ -12,7 +12,7 @@ from stayput.catalogue import say
 from stayput.montecarlo.counting import OVERTURNED
 from stayput.report.room.plan import DrawnPiece, plan_svg, swatch_svg
 from stayput.report.verdict import numbers
-from stayput.rooms.words import change_label, piece_name
+from stayput.rooms.words import change_label, names_in
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
@@ -40,10 +40,8 @@ def room_plan(verdict: RoomVerdict, language: str) -> str:
 
 def legend(verdict: RoomVerdict, language: str) -> list[tuple[str, str]]:
     """Return the colour and the name of each piece."""
-    return [
-        (swatch_svg(look), say(piece_name(name), language))
-        for look, name in enumerate(verdict.scenario.names)
-    ]
+    called = names_in(verdict.scenario, language)
+    return [(swatch_svg(look), name) for look, name in enumerate(called)]
 
 
 def change_plan(verdict: RoomVerdict, language: str) -> tuple[str, str] | None:

@@ -68,10 +68,10 @@ class SpacePainter:
 
     def __init__(self, film: SpaceFilm, width: int, height: int) -> None:
         self._film, scene = film, film.scene
-        self._layout = FrameLayout(width, height, scene.start, scene.end, bool(film.note))
         motion = scene.run.motion
         caption = " ".join(filter(None, (film.note, film.caption, film.moved)))
-        self._still = self._layout.still(film.strip_title, caption, motion.time, motion.components)
+        self._layout = FrameLayout(width, height, scene.start, scene.end, film.strip_title, caption)
+        self._still = self._layout.still(motion.time, motion.components)
         self._camera = Camera(scene.points, *self._layout.scene)
         self._line = self._layout.line
         self._openings = [_in_wall(one) for one in scene.still if one.role in OPENINGS]
