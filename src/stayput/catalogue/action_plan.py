@@ -11,7 +11,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "now_of_one": (
         "Chances under {motion}, of JMA intensity {strength}, as the room is: {chances}.",
-        "{motion}（{strength}）では、今の部屋のままだと{chances}です。",
+        "{motion}（{strength}の揺れ）では、今の部屋のままだと{chances}です。",
     ),
     "then": (
         "Chances after all {last} steps: {chances}.",

@@ -33,7 +33,7 @@ from stayput.rooms.step_words import (
 from stayput.rooms.steps import COST_BOUNDS
 from stayput.rooms.words import motion_phrase, piece_name, piece_within
 from stayput.uncertainty import USUAL, Lognormal
-from stayput.verification.words import class_phrase, share_text
+from stayput.verification.words import shaking_phrase, share_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
@@ -169,7 +169,7 @@ def _is_rough(step: PlanStep) -> bool:
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     """Yield how it is, how it would be, and what was asked for."""
     verdict, together, falling = plan.verdict, plan.together, falls(plan)
-    strength = class_phrase(verdict.intensity)
+    strength = shaking_phrase(verdict.scenario.shaking, verdict.intensity)
     if together is None:
         if falling is None and not plan.unsolved:
             yield phrase("action_plan.nothing")
