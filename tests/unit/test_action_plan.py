@@ -19,10 +19,12 @@ from stayput.catalogue import LANGUAGES, phrase, say
 from stayput.cli import app
 from stayput.measures import MEASURES, Belt, GelMats, LBracket, TensionPole, WedgeStopper
 from stayput.measures.parameters import Grade
-from stayput.report.action_plan.html import PLAN_SPACE, plan_html
+from stayput.report.action_plan.elevation import size_on_paper
+from stayput.report.action_plan.html import plan_html
+from stayput.report.action_plan.paper import ELEVATION_SCALES, SIZES, elevation_scale, sizes_of
 from stayput.rooms.forces import MARGIN, QUANTILE, DeviceForces, Purchase, quantile_of, unbreakable
 from stayput.rooms.planning import purchases_of
-from stayput.rooms.step_words import changes_nothing, checks, too_weak, what_it_brings
+from stayput.rooms.step_words import changes_nothing, checks, too_weak, what_it_brings, with_ends
 from stayput.rooms.steps import COST_CLASSES, SETS, Home
 from stayput.rooms.verify import question_of
 from stayput.rooms.words import piece_name, piece_within
@@ -271,9 +273,12 @@ def test_the_card_says_what_to_buy_where_and_what_it_brings(plan: sp.ActionPlan,
     assert page.count('class="elevation"') == sum(step.fix is not None for step in plan.steps)
     for key in ("title", "buy", "where", "effect", "check"):
         assert say(f"action_plan.{key}", language) in page
-    (rough,) = re.findall(r'<p class="rough">(.*?)</p>', page)
+    # what is not known well stands after what to do
+    known = page.split("</table>")[1].split('<section class="known">')[1]
+    assert '<p class="rough">' in known
+    assert '<p class="rough">' not in page.split("</table>")[0]
     for step in plan.steps:
-        assert all(say(one.label, language) in html.unescape(rough) for one in step.weakest)
+        assert all(say(one.label, language) in html.unescape(known) for one in step.weakest)
     assert page.count("<script") == page.count("<script>") <= 1  # nothing is loaded
     assert "http://" not in page
     assert "https://" not in page
@@ -292,7 +297,7 @@ def test_the_plan_is_to_the_scale_that_it_says(plan: sp.ActionPlan):
     assert style is not None
     # 460 px are the longer side of the room, 3.6 m
     assert float(style[1]) * 1e-3 * said == pytest.approx(float(style[2]) * 3.6 / 460.0, rel=0.003)
-    assert float(style[1]) * 1e-3 <= PLAN_SPACE[0] + 1e-4
+    assert float(style[1]) * 1e-3 <= sizes_of(plan).plan[0] + 1e-4
 
 
 def test_an_elevation_is_to_scale(plan: sp.ActionPlan):
@@ -310,6 +315,51 @@ def test_an_elevation_is_to_scale(plan: sp.ActionPlan):
     assert isinstance(piece, sp.Piece)
     sizes = [float(size) * 1e-4 * said for size in box.groups()]
     assert sizes == pytest.approx([piece.body.length, piece.body.height], rel=0.002)
+
+
+def test_drawings_are_larger_where_there_are_fewer_steps(plan: sp.ActionPlan):
+    step = next(step for step in plan.steps if step.fix)
+    assert step.fix is not None
+    scales: list[int] = []
+    for count in (1, 2, 4):
+        several = replace(plan, steps=(replace(step, instead=None),) * count)
+        page, sizes, fixes_drawn = plan_html(several), sizes_of(several), [step.fix] * count
+        scales.append(scale_of(page, "elevations"))
+        assert scales[-1] == elevation_scale(fixes_drawn, sizes)
+        high = sum(size_on_paper(one, scales[-1])[1] for one in fixes_drawn)
+        assert high <= sizes.elevations[1] or scales[-1] == ELEVATION_SCALES[-1]
+        assert f"--letters: {sizes.letters}pt" in page
+    assert scales == sorted(set(scales))
+    letters = [sizes.letters for sizes in SIZES]
+    assert letters == sorted(letters, reverse=True)
+
+
+def test_a_tenant_is_told_what_else_can_be_done():
+    """What may be done without drilling is too weak: the landlord, and what drilling would bring."""
+    rented = planned(alone(), no_drilling=True)
+    weak = {step.what for step in rented.steps if step.fix and not step.fix.enough} | set(rented.unsolved)
+    assert weak == {"bookcase"} == set(rented.drilled)
+    fix = rented.drilled["bookcase"]
+    assert fix.drilled
+    assert json.loads(rented.to_json())["with_drilling"]["bookcase"]["buy"][0]["type"] == fix.kinds[0]
+    nothing = planned(alone(), tatami=True, dropped_ceiling=True, no_drilling=True)
+    assert nothing.unsolved == ("bookcase",) == tuple(nothing.drilled)
+    for language in LANGUAGES:
+        page = html.unescape(plan_html(rented, language)).replace("\xa0", " ")
+        for key in ("ask_landlord", "out_of_reach", "drilled"):
+            assert say(f"action_plan.{key}", language) in page
+        assert with_ends(fix.overturns)[LANGUAGES.index(language)] in page
+        unsolved = html.unescape(plan_html(nothing, language))
+        assert say("action_plan.drilled_on", language, piece=piece_name("bookcase")) in unsolved
+        assert say("action_plan.ask_landlord", language) in unsolved
+
+
+def test_where_drilling_is_allowed_no_landlord_is_asked(plan: sp.ActionPlan):
+    assert not plan.drilled
+    page = html.unescape(plan_html(plan))
+    assert say("action_plan.ask_landlord", "en") not in page
+    weak = any(step.fix is not None and not step.fix.enough for step in plan.steps)
+    assert (say("action_plan.out_of_reach", "en") in page) == (weak or bool(plan.unsolved))
 
 
 def test_the_json_holds_forces_and_effects(plan: sp.ActionPlan):

@@ -244,3 +244,40 @@ def test_headings_parted_by_blanks_keep_their_units(read):
 
 def test_the_heading_of_a_single_column(read):
     assert read("NS [gal]\n0\n1\n2\n", dt=0.01).x == pytest.approx([0.0, 0.01, 0.02])
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        "時間(s),上下(gal),東西(gal),南北(gal)",
+        "時刻［秒］，上下動（gal），東西動（gal），南北動（gal）".replace("，", ","),
+        "経過時間（秒）,UD成分加速度（ガル）,EW成分加速度（ガル）,NS成分加速度（ガル）",
+        "秒,加速度UD[gal],加速度EW[gal],加速度NS[gal]",
+        "時間　上下方向(gal)　東西方向(gal)　南北方向(gal)",
+        '"時間(ミリ秒)","上下(cm/s²)","東西(cm/s²)","南北(cm/s²)"',
+    ],
+)
+@pytest.mark.parametrize("coding", ["utf-8", "utf-8-sig", "cp932"])
+def test_japanese_headings_are_read(read, names, coding):
+    step = 10.0 if "ミリ" in names else 0.01
+    if coding == "cp932":
+        names = names.replace("²", "2")
+    text = f"{names}\n" + "".join(f"{step * i:.2f},{i},{2 * i},{3 * i}\n" for i in range(4))
+    if "　" in names:
+        text = text.replace(",", " ")
+    content = text.encode(coding)
+    motion = read(content)
+    assert motion.dt == pytest.approx(0.01)
+    assert read(content, component="NS").x == pytest.approx([0.0, 0.03, 0.06, 0.09])
+    assert read(content, component="EW").x == pytest.approx([0.0, 0.02, 0.04, 0.06])
+    assert motion.z == pytest.approx([0.0, 0.01, 0.02, 0.03])
+
+
+def test_a_japanese_comment_states_the_unit(read):
+    assert read("# 単位：gal\n時間,加速度\n0,1\n0.01,2\n0.02,3\n").x == pytest.approx([0.01, 0.02, 0.03])
+
+
+@pytest.mark.parametrize("heading", ["速度(kine)", "南北速度(cm/s)", "変位(cm)"])
+def test_japanese_headings_of_other_quantities_are_refused(read, heading):
+    with pytest.raises(InputError, match=r"velocity|displacement"):
+        read(f"時間(秒),{heading}\n0,1\n0.01,2\n0.02,3\n", unit="gal")

@@ -17,7 +17,7 @@ from stayput.model.floor_plan import rectangle
 from stayput.montecarlo.counting import EVENTS, Quantiles
 from stayput.report.room.drawing import change_plan
 from stayput.report.room.html import room_html, write_room_report
-from stayput.report.room.labels import LONGEST, PlanLabel, names_svg, wrapped
+from stayput.report.room.labels import LONGEST, PlanLabel, names_svg, overlap, places_of_names, wrapped
 from stayput.report.room.plan import DrawnPiece, covers_svg, plan_svg
 from stayput.report.room.rows import change_rows, hit_rows, piece_rows
 from stayput.report.room.sheet import PlanSheet
@@ -320,7 +320,7 @@ def drawn(**options):
     pieces = [
         DrawnPiece(one.name, look, one.outline, 0.0, one.covers) for look, one in enumerate(verdict.pieces)
     ]
-    return verdict.plan, plan_svg(verdict.plan, pieces, ["bed", "cot"], "en", **options)
+    return verdict.plan, plan_svg(verdict.plan, pieces, ["bed", "cot"], "en", **options).svg
 
 
 def polygons(picture, class_):
@@ -390,7 +390,7 @@ def test_the_front_is_marked():
 def test_a_round_piece_has_no_front():
     angle = np.linspace(0.0, 2.0 * math.pi, 32, endpoint=False)
     round_one = np.column_stack([2.0 + np.cos(angle), 1.0 + np.sin(angle)])
-    picture = plan_svg(made().plan, [DrawnPiece("vase", 0, round_one, 0.0)], ["bed", "cot"], "en")
+    picture = plan_svg(made().plan, [DrawnPiece("vase", 0, round_one, 0.0)], ["bed", "cot"], "en").svg
     assert 'class="front"' not in picture
 
 
@@ -421,7 +421,9 @@ def test_names_on_the_plan_are_escaped_and_told_to_a_screen_reader():
 
 def test_names_do_not_overlap_where_there_is_room():
     labels = [PlanLabel(("wardrobe",), "overturns: 3 %", (100.0, 100.0, 130.0, 200.0)) for _ in range(3)]
-    texts = names_svg(labels, [], (0.0, 0.0, 460.0, 460.0))
+    boxes = places_of_names(labels, [], (0.0, 0.0, 460.0, 460.0))
+    assert not overlap(boxes)
+    texts = names_svg(labels, boxes)
     places = {
         (float(x), float(y)) for x, y in re.findall(r'<text x="([\d.]+)" y="([\d.]+)" class="name', texts)
     }
@@ -429,6 +431,34 @@ def test_names_do_not_overlap_where_there_is_room():
     found = sorted(places)
     for n, (x, y) in enumerate(found):
         assert all(abs(y - v) >= 30.0 or abs(x - u) >= 80.0 for u, v in found[n + 1 :])
+
+
+def test_larger_letters_need_more_room():
+    label, floor = PlanLabel(("wardrobe",), "", (100.0, 100.0, 130.0, 200.0)), (0.0, 0.0, 460.0, 460.0)
+    ((x0, y0, x1, y1),) = places_of_names([label], [], floor, 13.0)
+    ((u0, v0, u1, v1),) = places_of_names([label], [], floor, 26.0)
+    assert (u1 - u0 - 4.0, v1 - v0) == pytest.approx((2.0 * (x1 - x0 - 4.0), 2.0 * (y1 - y0)))
+
+
+def test_numbers_and_letters_stand_for_names_that_would_overlap():
+    """Of ten pieces side by side in a large room the names overlap; the numbers of the steps do not."""
+    plan = replace(made().plan, width=12.0, length=9.0)
+    corners = np.array([[0.0, 0.0], [0.3, 0.0], [0.3, 0.4], [0.0, 0.4]])
+    pieces = [DrawnPiece(f"a long name {n}", n, corners + np.array([0.0, 0.5 * n]), 0.0) for n in range(10)]
+    numbered = {piece.name: str(n) for n, piece in enumerate(pieces[:8], 1)}
+    few, many = (
+        plan_svg(where, own, ["bed", "cot"], "en", numbered=numbered, letters=letters)
+        for where, own, letters in ((made().plan, pieces[:1], 10.0), (plan, pieces, 17.0))
+    )
+    assert few.legend == ()
+    assert ">1 a long name 0<" in few.svg
+    told = dict(many.legend)
+    assert [told["a"], told["b"]] == [place.name for place in plan.places]
+    assert [told["c"], told["d"]] == ["a long name 8", "a long name 9"]
+    marks = re.findall(r'class="name halo"[^>]*>([^<]*)<', many.svg)
+    assert sorted(marks) == sorted([*numbered.values(), *told])
+    plain = plan_svg(plan, pieces, ["bed", "cot"], "en")
+    assert plain.legend == ()  # without numbers there is nothing to stand for a name
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "now_of_one": (
         "Chances under {motion}, of JMA intensity {strength}, as the room is: {chances}.",
-        "{motion}（{strength}）では、今の部屋のままだと{chances}です。",
+        "{motion}（{strength}の揺れ）では、今の部屋のままだと{chances}です。",
     ),
     "then": (
         "Chances after all {last} steps: {chances}.",
@@ -51,11 +51,11 @@ TEXTS: dict[str, tuple[str, str]] = {
     "rough": (
         (
             "Steps marked C rest on assumed values: trust their order more than their chances. Before you buy, measure or "
-            "look up what decides them ({inputs}), enter it in the room, and make this plan again."
+            "look up these inputs, enter them in the room, and make this plan again."
         ),
         (
             "Cの印がある項目は、仮定した値に基づきます。確率の値よりも、順位のほうが確かです。買う前に、次の値を"
-            "測るか調べて部屋に入力し、作り直してください：{inputs}。"
+            "測るか調べて部屋に入力し、作り直してください。"
         ),
     ),
     "home": ("Conditions: {conditions}.", "条件：{conditions}。"),
@@ -68,8 +68,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     "dropped_ceiling": ("a ceiling that hangs on wires", "吊り天井"),
     # The plan and the elevations
     "scale": (
-        "Plan 1:{plan}, elevations 1:{elevation} when printed at 100 % on A4; lengths in metres.",
+        "Plan 1:{plan}, elevations 1:{elevation} when printed at 100 %; lengths in metres.",
         "平面図1:{plan}、立面図1:{elevation}（等倍で印刷した場合）。長さの単位はメートルです。",
+    ),
+    "scale_alone": (
+        "Plan 1:{plan} when printed at 100 %; lengths in metres.",
+        "平面図1:{plan}（等倍で印刷した場合）。長さの単位はメートルです。",
     ),
     "elevation_alt": (
         "{piece} from the front and from the side, to scale",
@@ -90,6 +94,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "steps_instead": ("{steps} without drilling:", "{steps}（穴を開けない場合）"),
     "effect": ("Effect", "効果"),
     "instead": ("Without drilling", "穴を開けない場合"),
+    "drilled": ("If drilling is allowed", "壁に穴を開けてよい場合"),
+    "drilled_on": ("If drilling is allowed: {piece}", "「{piece}」を壁にねじで留めてよい場合"),
     "reaches": ("Effect anyway", "それでも見込める効果"),
     "caution": ("Caution", "注意"),
     "free": ("free", "無料"),
@@ -123,6 +129,24 @@ TEXTS: dict[str, tuple[str, str]] = {
     "weak_to": (
         "enough up to {strength}",
         "{strength}までなら足ります",
+    ),
+    "not_enough": (
+        "Not enough for {pieces}: what else you can do",
+        "強さや効果が足りない家具（{pieces}）に、ほかにできること",
+    ),
+    "ask_landlord": (
+        (
+            "Ask the landlord, before you buy, whether furniture may be screwed to the studs of the wall. In Japan the "
+            "Ministry of Land's guideline on restoring rented homes names this consent for holding furniture."
+        ),
+        (
+            "買う前に、家具を壁の下地にねじで留めてよいか、大家さんや管理会社に相談してください。国土交通省の"
+            "原状回復のガイドラインも、家具の転倒防止では前もって貸主の承諾を得る方法を挙げています。"
+        ),
+    ),
+    "out_of_reach": (
+        "Put beds and desks out of its reach, keep heavy things at the bottom, or choose a lower piece.",
+        "ベッドや机を家具が届かない所に移す、重い物を下の段に入れる、背の低い家具に替える、という方法もあります。",
     ),
     "weak_anywhere": ("not enough for JMA intensity 4 either", "震度4でも強さが足りません"),
     # Where it goes
@@ -216,7 +240,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     # Marks
     "mark": ("How well this is known: {grade}", "根拠の確かさ：{grade}"),
     "weakest": ("Least well known here: {inputs}.", "この項目で最も不確かな入力：{inputs}。"),
-    "weakest_of": ("Least well known", "最も不確かな入力"),
+    "weakest_of": ("What is least well known", "最も不確かな入力"),
     # Foot
     "grades": ("Marks: {meanings}.", "記号：{meanings}。"),
     "grade": ("{grade}: {meaning}", "{grade}：{meaning}"),

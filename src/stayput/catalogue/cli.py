@@ -1,6 +1,7 @@
 """The command line's refusals and warnings. Flags stand as they are typed."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    "strength": ("Stated shaking", "指定した揺れ"),
     "one_of_two": (
         "{flag} is {value} beside {other} {other_value}; it must be one of the two.",
         "{flag} {value}と{other} {other_value}の両方が指定されています。一方だけにしてください。",

@@ -2,14 +2,18 @@
 
 TEXTS: dict[str, tuple[str, str]] = {
     "intensity": ("JMA intensity {value:.3g}", "計測震度{value:.3g}"),
-    "pga": (
-        "peak ground acceleration {value:.3g} m/s², to which each motion is scaled",
-        "地面の最大加速度{value:.3g} m/s²（各地震動をこの値に合わせます）",
+    "value": ("{value:.3g}", "計測震度{value:.3g}"),
+    "pga": ("peak ground acceleration {value:.3g} m/s²", "地面の最大加速度{value:.3g} m/s²"),
+    "pgv": ("peak ground velocity {value:.3g} m/s", "地面の最大速度{value:.3g} m/s"),
+    "magnitude": (
+        "magnitude {magnitude:.3g} at {distance:.3g} km",
+        "マグニチュード{magnitude:.3g}、断層までの距離{distance:.3g} km",
     ),
-    "pgv": (
-        "peak ground velocity {value:.3g} m/s, to which each motion is scaled",
-        "地面の最大速度{value:.3g} m/s（各地震動をこの値に合わせます）",
+    "scaled": (
+        "{stated}, to which each motion is scaled",
+        "{stated}（各地震動をこの値に合わせます）",
     ),
+    "of_class": ("{strength} ({stated})", "{strength}（{stated}）"),
     "mmi": ("modified Mercalli intensity {value:.3g}", "改正メルカリ震度{value:.3g}"),
     "mmi_source": ("Worden et al. (2012)", "Wordenほか（2012）"),
     "earthquake": (

@@ -113,7 +113,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "strength": ("In shaking of JMA intensity {strength}: ", "{strength}の揺れでは、"),
     "strength_scattered": (
         "In earthquakes as stated, with the scatter of their strength around JMA intensity {strength}: ",
-        "指定した地震では（強さのばらつきを含む。中央は{strength}）、",
+        "強さのばらつきを含む、{strength}を中央とする地震では、",
     ),
     "interval": ("95 % interval: ", "95%区間："),
     "hits": (

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
-from stayput.catalogue import LANGUAGES
+from stayput.catalogue import LANGUAGES, say
 from stayput.cli.flags import (
     ComponentOption,
     LanguageOption,
@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from collections.abc import Generator
 
     from stayput.catalogue import Phrase
+    from stayput.motion.ground_shaking import GroundStrength
     from stayput.report.animation import Progress
     from stayput.simulation.run import Run
     from stayput.simulation.space_run import SpaceRun
@@ -177,8 +178,11 @@ def simulate(
             found = pieces.run()
         from stayput.rooms.words import names_in
 
-        called = pieces.names if json else names_in(pieces, lang)
-        _show_in_space(found, called, _Wanted(("", ""), pieces.title, plot, animate, speed, fps, lang, json))
+        _show_in_space(
+            found,
+            pieces.names if json else names_in(pieces, lang),
+            _Wanted(("", ""), pieces.shaking.strength, pieces.title, plot, animate, speed, fps, lang, json),
+        )
         return
     checked = parsed(Scenario, data, scenario, motion)
     if length is not None and checked.dimensions == 2:
@@ -187,7 +191,7 @@ def simulate(
         run = checked.case(chosen_measures(checked, measure or [])).run()
     piece = checked.furniture
     called = piece.title, piece_name(piece.preset, piece.name)[1]
-    wanted = _Wanted(called, checked.title, plot, animate, speed, fps, lang, json)
+    wanted = _Wanted(called, checked.shaking.strength, checked.title, plot, animate, speed, fps, lang, json)
     if isinstance(run, Run):
         _show_in_the_plane(run, wanted)
     else:
@@ -198,6 +202,7 @@ class _Wanted(NamedTuple):
     """What is shown of a run, and where it is written."""
 
     name: Phrase
+    strength: GroundStrength | None
     title: str | None
     plot: Path | None
     animate: Path | None
@@ -303,6 +308,8 @@ def _print_table(said: Phrase, rows: list[tuple[str, str]], wanted: _Wanted) -> 
     table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
     for label, value in rows:
         table.add_row(label, value)
+    if wanted.strength is not None:
+        table.add_row(say("cli.strength", wanted.lang), say(wanted.strength.about, wanted.lang))
     console.print(table)
     for path in (wanted.plot, wanted.animate):
         if path is not None:

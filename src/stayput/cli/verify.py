@@ -38,6 +38,11 @@ from stayput.cli.verify_room import print_room
 from stayput.cli.verify_several import print_several
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from rich.console import Console
+    from rich.table import Table
+
     from stayput.rooms.verdict import RoomVerdict
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.verification import AssemblyVerdict, Verdict
@@ -206,7 +211,6 @@ def _write(
 
 def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     from rich.console import Console
-    from rich.table import Table
 
     from stayput.montecarlo.counting import OVERTURNED
     from stayput.report.verdict import numbers
@@ -225,16 +229,12 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     if verdict.scenario.title is not None:
         console.print(verdict.scenario.title, style="bold")
     paragraph(headline(verdict, lang))
-    table = Table(box=None, padding=(0, 1, 0, 0))
-    table.add_column("", justify="right")
-    table.add_column(text("measure"), min_width=12, overflow="fold")
     limit = numbers.length(verdict.slide_limit, lang)
     events = (text(f"brief_{event}", limit=limit) for event in EVENTS)
     capacities = (text("brief_capacity", share=f"{100.0 * share:g}") for share in SHARES)
     inside = (text("brief_contents_out"),) if verdict.without.contents is not None else ()
-    for heading in (*events, *inside, text("brief_slide"), *capacities):
-        table.add_column(heading, justify="right", no_wrap=True, overflow="fold")
-    rows = ranking(verdict, lang)
+    headings = (*events, *inside, text("brief_slide"), *capacities)
+    rows, lines = ranking(verdict, lang), list[tuple[str, ...]]()
     for row in rows:
         falls, *others = (
             numbers.NO_NUMBER if chance is None else numbers.probability(chance, lang)
@@ -245,12 +245,12 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
         slide = text("brief_falls") if math.isinf(result.slide.median) else row.slide[0]
         share = f"{falls} ({row.grade})"  # the grade of its inputs stands beside the number itself
         out = () if row.contents is None else (numbers.probability(row.contents, lang),)
-        table.add_row(str(result.rank), row.name or row.label, share, *others, *out, slide, *reached)
+        lines.append((str(result.rank), row.name or row.label, share, *others, *out, slide, *reached))
     impossible = impossible_rows(verdict, lang)
     for (label, _), rejected in zip(impossible, verdict.impossible, strict=True):
         name = rejected.option.name if rejected.option.own_name else label
-        table.add_row(numbers.NO_NUMBER, name, text("brief_not_possible"))
-    console.print(table)
+        lines.append((numbers.NO_NUMBER, name, text("brief_not_possible")))
+    console.print(_fitting(text("measure"), headings, lines, len(SHARES), console))
     paragraph(text("brief_text"))
     paragraph(grades_text(lang))
     colon = text("colon")
@@ -272,3 +272,28 @@ def _print(verdict: Verdict, lang: str, written: list[Path]) -> None:
     paragraph(simulations(verdict, lang))
     for path in written:
         console.print(f"Wrote {path}", soft_wrap=True)
+
+
+def _fitting(
+    label: str, headings: tuple[str, ...], lines: Sequence[tuple[str, ...]], last: int, console: Console
+) -> Table:
+    """Return the table of a ranking, without its last columns where it is wider than the terminal."""
+    from rich.cells import cell_len
+    from rich.table import Table
+
+    narrow = 12  # of the labels, which are folded
+    folds = max(max(cell_len(line[1]) for line in lines) - narrow, 0)
+    for shown in (headings, headings[:-last]):
+        table = Table(box=None, padding=(0, 1, 0, 0))
+        table.add_column("", justify="right")
+        table.add_column(label, min_width=narrow, overflow="fold")
+        for heading in shown:
+            table.add_column(heading, justify="right", no_wrap=True, overflow="fold")
+        for line in lines:
+            table.add_row(*line[: len(shown) + 2])
+        if (
+            console.measure(table, options=console.options.update(max_width=10_000)).maximum - folds
+            <= console.width
+        ):
+            break
+    return table

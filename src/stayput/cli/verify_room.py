@@ -25,8 +25,10 @@ def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
         Files that were written.
     """
     from rich.console import Console
+    from rich.padding import Padding
     from rich.table import Table
 
+    from stayput.catalogue import say
     from stayput.report.room.tables import sentences, simulations_of_room, tables
 
     console = Console(highlight=False, markup=False)
@@ -46,7 +48,21 @@ def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
             table.add_column(heading, justify="left" if number == 0 else "right", overflow="fold")
         for row in each.rows:
             table.add_row(*row)
-        console.print(table)
+        # a table whose lines would break becomes a list
+        if console.measure(table, options=console.options.update(max_width=10_000)).maximum <= console.width:
+            console.print(table)
+        else:
+            for row in each.rows:
+                label, *values = row
+                named = zip(each.headings[1:], values, strict=True)
+                said = say("common.listed", lang).join(
+                    f"{heading} {value}" for heading, value in named if value
+                )
+                if label:
+                    paragraph(label)
+                console.print(
+                    Padding(folded(said, console.width - 2) if lang == "ja" else said, (0, 0, 0, 2))
+                )
         if each.below:
             paragraph(each.below)
     paragraph(simulations_of_room(verdict, lang))

@@ -132,6 +132,8 @@ class GroundStrength:
         Standard deviation of the level.
     about : Phrase
         What was stated, without a full stop.
+    brief : Phrase
+        The same within a sentence: its value alone.
     source : Phrase
         The model by which it is a strength, where it has scatter.
     """
@@ -140,6 +142,7 @@ class GroundStrength:
     level: float
     scatter: float = 0.0
     about: Phrase = ("", "")
+    brief: Phrase = ("", "")
     source: Phrase = ("", "")
 
     @property
@@ -215,7 +218,10 @@ def horizontal_peak(motion: Motion, measure: StrengthMeasure) -> float:
 
 def strength_of_intensity(intensity: float) -> GroundStrength:
     """Return the strength of a JMA intensity."""
-    return GroundStrength("JMA", intensity, about=phrase("ground_shaking.intensity", value=intensity))
+    about = phrase("ground_shaking.intensity", value=intensity)
+    return GroundStrength(
+        "JMA", intensity, about=about, brief=phrase("ground_shaking.value", value=intensity)
+    )
 
 
 @arguments(
@@ -230,7 +236,10 @@ def strength_of_intensity(intensity: float) -> GroundStrength:
 )
 def strength_of_pga(pga: float) -> GroundStrength:
     """Return the strength of a peak acceleration [m/s²]."""
-    return GroundStrength("PGA", math.log10(pga), about=phrase("ground_shaking.pga", value=pga))
+    brief = phrase("ground_shaking.pga", value=pga)
+    return GroundStrength(
+        "PGA", math.log10(pga), about=phrase("ground_shaking.scaled", stated=brief), brief=brief
+    )
 
 
 @arguments(
@@ -245,7 +254,10 @@ def strength_of_pga(pga: float) -> GroundStrength:
 )
 def strength_of_pgv(pgv: float) -> GroundStrength:
     """Return the strength of a peak velocity [m/s]."""
-    return GroundStrength("PGV", math.log10(pgv), about=phrase("ground_shaking.pgv", value=pgv))
+    brief = phrase("ground_shaking.pgv", value=pgv)
+    return GroundStrength(
+        "PGV", math.log10(pgv), about=phrase("ground_shaking.scaled", stated=brief), brief=brief
+    )
 
 
 @arguments(
@@ -262,7 +274,7 @@ def strength_of_mercalli(mmi: float) -> GroundStrength:
     """Return the strength of a modified Mercalli intensity."""
     about = phrase("ground_shaking.mmi", value=mmi)
     source = phrase("ground_shaking.mmi_source")
-    return GroundStrength("PGV", math.log10(pgv_of_mercalli(mmi)), MERCALLI_SCATTER, about, source)
+    return GroundStrength("PGV", math.log10(pgv_of_mercalli(mmi)), MERCALLI_SCATTER, about, about, source)
 
 
 def strength_of_earthquake(earthquake: EarthquakeSource) -> GroundStrength:
@@ -276,4 +288,5 @@ def strength_of_earthquake(earthquake: EarthquakeSource) -> GroundStrength:
         vs30=earthquake.vs30,
     )
     source = phrase("ground_shaking.earthquake_source")
-    return GroundStrength("PGV", math.log10(earthquake.pgv), EARTHQUAKE_SCATTER, about, source)
+    brief = phrase("ground_shaking.magnitude", magnitude=earthquake.magnitude, distance=earthquake.distance)
+    return GroundStrength("PGV", math.log10(earthquake.pgv), EARTHQUAKE_SCATTER, about, brief, source)

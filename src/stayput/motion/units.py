@@ -38,7 +38,7 @@ def unit_name(unit: str) -> str:
         The name is none of them.
     """
     plain = str(unit).lower().split("(")[0].replace(" ", "").rstrip(".")
-    plain = plain.replace("sec", "s").replace("gals", "gal")
+    plain = plain.replace("sec", "s").replace("gals", "gal").replace("ガル", "gal")
     for ending in ("/s/s", "/s**2", "/s^2", "/s2"):
         if plain.endswith(ending):
             plain = plain.removesuffix(ending) + "/s²"

@@ -120,10 +120,11 @@ def action_plan(
 
         question = question_of(home.of(asked.scenario), threads)._replace(advance=count)
         (*_, state) = states(question)
-        steps, unsolved = _Planner(question, state, home, decisions_of(question, decided)).steps()
+        planner = _Planner(question, state, home, decisions_of(question, decided))
+        steps, unsolved = planner.steps()
     as_it_is = verdict_of(question, state, asked.slide_limit)
     now = replace(as_it_is, complete=True, runs=made, seconds=time.perf_counter() - began)
-    return ActionPlan(now, home, steps, unsolved)
+    return ActionPlan(now, home, steps, unsolved, planner.drilled)
 
 
 class _Way(NamedTuple):
@@ -181,6 +182,7 @@ class _Planner:
         struck = {body for own in hits for body, one in enumerate(own) if one.happened.any()}
         self.harmful = struck | harmful_pieces(state.as_it_is, question.plan, state.ends)
         self.falling = falling_pieces(state.as_it_is)
+        self.drilled: dict[str, Fix] = {}
         self._known: dict[tuple[int, PersonPlace], tuple[Sequence[Track], Hits]] = {}
 
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
@@ -297,13 +299,17 @@ class _Planner:
     def _fixing(self, body: int, whole: Assembly) -> _Chosen | None:
         """Return the best measures on a piece, which stands in ``whole`` as it is to stand."""
         decided = self.decisions.measures.get(body)
-        tried = (
-            self._worth(body, whole) if decided is None else [self._tried_as_decided(body, whole, decided)]
-        )
+        if decided is None:
+            tried = self._helpful(body, whole, [kinds for kinds in SETS if self.home.allows(kinds)])
+        else:
+            tried = [self._tried_as_decided(body, whole, decided)]
         if not tried:
+            self._with_drilling(body, whole)
             return None
         best = min(tried, key=_merit)
         fix, here, there = self._fitted(best, body, whole)
+        if not fix.enough:
+            self._with_drilling(body, whole)
         undrilled = [one for one in tried if not any(measure.drilled for measure in one.measures)]
         instead = None
         if fix.drilled and undrilled:
@@ -323,15 +329,22 @@ class _Planner:
         )
         return _Chosen(step, None, here, there)
 
-    def _worth(self, body: int, whole: Assembly) -> list[_Tried]:
-        """Return the measures that help on a piece and can be put on it where it is to stand too."""
+    def _with_drilling(self, body: int, whole: Assembly) -> None:
+        """Keep the best measures on a piece of those that only the ban on drilling rules out, if any."""
+        tried = self._helpful(body, whole, [kinds for kinds in SETS if not self.home.allows(kinds)])
+        if tried:
+            name = self.question.scenario.names[body]
+            self.drilled[name] = self._fitted(min(tried, key=_merit), body, whole)[0]
+
+    def _helpful(self, body: int, whole: Assembly, sets: Sequence[tuple[str, ...]]) -> list[_Tried]:
+        """Run sets of measures on a piece, and return those that help and can be put on it in ``whole``."""
         as_it_is = self.state.as_it_is
         bare = self._own_risk(
             _Way({one: as_it_is.tracks[one] for one in self._group(body)}, as_it_is.missing)
         )
         return [
             one
-            for one in self._tried(body)
+            for one in self._tried(body, sets)
             if (one.own < bare or _frees(one.effect) or self._steadies(one, body))
             and self._held(body, one.measures, whole) is not None
         ]
@@ -346,14 +359,12 @@ class _Planner:
         less = self._overturned(body).estimate - tried.overturns.estimate
         return body in self.falling and less > ALIKE
 
-    def _tried(self, body: int) -> list[_Tried]:
-        """Run every set of measures that may be put on a piece."""
+    def _tried(self, body: int, sets: Sequence[tuple[str, ...]]) -> list[_Tried]:
+        """Run sets of measures, those that can be put on a piece where it stands."""
         parts: list[tuple[tuple[Measure, ...], RoomPart]] = []
         soft = self.question.scenario.surroundings().floor.surface in SOFT
-        for kinds in SETS:
+        for kinds in sets:
             measures = tuple(MEASURES[kind]() for kind in kinds)
-            if self.home.no_drilling and any(one.drilled for one in measures):
-                continue
             if soft and any(isinstance(one, WedgeStopper) for one in measures):  # it sinks in
                 continue
             part = self._held(body, measures, self.question.whole)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from stayput.measures import MEASURES
 from stayput.verification.options import COMBINED
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
     from pathlib import Path
 
     from stayput.catalogue import Phrase
@@ -69,6 +71,10 @@ class Home:
     tatami: bool = False
     plasterboard: bool = False
     dropped_ceiling: bool = False
+
+    def allows(self, kinds: Iterable[str]) -> bool:
+        """Return whether measures of some kinds may be used in this home."""
+        return not (self.no_drilling and any(MEASURES[kind].drilled for kind in kinds))
 
     def of(self, scenario: RoomScenario) -> RoomScenario:
         """Return a room as it is in this home."""
@@ -207,12 +213,16 @@ class ActionPlan:
         What to do, in order of importance.
     unsolved : tuple of str
         Pieces that do harm or overturn often, and on which nothing that may be done helps.
+    drilled : mapping
+        Where nothing may be drilled: the best measures that are, on each piece for which all others are too
+        weak or do not help.
     """
 
     verdict: RoomVerdict
     home: Home
     steps: tuple[PlanStep, ...]
     unsolved: tuple[str, ...]
+    drilled: Mapping[str, Fix] = field(default_factory=dict[str, "Fix"])
 
     @property
     def together(self) -> RoomEffect | None:

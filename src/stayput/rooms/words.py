@@ -11,7 +11,7 @@ from stayput.catalogue.names import PIECES
 from stayput.fragility.probabilities import percent
 from stayput.model.floor_plan import PLACES
 from stayput.rooms.changes import wall_faced
-from stayput.verification.words import class_phrase, sentence_of, share_text
+from stayput.verification.words import sentence_of, shaking_phrase, share_text
 from stayput.wording import inside
 
 if TYPE_CHECKING:
@@ -133,7 +133,7 @@ def sentence_of_room(verdict: RoomVerdict, language: str) -> str:
         return say("verification.no_run", language)
     stated = verdict.scenario.shaking.strength
     key = "rooms.strength_scattered" if stated is not None and stated.scatter else "rooms.strength"
-    strength = say(key, language, strength=class_phrase(verdict.intensity))
+    strength = say(key, language, strength=shaking_phrase(verdict.scenario.shaking, verdict.intensity))
     told = sentence_of([say(part, language) for part in _clauses(verdict)], language)
     return strength + (told[0].lower() + told[1:] if language == "en" else told)
 

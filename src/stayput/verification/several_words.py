@@ -11,11 +11,11 @@ from stayput.verification.several_options import label
 from stayput.verification.words import (
     ALIKE,
     SMALL,
-    class_phrase,
     falls_phrase,
     length,
     of_the_cases,
     sentence_of,
+    shaking_phrase,
     share_text,
 )
 from stayput.wording import inside, with_aside
@@ -51,7 +51,8 @@ def headline_of_several(verdict: AssemblyVerdict, language: str) -> str:
     if math.isnan(share):
         return say("several.no_run", language)
     held = best.probabilities[OVERTURNED].estimate
-    strength, falls = class_phrase(verdict.intensity), falls_phrase(share)
+    strength = shaking_phrase(verdict.scenario.shaking, verdict.intensity)
+    falls = falls_phrase(share)
     if best.option.count and held < share - SMALL:
         unclear = best.change is not None and not best.change.clear
         then = "verification.then_never" if held == 0.0 else "verification.then_falls"

@@ -17,6 +17,7 @@ from stayput.wording import FAR, inside, is_open, with_aside
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
+    from stayput.scenario.shaking import ShakingTable
     from stayput.verification.options import Option
     from stayput.verification.verdict import OptionVerdict, Verdict
 
@@ -30,6 +31,22 @@ SMALL = 0.005
 def class_phrase(intensity: float) -> Phrase:
     """Return the class of a JMA intensity."""
     return INTENSITIES[intensity_class(intensity)]
+
+
+def shaking_phrase(shaking: ShakingTable, intensity: float) -> Phrase:
+    """Return how strong shaking is: its class, and what was stated where that is not the class itself.
+
+    Parameters
+    ----------
+    shaking : ShakingTable
+        What was stated.
+    intensity : float
+        Its JMA intensity; the median where it differs from motion to motion.
+    """
+    strength = shaking.strength
+    if strength is None or isinstance(shaking.intensity, str):
+        return class_phrase(intensity)
+    return phrase("ground_shaking.of_class", strength=class_phrase(intensity), stated=strength.brief)
 
 
 def class_label(intensity: float, language: str) -> str:
@@ -166,7 +183,8 @@ def _headline(verdict: Verdict) -> Phrase:
     share = without.probabilities[OVERTURNED].estimate
     if math.isnan(share):
         return phrase("verification.no_run_without_a_measure")
-    strength, falls = class_phrase(verdict.intensity), falls_phrase(share)
+    strength = shaking_phrase(verdict.scenario.shaking, verdict.intensity)
+    falls = falls_phrase(share)
     if _helps(best, without):
         held = best.probabilities[OVERTURNED].estimate
         unclear = best.change is not None and not best.change.clear

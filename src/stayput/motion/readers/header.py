@@ -15,7 +15,7 @@ from stayput.motion.units import UNIT_NAMES, unit_factor
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_STATED = re.compile(r"\bUNITS?(?: ?[:=] ?| OF )([^\s,;)]{1,40})", re.IGNORECASE)
+_STATED = re.compile(r"(?:\bUNITS?(?: ?[:=] ?| OF )|単位 ?[:=：（(]? ?)([^\s,;)、。）]{1,40})", re.IGNORECASE)
 _STEP_TOLERANCE = 1e-4
 """Relative difference up to which two time steps are the same one, rounded to five digits or more."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import phrase
@@ -33,6 +34,28 @@ _DISPLACEMENT = re.compile(
     r"(?<![a-z])disp(?:lacement)?(?![a-z])|[(\[] ?[cm]?m ?[)\]]|_[cm]m$", re.IGNORECASE
 )
 _LONGEST_NAME = 40
+
+_FULL_WIDTH = re.compile("[\u3000-\u30ff\u4e00-\u9fff\uff01-\uff5e]")
+"""Kana, Chinese characters, and Latin letters and marks as wide as these."""
+
+_JAPANESE = (
+    (re.compile("^秒$"), "sec"),
+    (re.compile("ミリ秒"), "ms"),
+    (re.compile("(?:経過)?時間|時刻|秒数"), "time"),
+    (re.compile("秒"), "s"),
+    (re.compile("(?:データ|サンプル)?番号"), "no"),
+    (re.compile("南北"), "NS"),
+    (re.compile("東西"), "EW"),
+    (re.compile("上下|鉛直"), "UD"),
+    (re.compile("(?<=[A-Za-z])(?:方向|成分|軸|動)"), ""),
+    (re.compile("ガル"), "gal"),
+    (re.compile("カイン"), "kine"),
+    (re.compile("加速度"), " acc "),
+    (re.compile("速度"), " velocity "),
+    (re.compile("変位"), " displacement "),
+    (re.compile(r"^ *(acc|velocity|displacement)[ _\-・:]*(NS|EW|UD|[XYZ])(?![A-Za-z])"), r"\2 \1"),
+)
+"""What usual Japanese headings are in English, in the order in which they are replaced."""
 
 
 class Headings(NamedTuple):
@@ -71,9 +94,20 @@ def _mark(line: str) -> str | None:
 
 def headings_in(line: str) -> list[str]:
     """Return the fields of a line of headings, without quotation marks and characters that are not seen."""
+    if _FULL_WIDTH.search(line):
+        line = unicodedata.normalize("NFKC", line)
     # Of headings that are parted by blanks, "NS [gal]" is one.
     joined = re.sub(r"(?<!\s)\s+(?=[(\[])", " " if _mark(line) else "", without_control(line))
-    return [text.strip("\"' ") for text in split(joined)]
+    return [_in_english(text.strip("\"' ")) for text in split(joined)]
+
+
+def _in_english(text: str) -> str:
+    """Return a heading with the usual Japanese words of records in English: "NS acc (gal)"."""
+    if not _FULL_WIDTH.search(text):
+        return text
+    for japanese, english in _JAPANESE:
+        text = japanese.sub(english, text)
+    return " ".join(text.split())
 
 
 def are_headings(line: str) -> bool:

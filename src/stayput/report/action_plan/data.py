@@ -33,6 +33,7 @@ def plan_data(plan: ActionPlan) -> dict[str, Any]:
         "steps": [_step(step, plan) for step in plan.steps],
         "together": None if together is None else _effect(together),
         "unsolved": list(plan.unsolved),
+        "with_drilling": {name: _fix(fix) for name, fix in plan.drilled.items()},
         "room": room_data(plan.verdict),
     }
 

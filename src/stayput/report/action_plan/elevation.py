@@ -44,9 +44,7 @@ def elevation_svg(fix: Fix, name: str, scale: int, language: str) -> str:
     language : str
         "en" or "ja".
     """
-    held = held_by(fix)
-    base = bare(fix.part.assembly.members[fix.place]).at[2]
-    view = _View(held, base, 1.0 / (scale * UNIT))
+    view = _view(fix, scale)
     parts = [*view.front(fix), *view.side(), *view.names(language)]
     label = say("action_plan.elevation_alt", language, piece=say(piece_name(name), language))
     millimetres = [f"{1e3 * UNIT * size:.1f}mm" for size in (view.width, view.height)]
@@ -59,6 +57,17 @@ def elevation_svg(fix: Fix, name: str, scale: int, language: str) -> str:
         aria_label=label,
         style=f"width:{millimetres[0]};height:{millimetres[1]}",
     )
+
+
+def size_on_paper(fix: Fix, scale: int) -> tuple[float, float]:
+    """Return how wide and how high an elevation is on paper [m]; see `elevation_svg`."""
+    view = _view(fix, scale)
+    return UNIT * view.width, UNIT * view.height
+
+
+def _view(fix: Fix, scale: int) -> _View:
+    base = bare(fix.part.assembly.members[fix.place]).at[2]
+    return _View(held_by(fix), base, 1.0 / (scale * UNIT))
 
 
 class _View:

@@ -1,4 +1,4 @@
-"""A plan to buy and do as one HTML page that prints on one sheet of A4 for up to four pieces."""
+"""A plan to buy and do as one HTML page that prints on one sheet for up to four pieces."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ import stayput
 from stayput.catalogue import phrase, say
 from stayput.measures.parameters import MEANINGS
 from stayput.report.action_plan.elevation import elevation_svg
+from stayput.report.action_plan.paper import elevation_scale, is_dense, plan_scale, sizes_of
 from stayput.report.page import framed, rendered, write_page
-from stayput.report.room.drawing import plan_with
+from stayput.report.room.drawing import numbered_plan
 from stayput.report.room.sheet import PlanSheet
 from stayput.rooms.forces import MARGIN, QUANTILE
 from stayput.rooms.step_words import (
@@ -32,26 +33,18 @@ from stayput.rooms.step_words import (
 from stayput.rooms.steps import COST_BOUNDS
 from stayput.rooms.words import motion_phrase, piece_name, piece_within
 from stayput.uncertainty import USUAL, Lognormal
-from stayput.verification.words import class_phrase, share_text
+from stayput.verification.words import shaking_phrase, share_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
     from pathlib import Path
 
     from stayput.catalogue import Phrase
+    from stayput.report.action_plan.paper import CardSizes
     from stayput.rooms.steps import ActionPlan, Fix, PlanStep
 
-PLAN_SCALES = (25, 40, 50, 75, 100, 150, 200, 300, 500, 1000)
-"""Scales that a plan is drawn to: metres of the room in a metre of paper."""
-
-PLAN_SPACE = (0.082, 0.060)
-"""Most that the plan takes up on paper, wide and high [m]."""
-
-ELEVATION_SCALES = (75, 100)
-"""Scales of the elevations: of few pieces, and of more than `FEW`."""
-
-FEW = 3
-"""Most pieces that fit on one sheet with the larger elevations."""
+PLAN_LETTERS = 17.0
+"""Size of the names on the plan [px]; that in card.css."""
 
 
 class CardBlock(NamedTuple):
@@ -92,8 +85,8 @@ class CardRow(NamedTuple):
         The piece with its devices; empty where something is moved.
     done : CardBlock
         What to buy, where it goes and so on.
-    instead : CardBlock or None
-        What may be done without drilling, where that is something else.
+    other : tuple of (str, CardBlock) or None
+        The other way as to drilling, with its heading: without it, or with it where it is not allowed.
     """
 
     number: int
@@ -105,7 +98,25 @@ class CardRow(NamedTuple):
     known: tuple[str, ...]
     drawing: Markup
     done: CardBlock
-    instead: CardBlock | None
+    other: tuple[str, CardBlock] | None
+
+
+class CardDeadEnd(NamedTuple):
+    """What else can be done where the steps are not enough.
+
+    Parameters
+    ----------
+    heading : str
+        For which pieces.
+    sentences : tuple of str
+        What can be done.
+    drilled : tuple of (str, CardBlock)
+        What could be done with drilling on a piece that has no step, with its name.
+    """
+
+    heading: str
+    sentences: tuple[str, ...]
+    drilled: tuple[tuple[str, CardBlock], ...]
 
 
 SHEETS = ("canvas/plan.css", "room/plan.css", "action_plan/card.css")
@@ -130,16 +141,25 @@ def plan_html(plan: ActionPlan, language: str = "en") -> str:
 
 def _content(plan: ActionPlan, language: str) -> dict[str, Any]:
     title, named = say("action_plan.title", language), plan.verdict.scenario.title
-    drawing, scale = _plan(plan, language)
+    sizes = sizes_of(plan)
+    drawn = [step.fix for step in plan.steps if step.fix is not None]
+    elevations = elevation_scale(drawn, sizes)
+    drawing, scale, legend = _plan(plan, sizes, language)
     return {
         **framed(language, "action_plan", f"{title} – {named}" if named else title, SHEETS),
         "name": named,
         "sentences": [say(told, language) for told in _sentences(plan)],
-        "rough": say(_rough(plan), language) if any(map(_is_rough, plan.steps)) else "",
+        "letters": sizes.letters,
+        "dense": is_dense(sizes),
         "plan": drawing,
-        "scale": say("action_plan.scale", language, plan=scale, elevation=_elevation_scale(plan)),
-        "rows": [_row(number, step, plan, language) for number, step in enumerate(plan.steps, 1)],
+        "legend": legend,
+        "scale": say(
+            f"action_plan.scale{'' if drawn else '_alone'}", language, plan=scale, elevation=elevations
+        ),
+        "rows": [_row(number, plan, elevations, language) for number in range(1, len(plan.steps) + 1)],
+        "dead_end": _dead_end(plan, language),
         "checks": _checks(plan, language),
+        "rough": any(map(_is_rough, plan.steps)),
         "weakest": listed_once(plan, lambda step: [joined(one.label for one in step.weakest)], language),
         "notes": [say(note, language) for note in _notes(plan)],
     }
@@ -149,16 +169,10 @@ def _is_rough(step: PlanStep) -> bool:
     return step.grade == max(MEANINGS)
 
 
-def _rough(plan: ActionPlan) -> Phrase:
-    """Return that some steps rest on assumed values, and which these are, each once."""
-    labels = (one.label for step in plan.steps if _is_rough(step) for one in step.weakest)
-    return phrase("action_plan.rough", inputs=joined(dict.fromkeys(labels)))
-
-
 def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
     """Yield how it is, how it would be, and what was asked for."""
     verdict, together, falling = plan.verdict, plan.together, falls(plan)
-    strength = class_phrase(verdict.intensity)
+    strength = shaking_phrase(verdict.scenario.shaking, verdict.intensity)
     if together is None:
         if falling is None and not plan.unsolved:
             yield phrase("action_plan.nothing")
@@ -197,29 +211,20 @@ def _sentences(plan: ActionPlan) -> Iterator[Phrase]:
         yield phrase("action_plan.home", conditions=conditions)
 
 
-def _plan(plan: ActionPlan, language: str) -> tuple[Markup, int]:
-    """Return the room with the steps' numbers, to a round scale on paper, and that scale."""
+def _plan(
+    plan: ActionPlan, sizes: CardSizes, language: str
+) -> tuple[Markup, int, tuple[tuple[str, str], ...]]:
+    """Return the room with the steps' numbers to a round scale on paper, that scale, and what marks mean."""
     numbers: dict[str, str] = {}
     for number, step in enumerate(plan.steps, 1):
         numbers[step.what] = f"{numbers[step.what]}+{number}" if step.what in numbers else f"{number}"
     moves = [step.move for step in plan.steps if step.move is not None]
-    drawing = plan_with(plan.verdict, moves, language, numbers)
+    drawing = numbered_plan(plan.verdict, moves, language, numbers, PLAN_LETTERS)
     sheet = PlanSheet(plan.verdict.plan)
     metres = [size / sheet.scale for size in sheet.size]
-    scale = next(
-        (
-            one
-            for one in PLAN_SCALES
-            if all(size / one <= space for size, space in zip(metres, PLAN_SPACE, strict=True))
-        ),
-        PLAN_SCALES[-1],
-    )
+    scale = plan_scale(metres, sizes)
     wide = f"{1e3 * metres[0] / scale:.1f}mm"
-    return Markup(re.sub("<svg ", f'<svg style="width:{wide}" ', drawing, count=1)), scale
-
-
-def _elevation_scale(plan: ActionPlan) -> int:
-    return ELEVATION_SCALES[sum(step.fix is not None for step in plan.steps) > FEW]
+    return Markup(re.sub("<svg ", f'<svg style="width:{wide}" ', drawing.svg, count=1)), scale, drawing.legend
 
 
 def listed_once(
@@ -252,7 +257,9 @@ def _checks(plan: ActionPlan, language: str) -> list[tuple[str, str]]:
     return lines
 
 
-def _row(number: int, step: PlanStep, plan: ActionPlan, language: str) -> CardRow:
+def _row(number: int, plan: ActionPlan, scale: int, language: str) -> CardRow:
+    step = plan.steps[number - 1]
+
     def own(key: str, **values: object) -> str:
         return say(f"action_plan.{key}", language, **values)
 
@@ -266,13 +273,43 @@ def _row(number: int, step: PlanStep, plan: ActionPlan, language: str) -> CardRo
         step.cost_class,
         step.grade.value,
         (own("grade", grade=step.grade.value, meaning=meaning), own("weakest", inputs=inputs)),
-        Markup("")
-        if step.fix is None
-        else Markup(elevation_svg(step.fix, step.what, _elevation_scale(plan), language)),
+        Markup("") if step.fix is None else Markup(elevation_svg(step.fix, step.what, scale, language)),
         _block(step.fix, _lines(number, plan), plan, language),
-        None
-        if step.instead is None
-        else _block(step.instead, _lines_instead(step, step.instead, plan), plan, language),
+        _other(step, plan, language),
+    )
+
+
+def _other(step: PlanStep, plan: ActionPlan, language: str) -> tuple[str, CardBlock] | None:
+    """Return the other way as to drilling, where there is one."""
+    key, fix = (
+        ("instead", step.instead) if step.instead is not None else ("drilled", plan.drilled.get(step.what))
+    )
+    if fix is None or step.fix is None:
+        return None
+    assert step.overturned is not None
+    lines = _lines_of_other(fix, step.overturned.estimate, plan)
+    return say(f"action_plan.{key}", language), _block(fix, lines, plan, language)
+
+
+def _dead_end(plan: ActionPlan, language: str) -> CardDeadEnd | None:
+    """Return what else can be done where the steps are not enough; None where they are."""
+    names = [step.what for step in plan.steps if step.fix is not None and not step.fix.enough]
+    names += plan.unsolved
+    if not names:
+        return None
+    before = {piece.name: piece.probabilities["overturned"].estimate for piece in plan.verdict.pieces}
+    told = ["ask_landlord"] if plan.home.no_drilling else []
+    return CardDeadEnd(
+        say("action_plan.not_enough", language, pieces=joined(map(piece_name, dict.fromkeys(names)))),
+        tuple(say(f"action_plan.{key}", language) for key in (*told, "out_of_reach")),
+        tuple(
+            (
+                say("action_plan.drilled_on", language, piece=piece_name(name)),
+                _block(fix, _lines_of_other(fix, before[name], plan), plan, language),
+            )
+            for name, fix in plan.drilled.items()
+            if name in plan.unsolved
+        ),
     )
 
 
@@ -293,16 +330,16 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     if fix is not None:
         yield "buy", joined(to_buy(one, fix) for one in fix.purchases)
         yield "where", joined((where(one, fix) for one in fix.purchases), "action_plan.next")
-    told = [] if fix is None else [_overturns(step, fix)]
+    told = [] if fix is None or step.overturned is None else [_overturns(step.overturned.estimate, fix)]
     told += what_it_brings(number, plan)
     yield "effect" if fix is None or fix.enough else "reaches", joined(told, "action_plan.next")
     if fix is not None and fix.cautions:
         yield "caution", joined(fix.cautions, "action_plan.next")
 
 
-def _lines_instead(step: PlanStep, fix: Fix, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
-    """Yield the same of what may be done without drilling."""
-    told = [_overturns(step, fix)]
+def _lines_of_other(fix: Fix, was: float, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
+    """Yield the same of another way, for a piece that overturns so often as the room is."""
+    told = [_overturns(was, fix)]
     if not changes_nothing(fix.alone):
         told.append(effects(fix.alone, plan))
     yield "effect" if fix.enough else "reaches", joined(told, "action_plan.next")
@@ -311,10 +348,8 @@ def _lines_instead(step: PlanStep, fix: Fix, plan: ActionPlan) -> Iterator[tuple
         yield "caution", joined(fix.cautions, "action_plan.next")
 
 
-def _overturns(step: PlanStep, fix: Fix) -> Phrase:
-    assert step.overturned is not None
-    was = share_text(step.overturned.estimate)
-    return phrase("action_plan.overturns", was=was, now=with_ends(fix.overturns))
+def _overturns(was: float, fix: Fix) -> Phrase:
+    return phrase("action_plan.overturns", was=share_text(was), now=with_ends(fix.overturns))
 
 
 def _notes_on_products(runs: int) -> Iterator[Phrase]:

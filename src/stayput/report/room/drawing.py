@@ -10,7 +10,8 @@ import numpy as np
 
 from stayput.catalogue import say
 from stayput.montecarlo.counting import OVERTURNED
-from stayput.report.room.plan import DrawnPiece, plan_svg, swatch_svg
+from stayput.report.room.labels import FONT
+from stayput.report.room.plan import DrawnPiece, DrawnPlan, plan_svg, swatch_svg
 from stayput.report.verdict import numbers
 from stayput.rooms.words import change_label, names_in
 from stayput.simulation.placing import bare
@@ -35,7 +36,7 @@ def room_plan(verdict: RoomVerdict, language: str) -> str:
     notes = {one.name: told("overturns", one.probabilities[OVERTURNED]) for one in verdict.pieces}
     notes |= {one.place.name: told("is_hit", one.hit) for one in verdict.places}
     notes |= {one.door.name: told("is_blocked", one.blocked) for one in verdict.doors}
-    return plan_svg(verdict.plan, _pieces(verdict), _kinds(verdict), language, notes=notes)
+    return plan_svg(verdict.plan, _pieces(verdict), _kinds(verdict), language, notes=notes).svg
 
 
 def legend(verdict: RoomVerdict, language: str) -> list[tuple[str, str]]:
@@ -49,13 +50,17 @@ def change_plan(verdict: RoomVerdict, language: str) -> tuple[str, str] | None:
     best = next((one.change for one in verdict.changes if one.helps and one.change.at is not None), None)
     if best is None:
         return None
-    return plan_with(verdict, [best], language), change_label(best, verdict, language)
+    return numbered_plan(verdict, [best], language).svg, change_label(best, verdict, language)
 
 
-def plan_with(
-    verdict: RoomVerdict, moves: Iterable[Change], language: str, numbered: Mapping[str, str] | None = None
-) -> str:
-    """Return a plan of the room with some things moved, and numbers before names.
+def numbered_plan(
+    verdict: RoomVerdict,
+    moves: Iterable[Change],
+    language: str,
+    numbered: Mapping[str, str] | None = None,
+    letters: float = FONT,
+) -> DrawnPlan:
+    """Return a plan of the room with some things moved, and numbers before names or in their place.
 
     Parameters
     ----------
@@ -67,6 +72,8 @@ def plan_with(
         "en" or "ja".
     numbered : mapping of str, optional
         The number of a piece or a place.
+    letters : float
+        Size of the letters of names [px].
     """
     pieces = [replace(piece, covers=None) for piece in _pieces(verdict)]
     plan, kinds = verdict.plan, _kinds(verdict)
@@ -85,7 +92,7 @@ def plan_with(
             other = replace(place, at=change.at, heading=change.heading)
             moved.append((place.corners, other.corners))
             plan = replace(plan, places=(*plan.places[:number], other, *plan.places[number + 1 :]))
-    return plan_svg(plan, pieces, kinds, language, moved=moved, numbered=numbered)
+    return plan_svg(plan, pieces, kinds, language, moved=moved, numbered=numbered, letters=letters)
 
 
 def _kinds(verdict: RoomVerdict) -> list[str]:

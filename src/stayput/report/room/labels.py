@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import unicodedata
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -15,14 +16,17 @@ if TYPE_CHECKING:
 FONT = 13.0
 """Size of the letters [px]; that of ``.plan-room text`` in canvas/plan.css."""
 
-LINE = 16.0
-"""Height of a line [px]."""
+LINE = 16.0 / 13.0
+"""Height of a line, in sizes of the letters."""
 
 LONGEST = 11.0
 """Longest line, in widths of a full-width letter."""
 
 NARROW = 0.56
 """Width of a letter that is not full-width, in the same."""
+
+WIDER = 1.2
+"""How much wider names may be in the fonts of some systems."""
 
 OTHER_NAME, OUTSIDE, OTHER_THING, FARTHER = 30.0, 20.0, 2.0, 0.15
 """What it costs that a name lies on another, beyond the floor, on another thing; and each next place."""
@@ -79,8 +83,25 @@ def _width(text: str) -> float:
     return sum(1.0 if unicodedata.east_asian_width(letter) in "WF" else NARROW for letter in text)
 
 
-def names_svg(labels: Sequence[PlanLabel], things: Sequence[Box], floor: Box) -> str:
-    """Return names as texts, the first of them placed first.
+def names_svg(labels: Sequence[PlanLabel], boxes: Sequence[Box], letters: float = FONT) -> str:
+    """Return names as texts in the rectangles where they stand, with letters of a size [px]."""
+    line = LINE * letters
+    return "".join(
+        svg.label(0.5 * (box[0] + box[2]), box[1] + line * (row + 0.78), text, class_)
+        for label, box in zip(labels, boxes, strict=True)
+        for row, (text, class_) in enumerate(label.texts)
+    )
+
+
+def overlap(boxes: Sequence[Box]) -> bool:
+    """Return whether any two rectangles share an area."""
+    return any(_shared(first, second) > 0.0 for first, second in itertools.combinations(boxes, 2))
+
+
+def places_of_names(
+    labels: Sequence[PlanLabel], things: Sequence[Box], floor: Box, letters: float = FONT
+) -> list[Box]:
+    """Return rectangles in which names stand, the first of them placed first.
 
     Parameters
     ----------
@@ -90,28 +111,23 @@ def names_svg(labels: Sequence[PlanLabel], things: Sequence[Box], floor: Box) ->
         Rectangles on which they rather do not stand [px].
     floor : tuple of float
         The rectangle that they should not leave [px].
+    letters : float
+        Size of the letters [px].
     """
     taken: list[Box] = []
-    found: list[str] = []
     for label in labels:
         others = [thing for thing in things if thing != label.box]
-        candidates = _candidates(label)
+        candidates = _candidates(label, letters)
         costs = [_cost(box, taken, others, floor) + FARTHER * place for place, box in enumerate(candidates)]
-        box = candidates[costs.index(min(costs))]
-        taken.append(box)
-        middle, top = 0.5 * (box[0] + box[2]), box[1]
-        found += [
-            svg.label(middle, top + LINE * (row + 0.78), line, class_)
-            for row, (line, class_) in enumerate(label.texts)
-        ]
-    return "".join(found)
+        taken.append(candidates[costs.index(min(costs))])
+    return taken
 
 
-def _candidates(label: PlanLabel) -> list[Box]:
+def _candidates(label: PlanLabel, letters: float) -> list[Box]:
     """Return rectangles for a name: in the middle of what it names, then at its sides."""
     x0, y0, x1, y1 = label.box
-    wide = FONT * max(_width(line) for line, _ in label.texts) + 4.0
-    high = LINE * len(label.texts)
+    wide = WIDER * letters * max(_width(line) for line, _ in label.texts) + 4.0
+    high = LINE * letters * len(label.texts)
     x, y = 0.5 * (x0 + x1), 0.5 * (y0 + y1)
     dx, dy, gap = 0.5 * wide, 0.5 * high, 3.0
     middles = [

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from string import ascii_lowercase
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from stayput.catalogue import say
-from stayput.report.room.labels import PlanLabel, names_svg, wrapped
+from stayput.report.room.labels import FONT, PlanLabel, names_svg, overlap, places_of_names, wrapped
 from stayput.report.room.places import place_svg
 from stayput.report.room.sheet import PlanSheet, titled
 from stayput.report.room.walls import door_svg, scale_svg, walls_svg, window_svg
@@ -57,6 +58,13 @@ class DrawnPiece:
     covers: NDArray[np.float64] | None = None
 
 
+class DrawnPlan(NamedTuple):
+    """A plan as SVG, and what the marks mean that stand on it in the place of names, if any."""
+
+    svg: str
+    legend: tuple[tuple[str, str], ...] = ()
+
+
 def plan_svg(
     plan: FloorPlan,
     pieces: Sequence[DrawnPiece],
@@ -66,8 +74,12 @@ def plan_svg(
     notes: Mapping[str, str] | None = None,
     moved: Iterable[tuple[NDArray[np.float64], NDArray[np.float64]]] = (),
     numbered: Mapping[str, str] | None = None,
-) -> str:
+    letters: float = FONT,
+) -> DrawnPlan:
     """Return the plan of a room, to scale and with y upwards; its style is canvas/plan.css.
+
+    Where it has numbers and names would lie on one another, these numbers stand in their place, and letters
+    for what has no number.
 
     Parameters
     ----------
@@ -85,6 +97,8 @@ def plan_svg(
         Outlines before and after of what is moved [m].
     numbered : mapping of str, optional
         The number before the name of a piece or a place.
+    letters : float
+        Size of the letters of names [px].
     """
     sheet, told, marks = PlanSheet(plan), notes or {}, numbered or {}
 
@@ -123,11 +137,21 @@ def plan_svg(
             )
         )
     things = [label.box for label in labels[: len(plan.places) + len(pieces)]]
+    boxes = places_of_names(labels, things, sheet.floor, letters)
+    keys = [*(place.name for place in plan.places), *(piece.name for piece in pieces), *("" for _ in doors)]
+    legend: list[tuple[str, str]] = []
+    if marks and overlap(boxes):
+        short = iter(ascii_lowercase)
+        for i, (key, name) in enumerate(zip(keys, (*places, *called, *doors), strict=True)):
+            if (mark := marks.get(key) or next(short, None)) is not None:
+                labels[i] = labels[i]._replace(lines=(mark,))
+                legend += [] if key in marks else [(mark, name)]
+        boxes = places_of_names(labels, things, sheet.floor, letters)
     content += [_moved_svg(sheet, before, after) for before, after in moved]
-    content += [scale_svg(sheet, language), names_svg(labels, things, sheet.floor)]
+    content += [scale_svg(sheet, language), names_svg(labels, boxes, letters)]
     listed = say("common.listed", language).join((*places, *called, *doors))
     name = say("room_report.plan_alt", language, width=plan.width, length=plan.length, content=listed)
-    return svg.drawing(*sheet.size, content, name, "plan-room")
+    return DrawnPlan(svg.drawing(*sheet.size, content, name, "plan-room"), tuple(legend))
 
 
 def _before(sheet: PlanSheet, wall: str, start: float, width: float) -> Box:
