@@ -29,6 +29,9 @@ SPACING = 0.1
 SLIGHT = 1e-6
 """Length of a cross product of two unit vectors up to which they are parallel."""
 
+ROUNDING = 1e-9
+"""Share by which rounding may change how far a point goes."""
+
 
 class RoomContact(NamedTuple):
     """A contact of a piece with the place of a person, or with another piece.
@@ -120,14 +123,15 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     )
     if touching is None:
         return None
-    speed = max(touching.closing, _speed_within(track, place, touching.places))
+    speed = _speed_within(track, place, touching)
     return RoomContact(touching.time, speed, float(track.energy[touching.places].max()))
 
 
-def _speed_within(track: Track, place: PersonPlace, touching: NDArray[np.intp]) -> float:
-    """Return the largest speed of those points of a piece that are within a place, of some samples [m/s].
+def _speed_within(track: Track, place: PersonPlace, touching: _Touching) -> float:
+    """Return the largest speed of those points of a piece that are within a place while they touch [m/s].
 
-    Points of the place, `SPACING` apart, that are in the piece; none where it is all between them.
+    Points of the place, `SPACING` apart, that are in the piece; none where it is all between them. It is not
+    less than the speed at which they close in.
     """
     x, y, z = (
         np.linspace(low, high, max(2, math.ceil((high - low) / SPACING) + 1))
@@ -144,14 +148,20 @@ def _speed_within(track: Track, place: PersonPlace, touching: NDArray[np.intp]) 
     reach = shape.corners @ shape.normals.T
     low, high = reach.min(axis=0), reach.max(axis=0)
     fastest = 0.0
-    for k in touching.tolist():
+    # the way of a point is affine in its place: none of a piece goes farther than the corner that does most
+    ways = track.corners(touching.places) - track.corners(touching.places - 1)
+    farthest = np.linalg.norm(ways, axis=2).max(axis=1) * (1.0 + ROUNDING)
+    for number in np.argsort(-farthest, kind="stable").tolist():
+        if farthest[number] <= max(fastest, touching.closing * track.dt):
+            break
+        k = int(touching.places[number])
         seen = (points - track.place[k]) @ track.turn[k]
         along = seen @ shape.normals.T
         inside = ((along >= low) & (along <= high)).all(axis=1)
         if inside.any():
             before = seen[inside] @ track.turn[k - 1].T + track.place[k - 1]
             fastest = max(fastest, float(np.linalg.norm(points[inside] - before, axis=1).max()))
-    return fastest / track.dt
+    return max(touching.closing, fastest / track.dt)
 
 
 def contact_between(one: Track, other: Track) -> RoomContact | None:
