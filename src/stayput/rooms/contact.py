@@ -8,6 +8,7 @@ distance, and below 0 exactly where they overlap; its rate just before they touc
 from __future__ import annotations
 
 import math
+from functools import reduce
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -85,6 +86,12 @@ def _body_at(track: Track, chosen: NDArray[np.intp]) -> _Convex:
     return _Convex(track.corners(chosen), track.shape.normals @ back, track.shape.edges @ back)
 
 
+def _bounds(corners: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the least and the most of corners (k, n, 3), shape (k, 3): one by one, as n is small."""
+    one_by_one = np.moveaxis(corners, 1, 0)
+    return reduce(np.minimum, one_by_one), reduce(np.maximum, one_by_one)
+
+
 def _box_of(place: PersonPlace, count: int) -> _Convex:
     plan = rectangle(place.at, place.width, place.length, place.heading)
     corners = np.concatenate([np.column_stack((plan, np.full(4, z))) for z in (place.low, place.high)])
@@ -113,8 +120,7 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     """
     if track.stays:
         return None
-    corners = track.corners()
-    low, high = corners.min(axis=1), corners.max(axis=1)
+    low, high = _bounds(track.corners())
     own = rectangle(place.at, place.width, place.length, place.heading)
     least, most = (*own.min(axis=0), place.low), (*own.max(axis=0), place.high)
     near = ((low <= most) & (high >= least)).all(axis=1)
@@ -170,8 +176,8 @@ def contact_between(one: Track, other: Track) -> RoomContact | None:
         return None
     sample = np.union1d(one.sample, other.sample)
     first, second = (np.searchsorted(track.sample, sample, side="right") - 1 for track in (one, other))
-    a, b = one.corners()[first], other.corners()[second]
-    near = ((a.min(axis=1) <= b.max(axis=1)) & (a.max(axis=1) >= b.min(axis=1))).all(axis=1)
+    (low, high), (least, most) = _bounds(one.corners()), _bounds(other.corners())
+    near = ((low[first] <= most[second]) & (high[first] >= least[second])).all(axis=1)
     touching = _touching(
         sample,
         near,
