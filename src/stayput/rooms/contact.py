@@ -123,7 +123,7 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     low, high = _bounds(track.corners())
     own = rectangle(place.at, place.width, place.length, place.heading)
     least, most = (*own.min(axis=0), place.low), (*own.max(axis=0), place.high)
-    near = ((low <= most) & (high >= least)).all(axis=1)
+    near = np.all((low <= most) & (high >= least), axis=1)
     touching = _touching(
         track.sample, near, track.dt, lambda k: separation(_body_at(track, k), _box_of(place, len(k)))
     )
@@ -177,7 +177,7 @@ def contact_between(one: Track, other: Track) -> RoomContact | None:
     sample = np.union1d(one.sample, other.sample)
     first, second = (np.searchsorted(track.sample, sample, side="right") - 1 for track in (one, other))
     (low, high), (least, most) = _bounds(one.corners()), _bounds(other.corners())
-    near = ((low[first] <= most[second]) & (high[first] >= least[second])).all(axis=1)
+    near = np.all((low[first] <= most[second]) & (high[first] >= least[second]), axis=1)
     touching = _touching(
         sample,
         near,
