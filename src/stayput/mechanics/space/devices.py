@@ -10,7 +10,8 @@ and along the plane, with x = e_t − p_t, F_t = k (|x| − s) x/|x| + c ė_t. A
 the device, or the elongation beyond it is plastic (radial return); friction bounds F_t by the push.
 
 Elongations are those in the middle of a step, where the contacts are closed, and rates the mean of those
-before and after the impulses of the step, which are found again and again with those of the contacts.
+before and after the impulses of the step. Dampers are part of Newton's method for the impulses of the
+contacts; what it leaves, as where a force reaches its strength, is found again and again with these.
 """
 
 from __future__ import annotations

@@ -9,6 +9,9 @@ so that δv comes from the bodies' velocities alone, (M + Σ Jᵀ D J) δv = Σ 
 whatever the number of contacts, and never singular where a body has more of them than it needs. What is asked
 of a velocity is a penalty of ``FIRM`` times the inverse mass that the contact sees; a next step takes away
 what it leaves. Velocities are scaled so that M is 1.
+
+A damper asks for the same, D being half the step times its damping matrix: with the contacts alone, and its
+force corrected after them, the two would take turns, and a contact might slip by a force that is not there.
 """
 
 from __future__ import annotations
