@@ -70,6 +70,7 @@ bench: $(STAMP)-test
 	$(BIN)/python benchmarks/start.py
 	$(BIN)/python benchmarks/verification.py speed
 	$(BIN)/python benchmarks/space.py
+	$(BIN)/python benchmarks/room.py
 
 bench-app: $(STAMP)-test
 	$(BIN)/python benchmarks/app.py $(BENCH_ARGS)

@@ -7,6 +7,7 @@ that topples: energy of a rigid body about its edge. Ways out: floors on which o
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -143,6 +144,34 @@ def test_it_touches_first_with_the_rate_of_the_fall() -> None:
     # the point of the face moves across the face
     assert contact.speed == pytest.approx(rate * math.hypot(away, top), rel=0.02)
     assert contact.energy == pytest.approx(body.mass * fallen, rel=0.01)
+
+
+def test_the_speed_within_a_place_is_the_largest_of_all_samples() -> None:
+    # it falls slowly, then fast, then lies there and trembles: the fastest sample is neither first nor last
+    shape = at_rest(Standing(sp.Solid.box(0.4, 0.9, 1.8, 100.0)), 0.01)
+    time = np.linspace(0.0, 3.0, 301)
+    tilt = np.where(
+        time < 2.0, 0.5 * np.pi * (0.5 * time) ** 6, 0.5 * np.pi - 0.01 * np.sin(40.0 * time) ** 2
+    )
+    track = track_in_plane(shape, 0.2 * time, 0.0 * time, tilt)
+    place = sp.PersonPlace("person", (1.2, 0.1), 1.0, 2.0, 0.5, 1.2, heading=0.3)
+    whole = contact_with_place(track, place)
+    assert whole is not None
+    first = round(whole.time / track.dt) + 1
+    # cut short after each sample: the largest so far
+    parts = [
+        contact_with_place(
+            replace(
+                track, **{name: getattr(track, name)[:k] for name in ("sample", "place", "turn", "energy")}
+            ),
+            place,
+        )
+        for k in range(first + 1, len(track.sample) + 1)
+    ]
+    speeds = np.array([part.speed for part in parts if part is not None])
+    assert len(speeds) > 100
+    assert (np.diff(speeds) >= 0.0).all()
+    assert whole.speed == speeds[-1] > 2.0 * speeds[0]
 
 
 def test_two_pieces_meet_where_their_tracks_cross() -> None:

@@ -8,6 +8,7 @@ distance, and below 0 exactly where they overlap; its rate just before they touc
 from __future__ import annotations
 
 import math
+from functools import reduce
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -28,6 +29,9 @@ SPACING = 0.1
 
 SLIGHT = 1e-6
 """Length of a cross product of two unit vectors up to which they are parallel."""
+
+ROUNDING = 1e-9
+"""Share by which rounding may change how far a point goes."""
 
 
 class RoomContact(NamedTuple):
@@ -82,6 +86,12 @@ def _body_at(track: Track, chosen: NDArray[np.intp]) -> _Convex:
     return _Convex(track.corners(chosen), track.shape.normals @ back, track.shape.edges @ back)
 
 
+def _bounds(corners: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the least and the most of corners (k, n, 3), shape (k, 3): one by one, as n is small."""
+    one_by_one = np.moveaxis(corners, 1, 0)
+    return reduce(np.minimum, one_by_one), reduce(np.maximum, one_by_one)
+
+
 def _box_of(place: PersonPlace, count: int) -> _Convex:
     plan = rectangle(place.at, place.width, place.length, place.heading)
     corners = np.concatenate([np.column_stack((plan, np.full(4, z))) for z in (place.low, place.high)])
@@ -110,24 +120,24 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     """
     if track.stays:
         return None
-    corners = track.corners()
-    low, high = corners.min(axis=1), corners.max(axis=1)
+    low, high = _bounds(track.corners())
     own = rectangle(place.at, place.width, place.length, place.heading)
     least, most = (*own.min(axis=0), place.low), (*own.max(axis=0), place.high)
-    near = ((low <= most) & (high >= least)).all(axis=1)
+    near = np.all((low <= most) & (high >= least), axis=1)
     touching = _touching(
         track.sample, near, track.dt, lambda k: separation(_body_at(track, k), _box_of(place, len(k)))
     )
     if touching is None:
         return None
-    speed = max(touching.closing, _speed_within(track, place, touching.places))
+    speed = _speed_within(track, place, touching)
     return RoomContact(touching.time, speed, float(track.energy[touching.places].max()))
 
 
-def _speed_within(track: Track, place: PersonPlace, touching: NDArray[np.intp]) -> float:
-    """Return the largest speed of those points of a piece that are within a place, of some samples [m/s].
+def _speed_within(track: Track, place: PersonPlace, touching: _Touching) -> float:
+    """Return the largest speed of those points of a piece that are within a place while they touch [m/s].
 
-    Points of the place, `SPACING` apart, that are in the piece; none where it is all between them.
+    Points of the place, `SPACING` apart, that are in the piece; none where it is all between them. It is not
+    less than the speed at which they close in.
     """
     x, y, z = (
         np.linspace(low, high, max(2, math.ceil((high - low) / SPACING) + 1))
@@ -144,14 +154,20 @@ def _speed_within(track: Track, place: PersonPlace, touching: NDArray[np.intp]) 
     reach = shape.corners @ shape.normals.T
     low, high = reach.min(axis=0), reach.max(axis=0)
     fastest = 0.0
-    for k in touching.tolist():
+    # the way of a point is affine in its place: none of a piece goes farther than the corner that does most
+    ways = track.corners(touching.places) - track.corners(touching.places - 1)
+    farthest = np.linalg.norm(ways, axis=2).max(axis=1) * (1.0 + ROUNDING)
+    for number in np.argsort(-farthest, kind="stable").tolist():
+        if farthest[number] <= max(fastest, touching.closing * track.dt):
+            break
+        k = int(touching.places[number])
         seen = (points - track.place[k]) @ track.turn[k]
         along = seen @ shape.normals.T
         inside = ((along >= low) & (along <= high)).all(axis=1)
         if inside.any():
             before = seen[inside] @ track.turn[k - 1].T + track.place[k - 1]
             fastest = max(fastest, float(np.linalg.norm(points[inside] - before, axis=1).max()))
-    return fastest / track.dt
+    return max(touching.closing, fastest / track.dt)
 
 
 def contact_between(one: Track, other: Track) -> RoomContact | None:
@@ -160,8 +176,8 @@ def contact_between(one: Track, other: Track) -> RoomContact | None:
         return None
     sample = np.union1d(one.sample, other.sample)
     first, second = (np.searchsorted(track.sample, sample, side="right") - 1 for track in (one, other))
-    a, b = one.corners()[first], other.corners()[second]
-    near = ((a.min(axis=1) <= b.max(axis=1)) & (a.max(axis=1) >= b.min(axis=1))).all(axis=1)
+    (low, high), (least, most) = _bounds(one.corners()), _bounds(other.corners())
+    near = np.all((low[first] <= most[second]) & (high[first] >= least[second]), axis=1)
     touching = _touching(
         sample,
         near,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import closing
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -21,12 +22,12 @@ from stayput.rooms.changes import (
     swept,
 )
 from stayput.rooms.events import EndOfRuns, Events, Hits, collisions, events_of, hits_of
-from stayput.rooms.runs import placed_elsewhere, run_parts
+from stayput.rooms.runs import placed_elsewhere, runs_of_each
 from stayput.rooms.verdict import FALLS, ChangeVerdict, RoomEffect, presence
 from stayput.simulation.placing import bare
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+    from collections.abc import Callable, Collection, Generator, Iterable, Iterator, Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -61,8 +62,18 @@ class Question(NamedTuple):
 
     def run(self, parts: Sequence[RoomPart]) -> list[PartRuns]:
         """Run parts of the room under all draws."""
-        gravity = self.scenario.gravity
-        return run_parts(parts, self.drawn, self.floors, gravity, threads=self.threads, progress=self.advance)
+        return [*self.runs_of_each(parts)]
+
+    def runs_of_each(self, parts: Sequence[RoomPart]) -> Generator[PartRuns]:
+        """Run parts of the room under all draws, and yield what became of each as soon as it is known."""
+        return runs_of_each(
+            parts,
+            self.drawn,
+            self.floors,
+            self.scenario.gravity,
+            threads=self.threads,
+            progress=self.advance,
+        )
 
     def with_samples(self, start: int, end: int) -> Question:
         """Return the same with some of the samples of each motion only."""
@@ -232,9 +243,13 @@ def changes_of(
 
     part_of = {body: part for part in parts for body in part.bodies}
     chances = as_it_is.overturning
-    for body in sorted(harmful | falling_pieces(as_it_is), key=harm, reverse=True):
-        for change, held in measures_tried(scenario, whole, part_of[body].bodies, body):
-            (runs,) = question.run([held])
+    tried = [
+        each
+        for body in sorted(harmful | falling_pieces(as_it_is), key=harm, reverse=True)
+        for each in measures_tried(scenario, whole, part_of[body].bodies, body)
+    ]
+    with closing(question.runs_of_each([held for _, held in tried])) as found:
+        for (change, held), runs in zip(tried, found, strict=True):
             yield compared(Move(change, plan, tracks_of_part(held, runs), runs.missing), as_it_is, ends)
 
 

@@ -36,7 +36,7 @@ from stayput.simulation.standing import Assembly, Piece
 from stayput.verification.notes import LONG
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Generator, Sequence
 
     from numpy.typing import NDArray
 
@@ -158,7 +158,7 @@ class PartRuns:
         return Outcomes.of(self.results[..., place], self.device_failed)
 
 
-def run_parts(
+def runs_of_each(
     parts: Sequence[RoomPart],
     drawn: Sequence[Sequence[DrawOfSeveral]],
     floors: FloorMotions,
@@ -166,8 +166,10 @@ def run_parts(
     *,
     threads: int | None = None,
     progress: Callable[[int], None] | None = None,
-) -> list[PartRuns]:
-    """Run parts of a room, all together, so that all threads are busy.
+) -> Generator[PartRuns]:
+    """Run parts of a room, each by itself, and yield what became of them in their order.
+
+    No thread waits for the last runs of a part, nor for what is done with them: those of the next have begun.
 
     Parameters
     ----------
@@ -190,18 +192,10 @@ def run_parts(
         Measures that cannot be put in place, as stated or in one of the draws.
     """
     motions, samples = len(drawn), len(drawn[0])
-    found = [
-        PartRuns(
-            np.zeros((motions, samples, len(part.bodies)), RESULT),
-            np.zeros((motions, samples), np.bool_),
-            [[] for _ in range(motions * samples)],
-            [{} for _ in range(motions * samples)],
-        )
-        for part in parts
-    ]
+    under_way: dict[int, PartRuns] = {}
 
     def run(number: int, motion: int, sample: int) -> None:
-        part, runs, draw = parts[number], found[number], drawn[motion][sample]
+        part, runs, draw = parts[number], under_way[number], drawn[motion][sample]
         shaking = turned(floors.motions[motion], float(floors.scales[motion]), draw.direction)
         act = _run_in_plane if part.in_plane else _run_in_space
         results, devices, peaks, tracks = act(part, draw.of(part.bodies), shaking, gravity)
@@ -212,12 +206,27 @@ def run_parts(
         runs.tracks[row] = [replace(track, overturned=own) for track, own in zip(tracks, fell, strict=True)]
         runs.peaks[row] = peaks
 
-    each = [(n, m, s) for m in range(motions) for s in range(samples) for n in range(len(parts))]
+    def calls() -> Generator[Call[None]]:
+        for number, part in enumerate(parts):
+            under_way[number] = PartRuns(
+                np.zeros((motions, samples, len(part.bodies)), RESULT),
+                np.zeros((motions, samples), np.bool_),
+                [[] for _ in range(motions * samples)],
+                [{} for _ in range(motions * samples)],
+            )
+            for motion in range(motions):
+                for sample in range(samples):
+                    yield Call(run, number, motion, sample)
+
+    left, following = [motions * samples] * len(parts), 0
     with ThreadExecutor(threads) as executor:
-        for _ in executor.as_completed(Call(run, *place) for place in each):
+        for call, _ in executor.as_completed(calls()):
+            left[call // (motions * samples)] -= 1
             if progress is not None:
                 progress(1)
-    return found
+            while following < len(parts) and left[following] == 0:
+                following += 1
+                yield under_way.pop(following - 1)
 
 
 def _run_in_space(

@@ -121,8 +121,9 @@ def standing_of(piece: Piece, held: Held) -> Standing:
 
     What stands higher stands on another piece, which does not give way as a soft floor does.
     """
-    body = held.body
-    solid = Solid.of(body, settlement=held.room.floor.settlement if piece.at[2] == 0.0 else 0.0)
+    body, settlement = held.body, held.room.floor.settlement if piece.at[2] == 0.0 else 0.0
+    same = body == piece.body and settlement == 0.0
+    solid = piece.standing.solid if same else Solid.of(body, settlement=settlement)
     upright, facing = (
         Standing(solid, tilt=(0.0, body.resting_tilt, 0.0)),
         Standing(solid, heading=piece.heading),

@@ -114,7 +114,7 @@ def run_world(
     numbers, peaks, work = np.zeros((bodies + 1, 3), np.int64), np.zeros(bodies), np.zeros(3)
     output = histories, forces, hits, numbers, peaks, work
     times = np.array([dt, longest_step(springs, world[0], step), gravity])
-    scratch = scratch_of(world)
+    scratch = scratch_of(world, len(springs))
     run_in_space(world, held, both, acceleration[:1], times, scratch, output)  # notes gaps, takes no step
     first = gaps_of(world, scratch[2][0])
     refuse_overlaps(world[3], first)

@@ -303,8 +303,8 @@ def planes_of(standing: Sequence[Standing], room: np.void) -> NDArray[np.void]:
     return np.array(planes, PLANE)
 
 
-def scratch_of(world: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Return the working memory of `run_in_space`; all contacts stick at first."""
+def scratch_of(world: tuple[Any, ...], devices: int) -> tuple[Any, ...]:
+    """Return the working memory of `run_in_space` with so many devices; all contacts stick at first."""
     bodies, points, rims, planes, pairs, faces = world[:6]
     keys = len(planes) * (len(points) + RIM_POINTS * len(rims)) + MOST_TOUCHING * len(pairs)
     features = len(planes) * (len(points) + len(rims)) + len(pairs)
@@ -327,7 +327,7 @@ def scratch_of(world: tuple[Any, ...]) -> tuple[Any, ...]:
             np.zeros((len(bodies), 6)),
         ),
         (
-            np.zeros((keys, 2, 6, 6)),
+            np.zeros((keys + devices, 2, 6, 6)),
             np.zeros((len(bodies), len(bodies), 6, 6)),
             np.zeros((len(bodies), 6)),
             np.zeros(len(bodies), np.int64),

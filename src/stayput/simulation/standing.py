@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -124,6 +124,11 @@ class Piece:
         What holds it: to the wall that its back faces, to the ceiling, and to the floor where it stands on
         that.
 
+    Attributes
+    ----------
+    standing : Standing
+        The piece without its measures.
+
     Raises
     ------
     InputError
@@ -134,6 +139,7 @@ class Piece:
     at: tuple[float, float, float] = (0.0, 0.0, 0.0)
     heading: float = 0.0
     measures: tuple[Measure, ...] = ()
+    standing: Standing = field(init=False, repr=False, compare=False)
 
     def __init__(
         self,
@@ -148,11 +154,7 @@ class Piece:
         standing = Standing(Solid.of(body), at, heading)
         object.__setattr__(self, "at", standing.at)
         object.__setattr__(self, "heading", heading)
-
-    @property
-    def standing(self) -> Standing:
-        """The piece without its measures."""
-        return Standing(Solid.of(self.body), self.at, self.heading)
+        object.__setattr__(self, "standing", standing)
 
 
 def rotation_by(vector: NDArray[np.float64]) -> NDArray[np.float64]:

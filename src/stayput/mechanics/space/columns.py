@@ -141,12 +141,13 @@ PULL = np.dtype(
     + [(name, "f8") for name in ("plastic", "plastic_sum", "tx", "ty", "tz", "slip_sum")]
     + [(name, "f8") for name in ("lx", "ly", "lz", "ox", "oy", "oz", "nx", "ny", "nz")]
     + [(name, "f8") for name in ("e", "xx", "xy", "xz", "ux", "uy", "uz", "px", "py", "pz")]
-    + [(name, "f8") for name in ("force", "shear")],
+    + [(name, "f8") for name in ("dx", "dy", "dz", "qx", "qy", "qz", "cn", "ct", "force", "shear")],
     align=True,
 )
 """How a device is stretched: whether it is lost, and has pushed; its plastic elongation and slip (a vector in
 the anchor's axes) and their sums; in a step the levers about both G, the normal, elongations, the rate
-before, the impulse, and the forces.
+before, the impulse, its change by a step of Newton's method, that before those steps, by how much it falls
+with the velocity along the normal and across, and the forces.
 """
 
 HIT = np.dtype(

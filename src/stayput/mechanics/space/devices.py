@@ -10,7 +10,8 @@ and along the plane, with x = e_t − p_t, F_t = k (|x| − s) x/|x| + c ė_t. A
 the device, or the elongation beyond it is plastic (radial return); friction bounds F_t by the push.
 
 Elongations are those in the middle of a step, where the contacts are closed, and rates the mean of those
-before and after the impulses of the step, which are found again and again with those of the contacts.
+before and after the impulses of the step. Dampers are part of Newton's method for the impulses of the
+contacts; what it leaves, as where a force reaches its strength, is found again and again with these.
 """
 
 from __future__ import annotations
@@ -43,26 +44,29 @@ LEVEL = 1e-9
 
 
 @inline
-def _normal(pull):
+def normal_of_pull(pull):
+    """Return the normal of a device in a step."""
     return pull.nx, pull.ny, pull.nz
 
 
 @inline
-def _lever(pull):
+def lever_of_pull(pull):
+    """Return the point of the body from its G."""
     return pull.lx, pull.ly, pull.lz
 
 
 @inline
-def _arm(pull):
+def arm_of_pull(pull):
+    """Return the anchor on the other body from its G."""
     return pull.ox, pull.oy, pull.oz
 
 
 @inline
 def _rate(spring, pull, poses):
     """Return the velocity of the body's point relative to the anchor."""
-    u = velocity_at(poses[spring.body], _lever(pull))
+    u = velocity_at(poses[spring.body], lever_of_pull(pull))
     if spring.other != ROOM:
-        u = added(u, -1.0, velocity_at(poses[spring.other], _arm(pull)))
+        u = added(u, -1.0, velocity_at(poses[spring.other], arm_of_pull(pull)))
     return u
 
 
@@ -82,7 +86,7 @@ def stretch(springs, pulls, poses):
             arm = in_room(r, anchor)
             pull.ox, pull.oy, pull.oz = arm
             anchor, n, t = added(place_of(r), 1.0, arm), in_room(r, n), in_room(r, t)
-        way = added(added(place_of(s), 1.0, _lever(pull)), -1.0, anchor)
+        way = added(added(place_of(s), 1.0, lever_of_pull(pull)), -1.0, anchor)
         if spring.kind == AXIAL:
             far = norm(way)
             pull.e = far - spring.length
@@ -147,6 +151,44 @@ def _along_plane(spring, pull, rate, F):
     return scaled(most / size, force) if size > most else force
 
 
+@inline
+def damps(spring, pull):
+    """Return whether the impulse of a device depends on the velocities after a step."""
+    return pull.lost == 0 and (spring.damping[NORMAL] > 0.0 or spring.damping[TANGENT] > 0.0)
+
+
+@inner
+def change_of_impulse(spring, pull, poses, h):
+    """Return by how much the impulse of a device differs from that of the present velocities.
+
+    Set are the forces at these, and by how much the impulse falls with the velocity.
+    """
+    rate = added(_rate(spring, pull, poses), 1.0, (pull.ux, pull.uy, pull.uz))
+    rate = scaled(0.5, rate)
+    n = normal_of_pull(pull)
+    along = dot(n, rate)
+    F = _along_normal(spring, pull, along)
+    shear = 0.0, 0.0, 0.0
+    pull.cn = pull.ct = 0.0
+    if -spring.limit_minus[NORMAL] < F < spring.limit_plus[NORMAL] and (F != 0.0 or _bonded(spring)):
+        pull.cn = 0.5 * h * spring.damping[NORMAL]
+    if spring.kind != AXIAL:
+        shear = _along_plane(spring, pull, added(rate, -along, n), F)
+    pull.force, pull.shear = F, norm(shear)
+    if 0.0 < pull.shear < _most_shear(spring, F) * (1.0 - 1e-12):
+        pull.ct = 0.5 * h * spring.damping[TANGENT]
+    return added(scaled(-h, added(shear, F, n)), -1.0, (pull.px, pull.py, pull.pz))
+
+
+@inner
+def change_impulse(spring, pull, bodies, poses, change):
+    """Change the impulse of a device; velocities go with it."""
+    pull.px, pull.py, pull.pz = added((pull.px, pull.py, pull.pz), 1.0, change)
+    give_impulse(bodies[spring.body], poses[spring.body], lever_of_pull(pull), 1.0, change)
+    if spring.other != ROOM:
+        give_impulse(bodies[spring.other], poses[spring.other], arm_of_pull(pull), -1.0, change)
+
+
 @inner
 def hold(springs, pulls, bodies, poses, h):
     """Bring the impulses of all devices to those of the present velocities; return whether any changed."""
@@ -155,23 +197,10 @@ def hold(springs, pulls, bodies, poses, h):
         spring, pull = springs[k], pulls[k]
         if pull.lost:
             continue
-        rate = added(_rate(spring, pull, poses), 1.0, (pull.ux, pull.uy, pull.uz))
-        rate = scaled(0.5, rate)
-        n = _normal(pull)
-        along = dot(n, rate)
-        F = _along_normal(spring, pull, along)
-        shear = 0.0, 0.0, 0.0
-        if spring.kind != AXIAL:
-            shear = _along_plane(spring, pull, added(rate, -along, n), F)
-        pull.force, pull.shear = F, norm(shear)
-        p = scaled(-h, added(shear, F, n))
-        change = added(p, -1.0, (pull.px, pull.py, pull.pz))
+        change = change_of_impulse(spring, pull, poses, h)
         if norm(change) > SAME * h * bodies[spring.body].mass:
             changed = True
-            pull.px, pull.py, pull.pz = p
-            give_impulse(bodies[spring.body], poses[spring.body], _lever(pull), 1.0, change)
-            if spring.other != ROOM:
-                give_impulse(bodies[spring.other], poses[spring.other], _arm(pull), -1.0, change)
+            change_impulse(spring, pull, bodies, poses, change)
     return changed
 
 
@@ -243,9 +272,9 @@ def note_loads(springs, pulls, h, loads):
         if pull.lost:
             continue
         p = scaled(1.0 / h, (pull.px, pull.py, pull.pz))
-        _add_load(loads[spring.body], p, cross(_lever(pull), p), 1.0)
+        _add_load(loads[spring.body], p, cross(lever_of_pull(pull), p), 1.0)
         if spring.other != ROOM:
-            _add_load(loads[spring.other], p, cross(_arm(pull), p), -1.0)
+            _add_load(loads[spring.other], p, cross(arm_of_pull(pull), p), -1.0)
     level = True
     for b in range(loads.shape[0]):
         level = level and abs(loads[b, 5]) <= LEVEL * abs(loads[b, 2])

@@ -166,13 +166,14 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
     work[0] += 1.0
     apply(contacts, count, bodies, after, 1.0)
     hold(springs, pulls, bodies, after, h)
-    converged = count == 0 or solve(contacts, count, bodies, after, system, h)
+    converged = count == 0 or solve(contacts, count, held, bodies, after, system, h)
     for _ in range(MOST_ROUNDS):
         if not hold(springs, pulls, bodies, after, h):
             break
-        converged = count == 0 or solve(contacts, count, bodies, after, system, h)
+        converged = count == 0 or solve(contacts, count, held, bodies, after, system, h)
     if not converged or bounces(contacts, count):
-        converged = mend(contacts, count, bodies, after, system, h, converged, work)
+        none = springs[:0], pulls[:0], held[2][:0]
+        converged = mend(contacts, count, none, bodies, after, system, h, converged, work)
     if not converged:
         work[1] += 1.0
     work[2] += (SWEEPS[0] if converged else SWEEPS[1]) * (1.0 + count)
@@ -260,7 +261,7 @@ def run_in_space(
         of the points float64[p, 3], polygons float64[2, corners, 4], points that touch float64[8, 5]; what
         bodies stand on: sides float64[p, 3], their numbers int64[n], circles float64[n, 3], least friction
         float64[n], forces and moments of devices float64[n, 6]; Newton's method: Jacobians, and D times
-        these, float64[c, 2, 6, 6], matrix float64[n, n, 6, 6], vector float64[n, 6], first bodies of rows
+        these, float64[c + d, 2, 6, 6], matrix float64[n, n, 6, 6], vector float64[n, 6], first bodies of rows
         int64[n]; the axes that separated pairs last int64[m, 2], −1 at first.
     output : tuple
         Histories at the samples float64[n, samples, 19]; forces of the devices there float64[samples, d, 2],

@@ -179,7 +179,7 @@ def _one_after_the_other(contacts, count, bodies, poses, restitution, work):
 
 
 @inner
-def mend(contacts, count, bodies, poses, system, h, converged, work):
+def mend(contacts, count, held, bodies, poses, system, h, converged, work):
     """Replace impulses that make energy, or have not converged where bodies bounce or enter each other.
 
     Returns
@@ -202,7 +202,7 @@ def mend(contacts, count, bodies, poses, system, h, converged, work):
             if c.bounce > 0.0:
                 c.target, least = 0.0, min(least, c.bounce)
             c.pn = c.ps = c.pt = 0.0
-        if solve(contacts, count, bodies, poses, system, h):
+        if solve(contacts, count, held, bodies, poses, system, h):
             _bounce_alike(contacts, count, bodies, poses, system[3], least)
             return True
         apply(contacts, count, bodies, poses, -1.0)

@@ -9,6 +9,9 @@ so that δv comes from the bodies' velocities alone, (M + Σ Jᵀ D J) δv = Σ 
 whatever the number of contacts, and never singular where a body has more of them than it needs. What is asked
 of a velocity is a penalty of ``FIRM`` times the inverse mass that the contact sees; a next step takes away
 what it leaves. Velocities are scaled so that M is 1.
+
+A damper asks for the same, D being half the step times its damping matrix: with the contacts alone, and its
+force corrected after them, the two would take turns, and a contact might slip by a force that is not there.
 """
 
 from __future__ import annotations
@@ -25,6 +28,14 @@ from stayput.mechanics.space.contact import (
     normal_of,
     push,
     second_tangent,
+)
+from stayput.mechanics.space.devices import (
+    arm_of_pull,
+    change_impulse,
+    change_of_impulse,
+    damps,
+    lever_of_pull,
+    normal_of_pull,
 )
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot
@@ -53,8 +64,23 @@ def _set_rows_of(rows, k, side, c, body, s, lever, sign):
 
 
 @inner
-def set_rows(contacts, count, bodies, poses, system):
-    """Set the Jacobians of all contacts, and where the rows of each body in the matrix begin."""
+def _set_rows_of_device(rows, k, side, body, s, lever, sign):
+    """Set the velocity of a device along the room's axes as a function of a body's scaled velocities."""
+    _set_row(rows, k, side, 0, body, s, lever, (1.0, 0.0, 0.0), sign)
+    _set_row(rows, k, side, 1, body, s, lever, (0.0, 1.0, 0.0), sign)
+    _set_row(rows, k, side, 2, body, s, lever, (0.0, 0.0, 1.0), sign)
+
+
+@inline
+def _begin_with(starts, a, b):
+    """Let the rows of the later one of two bodies begin with the other."""
+    low, high = min(a, b), max(a, b)
+    starts[high] = min(starts[high], low)
+
+
+@inner
+def set_rows(contacts, count, held, bodies, poses, system):
+    """Set the Jacobians of all contacts and dampers, and where the rows of each body in the matrix begin."""
     rows, _, _, starts = system
     for b in range(bodies.shape[0]):
         starts[b] = b
@@ -63,8 +89,16 @@ def set_rows(contacts, count, bodies, poses, system):
         _set_rows_of(rows, k, 0, c, bodies[c.a], poses[c.a], lever_a(c), 1.0)
         if c.b != ROOM:
             _set_rows_of(rows, k, 1, c, bodies[c.b], poses[c.b], lever_b(c), -1.0)
-            low, high = min(c.a, c.b), max(c.a, c.b)
-            starts[high] = min(starts[high], low)
+            _begin_with(starts, c.a, c.b)
+    springs, pulls, _ = held
+    for d in range(springs.shape[0]):
+        spring, pull = springs[d], pulls[d]
+        if damps(spring, pull):
+            k, b, o = count + d, spring.body, spring.other
+            _set_rows_of_device(rows, k, 0, bodies[b], poses[b], lever_of_pull(pull), 1.0)
+            if o != ROOM:
+                _set_rows_of_device(rows, k, 1, bodies[o], poses[o], arm_of_pull(pull), -1.0)
+                _begin_with(starts, b, o)
 
 
 @inline
@@ -188,7 +222,32 @@ def _solve_in_place(matrix, vector, starts):
 
 
 @inner
-def improve(contacts, count, bodies, poses, system):
+def _add_pair(matrix, vector, a, b, rows, k, p, d):
+    """Add what a contact or a device of two bodies asks for, by its δp₀ and D."""
+    _weigh(rows, k, 0, d)
+    _add_moment(vector, a, rows, k, 0, p)
+    _add_block(matrix, a, a, rows, k, 0, 0)
+    if b != ROOM:
+        _weigh(rows, k, 1, d)
+        _add_moment(vector, b, rows, k, 1, p)
+        _add_block(matrix, b, b, rows, k, 1, 1)
+        _add_block(matrix, a, b, rows, k, 0, 1)
+        _add_block(matrix, b, a, rows, k, 1, 0)
+
+
+@inline
+def _damping(pull):
+    """Return D of a device in the room's axes."""
+    n, more = normal_of_pull(pull), pull.cn - pull.ct
+    return (
+        (pull.ct + more * n[0] * n[0], more * n[0] * n[1], more * n[0] * n[2]),
+        (more * n[1] * n[0], pull.ct + more * n[1] * n[1], more * n[1] * n[2]),
+        (more * n[2] * n[0], more * n[2] * n[1], pull.ct + more * n[2] * n[2]),
+    )
+
+
+@inner
+def improve(contacts, count, held, bodies, poses, system, h):
     """Take one step of Newton's method; velocities go with the impulses. `set_rows` has been called."""
     rows, matrix, vector, starts = system
     for b in range(bodies.shape[0]):
@@ -204,52 +263,65 @@ def improve(contacts, count, bodies, poses, system):
         if c.pn > 0.0:
             p, d1, d2, d3 = _law(c, beyond_target(c, poses))
             c.dn, c.ds, c.dt = p
-            d = d1, d2, d3
-            _weigh(rows, k, 0, d)
-            _add_moment(vector, c.a, rows, k, 0, p)
-            _add_block(matrix, c.a, c.a, rows, k, 0, 0)
-            if c.b != ROOM:
-                _weigh(rows, k, 1, d)
-                _add_moment(vector, c.b, rows, k, 1, p)
-                _add_block(matrix, c.b, c.b, rows, k, 1, 1)
-                _add_block(matrix, c.a, c.b, rows, k, 0, 1)
-                _add_block(matrix, c.b, c.a, rows, k, 1, 0)
+            _add_pair(matrix, vector, c.a, c.b, rows, k, p, (d1, d2, d3))
+    springs, pulls, _ = held
+    for d in range(springs.shape[0]):
+        spring, pull = springs[d], pulls[d]
+        if damps(spring, pull):
+            p = change_of_impulse(spring, pull, poses, h)
+            pull.dx, pull.dy, pull.dz = p
+            _add_pair(matrix, vector, spring.body, spring.other, rows, count + d, p, _damping(pull))
     _solve_in_place(matrix, vector, starts)
     for k in range(count):
         c = contacts[k]
         if c.pn > 0.0:
-            x, y, z = _weighed(vector, c, rows, k)
+            x, y, z = _weighed(vector, c.a, c.b, rows, k)
             c.dn, c.ds, c.dt = c.dn - x, c.ds - y, c.dt - z
             _add_impulse(c, bodies, poses)
+    for d in range(springs.shape[0]):
+        spring, pull = springs[d], pulls[d]
+        if damps(spring, pull):
+            by = _weighed(vector, spring.body, spring.other, rows, count + d)
+            change_impulse(spring, pull, bodies, poses, added((pull.dx, pull.dy, pull.dz), -1.0, by))
 
 
 @inline
-def _weighed(vector, c, rows, k):
-    """Return D times the change of the relative velocity in a contact's frame, by that of the bodies."""
+def _weighed(vector, a, b, rows, k):
+    """Return D times the change of the relative velocity at a contact or a device, by that of the bodies."""
     x = y = z = 0.0
     for i in range(6):
-        v = vector[c.a, i]
+        v = vector[a, i]
         x, y, z = x + rows[k, 0, 3, i] * v, y + rows[k, 0, 4, i] * v, z + rows[k, 0, 5, i] * v
-    if c.b != ROOM:
+    if b != ROOM:
         for i in range(6):
-            v = vector[c.b, i]
+            v = vector[b, i]
             x, y, z = x + rows[k, 1, 3, i] * v, y + rows[k, 1, 4, i] * v, z + rows[k, 1, 5, i] * v
     return x, y, z
 
 
 @inner
-def note_impulses(contacts, count):
+def note_impulses(contacts, count, held):
     """Note the impulses for `take_back`."""
     for k in range(count):
         c = contacts[k]
         c.on, c.os, c.ot = c.pn, c.ps, c.pt
+    _, pulls, _ = held
+    for d in range(pulls.shape[0]):
+        pull = pulls[d]
+        pull.qx, pull.qy, pull.qz = pull.px, pull.py, pull.pz
 
 
 @inner
-def take_back(contacts, count, bodies, poses):
+def take_back(contacts, count, held, bodies, poses):
     """Bring back the impulses that were noted last."""
     for k in range(count):
         _set_impulse(contacts[k], bodies, poses, contacts[k].on, contacts[k].os, contacts[k].ot)
+    springs, pulls, _ = held
+    for d in range(springs.shape[0]):
+        spring, pull = springs[d], pulls[d]
+        if damps(spring, pull):
+            change = added((pull.qx, pull.qy, pull.qz), -1.0, (pull.px, pull.py, pull.pz))
+            change_impulse(spring, pull, bodies, poses, change)
 
 
 @inline

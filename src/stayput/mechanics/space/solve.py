@@ -264,7 +264,7 @@ def apply(contacts, count, bodies, poses, factor):
 
 
 @inner
-def solve(contacts, count, bodies, poses, system, h):
+def solve(contacts, count, held, bodies, poses, system, h):
     """Find the impulses of a step; the velocities are with those of ``contacts``, before and after.
 
     Returns
@@ -277,9 +277,9 @@ def solve(contacts, count, bodies, poses, system, h):
     for k in range(count):
         accuracy = max(accuracy, ROUNDING * abs(contacts[k].closing))
         hits = hits or contacts[k].closing < -IMPACT
-    set_rows(contacts, count, bodies, poses, system)
+    set_rows(contacts, count, held, bodies, poses, system)
     if not hits:
-        improve(contacts, count, bodies, poses, system)
+        improve(contacts, count, held, bodies, poses, system, h)
     for sweep in range(MOST_SWEEPS):
         change = 0.0
         for k in range(count):
@@ -292,14 +292,14 @@ def solve(contacts, count, bodies, poses, system, h):
             tries = 0
             stalls = stalls + 1 if change > GAINS * last else 0
         elif tries == MOST_TRIES:
-            take_back(contacts, count, bodies, poses)
+            take_back(contacts, count, held, bodies, poses)
             tries, stalls = 0, MOST_STALLS
         if stalls == MOST_STALLS:
             due, pause, stalls = sweep + pause, min(2 * pause, LONGEST_PAUSE), 0
         if sweep >= due:
             if tries == 0:
-                note_impulses(contacts, count)
+                note_impulses(contacts, count, held)
                 last = change
             tries += 1
-            improve(contacts, count, bodies, poses, system)
+            improve(contacts, count, held, bodies, poses, system, h)
     return False
