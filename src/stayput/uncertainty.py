@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
 from enum import StrEnum
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -165,6 +165,9 @@ class Uncertainty:
     def __post_init__(self) -> None:
         object.__setattr__(self, "marginals", MappingProxyType(dict(self.marginals)))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Uncertainty, (dict(self.marginals),)  # a view of a mapping cannot be pickled
+
     def sample(
         self,
         n: int,
@@ -279,3 +282,6 @@ a part of the depth. Landings push between the edge and a third of the way to it
 contact loses less than Housner's corner in tests (Kalliontzis, Sritharan and Schultz 2016), and so do bodies
 on springs (`stayput.model.soft_base`); materials lose more (ElGawady).
 """
+
+QUANTITIES = Uncertainty(USUAL)
+"""They as they are drawn together."""

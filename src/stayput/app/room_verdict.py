@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from stayput.app.room_replies import RoomVerdictReply, ZoneReply
-from stayput.app.scenes import table_of
 from stayput.report.room.data import room_data
+from stayput.scenario.measures import table_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from stayput.app.refusals import RefusedError, refused
 from stayput.errors import InputError
-from stayput.measures import MEASURES
 from stayput.model.parameters import parameter_of
 from stayput.motion import sine
 from stayput.scenario import AssemblyScenario, Scenario
@@ -22,7 +21,6 @@ if TYPE_CHECKING:
 
     from stayput.app.limits import Limits
     from stayput.app.motions import Motions
-    from stayput.measures import Measure
     from stayput.scenario.shaking import ShakingTable
 
 AnyAssembly = TypeVar("AnyAssembly", bound=AssemblyScenario)
@@ -118,14 +116,6 @@ def read_room_scene(data: Mapping[str, Any], limits: Limits, motions: Motions) -
     if scenario.uncertainty.samples > limits.samples:
         raise _too_many("uncertainty.samples", scenario.uncertainty.samples, limits.samples)
     return scenario
-
-
-def table_of(measure: Measure) -> dict[str, Any]:
-    """Return a measure as a table of a scenario: its type, and parameters that differ from their defaults."""
-    usual = MEASURES[measure.kind]()
-    names = measure.__dataclass_fields__
-    changed = {n: getattr(measure, n) for n in names if getattr(measure, n) != getattr(usual, n)}
-    return {"type": measure.kind, **changed}
 
 
 def motions_of(shaking: ShakingTable) -> int:

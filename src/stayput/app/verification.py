@@ -11,7 +11,7 @@ from stayput.app.refusals import problem, refused
 from stayput.app.replies import Words
 from stayput.app.room_verdict import room_verdict_reply
 from stayput.app.running import own_measures
-from stayput.app.scenes import motions_of, table_of
+from stayput.app.scenes import motions_of
 from stayput.app.verdict_replies import (
     CurveReply,
     EstimateReply,
@@ -27,6 +27,7 @@ from stayput.report.verdict.data import everyday_data, verdict_data
 from stayput.report.verdict.tables import estimate_rows
 from stayput.rooms.verdict import RoomVerdict
 from stayput.scenario import Scenario
+from stayput.scenario.measures import table_of
 from stayput.verification.contents import runs_of_contents
 from stayput.verification.grades import weakest
 from stayput.verification.notes import everyday_note, shaken_notes

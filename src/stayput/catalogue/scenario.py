@@ -157,6 +157,18 @@ TEXTS: dict[str, tuple[str, str]] = {
         "shaking.member is {value}; it must be between 1 and {most}.",
         "shaking.memberが{value}になっています。1～{most}にしてください。",
     ),
+    "motions_in_python": (
+        "The motions were given in Python and are not in this file.",
+        "地震動はPythonで指定されたもので、このファイルには含まれません。",
+    ),
+    "measures_in_python": (
+        "The measures were given in Python and are not in this file.",
+        "対策はPythonで指定されたもので、このファイルには含まれません。",
+    ),
+    "uncertainty_in_python": (
+        "The distributions of what is drawn were given in Python and are not in this file.",
+        "ばらつきの分布はPythonで指定されたもので、このファイルには含まれません。",
+    ),
     "same_name": (
         "{name} is {value}; it must not be that of {other}.",
         "{name}が{value}になっていますが、{other}と同じ名前です。別の名前にしてください。",

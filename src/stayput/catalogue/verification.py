@@ -26,6 +26,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "an_assessment": ("an assessment", "一括評価"),
     "the_map": ("the map", "寸法と震度の図"),
     "slide_limit": ("Slide limit", "移動量の上限"),
+    "no_shaking": (
+        'shaking is missing; it must say how the body is shaken: a Motion, a Suite, or "6-upper".',
+        'shakingがありません。揺れをMotion、Suite、または"6-upper"などで指定してください。',
+    ),
+    "said_already": (
+        "{name} is given beside a {kind}, which says it already; it must be left out.",
+        "{name}は{kind}がすでに指定しているので、同時には指定できません。",
+    ),
     "levels_not_increasing": (
         "The levels are not increasing; each must be higher than the one before it.",
         "震度の段階が小さい順に並んでいません。前の段階より大きい値を順に指定してください。",

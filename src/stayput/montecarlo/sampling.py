@@ -20,7 +20,7 @@ from stayput.model.body import MOST_INSET
 from stayput.model.room import MOST_SETTLEMENT, WALLS_AROUND
 from stayput.model.state import State
 from stayput.simulation.flat_fields import body_fields, case_rows, flat_fields, room_fields
-from stayput.uncertainty import USUAL, Uncertainty
+from stayput.uncertainty import QUANTITIES
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Iterator, Sequence
@@ -35,11 +35,9 @@ if TYPE_CHECKING:
     from stayput.montecarlo.counting import Outcomes
     from stayput.scenario import AssemblyScenario, Scenario
     from stayput.simulation.flat_fields import NumberOrColumn
+    from stayput.uncertainty import Uncertainty
 
 INSETS = ("back_inset", "front_inset")
-
-QUANTITIES = Uncertainty(USUAL)
-"""The quantities that are drawn."""
 
 FIRST_SAMPLES = 4
 """Samples of each motion before the precision is checked for the first time."""
@@ -64,6 +62,8 @@ class Settings:
         Acceleration of gravity [m/s²].
     as_stated : tuple of str
         Quantities that are not drawn.
+    quantities : Uncertainty
+        The distributions of the others.
     """
 
     motions: int
@@ -73,14 +73,23 @@ class Settings:
     slide_limit: float
     gravity: float
     as_stated: tuple[str, ...]
+    quantities: Uncertainty = QUANTITIES
 
     @classmethod
     def of(cls, scenario: Scenario | AssemblyScenario, motions: int, slide_limit: float) -> Self:
         """Return the settings of a scenario, its samples spread evenly over a number of motions."""
         stated = scenario.uncertainty
         samples = max(1, -(-stated.samples // motions))
-        measured = tuple(stated.as_stated)
-        return cls(motions, samples, stated.seed, stated.precision, slide_limit, scenario.gravity, measured)
+        return cls(
+            motions,
+            samples,
+            stated.seed,
+            stated.precision,
+            slide_limit,
+            scenario.gravity,
+            tuple(stated.as_stated),
+            stated.quantities,
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,7 +149,13 @@ class DrawTable:
 
 
 def draws(
-    motions: int, samples: int, seed: int, start: int = 0, *, as_stated: Collection[str] = ()
+    motions: int,
+    samples: int,
+    seed: int,
+    start: int = 0,
+    *,
+    as_stated: Collection[str] = (),
+    quantities: Uncertainty = QUANTITIES,
 ) -> DrawTable:
     """Return the draws of every motion.
 
@@ -154,8 +169,10 @@ def draws(
         Continues an earlier call after so many samples.
     as_stated : collection of str
         Quantities that are not drawn; the draws of the others stay as they are.
+    quantities : Uncertainty
+        Their distributions, in the order of `stayput.uncertainty.USUAL`.
     """
-    drawn = QUANTITIES.sample(samples, seed, motions=motions, start=start)
+    drawn = quantities.sample(samples, seed, motions=motions, start=start)
     for name in as_stated:
         drawn[name] = np.full((motions, samples), getattr(AS_STATED, name))
     return DrawTable(drawn)

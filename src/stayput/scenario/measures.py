@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import reduce
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Self, cast
 
-from pydantic import BaseModel, Discriminator, Field, Tag, create_model, model_validator
+from pydantic import BaseModel, Discriminator, Field, PrivateAttr, Tag, create_model, model_validator
 
 from stayput.errors import InputError, unknown
 from stayput.measures import MEASURES, Measure, Parameter, parameters
@@ -22,7 +22,7 @@ from stayput.scenario.fields import (
     of,
     one_of,
 )
-from stayput.uncertainty import USUAL
+from stayput.uncertainty import QUANTITIES, USUAL, Uncertainty
 
 COMBINE = "combine"
 
@@ -92,6 +92,14 @@ def _table_of(kind: str, measure: type[Measure]) -> type[MeasureTable]:
 
 TABLES: dict[str, type[MeasureTable]] = {kind: _table_of(kind, one) for kind, one in MEASURES.items()}
 """The table of each kind of measure."""
+
+
+def table_of(measure: Measure) -> dict[str, Any]:
+    """Return a measure as a table of a scenario: its type, and parameters that differ from their defaults."""
+    usual = MEASURES[measure.kind]()
+    names = measure.__dataclass_fields__
+    changed = {n: getattr(measure, n) for n in names if getattr(measure, n) != getattr(usual, n)}
+    return {"type": measure.kind, **changed}
 
 
 def _tag(value: object) -> str:
@@ -208,6 +216,29 @@ class UncertaintyTable(Table):
         default=WELL,
         description="How measures are installed: well, as people install them, or the share badly installed.",
     )
+
+    _quantities: Uncertainty | None = PrivateAttr(default=None)
+
+    @property
+    def quantities(self) -> Uncertainty:
+        """The distributions of what is drawn; a file leaves them as they are usually."""
+        return self._quantities or QUANTITIES
+
+    def with_quantities(self, quantities: Uncertainty) -> Self:
+        """Return the same with other distributions of some quantities; the rest is as stated.
+
+        Raises
+        ------
+        InputError
+            A name that is not one of `stayput.uncertainty.USUAL`.
+        """
+        for name in quantities.marginals:
+            if name not in USUAL:
+                raise unknown("uncertainty", name, USUAL, "uncertainty")
+        stated = [name for name in USUAL if name not in quantities.marginals]
+        copy = self.model_copy(update={"as_stated": stated})
+        copy._quantities = Uncertainty({**USUAL, **quantities.marginals})
+        return copy
 
     def badly(self, share: float) -> float:
         """Return the share of a measure that is badly installed, given that which is so usually."""

@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import tomli_w
-from pydantic import Field, ValidationError, field_validator, model_validator
+from pydantic import Field, PrivateAttr, ValidationError, field_validator, model_validator
 from pydantic.json_schema import DEFAULT_REF_TEMPLATE
 
+from stayput.catalogue import say
 from stayput.contents.weight import emptied
 from stayput.errors import InputError, instance_of
 from stayput.motion.suites import Suite
@@ -25,9 +26,10 @@ from stayput.scenario.shaking import ShakingTable
 from stayput.scenario.tables import EverydayTable, FurnitureTable, InitialTable, RoomTable
 from stayput.scenario.toml import read_toml
 from stayput.simulation.run import Case
+from stayput.uncertainty import QUANTITIES
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
     from stayput.contents import Contents
     from stayput.measures import Measure
@@ -104,13 +106,7 @@ class Scenario(FromFile):
 
     @model_validator(mode="after")
     def _named_apart(self) -> Self:
-        seen: dict[str, int] = {}
-        for number, one in enumerate(self.measures):
-            if one.name in seen:
-                name, other = f"measures[{number}].name", f"measures[{seen[one.name]}]"
-                value = repr(one.name)
-                raise InputError("scenario.same_name", name, name=name, value=value, other=other)
-            seen[one.name] = number
+        _refuse_same_names(self.measures)
         return self
 
     @classmethod
@@ -157,9 +153,34 @@ class Scenario(FromFile):
         [furniture]
         preset = "chest"
         """
-        return tomli_w.dumps(
+        text = tomli_w.dumps(
             self.model_dump(mode="json", exclude_unset=True, exclude_none=True, by_alias=True)
         )
+        return "".join((text, *(f"# {say(key, 'en')}\n" for key in self._beyond_a_file())))
+
+    def _beyond_a_file(self) -> Iterator[str]:
+        """Yield what was given in Python and a file cannot say, as the ids of sentences."""
+        if self.shaking.in_python is not None:
+            yield "scenario.motions_in_python"
+        if self._own_measures is not None:
+            yield "scenario.measures_in_python"
+        if self.uncertainty.quantities is not QUANTITIES:
+            yield "scenario.uncertainty_in_python"
+
+    _own_measures: tuple[NamedMeasures, ...] | None = PrivateAttr(default=None)
+
+    def with_measures(self, measures: Sequence[NamedMeasures]) -> Self:
+        """Return the same with measures of Python in the place of its own.
+
+        Raises
+        ------
+        InputError
+            Two of one name.
+        """
+        copy = self.model_copy()
+        copy._own_measures = tuple(measures)
+        _refuse_same_names(copy.measures)
+        return copy
 
     @property
     def contents(self) -> Contents | None:
@@ -170,6 +191,8 @@ class Scenario(FromFile):
     @property
     def measures(self) -> tuple[NamedMeasures, ...]:
         """What may hold the furniture, each under its name; empty where the file says nothing."""
+        if self._own_measures is not None:
+            return self._own_measures
         return tuple(NamedMeasures(one.title, one.measures()) for one in self.measure_tables or ())
 
     def case(self, measures: Sequence[Measure] = ()) -> Case:
@@ -226,6 +249,16 @@ class Scenario(FromFile):
             return motion
         both = motion if motion.y is not None else replace(motion, y=0.0 * motion.x)
         return both.rotated(heading)
+
+
+def _refuse_same_names(measures: Sequence[NamedMeasures]) -> None:
+    seen: dict[str, int] = {}
+    for number, one in enumerate(measures):
+        if one.name in seen:
+            name, other = f"measures[{number}].name", f"measures[{seen[one.name]}]"
+            value = repr(one.name)
+            raise InputError("scenario.same_name", name, name=name, value=value, other=other)
+        seen[one.name] = number
 
 
 def read_scenario(path: str | Path) -> Scenario:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Literal, Self
 
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
 from stayput.building.model import MOST_STOREYS
 from stayput.errors import InputError
@@ -210,9 +210,24 @@ class ShakingTable(Table):
             roof = self.building.highest()
             raise InputError("scenario.storey", "shaking.storey", value=self.storey, roof=roof)
 
+    _in_python: Suite | None = PrivateAttr(default=None)
+
+    @property
+    def in_python(self) -> Suite | None:
+        """The motions that were given as Python objects, in the place of those of a file."""
+        return self._in_python
+
+    def with_motions(self, motions: Suite) -> Self:
+        """Return the same with motions of Python in the place of its own."""
+        copy = self.model_copy()
+        copy._in_python = motions
+        return copy
+
     @property
     def of_a_suite(self) -> bool:
         """Whether the shaking is a suite: one that is named, or the built-in one to an intensity."""
+        if self._in_python is not None:
+            return len(self._in_python) > 1
         single = (self.record, self.sine, self.builtin)
         return self.suite is not None or (self.strength is not None and all(one is None for one in single))
 
@@ -291,6 +306,8 @@ class ShakingTable(Table):
         return self._scaled(self._member(folder) if self.of_a_suite else self._single(folder))
 
     def _single(self, folder: Path) -> Motion:
+        if self._in_python is not None:
+            return self._in_python[0]
         if self.record is not None:
             return self._recorded(self.record, folder)
         return self.sine.motion() if self.sine is not None else near_fault()
@@ -311,6 +328,8 @@ class ShakingTable(Table):
         return motion if self.vertical else replace(motion, z=None)
 
     def _suite(self, folder: Path) -> Suite:
+        if self._in_python is not None:
+            return self._in_python
         if isinstance(self.suite, str):
             return read_suite(folder / self.suite, self.component, self.unit, dt=self.dt)
         return (self.suite or SuiteTable()).suite()

@@ -1,31 +1,29 @@
-"""`verify`: Monte Carlo comparison of a piece of furniture without and with each measure."""
+"""Monte Carlo comparison of a piece of furniture without and with each measure."""
 
 from __future__ import annotations
 
 import time
 from dataclasses import replace
 from functools import cache, partial
-from typing import TYPE_CHECKING, NamedTuple, overload
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, numbers, within
+from stayput.errors import InputError, numbers
 from stayput.fragility import JMA_INTENSITY, Trials, difference, fragility_curve, probability
 from stayput.measures import hold
 from stayput.measures.results import weakest
 from stayput.mechanics.devices.columns import HOLDS
-from stayput.montecarlo.counting import SLIDE_LIMIT, Quantiles
+from stayput.montecarlo.counting import Quantiles
 from stayput.montecarlo.hazard import Hazard
 from stayput.montecarlo.levels import run_levels
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import Settings, draws, rows_of, sample_until_precise
 from stayput.progress import bar
-from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
 from stayput.verification.contents import contents_verdicts
 from stayput.verification.options import compared_options, require_coulomb
 from stayput.verification.ranking import members, severity
-from stayput.verification.several import verify_several
 from stayput.verification.verdict import AsInstalled, DeviceSummary, Estimates, OptionVerdict, Verdict
 
 if TYPE_CHECKING:
@@ -40,9 +38,9 @@ if TYPE_CHECKING:
     from stayput.montecarlo.levels import Falls
     from stayput.montecarlo.runs import Runs
     from stayput.montecarlo.sampling import Rows
+    from stayput.scenario import Scenario
     from stayput.verification.contents import ContentsVerdict
     from stayput.verification.options import Option
-    from stayput.verification.several_verdict import AssemblyVerdict
 
 LEVELS: NDArray[np.float64] = np.linspace(4.1, 6.95, 20)
 """JMA intensities of the ground for the fragility curves: from 4 to 7."""
@@ -55,112 +53,24 @@ CAPACITIES = (0.1, 0.5)
 """Shares of overturning for which the intensity is given."""
 
 
-@overload
-def verify(
-    scenario: Scenario,
-    *,
-    levels: Sequence[float] | NDArray[np.float64] | None = ...,
-    slide_limit: float = ...,
-    every_run: bool = ...,
-    threads: int | None = ...,
-    progress: bool | None = ...,
-    on_progress: Callable[[int, int], None] | None = ...,
-    on_verdict: Callable[[Verdict], None] | None = ...,
-) -> Verdict: ...
-
-
-@overload
-def verify(
-    scenario: AssemblyScenario,
-    *,
-    slide_limit: float = ...,
-    threads: int | None = ...,
-    progress: bool | None = ...,
-    on_progress: Callable[[int, int], None] | None = ...,
-) -> AssemblyVerdict: ...
-
-
-@overload
-def verify(
-    scenario: Scenario | AssemblyScenario,
-    *,
-    slide_limit: float = ...,
-    every_run: bool = ...,
-    threads: int | None = ...,
-    progress: bool | None = ...,
-    on_progress: Callable[[int, int], None] | None = ...,
-) -> Verdict | AssemblyVerdict: ...
-
-
 def curve_levels(dimensions: int) -> NDArray[np.float64]:
     """Return the levels of the curves by default, in the plane or in space."""
     return LEVELS if dimensions == 2 else LEVELS_IN_SPACE
 
 
-def verify(
-    scenario: Scenario | AssemblyScenario,
+def compare(
+    scenario: Scenario,
     *,
-    levels: Sequence[float] | NDArray[np.float64] | None = None,
-    slide_limit: float = SLIDE_LIMIT,
-    every_run: bool = False,
-    threads: int | None = None,
-    progress: bool | None = None,
-    on_progress: Callable[[int, int], None] | None = None,
-    on_verdict: Callable[[Verdict], None] | None = None,
-) -> Verdict | AssemblyVerdict:
-    """Compare a scenario's measures over its motions and over draws of the uncertain quantities.
-
-    Every option meets the same motions and the same draws. At the scenario's own shaking samples are added
-    until every probability has the precision that the scenario asks for, or the most samples are done; then
-    come the levels of the fragility curves, without the runs whose outcome stronger shaking tells: see
-    `stayput.montecarlo.levels`.
-
-    Parameters
-    ----------
-    scenario : Scenario or AssemblyScenario
-        Furniture, room, shaking, measures, uncertainty. Of several pieces joints and measures on each are
-        compared, at the scenario's own shaking alone.
-    levels : sequence of float, optional
-        JMA intensities of the ground for the fragility curves, increasing; with none in it there are no
-        curves. Default `LEVELS`, in space `LEVELS_IN_SPACE`.
-    slide_limit : float
-        Slide that counts as too far [m].
-    every_run : bool
-        Whether to make all runs of the curves, to check those that are settled without.
-    threads : int, optional
-        As many as there are cores by default. The bits do not depend on them.
-    progress : bool, optional
-        Whether to draw a bar on standard error; default on a terminal.
-    on_progress : callable, optional
-        Called with the runs made or settled and with all runs, for a bar of one's own; an exception that it
-        raises stops the work.
-    on_verdict : callable, optional
-        Called with the ranking of one piece as it gets better, before it is `complete`: after some samples,
-        after all, and then come the curves and all else. The samples' bits do not depend on it.
-
-    Returns
-    -------
-    Verdict or AssemblyVerdict
-        The options, the best first.
-
-    Raises
-    ------
-    InputError
-        The paper's contact law, which knows no devices; measures of which none can be applied; a record
-        that cannot be read.
-    """
-    began = time.perf_counter()
-    limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
-    given = instance_of("scenario", scenario, (Scenario, AssemblyScenario))
-    if isinstance(given, RoomScenario):
-        raise InputError("rooms.use_verify_room", "scenario")
-    if isinstance(given, AssemblyScenario):
-        if levels is not None and len(levels):
-            raise InputError("several.levels", "levels")
-        return verify_several(
-            given, slide_limit=limit, threads=threads, progress=progress, on_progress=on_progress
-        )
-    scenario = given
+    levels: Sequence[float] | NDArray[np.float64] | None,
+    slide_limit: float,
+    every_run: bool,
+    threads: int | None,
+    progress: bool | None,
+    on_progress: Callable[[int, int], None] | None,
+    on_verdict: Callable[[Verdict], None] | None,
+) -> Verdict:
+    """Compare the measures of a scenario of one piece; see `stayput.verify`."""
+    began, limit = time.perf_counter(), slide_limit
     require_coulomb(scenario, "verification.a_verification")
     if levels is None:
         levels = curve_levels(scenario.dimensions)
@@ -261,7 +171,14 @@ def _rows(
 ) -> list[Rows]:
     """Return the rows of every option, for some samples of each motion."""
     body, room = scenario.furniture.body(), scenario.room.room()
-    drawn = draws(settings.motions, samples, settings.seed, start, as_stated=settings.as_stated)
+    drawn = draws(
+        settings.motions,
+        samples,
+        settings.seed,
+        start,
+        as_stated=settings.as_stated,
+        quantities=settings.quantities,
+    )
     initial, gravity = scenario.initial.state(), settings.gravity
     dimensions = scenario.dimensions
     return [rows_of(body, room, each.measures, drawn, gravity, initial, dimensions) for each in options]

@@ -17,6 +17,7 @@ from stayput.fragility.probabilities import probability_of_counts
 from stayput.montecarlo.hazard import FloorMotions, PreparedFloor
 from stayput.montecarlo.runs import run_level
 from stayput.montecarlo.sampling import DrawTable, draws, rows_of
+from stayput.uncertainty import QUANTITIES
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.montecarlo.sampling import Rows
     from stayput.scenario import Scenario
+    from stayput.uncertainty import Uncertainty
     from stayput.verification.options import Option
 
 OPEN = 0.5
@@ -133,8 +135,8 @@ def contents_verdicts(
     contents = scenario.contents
     if contents is None:
         return [None] * len(options)
-    body, measured = scenario.furniture.body(), scenario.uncertainty.as_stated
-    drawn = first_draws(len(floors.motions), seed, measured)
+    body, stated = scenario.furniture.body(), scenario.uncertainty
+    drawn = first_draws(len(floors.motions), seed, stated.as_stated, stated.quantities)
     floors = _first(floors)
     rows = [_rows(body, option, scenario, drawn) for option in options]
     spilt = _followed(rows, body, contents, floors, threads)
@@ -162,9 +164,11 @@ def runs_of_contents(contents: Contents, motions: int) -> int:
     return min(motions, MOTIONS) * (of_the_piece + contents.levels * contents.items)
 
 
-def first_draws(motions: int, seed: int, as_stated: Sequence[str]) -> DrawTable:
+def first_draws(
+    motions: int, seed: int, as_stated: Sequence[str], quantities: Uncertainty = QUANTITIES
+) -> DrawTable:
     """Return the first draw of each of so many motions, of the first `MOTIONS` where there are more."""
-    columns = draws(motions, 1, seed, as_stated=as_stated).columns
+    columns = draws(motions, 1, seed, as_stated=as_stated, quantities=quantities).columns
     return DrawTable({name: column[:MOTIONS] for name, column in columns.items()})
 
 

@@ -45,7 +45,7 @@ def assumptions_of_room(verdict: RoomVerdict) -> list[Assumption]:
         *walls,
         *(() if room.ceiling is None else ceiling_assumptions(room.ceiling)),
         *shaking_assumptions(scenario, verdict.motions),
-        *drawn_assumptions(scenario.uncertainty.as_stated),
+        *drawn_assumptions(scenario.uncertainty),
         drawn_between(),
     ]
 

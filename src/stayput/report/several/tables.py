@@ -114,7 +114,7 @@ def several_assumptions(verdict: AssemblyVerdict) -> list[Assumption]:
         *piece_assumptions(scenario),
         *room_assumptions(scenario),
         *shaking_assumptions(scenario, verdict.motions),
-        *drawn_assumptions(scenario.uncertainty.as_stated),
+        *drawn_assumptions(scenario.uncertainty),
         drawn_between(),
         Assumption((phrase("several.limit_body"), phrase("several.limit_body_text")), MODEL),
         *settlement_assumptions(scenario),

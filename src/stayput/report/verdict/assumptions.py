@@ -9,15 +9,16 @@ from stayput.catalogue import phrase, say
 from stayput.catalogue.names import CONTENTS, DOORS, DRAWERS
 from stayput.model.parameters import GIVEN, parameter_of
 from stayput.report.names import named
-from stayput.uncertainty import USUAL, Lognormal, Normal, Uniform
+from stayput.uncertainty import Lognormal, Normal, Uniform
 from stayput.verification.grades import building_tag, floor_tag, furniture_tag
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterator
+    from collections.abc import Iterator
 
     from stayput.catalogue import Phrase
     from stayput.model.room import Ceiling, Floor, Wall
     from stayput.scenario import AssemblyScenario, Scenario
+    from stayput.scenario.measures import UncertaintyTable
     from stayput.uncertainty import Marginal
     from stayput.verification import Verdict
 
@@ -56,13 +57,12 @@ LIMITS = ("body", "contacts", "devices")
 def assumptions(verdict: Verdict) -> list[Assumption]:
     """Return the assumptions of a verdict, apart from the parameters of the measures."""
     scenario = verdict.scenario
-    measured = scenario.uncertainty.as_stated
     return [
         furniture_assumption(scenario),
         *room_assumptions(scenario),
         *_contents(scenario),
         *shaking_assumptions(scenario, verdict.motions),
-        *drawn_assumptions(measured),
+        *drawn_assumptions(scenario.uncertainty),
         *(Assumption((_text(f"limit_{key}"), _text(f"limit_{key}_text")), MODEL) for key in LIMITS),
     ]
 
@@ -78,12 +78,12 @@ def shaking_assumptions(scenario: Scenario | AssemblyScenario, count: int) -> It
         yield _building(scenario)
 
 
-def drawn_assumptions(measured: Collection[str]) -> Iterator[Assumption]:
+def drawn_assumptions(uncertainty: UncertaintyTable) -> Iterator[Assumption]:
     """Yield what is drawn, and what is not since it was measured."""
-    for name in USUAL:
-        if name not in measured:
-            yield _drawn(name, USUAL[name])
-    for name in measured:
+    for name, marginal in uncertainty.quantities.marginals.items():
+        if name not in uncertainty.as_stated:
+            yield _drawn(name, marginal)
+    for name in uncertainty.as_stated:
         yield Assumption((_text(f"quantity_{name}"), _text("as_stated")), GIVEN)
 
 
@@ -173,6 +173,9 @@ def _contents(scenario: Scenario) -> Iterator[Assumption]:
 def _motions(scenario: Scenario | AssemblyScenario, count: int) -> Assumption:
     shaking = scenario.shaking
     heading = _text("motions")
+    if shaking.in_python is not None:
+        name = shaking.in_python.name or shaking.in_python[0].name
+        return Assumption((heading, _text("motions_read", count=count, name=name)), GIVEN)
     if shaking.record is not None or isinstance(shaking.suite, str):
         name = shaking.record or shaking.suite
         return Assumption((heading, _text("motions_read", count=count, name=name)), GIVEN)

@@ -224,8 +224,9 @@ def floor_motion(verdict: Verdict, ground: Suite, member: Member) -> tuple[Motio
 def drawn_piece(verdict: Verdict, option: Option, member: Member) -> tuple[Held, NDArray[np.void]]:
     """Return the piece with the measures of an option as a member drew it, and its devices' rows."""
     scenario = verdict.scenario
-    motions, samples, measured = member.motion + 1, member.sample + 1, scenario.uncertainty.as_stated
-    drawn = draws(motions, samples, verdict.seed, as_stated=measured)[member.motion][member.sample]
+    motions, samples, stated = member.motion + 1, member.sample + 1, scenario.uncertainty
+    table = draws(motions, samples, verdict.seed, as_stated=stated.as_stated, quantities=stated.quantities)
+    drawn = table[member.motion][member.sample]
     body = drawn_body(scenario.furniture.body(), drawn)
     bought = [measure.fitted_to(scenario.furniture.body()) for measure in option.measures]
     place = drawn_place(scenario.room.room(), drawn)

@@ -1,0 +1,157 @@
+"""A scenario of Python objects: a body, a room, motions and measures in the place of a file's tables."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, fields
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, cast
+
+from stayput.errors import instance_of, list_of
+from stayput.measures import MEASURES, Measure
+from stayput.measures.measure import refuse_conflicts
+from stayput.model.body import Body
+from stayput.model.room import WALLS_AROUND, Ceiling, Floor, Room, Wall
+from stayput.motion import Motion
+from stayput.motion.suites import Suite
+from stayput.scenario.measures import NamedMeasures, table_of
+from stayput.scenario.scenario import Scenario
+from stayput.uncertainty import Uncertainty
+
+if TYPE_CHECKING:
+    from stayput.simulation.run import Case
+
+Shaking = Motion | Suite | Sequence[Motion] | str | float | Mapping[str, Any]
+"""Motions; the JMA intensity of the ground, or its class; or the keys of ``[shaking]`` of a scenario file."""
+
+Measures = Sequence[Measure | Sequence[Measure]] | Mapping[str, Measure | Sequence[Measure]]
+"""Measures that are compared: each by itself or several together, under names of one's own or not."""
+
+
+def scenario_of(
+    body: Body,
+    room: Room,
+    shaking: Shaking,
+    measures: Measures = (),
+    uncertainty: Uncertainty | None = None,
+    *,
+    tables: Mapping[str, Any] = MappingProxyType({}),
+) -> Scenario:
+    """Make a scenario of Python objects.
+
+    Parameters
+    ----------
+    body : Body
+        What stands.
+    room : Room
+        Where it stands.
+    shaking : Motion, Suite, sequence of Motion, str, float or mapping
+        Motions as they are; or the JMA intensity of the ground or its class, "6-upper", under the built-in
+        suite; or what ``[shaking]`` of a scenario file says.
+    measures : sequence or mapping
+        What is compared; each a `Measure`, of one's own as well, or several that are in place together.
+    uncertainty : Uncertainty, optional
+        The quantities that are drawn, by the names of `stayput.uncertainty.USUAL`; all others are as stated.
+    tables : mapping
+        Further tables and keys of a scenario file, such as ``{"uncertainty": {"samples": 100}}``.
+
+    Raises
+    ------
+    InputError
+        Something of another kind, or what a scenario file may not say.
+    """
+    motions = _motions(shaking)
+    data: dict[str, Any] = {
+        "furniture": _set_fields(instance_of("body", body, Body)),
+        "room": _room_table(instance_of("room", room, Room)),
+    }
+    if motions is None:
+        stated = {"intensity": shaking} if isinstance(shaking, str | float | int) else shaking
+        data["shaking"] = dict(cast("Mapping[str, Any]", stated))
+    sets = named_sets(measures)
+    in_files = all(type(one) is MEASURES.get(one.kind) for named in sets for one in named.measures)
+    if sets and in_files:
+        data["measures"] = [
+            {"name": named.name, "combine": [table_of(one) for one in named.measures]} for named in sets
+        ]
+    scenario = Scenario.parse(data | dict(tables))
+    if not in_files:
+        scenario = scenario.with_measures(sets)
+    changed: dict[str, Any] = {}
+    if motions is not None:
+        changed["shaking"] = scenario.shaking.with_motions(motions)
+    if uncertainty is not None:
+        drawn = instance_of("uncertainty", uncertainty, Uncertainty)
+        changed["uncertainty"] = scenario.uncertainty.with_quantities(drawn)
+    return scenario.model_copy(update=changed) if changed else scenario
+
+
+def scenario_of_case(
+    case: Case,
+    measures: Measures = (),
+    uncertainty: Uncertainty | None = None,
+    *,
+    tables: Mapping[str, Any] = MappingProxyType({}),
+) -> Scenario:
+    """Make a scenario of a case; its own measures are compared with none, beside others."""
+    own = named_sets([case.measures]) if case.measures else []
+    own_tables = {
+        "contact": case.contact,
+        "initial": asdict(case.initial),
+        "gravity": case.gravity,
+        "dimensions": 3 if case.in_space else 2,
+    }
+    sets = {one.name: one.measures for one in (*own, *named_sets(measures))}
+    tables = dict(tables) | own_tables
+    return scenario_of(case.body, case.room, case.motion, sets, uncertainty, tables=tables)
+
+
+def named_sets(measures: Measures) -> list[NamedMeasures]:
+    """Return measures that are compared under their names: one's own, or those of their kinds."""
+    if isinstance(measures, Mapping):
+        return [NamedMeasures(name, _together(one)) for name, one in measures.items()]
+    sets = [_together(one) for one in measures]
+    return [NamedMeasures(" + ".join(one.kind for one in together), together) for together in sets]
+
+
+def _together(given: Measure | Sequence[Measure]) -> tuple[Measure, ...]:
+    if isinstance(given, tuple | list):
+        together = list_of("measures", given, Measure)
+    else:
+        together = (instance_of("measures", given, Measure),)
+    refuse_conflicts(together)
+    return together
+
+
+def _motions(shaking: Shaking) -> Suite | None:
+    """Return motions that were given as such; None where it is said otherwise how the ground is shaken."""
+    if isinstance(shaking, Motion):
+        return Suite((shaking,))
+    if isinstance(shaking, Suite):
+        return shaking
+    if isinstance(shaking, str | float | int | Mapping):
+        return None
+    return Suite(list_of("shaking", shaking, Motion))
+
+
+def _set_fields(value: Body | Floor | Wall | Ceiling, base: Floor | None = None) -> dict[str, Any]:
+    """Return the fields of a value that say something, or differ from another; with lists for tuples."""
+    found: dict[str, Any] = {}
+    for one in fields(value):
+        own: object = getattr(value, one.name)
+        if own is not None and (base is None or own != getattr(base, one.name)):
+            found[one.name] = [*cast("tuple[float, float]", own)] if isinstance(own, tuple) else own
+    return found
+
+
+def _room_table(room: Room) -> dict[str, Any]:
+    surface = room.floor.surface
+    base = Floor.of(surface) if surface else Floor()
+    table: dict[str, Any] = {
+        "floor": _set_fields(room.floor, base) | ({"surface": surface} if surface else {})
+    }
+    for name in (*WALLS_AROUND, "ceiling"):
+        own: Wall | Ceiling | None = getattr(room, name)
+        if own is not None:
+            table[name] = _set_fields(own)
+    return table

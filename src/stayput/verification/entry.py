@@ -1,0 +1,216 @@
+"""`verify`: which measures keep furniture standing, of a scenario or of Python objects."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, overload
+
+from stayput.errors import InputError, instance_of, within
+from stayput.model.body import Body
+from stayput.model.room import Room
+from stayput.montecarlo.counting import SLIDE_LIMIT
+from stayput.scenario import AssemblyScenario, RoomScenario, Scenario
+from stayput.scenario.in_python import scenario_of, scenario_of_case
+from stayput.simulation.run import Case
+from stayput.verification.compare import compare
+from stayput.verification.several import verify_several
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from stayput.scenario.in_python import Measures, Shaking
+    from stayput.uncertainty import Uncertainty
+    from stayput.verification.several_verdict import AssemblyVerdict
+    from stayput.verification.verdict import Verdict
+
+
+@overload
+def verify(
+    what: Scenario | Case,
+    *,
+    measures: Measures = ...,
+    uncertainty: Uncertainty | None = ...,
+    samples: int | None = ...,
+    seed: int | None = ...,
+    precision: float | None = ...,
+    levels: Sequence[float] | NDArray[np.float64] | None = ...,
+    slide_limit: float = ...,
+    every_run: bool = ...,
+    threads: int | None = ...,
+    progress: bool | None = ...,
+    on_progress: Callable[[int, int], None] | None = ...,
+    on_verdict: Callable[[Verdict], None] | None = ...,
+) -> Verdict: ...
+
+
+@overload
+def verify(
+    what: Body,
+    room: Room | None = ...,
+    *,
+    shaking: Shaking,
+    measures: Measures = ...,
+    uncertainty: Uncertainty | None = ...,
+    samples: int | None = ...,
+    seed: int | None = ...,
+    precision: float | None = ...,
+    levels: Sequence[float] | NDArray[np.float64] | None = ...,
+    slide_limit: float = ...,
+    every_run: bool = ...,
+    threads: int | None = ...,
+    progress: bool | None = ...,
+    on_progress: Callable[[int, int], None] | None = ...,
+    on_verdict: Callable[[Verdict], None] | None = ...,
+) -> Verdict: ...
+
+
+@overload
+def verify(
+    what: AssemblyScenario,
+    *,
+    slide_limit: float = ...,
+    threads: int | None = ...,
+    progress: bool | None = ...,
+    on_progress: Callable[[int, int], None] | None = ...,
+) -> AssemblyVerdict: ...
+
+
+@overload
+def verify(
+    what: Scenario | AssemblyScenario,
+    *,
+    slide_limit: float = ...,
+    every_run: bool = ...,
+    threads: int | None = ...,
+    progress: bool | None = ...,
+    on_progress: Callable[[int, int], None] | None = ...,
+) -> Verdict | AssemblyVerdict: ...
+
+
+def verify(
+    what: Scenario | AssemblyScenario | Case | Body,
+    room: Room | None = None,
+    *,
+    shaking: Shaking | None = None,
+    measures: Measures = (),
+    uncertainty: Uncertainty | None = None,
+    samples: int | None = None,
+    seed: int | None = None,
+    precision: float | None = None,
+    levels: Sequence[float] | NDArray[np.float64] | None = None,
+    slide_limit: float = SLIDE_LIMIT,
+    every_run: bool = False,
+    threads: int | None = None,
+    progress: bool | None = None,
+    on_progress: Callable[[int, int], None] | None = None,
+    on_verdict: Callable[[Verdict], None] | None = None,
+) -> Verdict | AssemblyVerdict:
+    """Compare measures over motions and over draws of the uncertain quantities.
+
+    Every option meets the same motions and the same draws. At the stated shaking samples are added until
+    every probability has the precision that is asked for, or the most samples are done; then come the levels
+    of the fragility curves, without the runs whose outcome stronger shaking tells: see
+    `stayput.montecarlo.levels`.
+
+    Parameters
+    ----------
+    what : Body, Case, Scenario or AssemblyScenario
+        What stands. A case has its room, its motion and its own measures; a scenario says everything. Of
+        several pieces joints and measures on each are compared, at the scenario's own shaking alone.
+    room : Room, optional
+        Where a body stands; on a wooden floor without walls by default.
+    shaking : Motion, Suite, sequence of Motion, str, float or mapping
+        How a body is shaken: by motions as they are; by the built-in suite to a JMA intensity of the ground
+        or its class, "6-upper"; or as ``[shaking]`` of a scenario file says, ``{"pga": 4.0}``.
+    measures : sequence or mapping
+        What a body or a case is compared with: each a `Measure`, of one's own as well, or several that are in
+        place together; a mapping names them. The usual ones by default.
+    uncertainty : Uncertainty, optional
+        The quantities that are drawn for a body or a case, by the names of `stayput.uncertainty.USUAL`; what
+        is not in it is as stated. All, as they are usually, by default.
+    samples, seed : int, optional
+        Most samples of each set of measures, and the seed of the draws, of a body or a case.
+    precision : float, optional
+        Half-width of the 95 % interval of the probability of overturning that is enough, of a body or a case.
+    levels : sequence of float, optional
+        JMA intensities of the ground for the fragility curves, increasing; with none in it there are no
+        curves. Default `stayput.verification.LEVELS`, in space fewer.
+    slide_limit : float
+        Slide that counts as too far [m].
+    every_run : bool
+        Whether to make all runs of the curves, to check those that are settled without.
+    threads : int, optional
+        As many as there are cores by default. The bits do not depend on them.
+    progress : bool, optional
+        Whether to draw a bar on standard error; default on a terminal.
+    on_progress : callable, optional
+        Called with the runs made or settled and with all runs, for a bar of one's own; an exception that it
+        raises stops the work.
+    on_verdict : callable, optional
+        Called with the ranking of one piece as it gets better, before it is `complete`: after some samples,
+        after all, and then come the curves and all else. The samples' bits do not depend on it.
+
+    Returns
+    -------
+    Verdict or AssemblyVerdict
+        The options, the best first.
+
+    Raises
+    ------
+    InputError
+        The paper's contact law, which knows no devices; measures of which none can be applied; a record
+        that cannot be read; what a scenario says already, given beside it.
+
+    Examples
+    --------
+    >>> import stayput as sp
+    >>> bookcase, room = sp.Body(0.3, 1.8, 90.0), sp.Room(left_wall=sp.Wall(0.01))
+    >>> brackets = sp.MEASURES["l_bracket"]()
+    >>> verdict = sp.verify(bookcase, room, shaking="6-lower", measures=[brackets], samples=20, levels=[])
+    >>> verdict.best.option.name
+    'l_bracket'
+    """
+    limit = within("verification.slide_limit", slide_limit, 0.0, 1e3, "m", "slide_limit")
+    settings = {"samples": samples, "seed": seed, "precision": precision}
+    stated = {key: value for key, value in settings.items() if value is not None}
+    in_python = {"room": room, "shaking": shaking, "measures": measures or None, "uncertainty": uncertainty}
+    given = instance_of("what", what, (Scenario, AssemblyScenario, Case, Body))
+    if isinstance(given, RoomScenario):
+        raise InputError("rooms.use_verify_room", "what")
+    tables: dict[str, Any] = {"uncertainty": stated} if stated else {}
+    match given:
+        case Body():
+            if shaking is None:
+                raise InputError("verification.no_shaking", "shaking")
+            scenario = scenario_of(given, room or Room(), shaking, measures, uncertainty, tables=tables)
+        case Case():
+            _refuse_beside(given, {key: in_python[key] for key in ("room", "shaking")})
+            scenario = scenario_of_case(given, measures, uncertainty, tables=tables)
+        case _:
+            _refuse_beside(given, in_python | settings)
+            scenario = given
+    if isinstance(scenario, AssemblyScenario):
+        if levels is not None and len(levels):
+            raise InputError("several.levels", "levels")
+        return verify_several(
+            scenario, slide_limit=limit, threads=threads, progress=progress, on_progress=on_progress
+        )
+    return compare(
+        scenario,
+        levels=levels,
+        slide_limit=limit,
+        every_run=every_run,
+        threads=threads,
+        progress=progress,
+        on_progress=on_progress,
+        on_verdict=on_verdict,
+    )
+
+
+def _refuse_beside(what: Scenario | AssemblyScenario | Case, given: dict[str, Any]) -> None:
+    """Refuse what something says already, given beside it."""
+    for name, value in given.items():
+        if value is not None:
+            raise InputError("verification.said_already", name, name=name, kind=type(what).__name__)

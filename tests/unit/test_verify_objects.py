@@ -1,0 +1,148 @@
+"""`verify` of Python objects: the same as of a scenario file, and what a file cannot say."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+import numpy as np
+import pytest
+
+import stayput as sp
+from stayput.measures import Belt, GelMats, LBracket
+from stayput.uncertainty import USUAL, Lognormal
+
+BODY = sp.Body(0.3, 1.8, 90.0, cg_offset=(0.01, -0.05), length=0.9)
+ROOM = sp.Room(sp.Floor.of("carpet"), left_wall=sp.Wall(0.01), ceiling=sp.Ceiling(2.4))
+FRICT = sp.Uncertainty({"frict": Lognormal(1.0, 1.0)})
+FEW: dict[str, Any] = {"samples": 8, "levels": [], "progress": False}
+
+
+def scenario(**tables: Any) -> sp.Scenario:
+    return sp.Scenario.parse(
+        {
+            "furniture": {
+                "width": 0.3,
+                "height": 1.8,
+                "mass": 90.0,
+                "cg_offset": [0.01, -0.05],
+                "length": 0.9,
+            },
+            "room": {"floor": "carpet", "left_wall": {"gap": 0.01}, "ceiling": {"height": 2.4}},
+            "shaking": {"intensity": "6-lower"},
+            "measures": [
+                {"type": "l_bracket"},
+                {"name": "pair", "combine": [{"type": "belt"}, {"type": "gel_mats"}]},
+            ],
+            "uncertainty": {"samples": 8},
+            **tables,
+        }
+    )
+
+
+def chances(verdict: sp.Verdict) -> dict[str, Any]:
+    return {one.option.name: (one.probabilities, one.slide, one.tilt) for one in verdict.options}
+
+
+def test_objects_give_the_numbers_of_the_file_to_the_bit():
+    of_file = sp.verify(scenario(), levels=[], progress=False)
+    measures = {"l_bracket": LBracket(), "pair": [Belt(), GelMats()]}
+    of_objects = sp.verify(BODY, ROOM, shaking="6-lower", measures=measures, **FEW)
+    assert chances(of_objects) == chances(of_file)
+    again = sp.Scenario.parse(tomllib.loads(of_objects.scenario.to_toml()))
+    assert chances(sp.verify(again, levels=[], progress=False)) == chances(of_file)
+
+
+@pytest.mark.parametrize(
+    "floor",
+    [
+        sp.Floor(),
+        sp.Floor.of("carpet"),
+        replace(sp.Floor.of("carpet"), static_friction=0.6, settlement=0.0),
+        sp.Floor(0.7, 0.6, edge_static_friction=0.5, edge_kinetic_friction=0.4, restitution=0.9),
+    ],
+)
+def test_body_and_room_are_those_that_were_given(floor: sp.Floor):
+    room = sp.Room(floor, left_wall=sp.Wall(0.02, 0.4, construction="concrete"), right_wall=sp.Wall(1.0))
+    body = sp.Body(0.4, 1.5, base_heights=(0.0, -0.005), base_insets=(0.01, 0.02), inertia=30.0)
+    made = sp.verify(body, room, shaking=sp.near_fault(), measures=[LBracket()], **FEW).scenario
+    assert made.furniture.body() == body
+    assert made.room.room() == room
+    assert made.room.room().floor.surface == floor.surface
+
+
+def test_motions_are_taken_as_they_are():
+    suite = sp.synthetic_suite("crustal", 2).to_intensity(6.0)
+    of_suite = sp.verify(BODY, ROOM, shaking=suite, measures=[LBracket()], **FEW)
+    of_list = sp.verify(BODY, ROOM, shaking=list(suite), measures=[LBracket()], **FEW)
+    assert of_suite.motions == 2
+    assert chances(of_suite) == chances(of_list)
+    assert [np.array_equal(a.x, b.x) for a, b in zip(of_suite.scenario.ground(), suite, strict=True)] == [
+        True,
+        True,
+    ]
+    assert "given in Python" in of_suite.scenario.to_toml()
+
+
+def test_a_case_is_compared_with_its_measures():
+    motion = sp.near_fault()
+    case = sp.Case(BODY, ROOM, motion, measures=(LBracket(),), dimensions=2)
+    verdict = sp.verify(case, **FEW)
+    assert {one.option.name for one in verdict.options} == {"none", "l_bracket"}
+    assert chances(verdict) == chances(sp.verify(BODY, ROOM, shaking=motion, measures=[LBracket()], **FEW))
+
+
+@dataclass(frozen=True, slots=True)
+class Doubled(LBracket):
+    """L-brackets of twice the usual number, as a user may write a measure."""
+
+    kind: ClassVar[str] = "doubled"
+    label: ClassVar[tuple[str, str]] = ("Doubled brackets", "2倍の金具")
+
+
+def test_measures_of_ones_own_are_compared():
+    verdict = sp.verify(BODY, ROOM, shaking="6-upper", measures=[Doubled(count=4), LBracket(count=4)], **FEW)
+    found = chances(verdict)
+    assert found["doubled"] == found["l_bracket"]
+    assert "measures were given in Python" in verdict.scenario.to_toml()
+
+
+def test_what_is_not_in_the_uncertainty_is_as_stated():
+    friction = sp.Uncertainty({"friction": Lognormal(1.0, 0.5)})
+    verdict = sp.verify(BODY, ROOM, shaking="6-upper", uncertainty=friction, measures=[LBracket()], **FEW)
+    stated = [name for name in USUAL if name != "friction"]
+    assert verdict.scenario.uncertainty.as_stated == stated
+    usual = sp.Uncertainty({"friction": USUAL["friction"]})
+    of_usual = sp.verify(BODY, ROOM, shaking="6-upper", uncertainty=usual, measures=[LBracket()], **FEW)
+    file = scenario(
+        shaking={"intensity": "6-upper"},
+        measures=[{"type": "l_bracket"}],
+        uncertainty={"samples": 8, "as_stated": stated},
+    )
+    assert chances(of_usual) == chances(sp.verify(file, levels=[], progress=False))
+    assert chances(verdict) != chances(of_usual)
+
+
+@pytest.mark.parametrize(
+    ("call", "told"),
+    [
+        (lambda: sp.verify(BODY, ROOM), "shaking is missing"),
+        (lambda: sp.verify(scenario(), ROOM), "room is given beside a Scenario"),  # type: ignore[call-overload]
+        (lambda: sp.verify(scenario(), samples=5), "samples is given beside a Scenario"),
+        (lambda: sp.verify(BODY, ROOM, shaking="6-middle"), "6-middle"),
+        (lambda: sp.verify(BODY, ROOM, shaking=[1.0, 2.0]), "Motion"),
+        (lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=["belt"]), "Measure"),
+        (lambda: sp.verify(BODY, ROOM, shaking=6.0, measures=[Belt(), Belt()]), "belt"),
+        (
+            lambda: sp.verify(
+                BODY, ROOM, shaking=6.0, uncertainty=sp.Uncertainty({"frict": Lognormal(1, 1)})
+            ),
+            "friction",
+        ),
+        (lambda: sp.verify("bookcase.toml"), "what"),
+    ],
+)
+def test_what_is_wrong_is_refused_in_a_sentence(call: Any, told: str):
+    with pytest.raises(sp.InputError, match=told):
+        call()
