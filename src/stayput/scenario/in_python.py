@@ -21,18 +21,18 @@ from stayput.uncertainty import Uncertainty
 if TYPE_CHECKING:
     from stayput.simulation.run import Case
 
-Shaking = Motion | Suite | Sequence[Motion] | str | float | Mapping[str, Any]
+StatedShaking = Motion | Suite | Sequence[Motion] | str | float | Mapping[str, Any]
 """Motions; the JMA intensity of the ground, or its class; or the keys of ``[shaking]`` of a scenario file."""
 
-Measures = Sequence[Measure | Sequence[Measure]] | Mapping[str, Measure | Sequence[Measure]]
-"""Measures that are compared: each by itself or several together, under names of one's own or not."""
+MeasureSets = Sequence[Measure | Sequence[Measure]] | Mapping[str, Measure | Sequence[Measure]]
+"""MeasureSets that are compared: each by itself or several together, under names of one's own or not."""
 
 
 def scenario_of(
     body: Body,
     room: Room,
-    shaking: Shaking,
-    measures: Measures = (),
+    shaking: StatedShaking,
+    measures: MeasureSets = (),
     uncertainty: Uncertainty | None = None,
     *,
     tables: Mapping[str, Any] = MappingProxyType({}),
@@ -88,7 +88,7 @@ def scenario_of(
 
 def scenario_of_case(
     case: Case,
-    measures: Measures = (),
+    measures: MeasureSets = (),
     uncertainty: Uncertainty | None = None,
     *,
     tables: Mapping[str, Any] = MappingProxyType({}),
@@ -106,7 +106,7 @@ def scenario_of_case(
     return scenario_of(case.body, case.room, case.motion, sets, uncertainty, tables=tables)
 
 
-def named_sets(measures: Measures) -> list[NamedMeasures]:
+def named_sets(measures: MeasureSets) -> list[NamedMeasures]:
     """Return measures that are compared under their names: one's own, or those of their kinds."""
     if isinstance(measures, Mapping):
         return [NamedMeasures(name, _together(one)) for name, one in measures.items()]
@@ -123,7 +123,7 @@ def _together(given: Measure | Sequence[Measure]) -> tuple[Measure, ...]:
     return together
 
 
-def _motions(shaking: Shaking) -> Suite | None:
+def _motions(shaking: StatedShaking) -> Suite | None:
     """Return motions that were given as such; None where it is said otherwise how the ground is shaken."""
     if isinstance(shaking, Motion):
         return Suite((shaking,))

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from stayput.scenario.in_python import Measures, Shaking
+    from stayput.scenario.in_python import MeasureSets, StatedShaking
     from stayput.uncertainty import Uncertainty
     from stayput.verification.several_verdict import AssemblyVerdict
     from stayput.verification.verdict import Verdict
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 def verify(
     what: Scenario | Case,
     *,
-    measures: Measures = ...,
+    measures: MeasureSets = ...,
     uncertainty: Uncertainty | None = ...,
     samples: int | None = ...,
     seed: int | None = ...,
@@ -50,8 +50,8 @@ def verify(
     what: Body,
     room: Room | None = ...,
     *,
-    shaking: Shaking,
-    measures: Measures = ...,
+    shaking: StatedShaking,
+    measures: MeasureSets = ...,
     uncertainty: Uncertainty | None = ...,
     samples: int | None = ...,
     seed: int | None = ...,
@@ -93,8 +93,8 @@ def verify(
     what: Scenario | AssemblyScenario | Case | Body,
     room: Room | None = None,
     *,
-    shaking: Shaking | None = None,
-    measures: Measures = (),
+    shaking: StatedShaking | None = None,
+    measures: MeasureSets = (),
     uncertainty: Uncertainty | None = None,
     samples: int | None = None,
     seed: int | None = None,
