@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import fields
+from typing import TYPE_CHECKING, Any
 
 from stayput.catalogue import LANGUAGES, say
 from stayput.errors import InputError
@@ -29,6 +30,17 @@ def check_language(language: str) -> str:
     if language not in LANGUAGES:
         raise InputError("common.no_language", "language", value=language, languages=", ".join(LANGUAGES))
     return language
+
+
+def brief(value: Any) -> str:
+    """Return a dataclass as Python makes it, with those fields only that differ from their defaults."""
+    told: list[str] = []
+    for one in fields(value):
+        own = getattr(value, one.name)
+        usual = one.default_factory() if callable(one.default_factory) else one.default
+        if one.compare and own != usual:
+            told.append(f"{one.name}={own:.6g}" if isinstance(own, float) else f"{one.name}={own!r}")
+    return f"{type(value).__name__}({', '.join(told)})"
 
 
 def inside(label: str) -> str:

@@ -38,7 +38,7 @@ class CurveState(StrEnum):
     NO_TREND = "no trend"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class FragilityCurve:
     """The probability of falling over an intensity, by isotonic regression; see `stayput.fragility.isotonic`.
 
@@ -64,6 +64,11 @@ class FragilityCurve:
     levels: tuple[Level, ...] = field(repr=False)
     rising: Isotonic = field(repr=False)
     lognormal: LognormalFit | None = None
+
+    def __repr__(self) -> str:
+        return (
+            f"FragilityCurve({self.name!r}, {self.measure.key}, {self.state.value}; {self.capacity().text})"
+        )
 
     @property
     def measure(self) -> IntensityMeasure:

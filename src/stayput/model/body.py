@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from stayput.errors import InputError, finite, list_of, within
 from stayput.model.parameters import check_fields, parameter, parameter_of, quantity
+from stayput.wording import brief
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -26,7 +27,7 @@ _OFFSET = ("m", -SIZE_RANGE[1], SIZE_RANGE[1])
 _PART_SIZE = ("m", 0.0, SIZE_RANGE[1])
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Part:
     """A uniform rectangle that is part of a body: a board, a shelf's load, a drawer.
 
@@ -48,11 +49,14 @@ class Part:
     width: float = parameter(0.0, *_PART_SIZE, ("Part width", "部分の幅"))
     height: float = parameter(0.0, *_PART_SIZE, ("Part height", "部分の高さ"))
 
+    def __repr__(self) -> str:
+        return brief(self)
+
     def __post_init__(self) -> None:
         check_fields(self)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Body:
     """A rigid body, seen in the plane of shaking.
 
@@ -125,6 +129,9 @@ class Body:
         ("Body length", "家具の幅（length）"),
         "Length of the piece across the shaking; nothing in the plane depends on it.",
     )
+
+    def __repr__(self) -> str:
+        return brief(self)
 
     def __post_init__(self) -> None:
         check_fields(self, but=("cg_offset", "inertia", "base_heights", "base_insets"))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
+from stayput.wording import brief
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
@@ -41,7 +42,7 @@ def _restitution(default: float, label: Phrase, meaning: str) -> Any:
     return parameter(default, "", 0.0, 1.0, label, meaning)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Floor:
     """The floor under the body.
 
@@ -112,6 +113,11 @@ class Floor:
         "How far a flat base sinks in under the piece at rest; 0: a rigid floor.",
     )
     surface: str = field(default="", compare=False)
+
+    def __repr__(self) -> str:
+        if self.surface and self == Floor.of(self.surface):
+            return f"Floor.of({self.surface!r})"
+        return brief(self)
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -205,7 +211,7 @@ def _construction(choices: tuple[str, ...], label: Phrase, meaning: str) -> Any:
     return parameter(choices[0], "", 0.0, 0.0, label, meaning, choices=choices)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Wall:
     """A rigid wall beside the body.
 
@@ -234,11 +240,14 @@ class Wall:
         WALLS, ("Wall construction", "壁の下地"), "What devices on the wall are fixed to."
     )
 
+    def __repr__(self) -> str:
+        return brief(self)
+
     def __post_init__(self) -> None:
         check_fields(self)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Ceiling:
     """A rigid ceiling above the body.
 
@@ -267,11 +276,14 @@ class Ceiling:
         CEILINGS, ("Ceiling construction", "天井の下地"), "What poles push against."
     )
 
+    def __repr__(self) -> str:
+        return brief(self)
+
     def __post_init__(self) -> None:
         check_fields(self)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Room:
     """Floor, walls and ceiling around the body.
 
@@ -286,6 +298,9 @@ class Room:
     ceiling: Ceiling | None = None
     near_side_wall: Wall | None = None
     far_side_wall: Wall | None = None
+
+    def __repr__(self) -> str:
+        return brief(self)
 
     def __post_init__(self) -> None:
         instance_of("floor", self.floor, Floor)

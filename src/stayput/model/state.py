@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 from stayput.catalogue import phrase
 from stayput.errors import InputError
 from stayput.model.parameters import check_fields, parameter
+from stayput.wording import brief
 
 if TYPE_CHECKING:
     from stayput.model.body import Body
     from stayput.model.room import Room
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class State:
     """Initial state of a body that stands on the floor.
 
@@ -41,6 +42,9 @@ class State:
     slide_rate: float = parameter(
         0.0, "m/s", -1e3, 1e3, ("Initial slide rate", "初期の移動速度"), "Slide rate."
     )
+
+    def __repr__(self) -> str:
+        return brief(self)
 
     def __post_init__(self) -> None:
         check_fields(self)

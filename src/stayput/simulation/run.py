@@ -19,6 +19,7 @@ from stayput.motion.record import Motion
 from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.outcome import Event, EventKind, Mode, Outcome
+from stayput.wording import brief
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -50,7 +51,7 @@ LAWS: tuple[Contact, ...] = ("coulomb", "paper")
 _KINDS, _MODES = tuple(EventKind), tuple(Mode)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class Run:
     """Result of one body under one motion; made by `simulate`.
 
@@ -120,6 +121,11 @@ class Run:
     devices: tuple[DeviceResult, ...] = ()
     unlisted: Mapping[EventKind, int] = field(default_factory=dict[EventKind, int])
 
+    def __repr__(self) -> str:
+        fell = f" after {self.overturn_time:.2f} s" if self.outcome is Outcome.OVERTURNED else ""
+        slide, tilt = f"{self.peak_slide:.3g} m", f"{self.peak_tilt:.3g} rad"
+        return f"Run({self.outcome.value}{fell}; peaks: slide {slide}, tilt {tilt}; {len(self.time)} samples)"
+
     def count(self, kind: EventKind) -> int:
         """Return how many events of a kind there were, listed or not."""
         return sum(event.kind is kind for event in self.events) + self.unlisted.get(kind, 0)
@@ -173,7 +179,7 @@ class Run:
         return animate_run(self, path, language=language)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Case:
     """What `simulate` takes, as a value; `run` simulates it."""
 
@@ -185,6 +191,9 @@ class Case:
     gravity: float = STANDARD_GRAVITY
     measures: tuple[Measure, ...] = ()
     dimensions: Dimensions | None = None
+
+    def __repr__(self) -> str:
+        return brief(self)
 
     def __post_init__(self) -> None:
         instance_of("body", self.body, Body)

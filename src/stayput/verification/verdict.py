@@ -200,7 +200,7 @@ class Member:
     sample: int
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class OptionVerdict:
     """Results of one option: no measure, or one or several of them.
 
@@ -244,8 +244,11 @@ class OptionVerdict:
     installed: AsInstalled | None = None
     contents: ContentsVerdict | None = None
 
+    def __repr__(self) -> str:
+        return f"OptionVerdict({self.option.name!r}, rank {self.rank}, overturned {self.probabilities[OVERTURNED].text})"
 
-@dataclass(frozen=True, slots=True, eq=False)
+
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class Verdict:
     """The outcome of a verification.
 
@@ -296,6 +299,13 @@ class Verdict:
     seconds: float
     impossible: tuple[Impossible, ...] = ()
     complete: bool = True
+
+    def __repr__(self) -> str:
+        ranked = ", ".join(
+            f"{one.option.name} {one.probabilities[OVERTURNED].text}" for one in self.options[:3]
+        )
+        more = f", and {len(self.options) - 3} more" if len(self.options) > 3 else ""
+        return f"Verdict(JMA {self.intensity:.2f}; overturned: {ranked}{more})"
 
     @property
     def without(self) -> OptionVerdict:
