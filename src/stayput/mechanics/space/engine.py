@@ -171,8 +171,10 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
         if not hold(springs, pulls, bodies, after, h):
             break
         converged = count == 0 or solve(contacts, count, held, bodies, after, system, h)
+    none = springs[:0], pulls[:0], held[2][:0]
+    if not converged and springs.shape[0] > 0:
+        converged = _in_turns(contacts, count, held, none, bodies, after, system, h)
     if not converged or bounces(contacts, count):
-        none = springs[:0], pulls[:0], held[2][:0]
         converged = mend(contacts, count, none, bodies, after, system, h, converged, work)
     if not converged:
         work[1] += 1.0
@@ -192,6 +194,28 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
         else:
             drift(bodies[b], s, 0.5 * h)
     return count
+
+
+@inner
+def _in_turns(contacts, count, held, none, bodies, poses, system, h):
+    """Find the impulses of contacts and devices in turns, where Newton's method with both has lost its way.
+
+    The devices begin with the velocities that bodies have without contacts: the impulses that it left are no
+    forces of theirs.
+    """
+    apply(contacts, count, bodies, poses, -1.0)
+    for k in range(count):
+        c = contacts[k]
+        c.pn = c.ps = c.pt = 0.0
+    for _ in range(MOST_ROUNDS):
+        if not hold(held[0], held[1], bodies, poses, h):
+            break
+    converged = solve(contacts, count, none, bodies, poses, system, h)
+    for _ in range(MOST_ROUNDS):
+        if not converged or not hold(held[0], held[1], bodies, poses, h):
+            break
+        converged = solve(contacts, count, none, bodies, poses, system, h)
+    return converged
 
 
 @inner
