@@ -73,6 +73,13 @@ def test_the_numbers_of_charts_are_those_of_the_verdict_on_the_room(
         for row, chance in zip(rows, chances, strict=True):
             for end, key in (("", "estimate"), ("_low", "low"), ("_high", "high")):
                 assert float(row[f"hit{end}"]) == pytest.approx(chance[key], rel=1e-8)
+    for row, change in zip(tables["room_changes"][1:], result["changes"], strict=True):
+        for event in ("hit", "shut_in", "overturned"):
+            for key in (event, f"{event}_change"):
+                told = row[key] if change[key] is None else float(row[key])
+                assert told == (
+                    "" if change[key] is None else pytest.approx(change[key]["estimate"], rel=1e-8)
+                )
     verdict = sp.verify_room(sp.RoomScenario.parse(ROOM), progress=False)
     cells = tables["room_plan"]
     assert sum(float(row["fell"]) for row in cells) == pytest.approx(

@@ -330,7 +330,7 @@ def test_json_and_csv_hold_the_numbers(verdict: RoomVerdict):
     assert data["hit"]["estimate"] == verdict.hit.estimate
     assert data["places"][0]["by"][0]["energy_J"]["median"] == verdict.places[0].by[0].energy.median
     lines = verdict.to_csv().splitlines()
-    assert lines[0] == "event,of,by,probability,low,high"
+    assert lines[0] == "event,of,by,probability,low,high,change,change_low,change_high"
     assert f"hit,bed,,{verdict.hit.estimate}" in lines[1]
 
 
