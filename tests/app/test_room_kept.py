@@ -90,6 +90,26 @@ def test_the_numbers_of_charts_are_those_of_the_verdict_on_the_room(
     assert float(first["stood"]) == pytest.approx(verdict.pieces[0].stood[i, j])
 
 
+def test_the_program_of_a_room_says_what_each_change_is_and_brings(
+    client: httpx.Client, job: dict[str, Any], capsys: pytest.CaptureFixture[str]
+) -> None:
+    program = client.post("/api/v1/scenario/python", json={"scene": ROOM}).text
+    capsys.readouterr()
+    exec(compile(program, "room.py", "exec"), {})
+    lines = capsys.readouterr().out.splitlines()
+    for change in job["result"]["changes"]:
+        first = lines.index(change["label"]["en"])
+        shown = [("somebody is hit", "hit"), ("somebody is shut in", "shut_in")]
+        shown += [("the piece overturns", "overturned")] if change["overturned"] else []
+        for line, (words, key) in zip(lines[first + 1 :], shown, strict=False):
+            label, _, values = line.strip().partition(": ")
+            chance = change[key]
+            assert (label, [float(value) for value in values.split()]) == (
+                words,
+                [chance["estimate"], chance["low"], chance["high"]],
+            )
+
+
 def test_charts_are_there_for_their_own_verdicts_alone(client: httpx.Client, job: dict[str, Any]) -> None:
     answer = client.get(f"/api/v1/jobs/{job['id']}/figures/ranking.svg")
     assert answer.status_code == 409
