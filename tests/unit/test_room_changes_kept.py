@@ -1,4 +1,4 @@
-"""The single changes of a room in the files that are kept: the table of numbers and the chart."""
+"""The single changes of a room in the files that are kept, and on the terminal."""
 
 import csv
 import io
@@ -8,6 +8,8 @@ import pytest
 from matplotlib.figure import Figure
 from test_room_report import NEVER, made
 
+from stayput.catalogue import say
+from stayput.cli.verify_room import print_room
 from stayput.report.charts.chart import ChartSource
 from stayput.report.charts.rooms import changes_chart
 from stayput.rooms.words import change_label
@@ -60,3 +62,21 @@ def test_the_chart_of_changes_shows_the_worst_that_happens():
         assert len(chart.columns["overturned_change_low"]) == 1 + len(verdict.changes)
         assert chart.columns["shut_in_high"][1] == verdict.changes[0].shut_in.high
         assert chart.columns["overturned"][2] is None
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_the_terminal_lists_the_changes_that_help_and_the_next_three(
+    language: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setenv("COLUMNS", "400")
+    verdict = made()
+    chance, helping = verdict.changes
+    assert (chance.helps, helping.helps) == (False, True)
+    label, better = (change_label(one.change, verdict, language) for one in (chance, helping))
+    for others, shown in ((3, 3), (4, 4), (5, 3), (15, 3)):
+        print_room(replace(verdict, changes=(chance,) * others + (helping,)), language, [])
+        told = capsys.readouterr().out
+        listed = told[told.index(say("rooms.change", language)) :]
+        assert (listed.count(label), listed.count(better)) == (shown, 1)
+        assert listed.index(better) < listed.index(label)
+        assert (say("rooms.more_changes", language, count=others - shown) in told) == (others > shown)
