@@ -6,6 +6,7 @@ from __future__ import annotations
 import copy
 from typing import TYPE_CHECKING, Any
 
+import pytest
 from browsing import browser  # noqa: F401
 from room_judge import Judge, after, judged, place_of, room_page
 from test_room_api import ROOM, ended
@@ -101,6 +102,51 @@ def test_the_plan_begins_with_the_room_before_what_is_tried(client: httpx.Client
     plan = sp.action_plan(verdict, decided=[Change(name, LBracket())], progress=False)
     assert answer.text == plan.to_html("en")
     assert "your choice" in answer.text
+
+
+OTHER_ROOMS: list[tuple[str, Any]] = [
+    ("plan", {"width": 3.1}),
+    ("doors", []),
+    ("windows", [{"wall": "near_side_wall", "start": 0.2, "width": 0.5, "sill": 0.9}]),
+    ("room", {"floor": "carpet"}),
+    ("shaking", {"intensity": "5-upper"}),
+    ("uncertainty", {"samples": 5}),
+    ("direction", 0.3),
+    ("gravity", 9.7),
+    ("furniture", {"preset": "wardrobe"}),
+    ("furniture", {"mass": 20.0}),
+    ("places", {"kind": "desk"}),
+    ("places", {"high": 0.9}),
+    ("places", {"name": "another"}),
+]
+"""What is another in a room before; of a list, what is another of its first."""
+
+
+@pytest.mark.parametrize(("key", "other"), OTHER_ROOMS)
+def test_a_room_before_that_is_another_is_refused(client: httpx.Client, key: str, other: Any) -> None:
+    value = copy.deepcopy(ROOM.get(key))
+    if isinstance(value, list) and isinstance(other, dict):
+        value[0] |= other
+    else:
+        value = {**value, **other} if isinstance(value, dict) else other
+    refusal = client.post("/api/v1/room", json={"scene": ROOM, "before": {**ROOM, key: value}})
+    assert refusal.status_code == 422
+    assert refusal.json()["field"] == "before"
+    assert f" in its {key};" in refusal.json()["message"]
+    assert f"（{key}が違います）" in refusal.json()["message_ja"]
+
+
+def test_a_room_before_may_differ_in_what_is_tried(client: httpx.Client) -> None:
+    before = copy.deepcopy(ROOM)
+    piece, place = before["furniture"][0], before["places"][0]
+    piece["measures"] = [{"type": "l_bracket"}]
+    piece["along"] += 0.01
+    piece["gap"] = 0.03
+    place |= {"name": "bed", "at": [place["at"][0] - 0.05, place["at"][1] - 0.05]}
+    asked = {"scene": ROOM, "before": {**before, "title": "another"}, "changes": False}
+    answer = client.post("/api/v1/room", json=asked)
+    assert answer.status_code == 202, answer.text
+    ended(client, answer.json())
 
 
 def test_a_room_before_that_cannot_have_been_is_refused(client: httpx.Client) -> None:

@@ -231,6 +231,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "hit_less": ("difference", "差"),
     "shut_in_then": ("shut in then", "外に出られない確率"),
     "overturned_then": ("the piece overturns then", "その家具が倒れる確率"),
+    "more_changes": (
+        "And {count} more changes; all are in the report (--report).",
+        "ほかに{count}件の変更を試しました。すべては報告書（--report）にあります。",
+    ),
     # What a change is clearly better or worse in
     "fewer_hit": ("clearly fewer hit", "当たる確率が明らかに下がる"),
     "more_hit": ("clearly more hit", "当たる確率が明らかに上がる"),

@@ -92,7 +92,8 @@ export const perCent = (text) => (language === "ja" ? `${text}%` : `${text}\u00a
  */
 export function percent(share) {
   if (share === null || share === undefined) return t("notKnown");
-  const value = 100 * share;
+  // without the last digits of a difference, as on the server
+  const value = Math.round(1e9 * share) / 1e7;
   if (value > 0 && value < 0.05) return t("under", { share: perCent("0.1") });
   if (value > 99.95 && value < 100) return t("over", { share: perCent("99.9") });
   const fine = (value > 0 && value < 0.95) || (value > 99.05 && value < 100);
