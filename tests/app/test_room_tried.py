@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 from browsing import browser  # noqa: F401
-from room_judge import Judge, after, judged, place_of, room_page
+from room_judge import DONE, QUEUED, Judge, after, judged, place_of, room_page
 from test_room_api import ROOM, ended
 
 import stayput as sp
@@ -88,6 +88,86 @@ def test_a_copy_of_what_is_tried_is_not_tried(browser: Browser, server: Running)
         copies = [one for one in judge.asked[-1]["before"]["furniture"] if one.get("measures")]
         assert len(copies) == 1
         assert lines(it) == ["Bookcase with belts"]
+
+
+def test_what_is_tried_is_said_with_the_answer_to_it_alone(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        it.go("understand")
+        said = it.page.locator("#with-tried")
+        judge.stage = QUEUED
+        it.page.click("#best button")
+        it.page.wait_for_selector("#tried:visible")
+        it.wait("() => document.getElementById('answer').dataset.old === 'true'")
+        assert not said.is_visible()  # the sentence is still that without it
+        judge.stage = DONE
+        judged(it)
+        assert said.is_visible()
+
+
+LINK = """async (room) => {
+  const stream = new Blob([JSON.stringify(room)]).stream().pipeThrough(new CompressionStream("deflate-raw"));
+  const letters = btoa(String.fromCharCode(...new Uint8Array(await new Response(stream).arrayBuffer())));
+  location.hash = "room=" + letters.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}"""
+
+
+def test_notes_of_a_link_that_can_be_none_are_left_out(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    belt = [{"type": "belt"}]
+    wrong: list[dict[str, Any]] = [
+        {"was": {"measures": {"measures": "abc"}}},
+        {"was": {"measures": {"measures": [1, None, "x"]}}},
+        {"was": {"measures": [1, None, "x"]}},
+        {"was": {"measures": belt[0], "place": {"at": 5}, "constructor": {}}, "measures": "zz"},
+        {"was": [1, None, "x"]},
+        {"was": "abc", "measures": [None]},
+        {"was": None, "measures": [{"type": {"en": 5}}]},
+        {"was": {"place": "abc"}, "measures": {"length": 2}},
+    ]
+    with room_page(browser, server, judge) as it:
+        it.go("understand")
+        first = copy.deepcopy(judge.scene)
+        for number, notes in enumerate(wrong):
+            room = copy.deepcopy(first)
+            room["furniture"][0] |= notes
+            room |= {"home": ["no_drilling"], "title": f"link {number}"}
+            now = after(it, judge, lambda room=room: it.page.evaluate(LINK, room))
+            assert "measures" not in now["furniture"][0]
+        it.go("scene")
+        it.page.focus("#plan [data-thing=furniture-0]")
+        room["furniture"][0] |= {"measures": belt, "was": {"measures": {}}}
+        room["title"] = "a good one"
+        after(it, judge, lambda: it.page.evaluate(LINK, room))
+        assert "measures" not in judge.asked[-1]["before"]["furniture"][0]
+        it.go("understand")
+        assert lines(it) == ["Bookcase with belts"]
+
+
+def test_what_is_ticked_of_the_home_stays_with_the_room(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        it.go("understand")
+        box = it.page.get_by_label("No drilling")
+        plain = it.page.evaluate("location.hash")
+        box.check()
+        it.wait("(plain) => location.hash !== plain", plain)
+        it.page.wait_for_timeout(1000)  # longer than what settles before the server is asked
+        assert len(judge.asked) == 1
+        assert it.page.locator("#answer[data-old=false]").count() == 1
+        link = it.page.url
+        it.page.reload()
+        it.settle()
+        judged(it)
+        assert box.is_checked()
+        it.go("scene")
+        it.page.click("#plan-undo")
+        it.wait("() => !document.querySelector('#home input').checked")
+        it.page.click("#plan-redo")
+        it.wait("() => document.querySelector('#home input').checked")
+        assert '"home"' not in str(judge.asked).replace("'", '"')
+    with room_page(browser, server, judge, link.split("room/")[1]) as it:
+        assert it.page.get_by_label("No drilling").is_checked()
 
 
 def test_the_plan_begins_with_the_room_before_what_is_tried(client: httpx.Client) -> None:

@@ -113,7 +113,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "before_refused": (
         "The room as it was before the changes that are tried cannot be worked out: {why} Take them back, or say that they are already done.",
-        "試している変更の前の部屋は計算できません。{why}変更を元に戻すか、「もう行った」を選んでください。",
+        "試している変更の前の部屋は計算できません。{why}変更を元に戻すか、「実施済み」を選んでください。",
     ),
     "no_plan_yet": (
         "The job is {state}; there is a plan to buy and do once it is done, of a room.",
