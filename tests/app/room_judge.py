@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from stayput.rooms.verdict import ChangeVerdict
 
-QUEUED, ROUGH, DONE = "queued", "rough", "done"
+QUEUED, ROUGH, COUNTED, DONE = "queued", "rough", "counted", "done"
 CELLS = (72, 54)
 
 
@@ -151,7 +151,8 @@ class Judge:
     Attributes
     ----------
     stage : str
-        How far its jobs are: waiting behind two others, with few runs, or at their end.
+        How far its jobs are: waiting behind two others, with few runs, with all runs of the room but no
+        changes yet, or at their end.
     asked : list of dict
         What was asked, in order.
     ended : list of int
@@ -185,17 +186,18 @@ class Judge:
         verdict = made()
         if not self.asked[place]["changes"]:
             verdict["changes"] = []
-        rough = {**verdict, "complete": False, "samples": 1, "runs": 24, "changes": []}
+        counted = {**verdict, "complete": False, "changes": []}
+        rough = {**counted, "samples": 1, "runs": 24}
         return {
             "id": f"{place:032x}",
-            "state": {QUEUED: "waiting", ROUGH: "running", DONE: "done"}[stage],
-            "done": {QUEUED: 0, ROUGH: 24, DONE: 360}[stage],
+            "state": {QUEUED: "waiting", ROUGH: "running", COUNTED: "running", DONE: "done"}[stage],
+            "done": {QUEUED: 0, ROUGH: 24, COUNTED: 48, DONE: 360}[stage],
             "total": 360,
-            "progress": {QUEUED: 0.0, ROUGH: 0.2, DONE: 1.0}[stage],
+            "progress": {QUEUED: 0.0, ROUGH: 0.2, COUNTED: 0.4, DONE: 1.0}[stage],
             "seconds": 1.5,
             "position": 2 if stage == QUEUED else None,
             "error": None,
-            "result": {QUEUED: None, ROUGH: rough, DONE: verdict}[stage],
+            "result": {QUEUED: None, ROUGH: rough, COUNTED: counted, DONE: verdict}[stage],
         }
 
 

@@ -63,6 +63,18 @@ def test_number_fields_show_all_of_their_digits(
         assert it.page.eval_on_selector_all("input[type=number]", CUT) == []
 
 
+def test_a_share_is_the_same_by_itself_and_as_what_is_left_of_a_difference(
+    browser: Browser, server: Running
+) -> None:
+    with opened(browser, server) as it:
+        shares = [0.775, 0.825 - 0.05, 0.3 - 0.1 - 0.2]
+        said = it.page.evaluate(
+            "async (shares) => shares.map((await import('/words.js')).percent)",
+            shares,
+        )
+        assert said == ["78\u00a0%", "78\u00a0%", "0\u00a0%"]
+
+
 def test_a_number_is_shown_as_it_was_given_and_its_limits_are_said(browser: Browser, server: Running) -> None:
     with opened(browser, server) as it:
         height = it.page.get_by_label("Height (cm)")

@@ -73,6 +73,13 @@ def test_the_numbers_of_charts_are_those_of_the_verdict_on_the_room(
         for row, chance in zip(rows, chances, strict=True):
             for end, key in (("", "estimate"), ("_low", "low"), ("_high", "high")):
                 assert float(row[f"hit{end}"]) == pytest.approx(chance[key], rel=1e-8)
+    for row, change in zip(tables["room_changes"][1:], result["changes"], strict=True):
+        for event in ("hit", "shut_in", "overturned"):
+            for key in (event, f"{event}_change"):
+                told = row[key] if change[key] is None else float(row[key])
+                assert told == (
+                    "" if change[key] is None else pytest.approx(change[key]["estimate"], rel=1e-8)
+                )
     verdict = sp.verify_room(sp.RoomScenario.parse(ROOM), progress=False)
     cells = tables["room_plan"]
     assert sum(float(row["fell"]) for row in cells) == pytest.approx(
@@ -81,6 +88,26 @@ def test_the_numbers_of_charts_are_those_of_the_verdict_on_the_room(
     first = cells[0]
     i, j = (int(float(first[key]) / 0.05) for key in ("x_m", "y_m"))
     assert float(first["stood"]) == pytest.approx(verdict.pieces[0].stood[i, j])
+
+
+def test_the_program_of_a_room_says_what_each_change_is_and_brings(
+    client: httpx.Client, job: dict[str, Any], capsys: pytest.CaptureFixture[str]
+) -> None:
+    program = client.post("/api/v1/scenario/python", json={"scene": ROOM}).text
+    capsys.readouterr()
+    exec(compile(program, "room.py", "exec"), {})
+    lines = capsys.readouterr().out.splitlines()
+    for change in job["result"]["changes"]:
+        first = lines.index(change["label"]["en"])
+        shown = [("somebody is hit", "hit"), ("somebody is shut in", "shut_in")]
+        shown += [("the piece overturns", "overturned")] if change["overturned"] else []
+        for line, (words, key) in zip(lines[first + 1 :], shown, strict=False):
+            label, _, values = line.strip().partition(": ")
+            chance = change[key]
+            assert (label, [float(value) for value in values.split()]) == (
+                words,
+                [chance["estimate"], chance["low"], chance["high"]],
+            )
 
 
 def test_charts_are_there_for_their_own_verdicts_alone(client: httpx.Client, job: dict[str, Any]) -> None:

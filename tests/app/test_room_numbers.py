@@ -15,6 +15,7 @@ from room_editing import ROOM, editing
 import stayput as sp
 from stayput.app.pages import TEXTS_OF, tables
 from stayput.catalogue import room_plan
+from stayput.fragility.probabilities import percent
 from stayput.scenario.pieces import StandingTable
 from stayput.scenario.room import DoorTable, PlaceTable, WindowTable
 
@@ -193,3 +194,22 @@ def test_defaults_of_the_page_are_those_of_the_scenario(browser: Browser, server
         found = it.page.evaluate("import('/room/kinds.js').then((one) => one.DEFAULTS)")
     for name, table in tables.items():
         assert found[name] == {key: table.model_fields[key].default for key in found[name]}, name
+
+
+def test_shares_are_rounded_as_the_server_rounds_them(browser: Browser, server: Running) -> None:
+    # what a change leaves is a difference, whose last digits are not those of the share itself
+    told = """async (shares) => {
+      const { percent } = await import("/words.js");
+      return shares.map((share) => [percent(share), percent(share + 0.1 - 0.1), percent(1 - (1 - share))]);
+    }"""
+    shares = [hit / runs for runs in (20, 40, 60, 200) for hit in range(runs + 1)]
+    with editing(browser, server) as it:
+        for share, said in zip(shares, it.page.evaluate(told, shares), strict=True):
+            assert {one.replace("\u00a0", " ") for one in said} == {f"{percent(share)} %"}, share
+
+
+def test_how_many_runs_a_file_asks_for_is_one_of_the_choices(browser: Browser, server: Running) -> None:
+    with editing(browser, server) as it:
+        chosen = it.page.locator("#samples option:checked")
+        it.page.wait_for_function("() => document.getElementById('samples').value === '4'")
+        assert chosen.text_content() == "4 runs (as the file says)"

@@ -11,7 +11,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
-from room_judge import DONE, QUEUED, ROUGH, Judge, after, chance, change, judged, made, place_of, room_page
+from room_judge import (
+    COUNTED,
+    DONE,
+    QUEUED,
+    ROUGH,
+    Judge,
+    after,
+    chance,
+    change,
+    judged,
+    made,
+    place_of,
+    room_page,
+)
 
 from stayput.app import room_api
 from stayput.app.room_replies import RoomVerdictReply
@@ -70,6 +83,9 @@ def test_the_verdict_comes_bit_by_bit(browser: Browser, server: Running) -> None
         assert it.page.locator("#changes-wait").is_visible()
         assert it.page.locator("#ranking > li").count() == 0
         assert it.page.get_attribute("#report", "aria-disabled") == "true"
+        judge.stage = COUNTED  # only changes are still tried
+        it.wait("() => document.getElementById('state').textContent.startsWith('The changes')")
+        assert not it.page.locator("#rough").is_visible()
         judge.stage = DONE
         judged(it)
         assert not it.page.locator("#rough").is_visible()

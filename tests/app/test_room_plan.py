@@ -214,6 +214,8 @@ OFFICE = {
         {"name": "server rack", "preset": "server rack", "against": "far_side_wall", "along": 3.4},
         {"name": "Bookcase 3", "preset": "bookcase", "against": "right_wall", "along": 3.6},
         {"name": "Bookcase 4", "preset": "bookcase", "at": [3.6, 1.2], "heading": 0.0},
+        {"name": "Bookcase 5", "preset": "bookcase", "at": [3.5, 3.7], "heading": -1.5708},
+        {"name": "Bookcase 6", "preset": "bookcase", "at": [2.4, 3.7], "heading": -1.5708},
     ],
     "places": [
         {"kind": "desk", "at": [2.2, 2.4], "heading": 0.0},
@@ -236,6 +238,11 @@ def shared(one: list[float], other: list[float]) -> float:
     return max(0.0, wide) * max(0.0, high) / ((one[2] - one[0]) * (one[3] - one[1]))
 
 
+def apart(one: list[float], other: list[float]) -> float:
+    """Return how far two rectangles are from each other."""
+    return math.hypot(*(max(0.0, one[i] - other[i + 2], other[i] - one[i + 2]) for i in (0, 1)))
+
+
 @pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
 @pytest.mark.parametrize("language", ["en", "ja"])
 def test_names_stand_beside_their_own_things(
@@ -246,7 +253,11 @@ def test_names_stand_beside_their_own_things(
           { name, probabilities: { overturned: { estimate: 0.83 } } })),
         places: ["desk", "Desk 2"].map((name) => ({ name, hit: { estimate: 0.88 } })) })"""
     with editing(browser, server, OFFICE, language=language, size=size) as it:
-        with it.page.expect_request(lambda one: one.url.endswith("/api/v1/room")):
+        with it.page.expect_request(
+            lambda one: (
+                one.url.endswith("/api/v1/room") and one.post_data_json["scene"].get("title") == "asked"
+            )
+        ):
             it.take({**OFFICE, "title": "asked"})
         it.page.evaluate(told, OFFICE)
         names, things = it.page.evaluate(NAMES)
@@ -257,6 +268,13 @@ def test_names_stand_beside_their_own_things(
                 assert shared(name, other) < 0.1, (i, name, other)
             for j, thing in enumerate(things):
                 assert j == i or shared(name, thing) < 0.25, (i, j)
+        for i, own in enumerate(things):
+            others = [thing for j, thing in enumerate(things) if j != i]
+            off = apart(names[i], own)
+            assert off == 0.0 or all(apart(names[i], other) > off for other in others), i
+        assert it.page.locator("#plan .layer-names .note").count() == len(things)
+        written = it.page.text_content("#plan .layer-names") or ""
+        assert all(str(number) in written for number in range(2, 7))  # however short "Bookcase 5" is cut
         it.select("furniture-7")
         x, y = it.handle("turn")
         rectangles = "all => all.map((one) => one.getBoundingClientRect().toJSON())"

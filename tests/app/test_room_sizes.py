@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 from browsing import COMPILING, DESK, FEW, PHONE, WAIT, browser, opened  # noqa: F401
-from room_judge import DONE, QUEUED, ROUGH, Judge, judged, made, room_page
+from room_judge import DONE, QUEUED, ROUGH, Judge, change, judged, made, room_page
 
 if TYPE_CHECKING:
     from browsing import Opened
@@ -178,6 +178,41 @@ def test_a_phone_shows_one_step_at_a_time(browser: Browser, server: Running, siz
             assert it.page.locator("#verdict").is_visible() == (screen in ("see", "understand"))
         it.page.go_back()
         it.page.wait_for_selector("body[data-screen=understand]")
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_nothing_is_beside_a_phone(
+    browser: Browser, server: Running, monkeypatch: pytest.MonkeyPatch, language: str
+) -> None:
+    english = "L-brackets and belts on the upper cupboard of the dining room, and the bed moved"
+    japanese = "「食堂の上の戸棚」をL字金具とベルトで固定し、さらに「寝室のベッド」を移動"
+    many = [
+        change(
+            "bookcase",
+            0.1,
+            label=(english, japanese),
+            better=["hit", "shut_in", "overturned"],
+            worse=["blocked"],
+        )
+        for _ in range(20)
+    ]
+    long = {**made(), "changes": [*many, change("bookcase", 0.1, label=("averylongword" * 8, "棚" * 60))]}
+    monkeypatch.setattr("room_judge.made", lambda: long)
+    with room_page(browser, server, Judge(), size=PHONE, language=language) as it:
+        it.go("understand")
+        it.page.locator("#ranking > li").first.wait_for()
+        if it.page.is_visible("#all-changes"):
+            it.page.click("#all-changes")
+        for width in (PHONE["width"], 360):
+            it.page.set_viewport_size({**PHONE, "width": width})
+            for screen in SCREENS:
+                it.go(screen)
+                assert it.page.evaluate("document.documentElement.scrollWidth <= innerWidth"), (screen, width)
+            it.go("understand")
+            for button in it.page.locator("#ranking button").all():
+                box = button.bounding_box()
+                assert box
+                assert box["x"] + box["width"] <= width
 
 
 @pytest.mark.parametrize(

@@ -6,8 +6,9 @@ from __future__ import annotations
 import copy
 from typing import TYPE_CHECKING, Any
 
+import pytest
 from browsing import browser  # noqa: F401
-from room_judge import Judge, after, judged, place_of, room_page
+from room_judge import DONE, QUEUED, Judge, after, judged, place_of, room_page
 from test_room_api import ROOM, ended
 
 import stayput as sp
@@ -89,6 +90,86 @@ def test_a_copy_of_what_is_tried_is_not_tried(browser: Browser, server: Running)
         assert lines(it) == ["Bookcase with belts"]
 
 
+def test_what_is_tried_is_said_with_the_answer_to_it_alone(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        it.go("understand")
+        said = it.page.locator("#with-tried")
+        judge.stage = QUEUED
+        it.page.click("#best button")
+        it.page.wait_for_selector("#tried:visible")
+        it.wait("() => document.getElementById('answer').dataset.old === 'true'")
+        assert not said.is_visible()  # the sentence is still that without it
+        judge.stage = DONE
+        judged(it)
+        assert said.is_visible()
+
+
+LINK = """async (room) => {
+  const stream = new Blob([JSON.stringify(room)]).stream().pipeThrough(new CompressionStream("deflate-raw"));
+  const letters = btoa(String.fromCharCode(...new Uint8Array(await new Response(stream).arrayBuffer())));
+  location.hash = "room=" + letters.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+}"""
+
+
+def test_notes_of_a_link_that_can_be_none_are_left_out(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    belt = [{"type": "belt"}]
+    wrong: list[dict[str, Any]] = [
+        {"was": {"measures": {"measures": "abc"}}},
+        {"was": {"measures": {"measures": [1, None, "x"]}}},
+        {"was": {"measures": [1, None, "x"]}},
+        {"was": {"measures": belt[0], "place": {"at": 5}, "constructor": {}}, "measures": "zz"},
+        {"was": [1, None, "x"]},
+        {"was": "abc", "measures": [None]},
+        {"was": None, "measures": [{"type": {"en": 5}}]},
+        {"was": {"place": "abc"}, "measures": {"length": 2}},
+    ]
+    with room_page(browser, server, judge) as it:
+        it.go("understand")
+        first = copy.deepcopy(judge.scene)
+        for number, notes in enumerate(wrong):
+            room = copy.deepcopy(first)
+            room["furniture"][0] |= notes
+            room |= {"home": ["no_drilling"], "title": f"link {number}"}
+            now = after(it, judge, lambda room=room: it.page.evaluate(LINK, room))
+            assert "measures" not in now["furniture"][0]
+        it.go("scene")
+        it.page.focus("#plan [data-thing=furniture-0]")
+        room["furniture"][0] |= {"measures": belt, "was": {"measures": {}}}
+        room["title"] = "a good one"
+        after(it, judge, lambda: it.page.evaluate(LINK, room))
+        assert "measures" not in judge.asked[-1]["before"]["furniture"][0]
+        it.go("understand")
+        assert lines(it) == ["Bookcase with belts"]
+
+
+def test_what_is_ticked_of_the_home_stays_with_the_room(browser: Browser, server: Running) -> None:
+    judge = Judge()
+    with room_page(browser, server, judge) as it:
+        it.go("understand")
+        box = it.page.get_by_label("No drilling")
+        plain = it.page.evaluate("location.hash")
+        box.check()
+        it.wait("(plain) => location.hash !== plain", plain)
+        it.page.wait_for_timeout(1000)  # longer than what settles before the server is asked
+        assert len(judge.asked) == 1
+        assert it.page.locator("#answer[data-old=false]").count() == 1
+        link = it.page.url
+        it.page.reload()
+        it.settle()
+        judged(it)
+        assert box.is_checked()
+        it.go("scene")
+        it.page.click("#plan-undo")
+        it.wait("() => !document.querySelector('#home input').checked")
+        it.page.click("#plan-redo")
+        it.wait("() => document.querySelector('#home input').checked")
+        assert '"home"' not in str(judge.asked).replace("'", '"')
+    with room_page(browser, server, judge, link.split("room/")[1]) as it:
+        assert it.page.get_by_label("No drilling").is_checked()
+
+
 def test_the_plan_begins_with_the_room_before_what_is_tried(client: httpx.Client) -> None:
     held = copy.deepcopy(ROOM)
     held["furniture"][0]["measures"] = [{"type": "l_bracket"}]
@@ -101,6 +182,51 @@ def test_the_plan_begins_with_the_room_before_what_is_tried(client: httpx.Client
     plan = sp.action_plan(verdict, decided=[Change(name, LBracket())], progress=False)
     assert answer.text == plan.to_html("en")
     assert "your choice" in answer.text
+
+
+OTHER_ROOMS: list[tuple[str, Any]] = [
+    ("plan", {"width": 3.1}),
+    ("doors", []),
+    ("windows", [{"wall": "near_side_wall", "start": 0.2, "width": 0.5, "sill": 0.9}]),
+    ("room", {"floor": "carpet"}),
+    ("shaking", {"intensity": "5-upper"}),
+    ("uncertainty", {"samples": 5}),
+    ("direction", 0.3),
+    ("gravity", 9.7),
+    ("furniture", {"preset": "wardrobe"}),
+    ("furniture", {"mass": 20.0}),
+    ("places", {"kind": "desk"}),
+    ("places", {"high": 0.9}),
+    ("places", {"name": "another"}),
+]
+"""What is another in a room before; of a list, what is another of its first."""
+
+
+@pytest.mark.parametrize(("key", "other"), OTHER_ROOMS)
+def test_a_room_before_that_is_another_is_refused(client: httpx.Client, key: str, other: Any) -> None:
+    value = copy.deepcopy(ROOM.get(key))
+    if isinstance(value, list) and isinstance(other, dict):
+        value[0] |= other
+    else:
+        value = {**value, **other} if isinstance(value, dict) else other
+    refusal = client.post("/api/v1/room", json={"scene": ROOM, "before": {**ROOM, key: value}})
+    assert refusal.status_code == 422
+    assert refusal.json()["field"] == "before"
+    assert f" in its {key};" in refusal.json()["message"]
+    assert f"（{key}が違います）" in refusal.json()["message_ja"]
+
+
+def test_a_room_before_may_differ_in_what_is_tried(client: httpx.Client) -> None:
+    before = copy.deepcopy(ROOM)
+    piece, place = before["furniture"][0], before["places"][0]
+    piece["measures"] = [{"type": "l_bracket"}]
+    piece["along"] += 0.01
+    piece["gap"] = 0.03
+    place |= {"name": "bed", "at": [place["at"][0] - 0.05, place["at"][1] - 0.05]}
+    asked = {"scene": ROOM, "before": {**before, "title": "another"}, "changes": False}
+    answer = client.post("/api/v1/room", json=asked)
+    assert answer.status_code == 202, answer.text
+    ended(client, answer.json())
 
 
 def test_a_room_before_that_cannot_have_been_is_refused(client: httpx.Client) -> None:

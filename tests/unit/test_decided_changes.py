@@ -135,3 +135,63 @@ def test_what_stands_on_another_stays_there():
     scenario = sp.RoomScenario.parse({**ROOM, "furniture": [*ROOM["furniture"], box]})
     with pytest.raises(sp.InputError, match="stands on or is joined"):
         decided(verified(scenario), Change("chest", at=(1.8, 0.3)))
+
+
+STACKED: list[dict[str, Any]] = [
+    {
+        "name": "low",
+        "width": 0.34,
+        "length": 0.9,
+        "height": 0.9,
+        "mass": 60.0,
+        "at": [0.195, 1.9],
+        "heading": 0.0,
+    },
+    {"name": "up", "width": 0.34, "length": 0.9, "height": 0.9, "mass": 40.0, "on": "low", "at": [0.0, 0.0]},
+]
+CONNECTORS = [{"first": "up", "second": "low", "at": [0.05, y, 0.9]} for y in (1.6, 2.2)]
+
+
+@pytest.mark.parametrize("joints", [[], CONNECTORS], ids=["stacked", "joined"])
+def test_measures_on_pieces_that_stand_on_each_other_act_together(joints: list[dict[str, Any]]):
+    tables = {"joints": joints} if joints else {}
+    bare = sp.RoomScenario.parse({**ROOM, "furniture": STACKED, **tables})
+    plan = decided(verified(bare), Change("up", Belt()), Change("low", LBracket()))
+    held = {
+        step.what: [one.measure for one in step.fix.purchases] for step in plan.steps if step.fix is not None
+    }
+    tried = [
+        {
+            **piece,
+            "measures": [
+                {"type": one.kind, "count": getattr(one, "count", 2)} for one in held[piece["name"]]
+            ],
+        }
+        for piece in STACKED
+    ]
+    there = verified(sp.RoomScenario.parse({**ROOM, "furniture": tried, **tables}))
+    assert plan.together is not None
+    assert plan.together.hit.estimate == there.hit.estimate
+    falls = {one.name: one.probabilities["overturned"].estimate for one in there.pieces}
+    assert [one.estimate for one in plan.together.overturned] == [falls["low"], falls["up"]]
+
+
+def test_a_plan_is_made_where_a_piece_carries_another():
+    """A wedge would lean the lower one into the upper one, and is not tried."""
+    scenario = sp.RoomScenario.parse({**ROOM, "furniture": STACKED})
+    plan = sp.action_plan(verified(scenario), progress=False)
+    low = [step.fix for step in plan.steps if step.what == "low" and step.fix is not None]
+    assert all("wedge_stopper" not in fix.kinds for fix in low)
+    assert plan.steps or plan.unsolved
+
+
+def test_a_move_tells_that_the_piece_falls_more_often_there(verdict: sp.RoomVerdict):
+    move = Change("bookcase", at=(3.43, 2.2), heading=math.pi)
+    plan = decided(verdict, move, Change("bookcase", Belt()))
+    steps = {step.move is not None: step for step in plan.steps if step.what == "bookcase"}
+    there = verified(
+        room({**MOVED, "measures": [{"type": "belt", "count": steps[False].fix.purchases[0].count}]})
+    )
+    falls = {one.name: one.probabilities["overturned"].estimate for one in there.pieces}
+    assert steps[False].fix is not None
+    assert steps[False].fix.overturns.estimate == falls["bookcase"]

@@ -2,6 +2,7 @@
 
 import re
 import shlex
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -41,3 +42,16 @@ def test_a_command_can_be_given_as_it_is_told(words):
     given = command.make_context(words[0], left).params
     files = [value for value in given.values() if isinstance(value, Path) and value.parts[0] == "examples"]
     assert all((ROOT / file).exists() for file in files)
+
+
+@pytest.mark.parametrize(
+    ("file", "extra", "command"),
+    [("README.md", "app", "app"), ("README.md", "inventory", "assess"), ("docs/app.md", "app", "app")],
+)
+def test_an_extra_is_installed_before_the_command_that_needs_it(file, extra, command):
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert extra in project["optional-dependencies"]
+    lines = (ROOT / file).read_text(encoding="utf-8").splitlines()
+    needs = next(n for n, line in enumerate(lines) if line.startswith(f"$ stayput {command}"))
+    installs = (re.match(r"\$ pip install .*\.\[([a-z,]+)\]", line) for line in lines[:needs])
+    assert any(extra in found[1].split(",") for found in installs if found)

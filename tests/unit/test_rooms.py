@@ -330,7 +330,7 @@ def test_json_and_csv_hold_the_numbers(verdict: RoomVerdict):
     assert data["hit"]["estimate"] == verdict.hit.estimate
     assert data["places"][0]["by"][0]["energy_J"]["median"] == verdict.places[0].by[0].energy.median
     lines = verdict.to_csv().splitlines()
-    assert lines[0] == "event,of,by,probability,low,high"
+    assert lines[0] == "event,of,by,probability,low,high,change,change_low,change_high"
     assert f"hit,bed,,{verdict.hit.estimate}" in lines[1]
 
 
@@ -455,7 +455,13 @@ def test_a_verdict_of_one_record_is_not_of_earthquakes(tmp_path: Path):
     [
         (0.8, "in 8 of 10 earthquakes", "地震10回中8回で"),
         (0.03, "in 3 of 100 earthquakes", "地震100回中3回で"),
-        (0.97, "in 97 of 100 earthquakes", "地震100回中97回で"),
+        (0.05, "in 1 of 20 earthquakes", "地震20回中1回で"),
+        (0.08, "in 8 of 100 earthquakes", "地震100回中8回で"),
+        (0.78, "in 8 of 10 earthquakes", "地震10回中8回で"),
+        (0.85, "in 17 of 20 earthquakes", "地震20回中17回で"),
+        (0.98, "in 98 of 100 earthquakes", "地震100回中98回で"),
+        (0.0025, "in 3 of 1,000 earthquakes", "地震1,000回中3回で"),
+        (0.0001, "in under 0.1 % of the earthquakes", "地震の0.1%未満で"),
         (0.002, "in 2 of 1,000 earthquakes", "地震1,000回中2回で"),
         (1.0, "in all earthquakes", "地震のすべてで"),
     ],

@@ -237,5 +237,10 @@ def test_a_share_is_never_all_or_nothing_where_it_is_not():
     ]  # fmt: skip
     assert percent(-1e-5) == "−<0.1"
     assert percent(-0.0) == percent(0.0)
+    # the same share, by itself and as what is left of a difference
+    assert 0.825 - 0.05 < 0.775
+    assert percent(0.825 - 0.05) == percent(0.775) == "78"
+    assert percent(0.3 - 0.1 - 0.2) == "0"
+    assert percent(0.285) == "29"
     found = probability(np.arange(40_000).reshape(4000, 10) < 1)
     assert found.text.startswith("<0.1 % (")

@@ -16,7 +16,13 @@ from scipy.optimize import linprog
 import stayput as sp
 from stayput.model.floor_plan import rectangle
 from stayput.motion.units import STANDARD_GRAVITY
-from stayput.rooms.contact import contact_between, contact_with_place, inside_each_other
+from stayput.rooms.contact import (
+    ENTERS_BY,
+    RoomContact,
+    contact_between,
+    contact_with_place,
+    inside_each_other,
+)
 from stayput.rooms.tracks import Track, at_rest, outline_of, track_in_plane
 from stayput.rooms.ways import CELL, PASSAGE, Ways
 from stayput.simulation.standing import Standing
@@ -128,22 +134,35 @@ def test_it_touches_first_with_the_rate_of_the_fall() -> None:
     tilt = math.atan2(away, top)
     fallen = STANDARD_GRAVITY * R * (math.cos(tilt0 - alpha) - math.cos(tilt - alpha))
     rate = math.sqrt(2.0 * fallen / (4.0 / 3.0 * R * R))
-    k = int(np.searchsorted(run.tilt, tilt))
-    # a place that ends where it is touched first: the track is cut there
-    cut = Track(
-        track.shape,
-        track.sample[: k + 1],
-        track.place[: k + 1],
-        track.turn[: k + 1],
-        track.energy[: k + 1],
-        1e-3,
-    )
     place = sp.PersonPlace("person", (b + away + 0.5, 0.0), 1.0, 2.0, 0.3, top)
-    contact = contact_with_place(cut, place)
+
+    def until(tilt: float) -> RoomContact | None:
+        """Return the contact with a track that is cut where the piece has this tilt."""
+        k = int(np.searchsorted(run.tilt, tilt)) + 1
+        parts = (values[:k] for values in (track.sample, track.place, track.turn, track.energy))
+        sample, where, turn, energy = parts
+        return contact_with_place(Track(track.shape, sample, where, turn, energy, 1e-3), place)
+
+    # the upper edge of the place is at `top` below the face at first, and then within it
+    deep = tilt + 1.05 * ENTERS_BY / math.hypot(away, top)
+    assert until(tilt + 0.9 * ENTERS_BY / math.hypot(away, top)) is None
+    contact = until(deep)
     assert contact is not None
-    # the point of the face moves across the face
-    assert contact.speed == pytest.approx(rate * math.hypot(away, top), rel=0.02)
-    assert contact.energy == pytest.approx(body.mass * fallen, rel=0.01)
+    assert contact.time == pytest.approx(float(np.interp(tilt, run.tilt, run.time)), abs=2e-3)
+    # the point of the face moves across the face, faster from the touch to there
+    fallen_deep = STANDARD_GRAVITY * R * (math.cos(tilt0 - alpha) - math.cos(deep - alpha))
+    faster = math.sqrt(2.0 * fallen_deep / (4.0 / 3.0 * R * R))
+    assert 0.98 * rate * math.hypot(away, top) <= contact.speed <= 1.15 * faster * math.hypot(away, top)
+    assert contact.energy == pytest.approx(body.mass * fallen_deep, rel=0.01)
+
+
+@pytest.mark.parametrize(("into", "hits"), [(0.03, False), (0.07, True)])
+def test_who_is_nudged_is_not_hit(into: float, hits: bool) -> None:
+    """A box that slides upright a little way into a bed's edge, and back, is no blow."""
+    start = at_rest(Standing(sp.Solid.box(0.6, 1.2, 1.9, 60.0), (-0.301, 0.0, 0.0)), 0.01)
+    x = into * np.sin(np.pi * np.linspace(0.0, 1.0, 101))
+    place = sp.PersonPlace("bed", (0.5, 0.0), 1.0, 2.0, 0.0, 0.5)
+    assert (contact_with_place(track_in_plane(start, x, 0.0 * x, 0.0 * x), place) is not None) is hits
 
 
 def test_the_speed_within_a_place_is_the_largest_of_all_samples() -> None:

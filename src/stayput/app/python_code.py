@@ -70,7 +70,12 @@ print(verdict.sentence())
 for place in verdict.places:
     print(place.place.name, place.hit.estimate, place.hit.low, place.hit.high)
 for one in verdict.changes:
-    print(one.change.what, one.hit.estimate, one.hit.low, one.hit.high)
+    print(verdict.label(one))
+    print("  somebody is hit:", one.hit.estimate, one.hit.low, one.hit.high)
+    print("  somebody is shut in:", one.shut_in.estimate, one.shut_in.low, one.shut_in.high)
+    own = verdict.piece_changed(one)
+    if own is not None:
+        print("  the piece overturns:", own[0].estimate, own[0].low, own[0].high)
 '''
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from stayput.app.refusals import RefusedError, refused
@@ -66,7 +67,7 @@ def _before(body: RoomRequest, scenario: RoomScenario, service: Service) -> Room
     Raises
     ------
     RefusedError
-        What is wrong with it; one of other pieces or places.
+        What is wrong with it; one that differs in more than what changes change.
     """
     if body.before is None:
         return None
@@ -76,10 +77,19 @@ def _before(body: RoomRequest, scenario: RoomScenario, service: Service) -> Room
         error = refused_scene.error
         field = error.field and error.field.replace("scene", "before", 1)
         raise RefusedError(refused_scene.status_code, error.about(field)) from None
-    (names, places), others = ((room.names, len(room.places)) for room in (before, scenario))
-    if (names, places) != others:
-        raise refused(422, "app.another_room", "before")
+    given, asked = _unchanged(before), _unchanged(scenario)
+    others = [name for name, value in given.items() if value != asked[name]]
+    if others:
+        raise refused(422, "app.another_room", "before", others=", ".join(others))
     return before
+
+
+def _unchanged(scenario: RoomScenario) -> dict[str, object]:
+    """Return what changes leave as it is: all but where pieces and people are, and measures."""
+    moved = {"at", "heading", "against", "along", "gap", "measures"}
+    same = scenario.model_dump(exclude={"title": True, "places": True, "furniture": {"__all__": moved}})
+    places = [replace(one.place(), at=(0.0, 0.0), heading=0.0) for one in scenario.places]
+    return {**same, "places": places}
 
 
 def _checked(scenario: RoomScenario, limits: Limits) -> int:

@@ -108,12 +108,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "部屋の計算です。これは家具1点の検証で使えます。",
     ),
     "another_room": (
-        "before is another room than scene; it must have the same pieces and places of people.",
-        "beforeがsceneとは別の部屋です。家具と人のいる場所を同じにしてください。",
+        "before is another room than scene, in its {others}; it may differ in where pieces and people are, and in measures.",
+        "beforeがsceneとは別の部屋です（{others}が違います）。違ってよいのは、家具と人の位置と対策だけです。",
     ),
     "before_refused": (
         "The room as it was before the changes that are tried cannot be worked out: {why} Take them back, or say that they are already done.",
-        "試している変更の前の部屋は計算できません。{why}変更を元に戻すか、「もう行った」を選んでください。",
+        "試している変更の前の部屋は計算できません。{why}変更を元に戻すか、「実施済み」を選んでください。",
     ),
     "no_plan_yet": (
         "The job is {state}; there is a plan to buy and do once it is done, of a room.",

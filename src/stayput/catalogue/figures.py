@@ -37,19 +37,29 @@ TEXTS: dict[str, tuple[str, str]] = {
         "輪郭は今の家具、塗りは揺れの後に行き着く場所で、倒れている確率が高いほど濃くしています。青は人のいる場所です。",
     ),
     "room_hits": ("Who is hit, and by what?", "誰に何が当たるか"),
-    "room_hits_note": (
+    "room_hits_hit_note": (
         "Bars: the chance that whoever is there is hit, by any piece and by each; lines: 95 % intervals. Whether a blow injures is not computed.",
         "棒は、そこにいる人に家具（いずれか、または各家具）が当たる確率、線は95%区間です。けがをするかどうかは計算していません。",
     ),
     "room_changes": ("Which single change helps most?", "どの変更が最も効くか"),
-    "room_changes_note": (
+    "room_changes_hit_note": (
         "Bars: the chance that somebody is hit, with each change alone; lines: 95 % intervals.",
         "棒は、それぞれの変更だけをした場合に人に当たる確率、線は95%区間です。",
     ),
+    "room_changes_shut_in_note": (
+        "Bars: the chance that somebody is shut in, with each change alone; lines: 95 % intervals. Nobody is hit as the room is.",
+        "棒は、それぞれの変更だけをした場合に誰かが出られなくなる確率、線は95%区間です。今のままでは誰にも当たりません。",
+    ),
+    "room_changes_overturned_note": (
+        "Bars: the chance that the piece overturns, with each change alone; lines: 95 % intervals. Nobody is hit or shut in as the room is.",
+        "棒は、それぞれの変更だけをした場合にその家具が倒れる確率、線は95%区間です。今のままでは誰にも当たらず、閉じ込められる人もいません。",
+    ),
     "room_as_is": ("The room as it is", "今のままの部屋"),
+    "piece_as_is": ("{piece}, as it is", "今のままの{piece}"),
     "axis_from_left": ("From the left wall [m]", "左の壁から [m]"),
     "axis_from_near": ("From the near wall [m]", "手前の壁から [m]"),
     "axis_hit": ("Hit [%]", "当たる確率 [%]"),
+    "axis_shut_in": ("Shut in [%]", "出られなくなる確率 [%]"),
     "of_one_piece": (
         "The job is of one piece; this chart is there for the verification of a room.",
         "家具1点の計算です。この図は部屋の検証で使えます。",

@@ -209,11 +209,13 @@ TEXTS: dict[str, tuple[str, str]] = {
     "upper_bounds": (
         (
             "Chances are for somebody who is there, with their 95 % intervals; by day and at night they are multiplied "
-            "by the share of the time in which somebody is there. Speed and energy are medians, and upper bounds: "
+            "by the share of the time in which somebody is there. A piece that comes less than 5 cm into the place "
+            "hits nobody. Speed and energy are medians, and upper bounds: "
             "in the model neither a bed nor a person holds the piece up."
         ),
         (
-            "確率は、そこに人がいる場合の値と95%区間です。昼と夜の値は、人がいる時間の割合を掛けたものです。速さと"
+            "確率は、そこに人がいる場合の値と95%区間です。昼と夜の値は、人がいる時間の割合を掛けたものです。人のいる場所に"
+            "入り込む深さが5 cmに満たない家具は、当たったと数えません。速さと"
             "エネルギーは中央値で、ベッドや人が家具を支えないとした上限です。"
         ),
     ),
@@ -229,6 +231,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     "hit_less": ("difference", "差"),
     "shut_in_then": ("shut in then", "外に出られない確率"),
     "overturned_then": ("the piece overturns then", "その家具が倒れる確率"),
+    "more_changes": (
+        "And {count} more changes; all are in the report (--report).",
+        "ほかに{count}件の変更を試しました。すべては報告書（--report）にあります。",
+    ),
     # What a change is clearly better or worse in
     "fewer_hit": ("clearly fewer hit", "当たる確率が明らかに下がる"),
     "more_hit": ("clearly more hit", "当たる確率が明らかに上がる"),

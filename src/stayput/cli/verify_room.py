@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from stayput.cli.messages import folded
@@ -9,11 +10,14 @@ from stayput.cli.messages import folded
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from stayput.rooms.verdict import RoomVerdict
+    from stayput.rooms.verdict import ChangeVerdict, RoomVerdict
+
+_NEXT = 3
+"""How many changes are listed after those that help."""
 
 
 def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
-    """Print a verdict on a room: its sentences, who is hit by what, doors, and single changes.
+    """Print a verdict on a room: its sentences, who is hit by what, doors, and the first single changes.
 
     Parameters
     ----------
@@ -40,7 +44,8 @@ def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
         console.print(verdict.scenario.title, style="bold")
     for sentence in sentences(verdict, lang):
         paragraph(sentence)
-    for each in tables(verdict, lang):
+    listed = _listed(verdict)
+    for each in tables(replace(verdict, changes=listed), lang):
         if not each.rows:
             continue
         table = Table(box=None, padding=(0, 1, 0, 0))
@@ -65,6 +70,15 @@ def print_room(verdict: RoomVerdict, lang: str, written: list[Path]) -> None:
                 )
         if each.below:
             paragraph(each.below)
+    if more := len(verdict.changes) - len(listed):
+        paragraph(say("rooms.more_changes", lang, count=more))
     paragraph(simulations_of_room(verdict, lang))
     for path in written:
         console.print(f"Wrote {path}", soft_wrap=True)
+
+
+def _listed(verdict: RoomVerdict) -> tuple[ChangeVerdict, ...]:
+    """Return the changes that help and the next few; all where only one would be left out."""
+    first = sorted(verdict.changes, key=lambda one: not one.helps)
+    shown = sum(one.helps for one in first) + _NEXT
+    return tuple(first if len(first) <= shown + 1 else first[:shown])

@@ -88,7 +88,8 @@ class Probability:
 
 def percent(share: float) -> str:
     """Return a share in per cent, finer below 1 and above 99 %; never 0 or 100 where it is not quite that."""
-    value = 100.0 * share
+    # without the last digits of a difference, by which 31 of 40 would be 77 in one place and 78 in another
+    value = round(100.0 * share, 7)
     if 0.0 < abs(value) < 0.05:
         return f"{'−' if value < 0.0 else ''}<0.1"
     if 99.95 < abs(value) < 100.0:

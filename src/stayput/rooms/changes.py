@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,10 +18,12 @@ from stayput.measures import MEASURES
 from stayput.measures.bracket import REACH
 from stayput.measures.wall import WallDevice
 from stayput.model.floor_plan import FACING, rectangle
+from stayput.rooms.contact import inside_each_other
 from stayput.rooms.runs import RoomPart, part_with, with_member
 from stayput.rooms.tracks import outline_of
 from stayput.scenario.pieces import BEHIND
 from stayput.simulation.placing import bare, placed
+from stayput.simulation.space_gaps import DEEPEST
 from stayput.simulation.standing import Piece
 
 if TYPE_CHECKING:
@@ -198,10 +201,13 @@ def can_be_held(part: RoomPart, place: int, plan: FloorPlan) -> bool:
         The room.
     """
     try:
-        held = placed(part.assembly.members, part.room)[place].held
+        all_placed = placed(part.assembly.members, part.room)
     except InputError:  # no wall behind, no ceiling known
         return False
+    standing, held = [one.standing for one in all_placed], all_placed[place].held
     assert held is not None
+    if any(inside_each_other(*pair) > DEEPEST for pair in combinations(standing, 2)):
+        return False  # a wedge leans it into what stands on it
     on_wall = {measure.kind for measure in held.measures if isinstance(measure, WallDevice)}
     if not on_wall:
         return True

@@ -30,6 +30,13 @@ SPACING = 0.1
 SLIGHT = 1e-6
 """Length of a cross product of two unit vectors up to which they are parallel."""
 
+ENTERS_BY = 0.05
+"""How far a piece must come into the place of a person to hit who is there [m]: a convention.
+
+What stands beside a bed and is held slides some centimetres to and fro: it nudges the bed's edge in every
+earthquake, and hits nobody.
+"""
+
 ROUNDING = 1e-9
 """Share by which rounding may change how far a point goes."""
 
@@ -109,7 +116,7 @@ def inside_each_other(one: Standing, other: Standing | PersonPlace) -> float:
 
 
 def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
-    """Return the first contact of a piece with the place of a person, or None.
+    """Return the first contact of a piece with the place of a person that it comes into, or None.
 
     Parameters
     ----------
@@ -127,7 +134,7 @@ def contact_with_place(track: Track, place: PersonPlace) -> RoomContact | None:
     touching = _touching(
         track.sample, near, track.dt, lambda k: separation(_body_at(track, k), _box_of(place, len(k)))
     )
-    if touching is None:
+    if touching is None or touching.deepest < ENTERS_BY:
         return None
     speed = _speed_within(track, place, touching)
     return RoomContact(touching.time, speed, float(track.energy[touching.places].max()))
@@ -191,11 +198,24 @@ def contact_between(one: Track, other: Track) -> RoomContact | None:
 
 
 class _Touching(NamedTuple):
-    """When two bodies first touch [s], how fast they close in then [m/s], and at which samples they touch."""
+    """How two bodies touch.
+
+    Parameters
+    ----------
+    time : float
+        When they first touch [s].
+    closing : float
+        How fast they close in then [m/s].
+    places : ndarray of int
+        At which samples they touch.
+    deepest : float
+        How far they are in each other at most [m].
+    """
 
     time: float
     closing: float
     places: NDArray[np.intp]
+    deepest: float
 
 
 def _touching(
@@ -219,4 +239,5 @@ def _touching(
     # a piece that stood still until then has moved in the last step alone
     time = dt * (float(sample[chosen[first + 1]]) - overlap / (gap + overlap))
     together = (gaps[1:] <= 0.0) & (np.arange(1, len(gaps)) > first)
-    return _Touching(time, (gap + overlap) / dt, chosen[1:][together])
+    deepest = -float(gaps[1:][together].min())
+    return _Touching(time, (gap + overlap) / dt, chosen[1:][together], deepest)

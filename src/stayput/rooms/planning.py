@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -34,6 +34,17 @@ from stayput.rooms.events import hits_of
 from stayput.rooms.purchases import in_number, purchases_of
 from stayput.rooms.runs import part_with, with_member
 from stayput.rooms.steps import SETS, ActionPlan, Fix, Home, PlanStep
+from stayput.rooms.trials import (
+    ALIKE,
+    ChosenStep,
+    OtherTracks,
+    Trial,
+    chance_of_overturning,
+    for_people,
+    frees,
+    in_order_of_gain,
+    merit,
+)
 from stayput.rooms.verdict import RoomVerdict
 from stayput.rooms.verify import floors_of, question_of, states, verdict_of
 from stayput.simulation.placing import placed
@@ -41,9 +52,7 @@ from stayput.simulation.standing import Piece
 from stayput.verification.grades import inputs_in_room
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping, Sequence
-
-    from numpy.typing import NDArray
+    from collections.abc import Callable, Iterable, Sequence
 
     from stayput.fragility import Probability
     from stayput.measures import Measure
@@ -58,9 +67,6 @@ if TYPE_CHECKING:
     from stayput.rooms.verdict import RoomEffect
     from stayput.rooms.verify import RoomState
     from stayput.simulation.standing import Assembly
-
-ALIKE = 0.005
-"""Risks that differ by no more than this are equal in the order of steps: half a per cent."""
 
 WEAKER_CLASSES = ("6-upper", "6-lower", "5-upper", "5-lower", "4")
 """Classes of intensity, the strongest first, in which it is tried whether a device that is too weak holds."""
@@ -127,40 +133,6 @@ def action_plan(
     return ActionPlan(now, home, steps, unsolved, planner.drilled)
 
 
-class _Way(NamedTuple):
-    """How some pieces move otherwise: their tracks, and which of their runs were given up."""
-
-    tracks: Mapping[int, Sequence[Track]]
-    missing: NDArray[np.bool_]
-
-    def joined(self, other: _Way) -> _Way:
-        """Return this with other pieces, or the same once more otherwise."""
-        return _Way({**self.tracks, **other.tracks}, self.missing | other.missing)
-
-
-class _Tried(NamedTuple):
-    """Measures on a piece that have run where it stands; ``own`` is the risk from its part of the room."""
-
-    measures: tuple[Measure, ...]
-    way: _Way
-    effect: RoomEffect
-    own: float
-    overturns: Probability
-
-
-class _Chosen(NamedTuple):
-    """A step before its place in the order is known.
-
-    ``here`` is how the piece moves then where it stands; ``there``, once it has been moved. ``place`` is the
-    place of a person where it is moved to, with its number.
-    """
-
-    step: PlanStep
-    place: tuple[int, PersonPlace] | None
-    here: _Way
-    there: _Way
-
-
 class _Planner:
     """The steps of a plan.
 
@@ -183,6 +155,7 @@ class _Planner:
         self.harmful = struck | harmful_pieces(state.as_it_is, question.plan, state.ends)
         self.falling = falling_pieces(state.as_it_is)
         self.drilled: dict[str, Fix] = {}
+        self._groups: dict[frozenset[str], OtherTracks] = {}
         self._known: dict[tuple[int, PersonPlace], tuple[Sequence[Track], Hits]] = {}
 
     def steps(self) -> tuple[tuple[PlanStep, ...], tuple[str, ...]]:
@@ -201,46 +174,77 @@ class _Planner:
                 unsolved.append(names[body])
         return tuple(self._in_order(chosen)), tuple(unsolved)
 
-    def _in_order(self, chosen: list[_Chosen]) -> Iterable[PlanStep]:
+    def _in_order(self, chosen: list[ChosenStep]) -> Iterable[PlanStep]:
         """Yield the steps that are needed, each time that which brings most with those before it.
 
         One that has not been decided on, and without which the others bring as much, is not needed.
         """
         needed = self._by_gain(chosen)
-        reached = _order(self._together(needed))
+        reached = in_order_of_gain(self._together(needed))
         for one in [one for one in reversed(needed) if not one.step.decided]:
             others = [other for other in needed if other is not one]
-            without = _order(self._together(others))
+            without = in_order_of_gain(self._together(others))
             if without <= reached:
                 needed, reached = others, without
-        all_of_them = _for_people(self._together(needed))
+        all_of_them = for_people(self._together(needed))
         for number, one in enumerate(needed, start=1):
             others = [other for other in needed if other is not one]
             yield replace(
                 one.step,
                 together=self._together(needed[:number]),
-                for_people=_for_people(self._together(others)) > all_of_them,
+                for_people=for_people(self._together(others)) > all_of_them,
             )
 
-    def _by_gain(self, chosen: list[_Chosen]) -> list[_Chosen]:
-        done: list[_Chosen] = []
+    def _by_gain(self, chosen: list[ChosenStep]) -> list[ChosenStep]:
+        done: list[ChosenStep] = []
         while chosen:
             effects = [self._together([*done, one]) for one in chosen]
             number = min(
                 range(len(chosen)),
-                key=lambda n: (_order(effects[n]), chosen[n].step.cost_class, _order(chosen[n].step.alone)),
+                key=lambda n: (
+                    in_order_of_gain(effects[n]),
+                    chosen[n].step.cost_class,
+                    in_order_of_gain(chosen[n].step.alone),
+                ),
             )
             done.append(chosen.pop(number))
         return done
 
-    def _together(self, done: list[_Chosen]) -> RoomEffect:
+    def _together(self, done: list[ChosenStep]) -> RoomEffect:
         """Return what some of the steps bring together."""
         moves = [one for one in done if one.step.move is not None]
         relocated = {one.step.what for one in moves}
-        way = _Way({}, self.state.as_it_is.missing)
-        for one in [*moves, *(one for one in done if one.step.move is None)]:
-            way = way.joined(one.there if one.step.what in relocated else one.here)
+        way = OtherTracks({}, self.state.as_it_is.missing)
+        for one in moves:
+            way = way.joined(one.here)
+        fixes: dict[tuple[int, ...], list[ChosenStep]] = {}
+        for one in done:
+            if one.step.fix is not None:
+                fixes.setdefault(one.step.fix.part.bodies, []).append(one)
+        for group, own in fixes.items():
+            if len(own) > 1:
+                way = way.joined(self._held_together(group, own))
+            else:
+                (one,) = own
+                way = way.joined(one.there if one.step.what in relocated else one.here)
         return self._effect(with_places(self.question.plan, [one.place for one in moves if one.place]), way)
+
+    def _held_together(self, group: tuple[int, ...], fixes: Sequence[ChosenStep]) -> OtherTracks:
+        """Return how pieces that stand on or are joined to each other move, of which several are held."""
+        key = frozenset(one.step.what for one in fixes)
+        if key not in self._groups:
+            whole = self.question.whole
+            for one in fixes:
+                assert one.step.fix is not None
+                body = group[one.step.fix.place]
+                piece = whole.members[body]
+                assert isinstance(piece, Piece)
+                bought = (purchase.measure for purchase in one.step.fix.purchases)
+                whole = with_member(whole, body, replace(piece, measures=(*piece.measures, *bought)))
+            part = part_with(self.question.scenario, group, whole)
+            runs = self.question.run([part])[0]
+            self._groups[key] = OtherTracks(tracks_of_part(part, runs), runs.missing)
+        return self._groups[key]
 
     def _hits(self, place: PersonPlace, tracks: Sequence[Track]) -> Hits:
         """Return the contacts of a piece with a place, which are looked for once."""
@@ -249,7 +253,7 @@ class _Planner:
             self._known[key] = tracks, hits_of(place, tracks)  # its tracks stay, so that the id is theirs
         return self._known[key][1]
 
-    def _effect(self, plan: FloorPlan, way: _Way) -> RoomEffect:
+    def _effect(self, plan: FloorPlan, way: OtherTracks) -> RoomEffect:
         return effect_of(plan, way.tracks, way.missing, self.state.as_it_is, self.state.ends, self._hits)
 
     def _decided_moves(self) -> list[tuple[Move, RoomEffect]]:
@@ -257,7 +261,7 @@ class _Planner:
         found: list[tuple[Move, RoomEffect]] = []
         for change in self.decisions.moves:
             move = moved_as_decided(self.question, self.state.as_it_is, change)
-            found.append((move, self._effect(move.plan, _Way(move.instead, move.missing))))
+            found.append((move, self._effect(move.plan, OtherTracks(move.instead, move.missing))))
         return found
 
     def _best_move(self) -> list[tuple[Move, RoomEffect]]:
@@ -266,12 +270,12 @@ class _Planner:
         parts, as_it_is, ends = self.state.parts, self.state.as_it_is, self.state.ends
         free = self.harmful - set(self.decisions.measures)
         for move in moves_of(self.question, parts, as_it_is, ends, free):
-            effect = self._effect(move.plan, _Way(move.instead, move.missing))
+            effect = self._effect(move.plan, OtherTracks(move.instead, move.missing))
             if effect.helps:
                 found.append((move, effect))
-        return sorted(found, key=lambda pair: _order(pair[1]))[:1]
+        return sorted(found, key=lambda pair: in_order_of_gain(pair[1]))[:1]
 
-    def _moving(self, move: Move, effect: RoomEffect) -> _Chosen:
+    def _moving(self, move: Move, effect: RoomEffect) -> ChosenStep:
         scenario, what = self.question.scenario, move.change.what
         bodies = list(move.instead) or sorted(self.harmful)
         deciding = {one: None for body in bodies for one in inputs_in_room((), scenario, body)}
@@ -280,10 +284,10 @@ class _Planner:
         step = PlanStep(
             what, move.change, None, effect, effect, overturned, None, tuple(deciding), decided=decided
         )
-        way = _Way(move.instead, move.missing)
+        way = OtherTracks(move.instead, move.missing)
         places = list(enumerate(move.plan.places))
         was = self.question.plan.places
-        return _Chosen(step, next((own for own in places if own[1] != was[own[0]]), None), way, way)
+        return ChosenStep(step, next((own for own in places if own[1] != was[own[0]]), None), way, way)
 
     def _after(self, moves: Sequence[Move]) -> Assembly:
         """Return the pieces with some moved."""
@@ -296,7 +300,7 @@ class _Planner:
     def _overturned(self, body: int) -> Probability:
         return self.state.as_it_is.outcomes[body].probability_of_overturning()
 
-    def _fixing(self, body: int, whole: Assembly) -> _Chosen | None:
+    def _fixing(self, body: int, whole: Assembly) -> ChosenStep | None:
         """Return the best measures on a piece, which stands in ``whole`` as it is to stand."""
         decided = self.decisions.measures.get(body)
         if decided is None:
@@ -306,14 +310,14 @@ class _Planner:
         if not tried:
             self._with_drilling(body, whole)
             return None
-        best = min(tried, key=_merit)
+        best = min(tried, key=merit)
         fix, here, there = self._fitted(best, body, whole)
         if not fix.enough:
             self._with_drilling(body, whole)
         undrilled = [one for one in tried if not any(measure.drilled for measure in one.measures)]
         instead = None
         if fix.drilled and undrilled:
-            instead = self._fitted(min(undrilled, key=_merit), body, whole)[0]
+            instead = self._fitted(min(undrilled, key=merit), body, whole)[0]
         scenario = self.question.scenario
         deciding = inputs_in_room(tuple(one.measure for one in fix.purchases), scenario, body)
         step = PlanStep(
@@ -327,39 +331,39 @@ class _Planner:
             deciding,
             decided=decided is not None,
         )
-        return _Chosen(step, None, here, there)
+        return ChosenStep(step, None, here, there)
 
     def _with_drilling(self, body: int, whole: Assembly) -> None:
         """Keep the best measures on a piece of those that only the ban on drilling rules out, if any."""
         tried = self._helpful(body, whole, [kinds for kinds in SETS if not self.home.allows(kinds)])
         if tried:
             name = self.question.scenario.names[body]
-            self.drilled[name] = self._fitted(min(tried, key=_merit), body, whole)[0]
+            self.drilled[name] = self._fitted(min(tried, key=merit), body, whole)[0]
 
-    def _helpful(self, body: int, whole: Assembly, sets: Sequence[tuple[str, ...]]) -> list[_Tried]:
+    def _helpful(self, body: int, whole: Assembly, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures on a piece, and return those that help and can be put on it in ``whole``."""
         as_it_is = self.state.as_it_is
         bare = self._own_risk(
-            _Way({one: as_it_is.tracks[one] for one in self._group(body)}, as_it_is.missing)
+            OtherTracks({one: as_it_is.tracks[one] for one in self._group(body)}, as_it_is.missing)
         )
         return [
             one
             for one in self._tried(body, sets)
-            if (one.own < bare or _frees(one.effect) or self._steadies(one, body))
+            if (one.own < bare or frees(one.effect) or self._steadies(one, body))
             and self._held(body, one.measures, whole) is not None
         ]
 
-    def _tried_as_decided(self, body: int, whole: Assembly, measures: tuple[Measure, ...]) -> _Tried:
+    def _tried_as_decided(self, body: int, whole: Assembly, measures: tuple[Measure, ...]) -> Trial:
         """Run the measures that have been decided on, where the piece stands or, if it must, is to stand."""
         part = self._held(body, measures, self.question.whole) or self._with(body, measures, whole)
         return self._as_tried(measures, part, self.question.run([part])[0], body)
 
-    def _steadies(self, tried: _Tried, body: int) -> bool:
+    def _steadies(self, tried: Trial, body: int) -> bool:
         """Return whether a piece that overturns often does so less with measures, clearly or not."""
         less = self._overturned(body).estimate - tried.overturns.estimate
         return body in self.falling and less > ALIKE
 
-    def _tried(self, body: int, sets: Sequence[tuple[str, ...]]) -> list[_Tried]:
+    def _tried(self, body: int, sets: Sequence[tuple[str, ...]]) -> list[Trial]:
         """Run sets of measures, those that can be put on a piece where it stands."""
         parts: list[tuple[tuple[Measure, ...], RoomPart]] = []
         soft = self.question.scenario.surroundings().floor.surface in SOFT
@@ -376,12 +380,12 @@ class _Planner:
             for (measures, part), own in zip(parts, runs, strict=True)
         ]
 
-    def _as_tried(self, measures: tuple[Measure, ...], part: RoomPart, runs: PartRuns, body: int) -> _Tried:
-        way = _Way(tracks_of_part(part, runs), runs.missing)
+    def _as_tried(self, measures: tuple[Measure, ...], part: RoomPart, runs: PartRuns, body: int) -> Trial:
+        way = OtherTracks(tracks_of_part(part, runs), runs.missing)
         effect, own = self._effect(self.question.plan, way), self._own_risk(way)
-        return _Tried(measures, way, effect, own, _overturns(runs, part.bodies.index(body)))
+        return Trial(measures, way, effect, own, chance_of_overturning(runs, part.bodies.index(body)))
 
-    def _own_risk(self, way: _Way) -> float:
+    def _own_risk(self, way: OtherTracks) -> float:
         """Return the chance that a person is hit by some pieces, whatever others do."""
         places, missing = self.question.plan.places, self.state.as_it_is.missing | way.missing
         hits = [[self._hits(place, own).happened for own in way.tracks.values()] for place in places]
@@ -407,7 +411,7 @@ class _Planner:
         held = replace(piece, measures=(*piece.measures, *measures))
         return part_with(self.question.scenario, self._group(body), with_member(whole, body, held))
 
-    def _fitted(self, tried: _Tried, body: int, whole: Assembly) -> tuple[Fix, _Way, _Way]:
+    def _fitted(self, tried: Trial, body: int, whole: Assembly) -> tuple[Fix, OtherTracks, OtherTracks]:
         """Return measures as they are bought, and how the piece moves where it stands and where it will.
 
         Where the studs allow it there are as many devices as what they are screwed to asks for.
@@ -420,18 +424,19 @@ class _Planner:
             measures, part = fitted, more
             purchases = purchases_of(self.question, part, measures, body)
             tried = self._as_tried(measures, here, self.question.run([here])[0], body)
-        there = tried.way
+        place = part.bodies.index(body)
+        there, overturns = tried.way, tried.overturns
         if whole is not self.question.whole:
             runs = self.question.run([part])[0]
-            there = _Way(tracks_of_part(part, runs), runs.missing)
-        place = part.bodies.index(body)
+            there = OtherTracks(tracks_of_part(part, runs), runs.missing)
+            overturns = chance_of_overturning(runs, place)
         held = placed(part.assembly.members, part.room)[place].held
         assert held is not None
         cautions = tuple(
             caution for measure in measures for caution in measure.cautions(held.body, held.room)
         )
         enough_to = self._enough_to(part, purchases, body)
-        fix = Fix(part, place, purchases, tried.effect, tried.overturns, cautions, enough_to)
+        fix = Fix(part, place, purchases, tried.effect, overturns, cautions, enough_to)
         return fix, tried.way, there
 
     def _enough_to(self, part: RoomPart, purchases: tuple[Purchase, ...], body: int) -> float | None:
@@ -447,36 +452,6 @@ class _Planner:
                 if all(one.enough for one in purchases_of(weaker, part, measures, body)):
                     return level
         return None
-
-
-def _overturns(runs: PartRuns, place: int) -> Probability:
-    return runs.of_body(place).probability_of_overturning()
-
-
-def _order(effect: RoomEffect) -> tuple[float, ...]:
-    """Return the sort key of what something brings, the best first: for people, and then what overturns."""
-    return (*_for_people(effect), round(effect.fallen / ALIKE))
-
-
-def _for_people(effect: RoomEffect) -> tuple[float, ...]:
-    """Return how much happens to people, who is hit before who is shut in."""
-    return (
-        round(effect.risk / ALIKE),
-        round(effect.shut_in.estimate / ALIKE),
-        round(effect.blocked.estimate / ALIKE),
-    )
-
-
-def _merit(tried: _Tried) -> tuple[float, ...]:
-    """Return the sort key of measures on a piece: of those that bring the same, what it falls with least."""
-    own, effect = round(tried.own / ALIKE), tried.effect
-    ways = round(effect.shut_in.estimate / ALIKE), round(effect.blocked.estimate / ALIKE)
-    return (own, *ways, round(tried.overturns.estimate / ALIKE), len(tried.measures))
-
-
-def _frees(effect: RoomEffect) -> bool:
-    """Return whether a way out is free more often, clearly or not."""
-    return any(one.estimate < 0.0 for one in (effect.shut_in_change, effect.blocked_change))
 
 
 def _length(whole: Assembly, body: int) -> float:

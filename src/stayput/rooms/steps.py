@@ -106,7 +106,7 @@ class Fix:
     alone : RoomEffect
         What they bring by themselves, with everything where it is.
     overturns : Probability
-        That the piece overturns with them.
+        That the piece overturns with them where it is to stand.
     cautions : tuple of Phrase
         Why they may not do much, each as a clause.
     enough_to : float or None

@@ -308,6 +308,12 @@ class RoomVerdict:
         number = names.index(change.change.what)
         return change.overturned[number], change.overturned_change[number]
 
+    def label(self, change: ChangeVerdict, language: str = "en") -> str:
+        """Return what a change consists of, in "en" or "ja": "Belts on the bookcase"."""
+        from stayput.rooms.words import change_label
+
+        return change_label(change.change, self, language)
+
     def sentence(self, language: str = "en") -> str:
         """Return the verdict in one sentence, in "en" or "ja"."""
         from stayput.rooms.words import sentence_of_room

@@ -110,12 +110,16 @@ def _where_somebody_is(place: PersonPlace) -> Phrase:
 
 
 def often(share: float, cases: Phrase) -> Phrase:
-    """Return how often something happens: "in 6 of 10 earthquakes", "in 3 of 100 earthquakes"."""
+    """Return how often something happens: "in 8 of 10 earthquakes", "in 3 of 100 earthquakes".
+
+    Of as few as come within 2 points, and within a tenth, of the share; of 1,000 where none do.
+    """
     if share >= 1.0:
         return phrase("rooms.always", cases=cases)
-    for whole in (10, 100, 1000):
-        count = math.floor(whole * share + 0.5)  # a half is rounded up
-        if 1 <= count < whole:
+    for whole in (10, 20, 100, 1000):
+        count = math.floor(round(whole * share, 9) + 0.5)  # a half is rounded up
+        off = round(abs(count / whole - share), 9)
+        if 1 <= count < whole and (off <= min(0.02, 0.1 * share) or whole == 1000):
             return phrase("rooms.count_of", count=count, all=whole, cases=cases)
     return phrase("rooms.rarely", share=share_text(share), cases=cases)
 

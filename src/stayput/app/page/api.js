@@ -28,11 +28,12 @@ async function ask(path, options = {}) {
 }
 
 const json = async (path, options) => (await ask(path, options)).json();
-const NOTED = "was"; // what the page notes of something that is tried elsewhere or held: it is no part of a scene
+// what the page notes in a room, of things that are tried and of the home: it is no part of a scene
+const NOTED = ["was", "home"];
 const sent = (content, signal) => ({
   method: "POST",
   headers: { "content-type": "application/json" },
-  body: JSON.stringify(content, (key, value) => (key === NOTED ? undefined : value)),
+  body: JSON.stringify(content, (key, value) => (NOTED.includes(key) ? undefined : value)),
   signal,
 });
 

@@ -86,13 +86,16 @@ export const length = (metres) =>
 /** A number as a percentage. */
 export const perCent = (text) => (language === "ja" ? `${text}%` : `${text}\u00a0%`);
 
+/** A share in per cent, without the last digits of a difference: 0.8 − 0.025 is 77.5, to be rounded as the server does. */
+export const inPercent = (share) => 100 * Number(share.toFixed(9));
+
 /**
  * A share as a percentage, finer below 1 and above 99 as in the server's sentences; never 0 or 100 where it is not
  * quite that; words where it is not known.
  */
 export function percent(share) {
   if (share === null || share === undefined) return t("notKnown");
-  const value = 100 * share;
+  const value = inPercent(share);
   if (value > 0 && value < 0.05) return t("under", { share: perCent("0.1") });
   if (value > 99.95 && value < 100) return t("over", { share: perCent("99.9") });
   const fine = (value > 0 && value < 0.95) || (value > 99.05 && value < 100);

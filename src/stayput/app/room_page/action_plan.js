@@ -17,9 +17,9 @@ const SAID = {
   plasterboard: ({ walls }) => walls === "plasterboard",
   dropped_ceiling: ({ ceiling }) => ceiling?.construction === "dropped",
 };
-const own = new Map(), // what was ticked or not by hand
-  fields = {};
-let job = null, // the verdict's, once that is complete
+const fields = {};
+let said = null, // of the home, when that was last told
+  job = null, // the verdict's, once that is complete
   flight = null, // what ends the question about a plan
   made = false,
   homeSaid = () => {}; // called when what the home is like has been said
@@ -42,9 +42,9 @@ export function build() {
       const field = toggle({
         label: t(`allowed_${name}`),
         changed: (on) => {
-          own.set(name, on);
-          forget();
-          homeSaid();
+          const before = room.current();
+          room.change({ ...before, home: { ...before.home, [name]: on } });
+          update();
         },
       });
       fields[name] = field;
@@ -58,11 +58,20 @@ export function build() {
 /** Whether a change may be made in this home. */
 export const mayBe = ({ drilled }) => !drilled || !isSo("no_drilling");
 
-const isSo = (name) => own.get(name) ?? SAID[name](room.current().room ?? {});
+/** Whether something is so in this home: as it was ticked by hand, or else as the room has it. */
+function isSo(name) {
+  const { home, room: surfaces } = room.current();
+  return typeof home?.[name] === "boolean" ? home[name] : SAID[name](surfaces ?? {});
+}
 
-/** Ticks what the room says, where nothing else was ticked by hand. */
+/** Ticks what is so, and tells where that has changed. */
 export function update() {
   for (const [name, field] of Object.entries(fields)) field.set(isSo(name));
+  const before = said;
+  said = JSON.stringify(asked());
+  if (before === null || before === said) return;
+  forget();
+  homeSaid();
 }
 
 /** Takes the job of a verdict that is complete, or null. */

@@ -5,6 +5,7 @@ import { tab } from "../memory.js";
 import { packed, unpacked } from "../packing.js";
 import * as environment from "./environment.js";
 import * as room from "./room.js";
+import { legible } from "./tried.js";
 
 const LONGEST = 8000, // letters of a room in a link: longer ones are cut by much that links are sent with
   PAUSE = 1500, // what follows a change sooner has no place of its own in the browser's history [ms]
@@ -90,7 +91,7 @@ export function settle() {
 function parsed(text) {
   try {
     const made = JSON.parse(text);
-    return isWhole(made) ? made : null;
+    return isWhole(made) ? legible(made) : null;
   } catch {
     return null;
   }

@@ -1,6 +1,6 @@
 // Chances and what goes with them, as text.
 
-import { number, percent, t } from "../words.js";
+import { inPercent, number, percent, t } from "../words.js";
 
 /** A chance with its interval: "83 % (65 to 92 %)"; less where it is not known. */
 export function chance({ estimate, low, high }) {
@@ -12,7 +12,7 @@ export function chance({ estimate, low, high }) {
 /** A difference of two chances in points, with its interval and its sign. */
 export function points({ estimate, low, high }) {
   const signed = (share) => {
-    const whole = Math.sign(share) * Math.round(Math.abs(100 * share));
+    const whole = Math.sign(share) * Math.round(Math.abs(inPercent(share)));
     return `${whole > 0 ? "+" : whole < 0 ? "−" : ""}${number(Math.abs(whole))}`;
   };
   return t("pointsBetween", { by: signed(estimate), low: signed(low), high: signed(high) });

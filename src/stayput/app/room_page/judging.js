@@ -30,14 +30,11 @@ export function wire(told) {
 
 const soon = settled(SETTLED, () => work());
 
-/** What the verdict is of: all but which of its earthquakes is shown. */
-const judgedOf = (one) => JSON.stringify({ ...one, shaking: { ...one.shaking, member: undefined } });
-
 /** Asks about the room as it now is: the first one at once, others once they have settled; not about an empty one. */
 export function changed() {
   if (room.current() === asked) return;
   const first = asked === null,
-    same = !first && judgedOf(room.current()) === judgedOf(asked);
+    same = !first && room.computed(room.current()) === room.computed(asked);
   asked = room.current();
   if (same && now.name !== "waiting") return;
   round += 1;

@@ -1,16 +1,18 @@
-// Names on a plan: where each stands so that they overlap as little as can be; as in the reports.
+// Names on a plan: where each stands so that they overlap as little as can be and are not taken for those of others.
 
 import { svg } from "../dom.js";
 
-const USUAL = { font: 13, line: 16, notes: true },
-  SMALL = { font: 11, line: 13, notes: true },
-  NAME_ALONE = { font: 11, line: 13, notes: false },
-  LOOKS = [USUAL, SMALL, NAME_ALONE], // the first is taken in which a name finds a free spot
+const USUAL = { font: 13, line: 16 },
+  SMALL = { font: 11, line: 13 },
+  WITHIN = { font: 10, line: 11 }, // on its thing, as long as that
+  LOOKS = [USUAL, SMALL, WITHIN], // the first is taken in which a name finds a free spot
   LONGEST = 11, // longest line, in widths of a full-width letter
+  SHORTEST = 3, // to what a name on its thing is cut, in the same
   NARROW = 0.6, // width of a letter that is not full-width, in the same
   FREE = 0.4, // cost up to which a spot is free
   AGAIN = 3, // how often each name is placed, the others being where they are
-  COST = { name: 40, outside: 20, hidden: 6, thing: 40, farther: 0.01, look: 0.5 },
+  COST = { name: 40, outside: 20, hidden: 6, thing: 40, mistaken: 20, farther: 0.01, look: 0.5 },
+  MARGIN = 4, // beside the letters, both sides together [px]
   NEAR = 3, // from a thing to a name beside it [px]
   OFF = 18; // the same where there is no room beside it; a line then leads to the thing
 
@@ -26,18 +28,33 @@ function wrapped(name) {
   }
   const kept = lines.slice(0, 2);
   if (lines.length > 2) kept[1] += "…";
-  return kept.map(cut);
+  return kept.map((line) => cut(line, LONGEST));
 }
 
-function cut(line) {
+function cut(line, longest) {
   let letters = line;
-  while (widthOf(letters) > LONGEST) letters = letters.replace(/….*$/, "").slice(0, -1) + "…";
+  while (widthOf(letters) > longest) letters = letters.replace(/….*$/, "").slice(0, -1) + "…";
   return letters;
+}
+
+/** A name cut before its number, by which things of one kind differ. */
+function shortened(name, longest) {
+  const [, kind, number] = /^(.*?)(\s*\d{0,3})$/s.exec(name);
+  return widthOf(name) > longest ? cut(kind, Math.max(1, longest - widthOf(number))) + number : name;
 }
 
 const shared = (one, other) =>
   Math.max(0, Math.min(one[2], other[2]) - Math.max(one[0], other[0])) *
   Math.max(0, Math.min(one[3], other[3]) - Math.max(one[1], other[1]));
+
+const apart = (one, other) =>
+  Math.hypot(...[0, 1].map((i) => Math.max(0, one[i] - other[i + 2], other[i] - one[i + 2])));
+
+/** Whether a name at a spot beside its thing is as near to another one. */
+function mistaken(spot, box, others) {
+  const own = apart(spot, box);
+  return own > 0 && others.some((one) => apart(spot, one) <= own);
+}
 
 /** What share of a thing is hidden by its own name, unless that is within it. */
 const hidden = (thing, name) =>
@@ -46,7 +63,7 @@ const hidden = (thing, name) =>
     : shared(thing, name) / ((thing[2] - thing[0]) * (thing[3] - thing[1]));
 
 /**
- * Names as texts, and where they stand: labels are {name, notes, box}; they stand in or beside their own things and, as
+ * Names as texts, and where they stand: labels are {name, notes, box}, a note {text, share}; they stand in or beside their own things and, as
  * far as can be, on no other, on no other name, and not beyond the floor [px].
  */
 export function nameTexts(labels, things, floor) {
@@ -64,12 +81,17 @@ function best({ name, notes, box }, names, things, floor) {
   const others = things.filter((one) => one !== box);
   let least = null;
   for (const [step, look] of LOOKS.entries()) {
-    const lines = [
-      ...wrapped(name).map((text) => ({ text, kind: "name" })),
-      ...(look.notes ? notes : []).map((text) => ({ text, kind: "note" })),
-    ];
-    for (const [place, spot] of candidates(lines, look, box).entries()) {
-      const on = cost(spot, names, others, floor) + COST.hidden * hidden(box, spot),
+    const within = look === WITHIN && Math.max(SHORTEST, (box[2] - box[0] - MARGIN) / look.font),
+      lines = [
+        ...(within ? [shortened(name, Math.min(within, LONGEST))] : wrapped(name)).map((text) => ({ text, kind: "name" })),
+        ...notes.map(({ text, share }) => ({ text: within ? share : text, kind: "note" })),
+      ];
+    const spots = candidates(lines, look, box).filter((spot) => !within || apart(spot, box) === 0);
+    for (const [place, spot] of spots.entries()) {
+      const on =
+          cost(spot, names, others, floor) +
+          (within ? 0 : COST.hidden * hidden(box, spot)) +
+          COST.mistaken * mistaken(spot, box, others),
         all = on + COST.farther * place + COST.look * step;
       if (!least || all < least.cost) least = { cost: all, on, spot, lines, look, box };
     }
@@ -117,7 +139,7 @@ const ALONG = [0.5, 0, 1, 0.25, 0.75]; // where a name stands along a side, begi
 
 /** Rectangles for a name: within what it names, then beside it, then off its corners. */
 function candidates(lines, { font, line }, [x0, y0, x1, y1]) {
-  const dx = (font * Math.max(...lines.map(({ text }) => widthOf(text))) + 4) / 2,
+  const dx = (font * Math.max(...lines.map(({ text }) => widthOf(text))) + MARGIN) / 2,
     dy = (line * lines.length) / 2;
   const between = (low, high, share) => low + share * (high - low);
   const inside = ALONG.flatMap((v) => ALONG.map((u) => [between(x0 + dx, x1 - dx, u), between(y0 + dy, y1 - dy, v)])),

@@ -78,11 +78,16 @@ export function shareOf(result, shown, { table, index }) {
 /** What is told of a thing beside its name: of a person always, of pieces and doors where it happens. */
 export function notes(result, shown, what) {
   const share = shareOf(result, shown, what);
-  if (what.table === "places") return share === null ? [] : [t("is_hit", { share: percent(share) })];
-  if (telling(share)) return [t("is_blocked", { share: percent(share) })];
+  if (what.table === "places") return share === null ? [] : [note("is_hit", share)];
+  if (telling(share)) return [note("is_blocked", share)];
   const piece = what.table === "furniture" && shown.includes("fell") ? result?.pieces[what.index] : null,
     falls = piece?.probabilities.overturned.estimate ?? null;
-  return telling(falls) ? [t("overturns", { share: percent(falls) })] : [];
+  return telling(falls) ? [note("overturns", falls)] : [];
+}
+
+function note(key, chance) {
+  const share = percent(chance);
+  return { text: t(key, { share }), share };
 }
 
 /** Whether a share is more than next to nothing. */

@@ -52,6 +52,7 @@ function judged(state) {
   files.point(done);
   theatre.judged(state.old || state.error ? null : state.result);
   actionPlan.take(done);
+  tried.tell(Boolean(state.result) && !state.old);
   if (!state.result) return;
   findings.show(state.result);
   changes.show(state.result);
@@ -78,9 +79,9 @@ function again() {
 const changed = beforeNextFrame(() => {
   environment.take();
   verdict.update();
-  actionPlan.update();
   tried.show();
   judging.changed();
+  actionPlan.update();
   theatre.changed();
   address.changed();
 });

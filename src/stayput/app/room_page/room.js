@@ -40,6 +40,10 @@ export function adjust(next) {
   tell();
 }
 
+/** What is worked out of a room: all but which of its earthquakes is shown, and what was ticked of the home. */
+export const computed = ({ home, ...one }) =>
+  JSON.stringify({ ...one, shaking: { ...one.shaking, member: undefined } });
+
 /** What can be undone and redone, the last step at the end of each: {past, future}. */
 export const history = () => ({ past, future });
 

@@ -61,17 +61,17 @@ function draw(now) {
 const soon = settled(SETTLED, () => work());
 
 const memberOf = (one) => one.shaking?.member ?? 1;
-const without = (one) => JSON.stringify({ ...one, shaking: { ...one.shaking, member: undefined } });
+const shaken = (one) => `${memberOf(one)} ${room.computed(one)}`;
 
 /** Shakes the room as it now is: the first one at once, others once they have settled. */
 export function changed() {
-  if (room.current() === asked) return;
   const first = asked === null,
     before = asked;
+  if (!first && !proposing && shaken(room.current()) === shaken(before)) return;
   asked = room.current();
   if (!first && !proposing) {
     const another = memberOf(asked) !== memberOf(before);
-    if (another) own = without(asked) === without(before);
+    if (another) own = room.computed(asked) === room.computed(before);
     typical = another ? null : typical;
   }
   flight?.abort();
@@ -86,7 +86,7 @@ export function changed() {
 }
 
 async function work() {
-  const mine = room.current(),
+  const mine = asked,
     own = (flight = new AbortController()),
     wanted = () => own === flight && mine === asked;
   const slow = setTimeout(async () => {

@@ -14,6 +14,29 @@ const PLACE = ["at", "heading", "against", "along", "gap"],
 const only = (thing, keys) => Object.fromEntries(keys.filter((key) => key in thing).map((key) => [key, thing[key]]));
 const without = (thing, keys) => Object.fromEntries(Object.entries(thing).filter(([key]) => !keys.includes(key)));
 
+const isTable = (one) => one !== null && typeof one === "object" && !Array.isArray(one);
+const areMeasures = (list) => Array.isArray(list) && list.every((one) => isTable(one) && typeof one.type === "string");
+const CAN_BE = {
+  place: (note) => isTable(note) && (note.at === undefined || (Array.isArray(note.at) && note.at.every(Number.isFinite))),
+  measures: (note) => isTable(note) && (note.measures === undefined || areMeasures(note.measures)),
+};
+
+/** A room of a link without measures and notes that can be none. */
+export const legible = (here) => ({
+  ...here,
+  ...Object.fromEntries(TABLES.filter((table) => here[table]).map((table) => [table, here[table].map(readable)])),
+});
+
+function readable(thing) {
+  const next = { ...thing };
+  if ("measures" in next && !areMeasures(next.measures)) delete next.measures;
+  if (!("was" in next)) return next;
+  const notes = Object.entries(next.was ?? {}).filter(([note, old]) => Object.hasOwn(CAN_BE, note) && CAN_BE[note](old));
+  if (notes.length) next.was = Object.fromEntries(notes);
+  else delete next.was;
+  return next;
+}
+
 /** A thing that is about to be tried at another place, or with other measures, with what it was noted. */
 export const noted = (thing, note) => ({ ...thing, was: { [note]: only(thing, OF[note]), ...thing.was } });
 
@@ -51,9 +74,15 @@ function said({ what, note, thing, was }) {
 /** Lists what is tried, each with what may become of it; called after each change, and for another language. */
 export function show() {
   const all = triedIn(room.current());
-  part("tried").hidden = part("with-tried").hidden = !all.length;
-  part("with-tried").textContent = all.length ? t("withTried", { changes: all.map(said).join(t("listed")) }) : "";
+  part("tried").hidden = !all.length;
   fill(part("tried-list"), all.map(entry));
+}
+
+/** Says above the verdict with what it is, where it is of the room as it now is. */
+export function tell(ofThis) {
+  const all = ofThis ? triedIn(room.current()) : [];
+  part("with-tried").hidden = !all.length;
+  part("with-tried").textContent = all.length ? t("withTried", { changes: all.map(said).join(t("listed")) }) : "";
 }
 
 function entry(one) {

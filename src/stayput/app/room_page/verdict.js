@@ -48,7 +48,7 @@ export function show({ name, job, result, old, error }) {
   if (job?.state === "done") here.dataset.job = job.id;
   else delete here.dataset.job;
   write(error ? worded(error) : result ? [both(result.verdict)] : []);
-  part("rough").hidden = !result || old || result.complete;
+  part("rough").hidden = !result || old || result.complete || !isRough(result);
   part("rough").textContent = result ? t("rough", { runs: wholeRuns(result) }) : "";
   falls(error ? null : result);
   best(old || error ? null : result);
@@ -56,6 +56,9 @@ export function show({ name, job, result, old, error }) {
   progress(name, job);
   brief(name, result, old);
 }
+
+/** Whether a result is of fewer runs of the room than are asked for. */
+const isRough = ({ motions, samples: each }) => motions * each < samples();
 
 /** Says it in one line beside the steps, for where the verdict is on another screen. */
 function brief(name, result, old) {
@@ -114,6 +117,6 @@ function progress(name, job) {
 function said(name, job) {
   if (isAway() && !ENDED.includes(name)) return t("serverAway");
   if (job?.position) return t("before", { n: number(job.position) });
-  if (name === "running" && job?.result) return t("roomBetter");
+  if (name === "running" && job?.result) return t(isRough(job.result) ? "roomBetter" : "changesWait");
   return name === "done" ? "" : t(`state_${name}`);
 }

@@ -72,6 +72,13 @@ def beyond_target(c, poses):
 
 
 @inline
+def mobility(body, s, lever, n):
+    """Return how far a unit of impulse along n moves a body's point along n, in velocity."""
+    arm = cross(lever, n)
+    return 1.0 / body.mass + dot(arm, angular_response(s, arm))
+
+
+@inline
 def give_impulse(body, s, lever, factor, p):
     """Apply an impulse times a factor at a body's point, given from G."""
     share = factor * body.rm * body.rm

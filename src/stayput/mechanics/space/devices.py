@@ -31,7 +31,7 @@ from stayput.mechanics.devices.columns import (
     TANGENT,
 )
 from stayput.mechanics.space.body import in_body, in_room, place_of
-from stayput.mechanics.space.contact import give_impulse, velocity_at
+from stayput.mechanics.space.contact import give_impulse, mobility, velocity_at
 from stayput.mechanics.space.touching import ROOM
 from stayput.mechanics.space.vectors import added, cross, dot, norm, scaled
 
@@ -189,9 +189,35 @@ def change_impulse(spring, pull, bodies, poses, change):
         give_impulse(bodies[spring.other], poses[spring.other], arm_of_pull(pull), -1.0, change)
 
 
+@inline
+def _yielding(spring, pull, bodies, poses, n):
+    """Return by how much the relative velocity along n at a device changes with an impulse along n."""
+    w = mobility(bodies[spring.body], poses[spring.body], lever_of_pull(pull), n)
+    if spring.other != ROOM:
+        w += mobility(bodies[spring.other], poses[spring.other], arm_of_pull(pull), n)
+    return w
+
+
+@inline
+def _with_answer(spring, pull, bodies, poses, change):
+    """Return what of a change of an impulse is left when the damper answers the velocity that it makes.
+
+    Without it a strong damper would take back more than there was, each time more.
+    """
+    n = normal_of_pull(pull)
+    along = dot(n, change)
+    across = added(change, -along, n)
+    size = norm(across)
+    along /= 1.0 + pull.cn * _yielding(spring, pull, bodies, poses, n)
+    if size > 0.0 and pull.ct > 0.0:
+        t = scaled(1.0 / size, across)
+        across = scaled(1.0 / (1.0 + pull.ct * _yielding(spring, pull, bodies, poses, t)), across)
+    return added(across, along, n)
+
+
 @inner
 def hold(springs, pulls, bodies, poses, h):
-    """Bring the impulses of all devices to those of the present velocities; return whether any changed."""
+    """Bring the impulses of all devices near those of the present velocities; return whether any changed."""
     changed = False
     for k in range(springs.shape[0]):
         spring, pull = springs[k], pulls[k]
@@ -200,7 +226,7 @@ def hold(springs, pulls, bodies, poses, h):
         change = change_of_impulse(spring, pull, poses, h)
         if norm(change) > SAME * h * bodies[spring.body].mass:
             changed = True
-            change_impulse(spring, pull, bodies, poses, change)
+            change_impulse(spring, pull, bodies, poses, _with_answer(spring, pull, bodies, poses, change))
     return changed
 
 

@@ -35,7 +35,7 @@ from stayput.mechanics.space.closing import (
     keep,
     note_all_gaps,
 )
-from stayput.mechanics.space.contact import turns_back
+from stayput.mechanics.space.contact import mobility, turns_back
 from stayput.mechanics.space.devices import give, hold, note_forces, note_loads, stretch
 from stayput.mechanics.space.impact import bounces, mend
 from stayput.mechanics.space.landing import land
@@ -50,7 +50,7 @@ from stayput.mechanics.space.touching import (
     may_touch,
     plane_normal,
 )
-from stayput.mechanics.space.vectors import added, cross, dot
+from stayput.mechanics.space.vectors import added, cross
 
 IGNORED = 1e-12
 """Depth up to which a body that has entered another stays [m]: rounding."""
@@ -78,13 +78,6 @@ RESTS = 4e-5
 
 
 @inner
-def _mobility(body, s, lever, n):
-    """Return how far a unit of `_nudge_along` moves a body's point along n."""
-    arm = cross(lever, n)
-    return 1.0 / body.mass + dot(arm, angular_response(s, arm))
-
-
-@inner
 def _nudge_along(body, s, lever, n, size):
     turn = angular_response(s, cross(lever, n))
     by = size / body.mass
@@ -97,7 +90,7 @@ def _move_out(body, s, lever, plane):
     gap = gap_of(s, lever, plane)
     if gap < 0.0:
         n = plane_normal(plane)
-        _nudge_along(body, s, lever, n, -gap / _mobility(body, s, lever, n))
+        _nudge_along(body, s, lever, n, -gap / mobility(body, s, lever, n))
 
 
 @inner
@@ -114,7 +107,7 @@ def _move_all_out(world, poses, scratch):
             if touching[m, 3] < 0.0:
                 place = touching[m, 0], touching[m, 1], touching[m, 2]
                 lever, arm = added(place, -1.0, place_of(s)), added(place, -1.0, place_of(r))
-                both = _mobility(body, s, lever, n) + _mobility(other, r, arm, n)
+                both = mobility(body, s, lever, n) + mobility(other, r, arm, n)
                 size = -touching[m, 3] / both / found  # each of them moves all of a face
                 _nudge_along(body, s, lever, n, size)
                 _nudge_along(other, r, arm, n, -size)
@@ -166,15 +159,20 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
     work[0] += 1.0
     apply(contacts, count, bodies, after, 1.0)
     hold(springs, pulls, bodies, after, h)
-    converged = count == 0 or solve(contacts, count, held, bodies, after, system, h)
+    alone = count == 0 and springs.shape[0] == 0
+    converged = alone or solve(contacts, count, held, bodies, after, system, h)
+    settled = alone
     for _ in range(MOST_ROUNDS):
-        if not hold(springs, pulls, bodies, after, h):
+        settled = not hold(springs, pulls, bodies, after, h)
+        if settled:
             break
-        converged = count == 0 or solve(contacts, count, held, bodies, after, system, h)
+        converged = solve(contacts, count, held, bodies, after, system, h)
+    none = springs[:0], pulls[:0], held[2][:0]
+    if not converged and springs.shape[0] > 0:
+        converged, settled = _in_turns(contacts, count, held, none, bodies, after, system, h), True
     if not converged or bounces(contacts, count):
-        none = springs[:0], pulls[:0], held[2][:0]
         converged = mend(contacts, count, none, bodies, after, system, h, converged, work)
-    if not converged:
+    if not (converged and settled):
         work[1] += 1.0
     work[2] += (SWEEPS[0] if converged else SWEEPS[1]) * (1.0 + count)
     land(contacts, count, bodies, before, after)
@@ -192,6 +190,28 @@ def _step(world, held, before, after, push, h, scratch, ratio, work):
         else:
             drift(bodies[b], s, 0.5 * h)
     return count
+
+
+@inner
+def _in_turns(contacts, count, held, none, bodies, poses, system, h):
+    """Find the impulses of contacts and devices in turns, where Newton's method with both has lost its way.
+
+    The devices begin with the velocities that bodies have without contacts: the impulses that it left are no
+    forces of theirs.
+    """
+    apply(contacts, count, bodies, poses, -1.0)
+    for k in range(count):
+        c = contacts[k]
+        c.pn = c.ps = c.pt = 0.0
+    for _ in range(MOST_ROUNDS):
+        if not hold(held[0], held[1], bodies, poses, h):
+            break
+    converged = solve(contacts, count, none, bodies, poses, system, h)
+    for _ in range(MOST_ROUNDS):
+        if not converged or not hold(held[0], held[1], bodies, poses, h):
+            break
+        converged = solve(contacts, count, none, bodies, poses, system, h)
+    return converged
 
 
 @inner

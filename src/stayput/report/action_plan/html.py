@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.catalogue import Phrase
+    from stayput.fragility import Probability
     from stayput.report.action_plan.paper import CardSizes
     from stayput.rooms.steps import ActionPlan, Fix, PlanStep
 
@@ -330,7 +331,10 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     if fix is not None:
         yield "buy", joined(to_buy(one, fix) for one in fix.purchases)
         yield "where", joined((where(one, fix) for one in fix.purchases), "action_plan.next")
-    told = [] if fix is None or step.overturned is None else [_overturns(step.overturned.estimate, fix)]
+    now = fix.overturns if fix is not None else _overturns_moved(step, plan)
+    told: list[Phrase] = []
+    if step.overturned is not None and now is not None:
+        told.append(_overturns(step.overturned.estimate, now))
     told += what_it_brings(number, plan)
     yield "effect" if fix is None or fix.enough else "reaches", joined(told, "action_plan.next")
     if fix is not None and fix.cautions:
@@ -339,7 +343,7 @@ def _lines(number: int, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
 
 def _lines_of_other(fix: Fix, was: float, plan: ActionPlan) -> Iterator[tuple[str, Phrase]]:
     """Yield the same of another way, for a piece that overturns so often as the room is."""
-    told = [_overturns(was, fix)]
+    told = [_overturns(was, fix.overturns)]
     if not changes_nothing(fix.alone):
         told.append(effects(fix.alone, plan))
     yield "effect" if fix.enough else "reaches", joined(told, "action_plan.next")
@@ -348,8 +352,16 @@ def _lines_of_other(fix: Fix, was: float, plan: ActionPlan) -> Iterator[tuple[st
         yield "caution", joined(fix.cautions, "action_plan.next")
 
 
-def _overturns(was: float, fix: Fix) -> Phrase:
-    return phrase("action_plan.overturns", was=share_text(was), now=with_ends(fix.overturns))
+def _overturns(was: float, now: Probability) -> Phrase:
+    return phrase("action_plan.overturns", was=share_text(was), now=with_ends(now))
+
+
+def _overturns_moved(step: PlanStep, plan: ActionPlan) -> Probability | None:
+    """Return how often a piece that is moved overturns there; None of a person's place, or as often."""
+    if step.overturned is None:
+        return None
+    now = step.alone.overturned[plan.verdict.scenario.names.index(step.what)]
+    return None if now.estimate == step.overturned.estimate else now
 
 
 def _notes_on_products(runs: int) -> Iterator[Phrase]:

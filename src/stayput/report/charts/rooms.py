@@ -143,25 +143,56 @@ def hits_chart(verdict: RoomVerdict, source: ChartSource) -> Chart:
         "median_speed_m_s": [None if hit is None else hit.speed.median for hit in hits],
         "median_energy_J": [None if hit is None else hit.energy.median for hit in hits],
     }
-    return _bars("room_hits", verdict, source, labels, [chance for *_, chance in rows], columns)
+    return _bars("room_hits", verdict, source, labels, [chance for *_, chance in rows], columns, "hit")
 
 
 def changes_chart(verdict: RoomVerdict, source: ChartSource) -> Chart:
-    """Return how likely it is that somebody is hit with each single change, the best first."""
-    language = source.language
-    labels = [
-        say("figures.room_as_is", language),
-        *(change_label(one.change, verdict, language) for one in verdict.changes),
-    ]
-    chances = [verdict.hit, *(one.hit for one in verdict.changes)]
+    """Return how likely the worst that happens in the room is with each single change, the best first."""
+    language, changes = source.language, verdict.changes
+    own = [None, *(verdict.piece_changed(one) for one in changes)]
     columns: dict[str, Sequence[object]] = {
-        "change": labels,
-        **share_columns("hit", chances),
-        **share_columns("hit_change", [None, *(one.hit_change for one in verdict.changes)]),
-        **share_columns("shut_in_change", [None, *(one.shut_in_change for one in verdict.changes)]),
-        "helps": [None, *(one.helps for one in verdict.changes)],
+        "change": [
+            say("figures.room_as_is", language),
+            *(change_label(one.change, verdict, language) for one in changes),
+        ],
+        **share_columns("hit", [verdict.hit, *(one.hit for one in changes)]),
+        **share_columns("hit_change", [None, *(one.hit_change for one in changes)]),
+        **share_columns("shut_in", [verdict.shut_in, *(one.shut_in for one in changes)]),
+        **share_columns("shut_in_change", [None, *(one.shut_in_change for one in changes)]),
+        **share_columns("overturned", [None if pair is None else pair[0] for pair in own]),
+        **share_columns("overturned_change", [None if pair is None else pair[1] for pair in own]),
+        "helps": [None, *(one.helps for one in changes)],
     }
-    return _bars("room_changes", verdict, source, labels, chances, columns)
+    event, bars = _compared(verdict, language)
+    labels, chances = [label for label, _ in bars], [chance for _, chance in bars]
+    return _bars("room_changes", verdict, source, labels, chances, columns, event)
+
+
+def _compared(verdict: RoomVerdict, language: str) -> tuple[str, list[tuple[str, Probability]]]:
+    """Return the worst that happens in a room, and how likely it is as the room is and with each change.
+
+    Where nobody is hit or shut in it is that the piece of a change overturns.
+    """
+    labels = [change_label(one.change, verdict, language) for one in verdict.changes]
+    own = [verdict.piece_changed(one) for one in verdict.changes]
+    overturned = [(label, pair[0]) for label, pair in zip(labels, own, strict=True) if pair is not None]
+    as_is = say("figures.room_as_is", language)
+    if verdict.hit.estimate > 0.0 or not (verdict.shut_in.estimate > 0.0 or overturned):
+        chances = (one.hit for one in verdict.changes)
+        return "hit", [(as_is, verdict.hit), *zip(labels, chances, strict=True)]
+    if verdict.shut_in.estimate > 0.0:
+        chances = (one.shut_in for one in verdict.changes)
+        return "shut_in", [(as_is, verdict.shut_in), *zip(labels, chances, strict=True)]
+    changed = {one.change.what for one in verdict.changes}
+    pieces = [
+        (
+            say("figures.piece_as_is", language, piece=piece_name(piece.name)),
+            piece.probabilities[OVERTURNED],
+        )
+        for piece in verdict.pieces
+        if piece.name in changed
+    ]
+    return OVERTURNED, [*pieces, *overturned]
 
 
 def share_columns(
@@ -181,16 +212,17 @@ def _bars(
     labels: Sequence[str],
     chances: Sequence[Probability],
     columns: dict[str, Sequence[object]],
+    event: str,
 ) -> Chart:
     language = source.language
 
     def draw(figure: Figure) -> None:
         axis: Axes = figure.subplots()
         draw_shares(axis, labels, chances, language)
-        axis.set_xlabel(drawable(say("figures.axis_hit", language)), fontsize=FONT, color=MUTED)
+        axis.set_xlabel(drawable(say(f"figures.axis_{event}", language)), fontsize=FONT, color=MUTED)
 
     size = (_WIDTH, 1.2 + 0.42 * len(labels))
-    caption = _caption(verdict, language, f"{name}_note")
+    caption = _caption(verdict, language, f"{name}_{event}_note")
     return Chart(say(f"figures.{name}", language), caption, source, columns, draw, size)
 
 

@@ -122,29 +122,42 @@ def chance_data(chance: Probability | Difference) -> dict[str, float | None]:
 
 
 def room_csv(verdict: RoomVerdict) -> str:
-    """Return the probabilities of a verdict as CSV: what happens to what, by what."""
+    """Return the probabilities of a verdict as CSV: what happens to what, by what.
+
+    Of a change, also what it brings: the probability with it less that of the room as it is.
+    """
     lines = io.StringIO()
     writer = csv.writer(lines, lineterminator="\r\n")
-    writer.writerow(("event", "of", "by", "probability", "low", "high"))
-    for event, of, by, chance in _rows(verdict):
-        ends = (number(value) for value in (chance.estimate, chance.low, chance.high))
-        writer.writerow((event, text_cell(of), text_cell(by), *("" if end is None else end for end in ends)))
+    changed = ("change", "change_low", "change_high")
+    writer.writerow(("event", "of", "by", "probability", "low", "high", *changed))
+    for event, of, by, chance, change in _rows(verdict):
+        ends = (*_cells(chance), *(("",) * len(changed) if change is None else _cells(change)))
+        writer.writerow((event, text_cell(of), text_cell(by), *ends))
     return lines.getvalue()
 
 
-def _rows(verdict: RoomVerdict) -> Iterator[tuple[str, str, str, Probability]]:
+def _cells(chance: Probability | Difference) -> Iterator[float | str]:
+    for value in (chance.estimate, chance.low, chance.high):
+        finite = number(value)
+        yield "" if finite is None else finite
+
+
+def _rows(verdict: RoomVerdict) -> Iterator[tuple[str, str, str, Probability, Difference | None]]:
     for place in verdict.places:
-        yield "hit", place.place.name, "", place.hit
+        yield "hit", place.place.name, "", place.hit, None
         for one in place.by:
-            yield "hit", place.place.name, one.piece, one.probability
-        yield "shut_in", place.place.name, "", place.shut_in
+            yield "hit", place.place.name, one.piece, one.probability, None
+        yield "shut_in", place.place.name, "", place.shut_in, None
     for door in verdict.doors:
-        yield "blocked", door.door.name, "", door.blocked
+        yield "blocked", door.door.name, "", door.blocked, None
     for piece in verdict.pieces:
         for event, chance in piece.probabilities.items():
-            yield event, piece.name, "", chance
+            yield event, piece.name, "", chance, None
     for (first, second), chance in verdict.collisions.items():
-        yield "meet", first, second, chance
+        yield "meet", first, second, chance, None
     for one in verdict.changes:
-        yield "hit_with", change_label(one.change, verdict, "en"), "", one.hit
-        yield "shut_in_with", change_label(one.change, verdict, "en"), "", one.shut_in
+        label = change_label(one.change, verdict, "en")
+        yield "hit_with", label, "", one.hit, one.hit_change
+        yield "shut_in_with", label, "", one.shut_in, one.shut_in_change
+        if (own := verdict.piece_changed(one)) is not None:
+            yield "overturned_with", label, "", *own

@@ -1,0 +1,57 @@
+"""The report of a room on paper: headings stay with their tables, and pages have margins."""
+
+# ruff: noqa: F811 - a fixture is imported, and then asked for by its name
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from browsing import browser  # noqa: F401
+from test_room_api import ROOM
+
+import stayput as sp
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from playwright.sync_api import Browser
+
+LINKED = """(gap) => {
+  // the printed file says on which page a link's target is
+  const links = document.createElement("nav"), space = document.createElement("div"), names = [];
+  const target = (one, id) => {
+    one.id = id;
+    links.append(Object.assign(document.createElement("a"), { href: `#${id}`, textContent: id }));
+  };
+  for (const table of document.querySelectorAll("main table")) {
+    let heading = table.previousElementSibling;
+    while (heading.tagName === "P") heading = heading.previousElementSibling;
+    if (!["H2", "H3"].includes(heading.tagName)) continue;
+    target(heading, `heading-${names.length}`);
+    target(table.querySelector("tbody tr"), `row-${names.length}`);
+    names.push(heading.textContent);
+  }
+  space.style.height = `${gap}mm`;
+  document.querySelector("main").prepend(links, space);
+  return names;
+}"""
+
+MARGIN = """[...document.styleSheets].flatMap((one) => [...one.cssRules])
+  .filter((rule) => rule instanceof CSSPageRule).map((rule) => rule.style.margin)"""
+
+
+def test_headings_stay_with_their_tables(browser: Browser, tmp_path: Path) -> None:
+    verdict = sp.verify_room(sp.RoomScenario.parse(ROOM), changes=False, progress=False)
+    file = verdict.report(tmp_path / "room.html")
+    for gap in range(0, 260, 40):  # of an A4 page
+        page = browser.new_page()
+        page.goto(file.as_uri())
+        names = page.evaluate(LINKED, gap)
+        printed = page.pdf(format="A4", print_background=True)
+        assert page.evaluate(MARGIN) == ["14mm"]
+        page.close()
+        targets = dict(re.findall(rb"/((?:heading|row)-\d+) \[(\d+) 0 R /XYZ", printed))
+        assert len(names) >= 4
+        assert len(targets) == 2 * len(names)
+        for number, name in enumerate(names):
+            assert targets[b"heading-%d" % number] == targets[b"row-%d" % number], (gap, name)

@@ -1,0 +1,82 @@
+"""The single changes of a room in the files that are kept, and on the terminal."""
+
+import csv
+import io
+from dataclasses import replace
+
+import pytest
+from matplotlib.figure import Figure
+from test_room_report import NEVER, made
+
+from stayput.catalogue import say
+from stayput.cli.verify_room import print_room
+from stayput.report.charts.chart import ChartSource
+from stayput.report.charts.rooms import changes_chart
+from stayput.rooms.words import change_label
+
+
+def test_the_csv_says_what_each_change_brings():
+    verdict = made()
+    rows = list(csv.DictReader(io.StringIO(verdict.to_csv())))
+    held, moved = verdict.changes
+    label = change_label(held.change, verdict, "en")
+    found = {row["event"]: row for row in rows if row["of"] == label}
+    own = verdict.piece_changed(held)
+    assert own is not None
+    for event, chance, change in (
+        ("hit_with", held.hit, held.hit_change),
+        ("shut_in_with", held.shut_in, held.shut_in_change),
+        ("overturned_with", *own),
+    ):
+        told = [float(found[event][key]) for key in ("probability", "low", "high")]
+        assert told == [chance.estimate, chance.low, chance.high]
+        told = [float(found[event][key]) for key in ("change", "change_low", "change_high")]
+        assert told == [change.estimate, change.low, change.high]
+    place = change_label(moved.change, verdict, "en")
+    assert [row["event"] for row in rows if row["of"] == place] == ["hit_with", "shut_in_with"]
+    assert {row["change"] for row in rows if not row["event"].endswith("_with")} == {""}
+
+
+def test_the_chart_of_changes_shows_the_worst_that_happens():
+    verdict = made()
+    source = ChartSource((), "", 1, "en")
+    quiet = replace(verdict, hit=NEVER)
+    still = replace(quiet, shut_in=NEVER)
+    for one, axis, widths in (
+        (verdict, "Hit [%]", [verdict.hit, *(change.hit for change in verdict.changes)]),
+        (quiet, "Shut in [%]", [verdict.shut_in, *(change.shut_in for change in verdict.changes)]),
+        # the piece as it stands, and with the only change of a piece
+        (
+            still,
+            "Overturned [%]",
+            [verdict.pieces[0].probabilities["overturned"], verdict.changes[0].overturned[0]],
+        ),
+    ):
+        chart = changes_chart(one, source)
+        figure = Figure()
+        chart.draw(figure)
+        (drawn,) = figure.axes
+        assert drawn.get_xlabel() == axis
+        bars = [bar.get_width() for bar in drawn.patches]
+        assert bars == pytest.approx([100.0 * chance.estimate for chance in widths])
+        assert len(chart.columns["overturned_change_low"]) == 1 + len(verdict.changes)
+        assert chart.columns["shut_in_high"][1] == verdict.changes[0].shut_in.high
+        assert chart.columns["overturned"][2] is None
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_the_terminal_lists_the_changes_that_help_and_the_next_three(
+    language: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setenv("COLUMNS", "400")
+    verdict = made()
+    chance, helping = verdict.changes
+    assert (chance.helps, helping.helps) == (False, True)
+    label, better = (change_label(one.change, verdict, language) for one in (chance, helping))
+    for others, shown in ((3, 3), (4, 4), (5, 3), (15, 3)):
+        print_room(replace(verdict, changes=(chance,) * others + (helping,)), language, [])
+        told = capsys.readouterr().out
+        listed = told[told.index(say("rooms.change", language)) :]
+        assert (listed.count(label), listed.count(better)) == (shown, 1)
+        assert listed.index(better) < listed.index(label)
+        assert (say("rooms.more_changes", language, count=others - shown) in told) == (others > shown)
