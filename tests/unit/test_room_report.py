@@ -494,8 +494,7 @@ def test_a_piece_that_is_moved_is_turned_about_the_middle_of_its_base():
     change = Change(HOSTILE, at=(2.0, 2.8), heading=-math.pi / 2.0)
     moved = replace(verdict, changes=(replace(verdict.changes[1], change=change),))
     picture, _ = change_plan(moved, "en")
-    sheet = PlanSheet(verdict.plan)
-    standing = polygons(picture, "standing hue0")[0]
+    sheet, standing = PlanSheet(verdict.plan), polygons(picture, "standing hue0")[0]
     low, high = standing.min(axis=0), standing.max(axis=0)
     assert 0.5 * (low + high) == pytest.approx(sheet.place(2.0, 2.8), abs=0.1)
     assert high - low == pytest.approx(sheet.scale * np.array([0.8, 0.3]), abs=0.2)

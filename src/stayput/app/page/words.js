@@ -87,7 +87,7 @@ export const length = (metres) =>
 export const perCent = (text) => (language === "ja" ? `${text}%` : `${text}\u00a0%`);
 
 /** A share in per cent, without the last digits of a difference: 0.8 − 0.025 is 77.5, to be rounded as the server does. */
-export const inPercent = (share) => 100 * Number(share.toFixed(9));
+export const inPercent = (share) => Math.round(1e9 * share) / 1e7;
 
 /**
  * A share as a percentage, finer below 1 and above 99 as in the server's sentences; never 0 or 100 where it is not
