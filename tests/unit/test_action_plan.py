@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
+from planned_room import ROOM
 from typer.testing import CliRunner
 
 import stayput as sp
@@ -36,19 +37,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.rooms.steps import Fix
-
-ROOM: dict[str, Any] = {
-    "plan": {"width": 3.6, "length": 2.7},
-    "furniture": [
-        {"name": "bookcase", "preset": "bookcase", "against": "left_wall", "along": 1.9},
-        {"name": "chest", "preset": "chest", "against": "near_side_wall", "along": 1.6},
-    ],
-    "places": [{"kind": "bed", "at": [1.4, 1.9], "heading": math.pi / 2}],
-    "doors": [{"wall": "right_wall", "start": 0.3}],
-    "room": {"ceiling": {"height": 2.4}},
-    "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 4}},
-    "uncertainty": {"samples": 8},
-}
 
 
 def room(**tables: Any) -> sp.RoomScenario:

@@ -6,6 +6,7 @@ import json
 import math
 from typing import Any
 
+import planned_room
 import pytest
 
 import stayput as sp
@@ -15,14 +16,7 @@ from stayput.rooms.changes import Change
 from stayput.rooms.decisions import changes_between
 
 ROOM: dict[str, Any] = {
-    "plan": {"width": 3.6, "length": 2.7},
-    "furniture": [
-        {"name": "bookcase", "preset": "bookcase", "against": "left_wall", "along": 1.9},
-        {"name": "chest", "preset": "chest", "against": "near_side_wall", "along": 1.6},
-    ],
-    "places": [{"kind": "bed", "at": [1.4, 1.9], "heading": math.pi / 2}],
-    "doors": [{"wall": "right_wall", "start": 0.3}],
-    "room": {"ceiling": {"height": 2.4}},
+    **planned_room.ROOM,
     "shaking": {"intensity": "6-upper", "suite": {"family": "near-fault", "count": 3}},
     "uncertainty": {"samples": 6},
 }

@@ -7,7 +7,7 @@ origin is the corner of the left and the near wall.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -17,7 +17,7 @@ from stayput.model.parameters import check_fields, parameter, quantity
 from stayput.model.room import WALLS_AROUND
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -293,6 +293,11 @@ class FloorPlan:
                     width=self.width,
                     length=self.length,
                 )
+
+    def with_places(self, others: Mapping[int, PersonPlace]) -> FloorPlan:
+        """Return the same with other places of persons in the place of those of some numbers."""
+        places = [others.get(number, place) for number, place in enumerate(self.places)]
+        return replace(self, places=places)
 
     def side(self, wall: str) -> float:
         """Return how long a wall is [m]."""

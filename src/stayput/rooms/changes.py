@@ -19,7 +19,7 @@ from stayput.measures.bracket import REACH
 from stayput.measures.wall import WallDevice
 from stayput.model.floor_plan import FACING, rectangle
 from stayput.rooms.contact import inside_each_other
-from stayput.rooms.runs import RoomPart, part_with, with_member
+from stayput.rooms.runs import RoomPart, part_with, with_measures
 from stayput.rooms.tracks import outline_of
 from stayput.scenario.pieces import BEHIND
 from stayput.simulation.placing import bare, placed
@@ -178,8 +178,7 @@ def measures_tried(
     for kind in TRIED:
         measure = MEASURES[kind]()
         try:
-            held = replace(piece, measures=(*piece.measures, measure))
-            part = part_with(scenario, group, with_member(whole, body, held))
+            part = part_with(scenario, group, with_measures(whole, body, [measure]))
         except InputError:  # another measure at the same place
             continue
         if can_be_held(part, part.bodies.index(body), scenario.floor_plan()):

@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING, NamedTuple
 from stayput.errors import InputError, instance_of
 from stayput.rooms.changes import Change
 from stayput.rooms.effects import Move, tracks_of_part
-from stayput.rooms.runs import groups_of, placed_elsewhere, with_member
+from stayput.rooms.runs import groups_of, moved_to, placed_elsewhere, with_member
 from stayput.rooms.verify import refuse_what_stands_wrong
 from stayput.simulation.placing import bare
 from stayput.simulation.standing import Piece
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
 
     from stayput.measures import Measure
-    from stayput.model.floor_plan import FloorPlan, PersonPlace
+    from stayput.model.floor_plan import PersonPlace
     from stayput.rooms.effects import Answer, Question
     from stayput.scenario.room import RoomScenario
     from stayput.simulation.standing import Standing
@@ -75,7 +75,7 @@ def decisions_of(question: Question, changes: Sequence[Change]) -> Decisions:
         else:
             assert place is not None
             moved = _place_moved(plan.places[place], change)
-            plan, heading = with_places(plan, [(place, moved)]), moved.heading
+            plan, heading = plan.with_places({place: moved}), moved.heading
         moves.append(replace(change, heading=heading))
     if moves:
         refuse_what_stands_wrong(question.scenario, plan, whole)
@@ -86,13 +86,7 @@ def elsewhere(member: Piece | Standing, move: Change) -> Piece | Standing:
     """Return a piece where it is moved to."""
     assert move.at is not None
     heading = bare(member).heading if move.heading is None else move.heading
-    return replace(member, at=(*move.at, member.at[2]), heading=heading)
-
-
-def with_places(plan: FloorPlan, moved: Iterable[tuple[int, PersonPlace]]) -> FloorPlan:
-    """Return a plan with the places of some numbers elsewhere."""
-    others = dict(moved)
-    return replace(plan, places=tuple(others.get(n, one) for n, one in enumerate(plan.places)))
+    return moved_to(member, move.at, heading)
 
 
 def _place_moved(place: PersonPlace, move: Change) -> PersonPlace:
@@ -106,7 +100,7 @@ def moved_as_decided(question: Question, as_it_is: Answer, change: Change) -> Mo
     if change.what not in names:
         number = next(n for n, one in enumerate(plan.places) if one.name == change.what)
         place = _place_moved(plan.places[number], change)
-        return Move(change, with_places(plan, [(number, place)]), {}, as_it_is.missing)
+        return Move(change, plan.with_places({number: place}), {}, as_it_is.missing)
     body = names.index(change.what)
     then = bare(elsewhere(question.whole.members[body], change))
     part = placed_elsewhere(question.scenario, question.whole, body, then.at[:2], then.heading)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from contextlib import closing
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -275,9 +274,8 @@ def moves_of(
         place = plan.places[number]
         other = _best_place(place, other_places(place, floor), over, question, ends.ways)
         if other is not None:
-            places = (*plan.places[:number], other, *plan.places[number + 1 :])
             change = Change(other.name, at=other.at, heading=other.heading)
-            yield Move(change, replace(plan, places=places), {}, as_it_is.missing)
+            yield Move(change, plan.with_places({number: other}), {}, as_it_is.missing)
     for part in parts:
         (body, *others) = part.bodies
         if others or body not in harmful or not scenario.furniture[body].is_furniture:

@@ -21,7 +21,7 @@ from stayput.measures.wedge import WedgeStopper
 from stayput.motion.intensity import factor_to_intensity, intensity_of_class
 from stayput.progress import bar
 from stayput.rooms.changes import can_be_held
-from stayput.rooms.decisions import decisions_of, elsewhere, moved_as_decided, with_places
+from stayput.rooms.decisions import decisions_of, elsewhere, moved_as_decided
 from stayput.rooms.effects import (
     effect_of,
     falling_pieces,
@@ -32,7 +32,7 @@ from stayput.rooms.effects import (
 )
 from stayput.rooms.events import hits_of
 from stayput.rooms.purchases import in_number, purchases_of
-from stayput.rooms.runs import part_with, with_member
+from stayput.rooms.runs import part_with, with_measures, with_member
 from stayput.rooms.steps import SETS, ActionPlan, Fix, Home, PlanStep
 from stayput.rooms.trials import (
     ALIKE,
@@ -227,7 +227,8 @@ class _Planner:
             else:
                 (one,) = own
                 way = way.joined(one.there if one.step.what in relocated else one.here)
-        return self._effect(with_places(self.question.plan, [one.place for one in moves if one.place]), way)
+        places = dict(one.place for one in moves if one.place)
+        return self._effect(self.question.plan.with_places(places), way)
 
     def _held_together(self, group: tuple[int, ...], fixes: Sequence[ChosenStep]) -> OtherTracks:
         """Return how pieces that stand on or are joined to each other move, of which several are held."""
@@ -237,10 +238,8 @@ class _Planner:
             for one in fixes:
                 assert one.step.fix is not None
                 body = group[one.step.fix.place]
-                piece = whole.members[body]
-                assert isinstance(piece, Piece)
-                bought = (purchase.measure for purchase in one.step.fix.purchases)
-                whole = with_member(whole, body, replace(piece, measures=(*piece.measures, *bought)))
+                bought = [purchase.measure for purchase in one.step.fix.purchases]
+                whole = with_measures(whole, body, bought)
             part = part_with(self.question.scenario, group, whole)
             runs = self.question.run([part])[0]
             self._groups[key] = OtherTracks(tracks_of_part(part, runs), runs.missing)
@@ -406,10 +405,7 @@ class _Planner:
 
     def _with(self, body: int, measures: tuple[Measure, ...], whole: Assembly) -> RoomPart:
         """Return the part of a piece with measures on it, which have not been put in place."""
-        piece = whole.members[body]
-        assert isinstance(piece, Piece)
-        held = replace(piece, measures=(*piece.measures, *measures))
-        return part_with(self.question.scenario, self._group(body), with_member(whole, body, held))
+        return part_with(self.question.scenario, self._group(body), with_measures(whole, body, measures))
 
     def _fitted(self, tried: Trial, body: int, whole: Assembly) -> tuple[Fix, OtherTracks, OtherTracks]:
         """Return measures as they are bought, and how the piece moves where it stands and where it will.

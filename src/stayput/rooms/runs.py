@@ -36,10 +36,11 @@ from stayput.simulation.standing import Assembly, Piece
 from stayput.verification.notes import LONG
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Sequence
+    from collections.abc import Callable, Generator, Iterable, Sequence
 
     from numpy.typing import NDArray
 
+    from stayput.measures import Measure
     from stayput.mechanics.runner import Traced
     from stayput.model.room import Room
     from stayput.montecarlo.hazard import FloorMotions
@@ -114,12 +115,23 @@ def with_member(whole: Assembly, body: int, member: Piece | Standing) -> Assembl
     return replace(whole, members=[member if n == body else one for n, one in enumerate(whole.members)])
 
 
+def with_measures(whole: Assembly, body: int, measures: Iterable[Measure]) -> Assembly:
+    """Return an assembly with further measures on a piece; they have not been put in place."""
+    piece = whole.members[body]
+    assert isinstance(piece, Piece)
+    return with_member(whole, body, replace(piece, measures=(*piece.measures, *measures)))
+
+
+def moved_to(member: Piece | Standing, at: tuple[float, float], heading: float) -> Piece | Standing:
+    """Return a member at another place of the plan, at the same height."""
+    return replace(member, at=(*at, member.at[2]), heading=heading)
+
+
 def placed_elsewhere(
     scenario: RoomScenario, whole: Assembly, body: int, at: tuple[float, float], heading: float
 ) -> RoomPart:
     """Return a piece by itself, moved to another place of the plan."""
-    member = whole.members[body]
-    moved = replace(member, at=(*at, member.at[2]), heading=heading)
+    moved = moved_to(whole.members[body], at, heading)
     return part_with(scenario, (body,), with_member(whole, body, moved))
 
 

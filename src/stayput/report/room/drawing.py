@@ -91,7 +91,7 @@ def numbered_plan(
             place = plan.places[number]
             other = replace(place, at=change.at, heading=change.heading)
             moved.append((place.corners, other.corners))
-            plan = replace(plan, places=(*plan.places[:number], other, *plan.places[number + 1 :]))
+            plan = plan.with_places({number: other})
     return plan_svg(plan, pieces, kinds, language, moved=moved, numbered=numbered, letters=letters)
 
 
