@@ -11,6 +11,7 @@ import numpy as np
 from stayput.estimates import ishiyama_velocity, kaneko_hayashi, rocking_acceleration
 from stayput.execution import Call, ThreadExecutor
 from stayput.fragility import PFA, PFV
+from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.standards import ac156, asce43_sliding, equipment_loads, position_of
 from stayput.standards.asce43 import VERTICAL_SHARE
@@ -245,7 +246,8 @@ class OptionVerdict:
     contents: ContentsVerdict | None = None
 
     def __repr__(self) -> str:
-        return f"OptionVerdict({self.option.name!r}, rank {self.rank}, overturned {self.probabilities[OVERTURNED].text})"
+        overturned = self.probabilities[OVERTURNED].text
+        return f"OptionVerdict({self.option.name!r}, rank {self.rank}, overturned {overturned})"
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
