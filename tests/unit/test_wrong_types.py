@@ -106,7 +106,12 @@ GOOD: tuple[tuple[Callable[..., Any], dict[str, Any]], ...] = (
     fields(sp.ShearModel, masses=[1e5, 1e5], stiffnesses=[1e8, 1e8], damping=0.05),
     (sp.Trials.from_counts, {"measure": PGA, "im": [2.0, 4.0], "fell": [4, 19], "runs": [40, 40]}),
     (sp.fragility_curve, {"trials": TRIALS}),
-    (sp.verify, {"scenario": SCENARIO, "levels": [], "slide_limit": 0.1, "threads": 1}),
+    (sp.verify, {"what": SCENARIO, "levels": [], "slide_limit": 0.1, "threads": 1}),
+    (
+        sp.verify,
+        {"what": BODY, "room": ROOM, "shaking": MOTION, "measures": [sp.MEASURES["l_bracket"]()]}
+        | {"uncertainty": None, "samples": 1, "seed": 1, "precision": 0.5, "levels": [], "threads": 1},
+    ),
     (sp.ac156, {"sds": 1.0, "height_ratio": 0.5, "edition": "7-16"}),
     (sp.ac156_motion, {"required": sp.ac156(1.0), "number": 1, "seed": 1, "lowest": 1.3}),
     (low_cutoff, {"resonance": 1.0}),

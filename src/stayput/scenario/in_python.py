@@ -110,7 +110,7 @@ def named_sets(measures: MeasureSets) -> list[NamedMeasures]:
     """Return measures that are compared under their names: one's own, or those of their kinds."""
     if isinstance(measures, Mapping):
         return [NamedMeasures(name, _together(one)) for name, one in measures.items()]
-    sets = [_together(one) for one in measures]
+    sets = [_together(one) for one in list_of("measures", measures)]
     return [NamedMeasures(" + ".join(one.kind for one in together), together) for together in sets]
 
 

@@ -1,0 +1,52 @@
+"""What Python shows of a value: short, and of its key numbers; never its arrays."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import stayput as sp
+from stayput.fragility import PGA
+from stayput.measures import LBracket
+
+BODY = sp.Body(0.3, 1.8, 90.0)
+ROOM = sp.Room(sp.Floor.of("carpet"), left_wall=sp.Wall(0.02))
+
+
+@pytest.fixture(scope="module")
+def run() -> sp.Run:
+    return sp.simulate(BODY, ROOM, sp.near_fault())
+
+
+@pytest.fixture(scope="module")
+def verdict() -> sp.Verdict:
+    return sp.verify(
+        BODY, ROOM, shaking="6-upper", measures=[LBracket()], samples=8, levels=[], progress=False
+    )
+
+
+@pytest.mark.parametrize("value", [BODY, ROOM, ROOM.floor, ROOM.left_wall, sp.State(tilt=0.1), sp.Room()])
+def test_what_is_set_is_shown_as_python_makes_it(value: Any):
+    names = {name: getattr(sp, name) for name in ("Body", "Room", "Floor", "Wall", "State", "Ceiling")}
+    assert eval(repr(value), names) == value
+    assert "None" not in repr(value)
+
+
+def test_a_run_shows_its_outcome_and_peaks(run: sp.Run):
+    assert run.outcome.value in repr(run)
+    assert len(repr(run)) < 300
+
+
+def test_a_verdict_shows_its_ranking(verdict: sp.Verdict):
+    assert verdict.best.option.name in repr(verdict)
+    assert len(repr(verdict)) < 300
+    assert "rank 1" in repr(verdict.best)
+    assert len(repr(verdict.best)) < 200
+
+
+def test_a_curve_shows_its_measure_and_capacity():
+    trials = sp.Trials.from_counts(PGA, [2.0, 4.0, 8.0], [4, 19, 36], [40, 40, 40])
+    shown = repr(sp.fragility_curve(trials, "bookcase"))
+    assert shown.startswith("FragilityCurve('bookcase', PGA")
+    assert len(shown) < 200
