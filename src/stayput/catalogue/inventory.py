@@ -42,16 +42,16 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "at_path": (" (at {path})", "（{path}）"),
     "file_ending": (
-        "The inventory is {path}; its name must end in {endings}.",
-        "家具一覧が{path}になっています。拡張子は{endings}のいずれかにしてください。",
+        "The inventory is {path}; its name must end in {endings} (a spreadsheet can save any other table as one).",
+        "家具一覧が{path}になっています。拡張子は{endings}のいずれかにしてください（表計算ソフトで保存し直せます）。",
     ),
     "broken": (
         "The inventory is {path}; it must be whole, and is broken: {reason}.",
         "家具一覧（{path}）が壊れています：{reason}。",
     ),
     "encoding": (
-        "The inventory is {path}; it must be a text in UTF-8 or cp932.",
-        "家具一覧（{path}）の文字コードがUTF-8でもcp932（Shift_JIS）でもありません。",
+        "The inventory is {path}; it must be a text in UTF-8, cp932 (Shift_JIS), or UTF-16 with a byte order mark.",
+        "家具一覧（{path}）の文字コードが、UTF-8、cp932（Shift_JIS）、BOM付きUTF-16のいずれでもありません。",
     ),
     "first_row": (
         "The inventory is {path}; its first row must name the columns: {reason}.",
@@ -117,8 +117,8 @@ TEXTS: dict[str, tuple[str, str]] = {
         "表に{columns}列あります。{most}列以下にしてください。",
     ),
     "commas": (
-        "The first row is {row}; commas must be between the columns.",
-        "1行目が{row}になっています。列はコンマで区切ってください。",
+        "The first row is {row}; commas, semicolons or tabs must be between the columns.",
+        "1行目が{row}になっています。列はコンマ、セミコロンまたはタブで区切ってください。",
     ),
     "no_id": (
         (
@@ -140,6 +140,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{name}という列はありません（{near}の間違いではありませんか。内容：{holds}）。使える列：{columns}。",
     ),
     "column_id": ("what the piece is called; every row its own", "家具の識別名（行ごとに異なるもの）"),
+    "column_name": (
+        "what the piece is; a preset, where it is the name of one and preset says nothing",
+        "家具の名前（presetがなく、一般的な家具の種類の名前であればその種類）",
+    ),
     "column_preset": ("a common piece of furniture", "一般的な家具の種類"),
     "column_width": ("size along the shaking [m]", "揺れの方向の寸法 [m]"),
     "column_height": ("height [m]", "高さ [m]"),
@@ -369,6 +373,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "input_inventory": ("inventory", "家具一覧"),
     "input_scenario": ("scenario", "シナリオ"),
     "input_shake_map": ("shake map", "地震動マップ"),
+    "input_columns": ("mapping of columns", "列の対応"),
     "input_slide_limit": ("slide limit", "移動量の上限"),
     "input_list_of_inputs": ("list of inputs", "入力の一覧"),
     "strangers": (

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
 def assess(
     inventory: Annotated[
-        Path, typer.Argument(metavar="TABLE", help="The inventory, a row a piece: .csv, .parquet or .xlsx.")
+        Path,
+        typer.Argument(metavar="TABLE", help="The inventory, a row a piece: .csv, .tsv, .xlsx or .parquet."),
     ],
     scenario: Annotated[
         Path,
@@ -28,6 +29,13 @@ def assess(
     shakemap: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="CSV of lat, lon and intensity (JMA), or sa_0.3 (at 0.3 s) [g]."),
+    ] = None,
+    columns: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME=COLUMN,…|FILE",
+            help="Which columns of the table are which: width=奥行[mm],ignore=備考; or a TOML or JSON file.",
+        ),
     ] = None,
     slide_limit: Annotated[float, typer.Option(help="Slide that counts as too far [m].")] = 0.10,
     threads: ThreadsOption = None,
@@ -49,6 +57,7 @@ def assess(
         scenario,
         out,
         shakemap=shakemap,
+        columns=columns,
         slide_limit=slide_limit,
         threads=threads,
         scheduler=scheduler,
@@ -94,6 +103,8 @@ def _print(assessment: Assessment) -> None:
 
     facts = assessment.facts
     typer.echo(f"Read {counted(facts['rows'], 'row')} as {facts['read as']}: {facts['pieces']:,} assessed.")
+    if facts["columns renamed"]:
+        typer.echo(f"Columns as they were understood: {', '.join(facts['columns renamed'])}.")
     if facts["columns not used"]:
         typer.echo(f"Columns that were not used: {', '.join(facts['columns not used'])}.")
     if facts["rejects"]:

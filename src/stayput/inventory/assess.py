@@ -19,6 +19,7 @@ from stayput.execution import DaskExecutor, ThreadExecutor
 from stayput.extras import absent
 from stayput.inventory.arrow import arrow, dataset, parquet
 from stayput.inventory.folder import MANIFEST, WORK, check_parts, claimed, digest_of
+from stayput.inventory.mapping import read_columns
 from stayput.inventory.places import measure_about, read_shakemap
 from stayput.inventory.plan import REJECTS, STORE, make_plan
 from stayput.inventory.records import UNITS, RecordFile
@@ -34,7 +35,7 @@ from stayput.progress import bar
 from stayput.spreadsheets import csv_text
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator
+    from collections.abc import Callable, Generator, Mapping
 
     from stayput.catalogue import Phrase
     from stayput.execution import Executor
@@ -98,6 +99,7 @@ def assess(
     out: str | Path,
     *,
     shakemap: str | Path | None = None,
+    columns: str | Path | Mapping[str, Any] | None = None,
     slide_limit: float = SLIDE_LIMIT,
     threads: int | None = None,
     scheduler: str | None = None,
@@ -114,7 +116,8 @@ def assess(
     Parameters
     ----------
     inventory : str or Path
-        The table: .csv (UTF-8, or else cp932), .parquet or .xlsx (its first sheet); a row a piece.
+        The table: .csv, .tsv or .txt (with commas, semicolons or tabs; UTF-8, cp932 or UTF-16), .parquet or
+        .xlsx (its first sheet); a row a piece.
     scenario : str or Path
         A scenario file, or a folder of them: one event each or, with ``[station]``, stations.
     out : str or Path
@@ -122,6 +125,9 @@ def assess(
     shakemap : str or Path, optional
         CSV of lat, lon and intensity (JMA's), or sa_0.3 (Sa at 0.3 s, 5 % damping [g]; any period): how
         strongly the ground shakes where each piece stands.
+    columns : str, Path or mapping, optional
+        Which of the table's columns is which, where its header does not say it: stayput's names with those
+        of the table, as "width=奥行[mm],ignore=備考", a TOML or JSON file, or a mapping.
     slide_limit : float
         Slide that counts as too far [m].
     threads : int, optional
@@ -150,7 +156,7 @@ def assess(
     arrow()
     for name, path in {"inventory": inventory, "scenario": scenario, "out": out}.items():
         instance_of(name, path, (str, PathLike))
-    table, folder = Path(inventory), Path(out)
+    table, folder, mapping = Path(inventory), Path(out), read_columns(columns)
     if not table.is_file():
         raise InputError("inventory.not_a_file", "inventory", path=repr(str(table)))
     map_path = None if shakemap is None else Path(shakemap)
@@ -161,6 +167,7 @@ def assess(
         "inventory": digests["inventory"],
         "scenario": [file.digest for file in scenarios.all],
         "shake map": digests.get("shake map"),
+        "columns": mapping.key,
         "slide limit": limit,
     }
 
@@ -172,7 +179,7 @@ def assess(
     with _full_disk(folder), claimed(folder, inputs) as space:
         plan = digest_of_inputs(inputs)
         with bar(_rows_about(table), "Reading", progress, "rows") as advance:
-            facts = make_plan(space, table, scenarios, memory_bytes // 16, advance, check_unchanged)
+            facts = make_plan(space, table, scenarios, memory_bytes // 16, advance, check_unchanged, mapping)
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
         store = Store(space.folder / "plan" / STORE, memory_bytes // 16)
         try:

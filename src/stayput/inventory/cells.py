@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -12,6 +13,7 @@ from stayput.errors import InputError, has_control, within
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
+    from stayput.inventory.columns import Unit
 
 LONGEST = 1000
 """Most characters of a cell."""
@@ -38,8 +40,15 @@ class Unusable:
     what: Phrase
 
 
+_DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+", re.ASCII)
+_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}", re.ASCII)
+_AMOUNT = re.compile(r"[¥\\$€]?\s*(\d{1,3}(?:,\d{3})+(?:\.\d{1,2})?|\d+(?:\.\d*)?)\s*円?", re.ASCII)
+
 Cell: TypeAlias = "str | float | int | Unusable | None"
 """A cell of a table: text, a number, nothing, or something that cannot be used."""
+
+CellReader: TypeAlias = Callable[[Cell], Cell]
+"""Makes a column's own text or number of a cell in another unit or spelling."""
 
 
 def plain(name: str, cell: Cell) -> str | float | int | None:
@@ -157,3 +166,69 @@ def numbers_of(name: str, cell: Cell, unit: str = "") -> tuple[float, ...]:
     if any(value is None for value in numbers):
         raise InputError("inventory.missing_number", name, name=name, value=shown(value))
     return tuple(value for value in numbers if value is not None)
+
+
+def number_or_none(cell: Cell) -> float | None:
+    """Return the number of a cell, with a point or a comma, or None where it is none."""
+    if isinstance(cell, str):
+        text = cell.strip()
+        text = text.replace(",", ".") if _DECIMAL_COMMA.fullmatch(text) else text
+        cell = float(text) if _NUMBER.fullmatch(text) else None
+    return float(cell) if isinstance(cell, int | float) and math.isfinite(cell) else None
+
+
+def with_point(name: str, text: str, kind: str) -> str:
+    """Return a number of a table in which commas may be decimal, with a point; any other text as it is.
+
+    Raises
+    ------
+    InputError
+        The comma or the point may be one of thousands.
+    """
+    if _THOUSANDS.fullmatch(text.strip()) and kind not in ("m", "°"):  # a piece of 1800 m is none
+        raise InputError("inventory_tables.comma", name, name=name, value=shown(text))
+    return text.replace(",", ".") if _DECIMAL_COMMA.fullmatch(text.strip()) else text
+
+
+def amount_of(text: str) -> str:
+    """Return an amount of money without its sign (in cp932 a yen is a backslash) and the commas of its thousands; any other text as it is."""
+    matched = _AMOUNT.fullmatch(text.strip().replace("￥", "¥"))
+    return text if matched is None else matched[1].replace(",", "")
+
+
+def converting_reader(
+    name: str, unit: Unit | None, kind: str, listed: bool, decimal_comma: bool
+) -> CellReader:
+    """Return the reader of the cells of a column of numbers.
+
+    Parameters
+    ----------
+    name : str
+        What a sentence calls the column.
+    unit : Unit, optional
+        The unit of its numbers; None where it is the column's own.
+    kind : str
+        The column's own unit.
+    listed : bool
+        Whether a cell holds numbers with semicolons between them.
+    decimal_comma : bool
+        Whether numbers may have a comma in the place of a point.
+    """
+    written = kind if unit is None else unit.name
+
+    def number(text: Cell) -> Cell:
+        if decimal_comma and isinstance(text, str):
+            text = with_point(name, text, written)
+        elif kind == "currency" and isinstance(text, str):
+            text = amount_of(text)
+        if unit is None or unit.times == unit.over:
+            return text
+        value = number_of(name, text, written)
+        return None if value is None else value * unit.times / unit.over
+
+    def read(cell: Cell) -> Cell:
+        if not listed or not isinstance(cell, str):
+            return number(cell)
+        return ";".join("" if part is None else str(part) for part in map(number, cell.split(";")))
+
+    return read

@@ -1,46 +1,36 @@
-"""The columns of an inventory, and reading its header."""
+"""Reading the header of an inventory: which column is which, in which unit, or what is unclear about it."""
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import TYPE_CHECKING
+from functools import partial
+from statistics import median
+from typing import TYPE_CHECKING, NamedTuple
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
-from stayput.inventory.cells import shown
+from stayput.inventory.cells import converting_reader, number_or_none, shown
+from stayput.inventory.columns import (
+    ALONG_THE_WALL,
+    COLUMNS,
+    LISTS,
+    LOOKS_LIKE_COUNT,
+    SIZES_TOGETHER,
+    TOTALS,
+    UNITS,
+    header_name,
+    plain_name,
+)
+from stayput.inventory.mapping import IGNORE, ColumnMapping
+from stayput.inventory.words import STOREY, WORDS, meant, preset_called, storey_meant
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from stayput.inventory.cells import Cell
-
-COLUMNS = (
-    "id",
-    "preset",
-    "width",
-    "height",
-    "mass",
-    "cg_offset",
-    "load",
-    "contents",
-    "doors",
-    "drawers",
-    "lip",
-    "floor",
-    "gap",
-    "wall",
-    "building",
-    "storey",
-    "measures",
-    "costs",
-    "count",
-    "value",
-    "lat",
-    "lon",
-)
-"""Columns of an inventory; what each holds stands in the catalogue under ``inventory.column_<name>``."""
+    from stayput.catalogue import Phrase
+    from stayput.inventory.cells import Cell, CellReader
+    from stayput.inventory.columns import HeaderName, Unit
 
 MOST = 200
 """Most columns of a table."""
@@ -48,7 +38,11 @@ MOST = 200
 LIKENESS = 0.8
 """From this likeness on a column counts as a misspelt one."""
 
-_UNIT = re.compile(r"_(?:in_)?(?:mm|cm|m|inch|inches|in|ft|g|kg|t|lb|lbs|deg|yen|usd|eur)$")
+LARGEST_METRES = {"width": 5.0, "height": 8.0, "gap": 5.0, "lip": 2.0}
+"""Sizes [m] that the median of a column is not above: beyond, its numbers are in another unit."""
+
+DOUBTS_SHOWN = 3
+"""Most doubts that a sentence tells."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,12 +59,18 @@ class Header:
         Places without a name: they must be empty.
     unused : tuple of str
         Columns that are not known; they are reported and not used.
+    readers : mapping of str to callable
+        How the cells of a column are read that are in another unit or spelling than the column's own.
+    renamed : tuple of str
+        What was taken for what, as "width = 奥行 [mm]".
     """
 
     places: Mapping[str, int]
     width: int
     unnamed: tuple[int, ...] = ()
     unused: tuple[str, ...] = ()
+    readers: Mapping[str, CellReader] | None = None
+    renamed: tuple[str, ...] = ()
 
     def cells(self, row: Sequence[Cell]) -> dict[str, Cell]:
         """Return the known cells of a row by their columns.
@@ -78,56 +78,302 @@ class Header:
         Raises
         ------
         InputError
-            More or fewer cells than columns, or one below no name.
+            More or fewer cells than columns, one below no name, or one that cannot be read in its unit.
         """
         if len(row) != self.width:
             raise InputError("inventory.row_length", cells=len(row), columns=self.width)
         for place in self.unnamed:
             if row[place] not in (None, ""):
                 raise InputError("inventory.cell_without_name", cell=place + 1, value=shown(row[place]))
-        return {name: row[place] for name, place in self.places.items()}
+        cells = {name: row[place] for name, place in self.places.items()}
+        for name, read in (self.readers or {}).items():
+            cells[name] = read(cells[name])
+        if "name" in cells and cells.get("preset") in (None, ""):
+            cells["preset"] = preset_called(cells["name"])
+        return cells
 
 
-def header_of(cells: Sequence[Cell]) -> Header:
+class _Doubt(NamedTuple):
+    """What is unclear about a column, and the part of ``--columns`` that would settle it."""
+
+    about: Phrase
+    settled: str
+
+
+class _Reading:
+    """The columns of a header as they are understood one after another.
+
+    Parameters
+    ----------
+    names : sequence of str
+        The names as they are written; "" where there is none.
+    sample : sequence
+        Some of the rows.
+    mapping : ColumnMapping
+        What is stated.
+    """
+
+    def __init__(
+        self, names: Sequence[str], sample: Sequence[Sequence[Cell]], mapping: ColumnMapping
+    ) -> None:
+        self.names, self.sample = names, sample
+        self.parts = [header_name(name) for name in names]
+        mapped, self.ignored = mapping.places(names)
+        self.places = {name: place for name, (place, _) in mapped.items()}
+        self.units: dict[str, Unit | None] = {name: unit for name, (_, unit) in mapped.items()}
+        self.stated = {name for name, (_, unit) in mapped.items() if unit is not None}
+        self.doubts: list[_Doubt] = []
+        self.unused: list[str] = [names[place][:200] for place in sorted(self.ignored)]
+        self.mapped = frozenset(self.places.values())
+        taken = {*self.mapped, *self.ignored}
+        self.free = [place for place, name in enumerate(names) if name and place not in taken]
+
+    def doubt(self, key: str, settled: str, **values: object) -> None:
+        """Note that something is unclear."""
+        self.doubts.append(_Doubt(phrase(f"inventory_tables.{key}", **values), settled))
+
+    def numbers(self, place: int) -> list[float]:
+        """Return the numbers of a column in the sample."""
+        values = (number_or_none(row[place]) for row in self.sample if place < len(row))
+        return [value for value in values if value is not None]
+
+    def take_canonical(self) -> None:
+        """Take the columns that are called as stayput calls them."""
+        for place in list(self.free):
+            name = self.names[place].lower()
+            if name in COLUMNS and name not in self.places:
+                self.places[name], self.units[name] = place, None
+                self.free.remove(place)
+
+    def take_aliases(self) -> None:
+        """Take the columns that are called as inventories usually call them."""
+        for place in list(self.free):
+            part, name = self.parts[place], self.parts[place].column
+            if part.base in ALONG_THE_WALL or name is None:
+                continue
+            self.free.remove(place)
+            if name in self.places:
+                self._second(name, place)
+            elif part.note:
+                self.doubt(
+                    "doubt_note", self._proposed(name, place), header=self._shown(place), note=part.note
+                )
+            else:
+                self.places[name] = place
+                self._take_unit(name, place, part)
+
+    def _second(self, name: str, place: int) -> None:
+        """Take in another column of a name that is taken: a total beside a price is left out."""
+        first = self.places[name]
+        if name == "width" and self.names[first].lower() == "width" and name not in self.stated:
+            proposal = f"{self._proposed('width', place)},{IGNORE}={self.names[first]}"
+            self.doubt("doubt_width", proposal, depth=self._shown(place), width=self._shown(first))
+        elif name == "value" and self.parts[place].base in TOTALS and self.parts[first].base not in TOTALS:
+            self.unused.append(self.names[place][:200])
+        elif name == "value" and self.parts[first].base in TOTALS:
+            del self.places[name]
+            self.unused.append(self.names[first][:200])
+            self.places[name] = place
+            self._take_unit(name, place, self.parts[place])
+        elif name in ("name", "id"):
+            self.unused.append(self.names[place][:200])
+        else:
+            proposal = f"{IGNORE}={self.names[place]}"
+            self.doubt("doubt_twice", proposal, a=self._shown(first), b=self._shown(place), name=name)
+
+    def _take_unit(self, name: str, place: int, part: HeaderName) -> None:
+        known = UNITS.get(COLUMNS[name].unit, {})
+        self.units[name] = known.get(part.unit)
+        if part.unit and self.units[name] is None:
+            self.doubt("doubt_unit", self._proposed(name, place), header=self._shown(place))
+        elif COLUMNS[name].unit in ("m", "kg") and not part.unit:
+            self.doubt("doubt_no_unit", self._proposed(name, place), header=self._shown(place))
+
+    def take_rest(self) -> None:
+        """Look at what is left: doubtful where it would change a result, else not used."""
+        for place in self.free:
+            part, header = self.parts[place], self._shown(place)
+            if part.base in ALONG_THE_WALL:
+                if "width" not in self.places:
+                    settled = f"width=?,{IGNORE}={self.names[place]}"
+                    self.doubt("doubt_no_depth", settled, header=header)
+                    continue
+            elif LOOKS_LIKE_COUNT.fullmatch(part.base) and "count" not in self.places:
+                self.doubt("doubt_count", f"count={self.names[place]}", header=header)
+                continue
+            elif SIZES_TOGETHER.fullmatch(part.base) and not {"width", "height"} <= set(self.places):
+                self.doubt("doubt_sizes", f"{IGNORE}={self.names[place]}", header=header)
+                continue
+            else:
+                _refuse_misspelt(self.names[place], part)
+            self.unused.append(self.names[place][:200])
+
+    def look_at_numbers(self) -> None:
+        """Doubt what the numbers speak against: sizes that are no metres, storeys for a surface, totals."""
+        for name, most in LARGEST_METRES.items():
+            place = self.places.get(name)
+            # an alias without a unit is doubted already
+            if place is None or self.units[name] is not None or not self._is_stated(name, place):
+                continue
+            numbers = self.numbers(place)
+            if numbers and (middle := median(numbers)) > most:
+                header = self._shown(place)
+                self.doubt("doubt_large", self._proposed(name, place), header=header, number=f"{middle:g}")
+        floor = self.places.get("floor")
+        if floor is not None and "storey" not in self.places:
+            cells = [str(row[floor]).strip() for row in self.sample if floor < len(row) and row[floor]]
+            if cells and all(STOREY.fullmatch(cell) for cell in cells):
+                self.doubt("doubt_floor", f"storey={self.names[floor]}", header=self._shown(floor))
+        value = self.places.get("value")
+        by_alias = value is not None and value not in self.mapped and self.parts[value].base in TOTALS
+        if value is not None and by_alias and "count" in self.places:
+            self.doubt("doubt_total", f"{IGNORE}={self.names[value]}", header=self._shown(value))
+
+    def _is_stated(self, name: str, place: int) -> bool:
+        return place in self.mapped or self.names[place].lower() == name
+
+    def _shown(self, place: int) -> str:
+        return shown(self.names[place])
+
+    def _proposed(self, name: str, place: int) -> str:
+        """Return the part of a mapping that is likely meant, with "?" for a unit that cannot be known."""
+        kind, part = COLUMNS[name].unit, self.parts[place]
+        if kind not in ("m", "kg") or part.unit in UNITS[kind]:
+            return f"{name}={self.names[place]}"
+        unit = _likely_unit(name, self.numbers(place), japanese=not self.names[place].isascii())
+        return f"{name}={self.names[place]}[{unit}]"
+
+
+def _likely_unit(name: str, numbers: Sequence[float], japanese: bool) -> str:
+    """Return the unit that numbers are likely in, or "?"."""
+    if name == "mass":
+        return "kg" if japanese else "?"
+    if not numbers:
+        return "?"
+    middle = median(numbers)
+    if middle <= 3.0:
+        return "m"
+    if middle >= (400.0 if name == "height" else 100.0):
+        return "mm"
+    return "cm" if japanese or middle > 100.0 else "?"
+
+
+def header_of(
+    cells: Sequence[Cell],
+    sample: Sequence[Sequence[Cell]] = (),
+    mapping: ColumnMapping | None = None,
+    decimal_comma: bool = False,
+) -> Header:
     """Read the first row of a table.
 
-    An unknown column that looks like a known one is refused; any other is left out and named in
-    ``unused``.
+    Columns are known by stayput's names, by those that inventories usually have, and by a mapping. A column
+    that would change a result, and of which it is not certain what it holds or in which unit, is refused
+    with a mapping that it looks like. Any other is left out and named in ``unused``.
+
+    Parameters
+    ----------
+    cells : sequence
+        The first row.
+    sample : sequence, optional
+        Some of the rows below, whose numbers tell a wrong unit.
+    mapping : ColumnMapping, optional
+        Which column is which.
+    decimal_comma : bool
+        Whether numbers may have a comma in the place of a point.
 
     Raises
     ------
     InputError
-        Too many columns, two of one name, no ``id``, a unit in a name, or a name that looks misspelt.
+        Too many columns, two of one name, no name of a piece and no size, one that is unclear or misspelt.
     """
     if len(cells) > MOST:
         raise InputError("inventory.too_many_columns", columns=len(cells), most=MOST)
-    names = [str(cell).strip().lower() if isinstance(cell, str) else "" for cell in cells]
-    if "id" not in names:
-        listed = ", ".join(shown(name) for name in names if name)[:200] or phrase("inventory.nothing")
-        if len(names) == 1 and any(mark in names[0] for mark in ";\t|"):
-            raise InputError("inventory.commas", row=shown(names[0]))
-        raise InputError("inventory.no_id", "id", names=listed)
-    unused: list[str] = []
-    for name in names:
-        if name and names.count(name) > 1:
-            raise InputError("inventory.column_twice", name, name=shown(name))
-        if name in COLUMNS or not name:
-            continue
-        base = _UNIT.split(re.split(r"\s*[\[(（]", name)[0].strip().replace(" ", "_").replace("-", "_"))[0]
-        near = [base] if base in COLUMNS else get_close_matches(base, COLUMNS, 1, LIKENESS)
-        if near:
-            raise InputError(
-                "inventory.unknown_column",
-                name,
-                name=shown(name),
-                near=repr(near[0]),
-                holds=phrase(f"inventory.column_{near[0]}"),
-                columns=", ".join(COLUMNS),
-            )
-        unused.append(name[:200])
+    names = [cell.strip() if isinstance(cell, str) else "" for cell in cells]
+    reading = _Reading(names, sample, mapping or ColumnMapping())
+    _refuse_twice(names)
+    reading.take_canonical()
+    reading.take_aliases()
+    if not {"id", "name", "preset"} & set(reading.places) and not {"width", "height"} <= set(reading.places):
+        _refuse_unknown(names, reading)
+    reading.take_rest()
+    reading.look_at_numbers()
+    if reading.doubts:
+        _refuse_doubts(reading.doubts)
+    places = {name: reading.places[name] for name in COLUMNS if name in reading.places}
+    readers = {
+        name: reader
+        for name in places
+        if (reader := _reader(name, reading.units[name], decimal_comma)) is not None
+    }
     return Header(
-        {name: place for place, name in enumerate(names) if name in COLUMNS},
+        places,
         len(names),
         tuple(place for place, name in enumerate(names) if not name),
-        tuple(unused),
+        tuple(reading.unused),
+        readers,
+        tuple(
+            _understood(name, names[place][:60], reading.units[name], bool(reading.parts[place].unit))
+            for name, place in places.items()
+            if names[place].lower() != name or reading.units[name] is not None
+        ),
+    )
+
+
+def _understood(name: str, header: str, unit: Unit | None, written: bool) -> str:
+    return f"{name} = {header}" if unit is None or written else f"{name} = {header} [{unit.name}]"
+
+
+def _reader(name: str, unit: Unit | None, decimal_comma: bool) -> CellReader | None:
+    """Return how a column's cells are read, or None where they are taken as they are."""
+    kind, converted = COLUMNS[name].unit, unit is not None and unit.times != unit.over
+    if name == "storey":
+        return storey_meant
+    words = partial(meant, name) if name in WORDS else None
+    numeric = bool(kind) or name in (*LISTS, "count")
+    if not converted and kind != "currency" and not (decimal_comma and numeric):
+        return words
+    numbers = converting_reader(name, unit, kind, name in LISTS, decimal_comma)
+    return numbers if words is None else lambda cell: numbers(words(cell))
+
+
+def _refuse_twice(names: Sequence[str]) -> None:
+    plain = [plain_name(name) for name in names]
+    for name in plain:
+        if name and plain.count(name) > 1:
+            raise InputError("inventory.column_twice", name, name=shown(name))
+
+
+def _refuse_unknown(names: Sequence[str], reading: _Reading) -> None:
+    listed = ", ".join(shown(name) for name in names if name)[:200] or phrase("inventory.nothing")
+    if len(names) == 1 and "|" in names[0]:
+        raise InputError("inventory.commas", row=shown(names[0]))
+    if not reading.doubts:
+        raise InputError("inventory.no_id", "id", names=listed)
+
+
+def _refuse_misspelt(name: str, part: HeaderName) -> None:
+    """Refuse a column that looks like a known one."""
+    near = get_close_matches(part.base.replace(" ", "_"), COLUMNS, 1, LIKENESS)
+    if near:
+        raise InputError(
+            "inventory.unknown_column",
+            name,
+            name=shown(name),
+            near=repr(near[0]),
+            holds=phrase(f"inventory.column_{near[0]}"),
+            columns=", ".join(COLUMNS),
+        )
+
+
+def _refuse_doubts(doubts: Sequence[_Doubt]) -> None:
+    told = [doubt.about for doubt in doubts[:DOUBTS_SHOWN]]
+    more = len(doubts) - len(told)
+    if more:
+        told.append(phrase("inventory_tables.more_doubts", count=more))
+    settled = ",".join(dict.fromkeys(doubt.settled for doubt in doubts))
+    raise InputError(
+        "inventory_tables.unclear",
+        "columns",
+        doubts=("; ".join(en for en, _ in told), "；".join(ja for _, ja in told)),
+        proposal=settled,
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import os
 from contextlib import closing
+from itertools import chain, islice
 from typing import TYPE_CHECKING, Any, Self
 
 from stayput.errors import InputError
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from stayput.inventory.cells import Cell
     from stayput.inventory.header import Header
     from stayput.inventory.items import Item
+    from stayput.inventory.mapping import ColumnMapping
     from stayput.inventory.scenarios import Scenarios
     from stayput.inventory.workspace import Workspace
 
@@ -33,6 +35,9 @@ ROWS_PER_PART = 20_000
 
 REJECTS = ("rejects.parquet", "rejects.csv")
 ROWS, STORE, SUMS = "rows", "plan.sqlite", "sums.json"
+
+ROWS_LOOKED_AT = 200
+"""Rows whose numbers tell whether the header is understood."""
 
 ROWS_PER_UPDATE = 2000
 """Rows between updates of the progress bar."""
@@ -127,6 +132,7 @@ def make_plan(
     cache: int,
     advance: Callable[[int], None],
     check_unchanged: Callable[[], None] = lambda: None,
+    columns: ColumnMapping | None = None,
 ) -> dict[str, Any]:
     """Read and check the whole inventory, once; return the facts of the plan.
 
@@ -147,6 +153,8 @@ def make_plan(
         Called with the number of rows that were just read.
     check_unchanged : callable, optional
         Called when all is read; raises where the table is no longer that which was asked for.
+    columns : ColumnMapping, optional
+        Which of the table's columns is which, where its header does not say it.
 
     Raises
     ------
@@ -161,7 +169,7 @@ def make_plan(
         draft.mkdir()
         try:
             (draft / ROWS).mkdir()
-            _fill(draft, inventory, scenarios, cache, advance)
+            _fill(draft, inventory, scenarios, cache, advance, columns)
             check_unchanged()
             space.write_json(draft / SUMS, _sums(draft))
             for path in draft.rglob("*"):
@@ -184,7 +192,12 @@ def _sums(place: Path) -> dict[str, str]:
 
 
 def _fill(
-    folder: Path, inventory: Path, scenarios: Scenarios, cache: int, advance: Callable[[int], None]
+    folder: Path,
+    inventory: Path,
+    scenarios: Scenarios,
+    cache: int,
+    advance: Callable[[int], None],
+    columns: ColumnMapping | None,
 ) -> None:
     reader = RowReader(scenarios)
     seen = empty = parts = pieces = choices = 0
@@ -200,8 +213,10 @@ def _fill(
     with closing(Store(folder / STORE, cache)) as store:
         store.begin()
         with Rejects(folder) as rejects, open_table(inventory, 4 * cache) as table:
-            header = header_of(table.header)
-            for number, cells in table.rows:
+            first = list(islice(table.rows, ROWS_LOOKED_AT))
+            sample = [cells for _, cells in first if not isinstance(cells, InputError)]
+            header = header_of(table.header, sample, columns, table.decimal_comma)
+            for number, cells in chain(first, table.rows):
                 seen += 1
                 if seen % ROWS_PER_UPDATE == 0:
                     advance(ROWS_PER_UPDATE)
@@ -238,6 +253,7 @@ def _fill(
                 "choices": choices,
                 "read as": table.read_as,
                 "columns not used": list(header.unused),
+                "columns renamed": list(header.renamed),
             }
         )
 
@@ -254,9 +270,12 @@ def _checked(
     try:
         if isinstance(cells, InputError):
             raise cells
-        place = header.places["id"]
-        name = cells[place] if place < len(cells) else None
-        piece = reader.item(number, header.cells(cells))
+        place = header.places.get("id")
+        if place is None:  # a piece of a table without names for each is called by its row
+            piece = reader.item(number, {**header.cells(cells), "id": f"row {number}"})
+        else:
+            name = cells[place] if place < len(cells) else None
+            piece = reader.item(number, header.cells(cells))
         first = store.row_of(piece.id, number)
         if first != number:
             raise InputError("inventory.id_twice", "id", id=repr(piece.id), row=first)

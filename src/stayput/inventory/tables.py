@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from datetime import date, time
 from decimal import Decimal
 from functools import lru_cache, partial
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, TextIO, cast
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError
@@ -26,8 +26,11 @@ if TYPE_CHECKING:
     from stayput.inventory.workbook import SheetCell
 
 ENCODINGS = ("utf-8-sig", "cp932")
-"""Encodings of a CSV file: the first in which all of it can be decoded is used. The first is UTF-8, with
-or without a byte order mark; the second is Japan's Windows encoding."""
+"""Encodings of a text without a byte order mark of UTF-16: the first in which all of it can be decoded is
+used. The first is UTF-8, with or without a byte order mark; the second is Japan's Windows encoding."""
+
+DELIMITERS = (",", ";", "\t")
+"""Marks between the cells of a text: that which cuts the first row into most cells."""
 
 LARGEST_CELL = 2**24
 """Characters of a cell, or from a quote that opens, after which a CSV file is given up."""
@@ -56,11 +59,14 @@ class OpenTable:
         Its other rows with their numbers.
     read_as : str
         How it was read: the encoding, the sheet.
+    decimal_comma : bool
+        Whether numbers may have a comma in the place of a point.
     """
 
     header: list[Cell]
     rows: Iterator[TableRow]
     read_as: str
+    decimal_comma: bool = False
 
 
 @contextmanager
@@ -81,6 +87,8 @@ def open_table(path: Path, memory: int = 2**29) -> Generator[OpenTable]:
     """
     openers: dict[str, Callable[[Path], Any]] = {
         ".csv": _csv,
+        ".tsv": _csv,
+        ".txt": _csv,
         ".parquet": _parquet,
         ".xlsx": partial(_excel, memory=memory),
     }
@@ -121,7 +129,10 @@ def _one_line(text: str) -> str:
 
 
 def _encoding(path: Path) -> str:
-    for encoding in ENCODINGS:
+    with path.open("rb") as file:
+        marks = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+        encodings = ("utf-16",) if file.read(2) in marks else ENCODINGS
+    for encoding in encodings:
         decoder = codecs.getincrementaldecoder(encoding)()
         with path.open("rb") as file:
             try:
@@ -142,16 +153,40 @@ def _csv(path: Path) -> Generator[OpenTable]:
     before = csv.field_size_limit(LARGEST_CELL)
     try:
         with path.open(encoding=encoding, newline="") as file:
-            rows = _csv_rows(csv.reader(file, strict=True))
+            delimiter = _delimiter(file)
+            rows = _csv_rows(csv.reader(file, strict=True, delimiter=delimiter))
             first = next(rows, None)
             if first is None or isinstance(first[1], InputError):
                 reason = phrase("inventory.is_empty")
                 if first is not None and isinstance(error := first[1], InputError):
                     reason = error.told("en"), error.told("ja")
                 raise InputError("inventory.first_row", "inventory", path=repr(str(path)), reason=reason)
-            yield OpenTable(first[1], rows, "UTF-8" if encoding == "utf-8-sig" else encoding)
+            read_as = {"utf-8-sig": "UTF-8", "utf-16": "UTF-16"}.get(encoding, encoding)
+            between = {",": "", ";": " with semicolons", "\t": " with tabs"}.get(delimiter, "")
+            yield OpenTable(first[1], rows, read_as + between, delimiter == ";")
     finally:
         csv.field_size_limit(before)
+
+
+def _delimiter(file: TextIO) -> str:
+    """Return what stands between the cells of a text, which is then at its first row.
+
+    Excel's first line ``sep=;`` says it, and is no row.
+    """
+    start = file.tell()
+    line = file.readline(LARGEST_CELL)
+    stated = re.fullmatch(r"sep=(.)\r?\n?", line)
+    if stated is not None and stated[1] in DELIMITERS:
+        return stated[1]
+    file.seek(start)
+
+    def cells(delimiter: str) -> int:
+        try:
+            return len(next(csv.reader([line], delimiter=delimiter), ()))
+        except csv.Error:
+            return 0
+
+    return max(DELIMITERS, key=cells)
 
 
 def _csv_rows(reader: Any) -> Iterator[TableRow]:

@@ -1,0 +1,192 @@
+"""The columns of an inventory: what tables in use call them, and the units of their numbers.
+
+Furniture is measured in width, depth and height, as it is seen from the front; a piece falls to its front.
+So the column ``width``, the size along the shaking, is what an inventory calls the depth (奥行), and what an
+inventory calls the width (幅), the size along the wall, is not used.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from typing import NamedTuple
+
+
+class Unit(NamedTuple):
+    """A unit of a column: a number in it times ``times`` and over ``over`` is in the column's own."""
+
+    name: str
+    times: float = 1.0
+    over: float = 1.0
+
+
+class Column(NamedTuple):
+    """A column: the unit of its numbers, and what else it is called, each as `plain_name` gives it."""
+
+    unit: str = ""
+    aliases: tuple[str, ...] = ()
+
+
+# fmt: off
+COLUMNS: dict[str, Column] = {
+    "id": Column("", (
+        "no", "number", "asset id", "asset no", "asset number", "asset tag", "asset tag no", "tag", "tag no",
+        "item id", "item no", "item number", "inventory no",
+        "番号", "管理番号", "資産番号", "備品番号", "固定資産番号", "通し番号", "連番",
+    )),
+    "name": Column("", (
+        "item", "item name", "furniture", "furniture type", "description", "type", "kind",
+        "品名", "名称", "物品名", "家具", "家具名", "備品名", "什器名", "種類", "種別", "家具の種類",
+    )),
+    "preset": Column("", ("プリセット",)),
+    "width": Column("m", ("depth", "d", "奥行", "奥行き", "奥行寸法")),
+    "height": Column("m", ("h", "高さ", "高", "全高", "高さ寸法")),
+    "mass": Column("kg", ("weight", "wt", "重量", "質量", "重さ", "総重量", "製品重量", "本体重量")),
+    "cg_offset": Column("m"),
+    "load": Column("kg"),
+    "contents": Column("", ("収納物", "内容物")),
+    "doors": Column(),
+    "drawers": Column(),
+    "lip": Column("m"),
+    "floor": Column("", ("surface", "flooring", "floor surface", "floor finish", "床", "床材", "床仕上げ")),
+    "gap": Column("m", (
+        "gap to wall", "wall gap", "distance to wall",
+        "すき間", "隙間", "壁との距離", "壁からの距離", "壁との隙間",
+    )),
+    "wall": Column("", ("wall type", "壁", "壁の下地", "壁下地")),
+    "building": Column("", ("building name", "bldg", "建物", "建物名", "建物名称", "建屋", "棟", "棟名")),
+    "storey": Column("", (
+        "story", "level", "lvl", "floor level", "floor no", "floor number", "階", "設置階", "フロア", "階層",
+    )),
+    "measures": Column(),
+    "costs": Column("currency"),
+    "count": Column("", (
+        "qty", "quantity", "pcs", "pieces", "units", "no of units", "no of pieces", "number of units",
+        "number of pieces", "数量", "個数", "台数", "員数", "本数", "点数", "数",
+    )),
+    "value": Column("currency", (
+        "price", "unit price", "amount", "total", "total price", "total value",
+        "価格", "単価", "価額", "取得価額", "取得価格", "金額", "取得金額", "合計", "合計金額", "総額",
+    )),
+    "lat": Column("°", ("latitude", "緯度")),
+    "lon": Column("°", ("lng", "long", "longitude", "経度")),
+}
+"""Columns of an inventory; what each holds stands in the catalogue under ``inventory.column_<name>``."""
+# fmt: on
+
+LISTS = ("cg_offset", "load", "costs", "floor")
+"""Columns whose cells hold numbers with semicolons between them."""
+
+ALONG_THE_WALL = ("width", "w", "幅", "巾", "横幅", "間口", "幅寸法", "length", "l", "長さ")
+"""What inventories call the size along the wall, which is across the shaking."""
+
+SIZES_TOGETHER = re.compile(
+    r"size|sizes|dimensions?|dims?|measurements|.*寸法|サイズ|.*(?:w|幅) ?[x×*] ?(?:d|奥行き?|h|高さ?).*"
+)
+"""Columns that hold several sizes in a cell."""
+
+TOTALS = ("amount", "total", "total price", "total value", "金額", "取得金額", "合計", "合計金額", "総額")
+"""Columns that may hold the value of all pieces of a row."""
+
+LOOKS_LIKE_COUNT = re.compile(
+    r"(?:.*\b)?(?:qty|quantit\w*|quant\w*|counts?|pcs|units)\b.*|.*(?:数量|個数|台数|員数|本数|点数).*"
+)
+"""Columns that seem to say how many pieces a row stands for."""
+
+_LENGTHS = {
+    ("mm", "millimetre", "millimetres", "millimeters", "ミリ"): Unit("mm", over=1000.0),
+    ("cm", "centimetre", "centimetres", "centimeters", "センチ"): Unit("cm", over=100.0),
+    ("m", "metre", "metres", "meter", "meters", "メートル"): Unit("m"),
+    ("in", "inch", "inches", '"', "インチ"): Unit("in", 254.0, 10_000.0),
+    ("ft", "foot", "feet"): Unit("ft", 3048.0, 10_000.0),
+}
+_MASSES = {
+    ("kg", "kgs", "キロ", "キログラム"): Unit("kg"),
+    ("g", "グラム"): Unit("g", over=1000.0),
+    ("t", "トン"): Unit("t", 1000.0),
+    ("lb", "lbs", "pound", "pounds", "ポンド"): Unit("lb", 45_359_237.0, 100_000_000.0),
+}
+_CURRENCIES = {
+    ("円", "yen", "jpy", "¥", "usd", "$", "us$", "dollars", "eur", "€", "euro"): Unit(""),
+    ("千円",): Unit("千円", 1000.0),
+    ("万円",): Unit("万円", 10_000.0),
+}
+_ANGLES = {("°", "deg", "degrees", "度"): Unit("°")}
+
+UNITS: dict[str, dict[str, Unit]] = {
+    kind: {name: unit for names, unit in units.items() for name in names}
+    for kind, units in {"m": _LENGTHS, "kg": _MASSES, "currency": _CURRENCIES, "°": _ANGLES}.items()
+}
+"""Units by their names, for each unit that a column may have."""
+
+HARMLESS_NOTES = ("税込", "税抜", "税別", "概算", "推定", "approx", "estimated")
+"""What may stand in brackets behind a name without changing what the column holds."""
+
+_ALIASES = {
+    alias: name for name, column in COLUMNS.items() for alias in (name.replace("_", " "), *column.aliases)
+}
+_ALL_UNITS = {name for units in UNITS.values() for name in units}
+_ENDING = re.compile(r"(?:(?<=[^\x00-\x7f])|(?<=\))|[ ,/]+(?:in +)?)([a-z円]+|[千万]円)")
+_BRACKETS = re.compile(r"(.+?) *[(\[]([^()\[\]]*)[)\]]")
+
+
+class HeaderName(NamedTuple):
+    """The name of a table's column, taken apart.
+
+    Parameters
+    ----------
+    base : str
+        The name alone.
+    unit : str
+        Its unit, as it is written there; "" without one.
+    note : str
+        What else stands in brackets behind it.
+    """
+
+    base: str
+    unit: str
+    note: str
+
+    @property
+    def column(self) -> str | None:
+        """The column that is called so."""
+        return _ALIASES.get(self.base)
+
+
+def plain_name(text: str) -> str:
+    """Return a name in one spelling: of width, case, blanks and marks between words."""
+    plain = unicodedata.normalize("NFKC", text).lower().replace("№", "no").replace("#", " no ")
+    return re.sub(r"[\s_.・:*-]+", " ", plain).strip()
+
+
+def header_name(text: str) -> HeaderName:
+    """Take the name of a column apart, such as "高さ（H）[mm]", "Height (in)" or "mass_kg"."""
+    base, unit, notes = plain_name(text), "", list[str]()
+    while True:
+        if matched := _BRACKETS.fullmatch(base):
+            base, inner = matched[1].strip(), matched[2].strip()
+        elif _ALIASES.get(base) is None and (matched := _split_ending(base)) is not None:
+            base, inner = matched
+        else:
+            break
+        if inner in _ALL_UNITS and not unit:
+            unit = inner
+        else:
+            notes.append(inner)
+    meant = _ALIASES.get(base)
+    across = base in ALONG_THE_WALL
+    telling = [
+        note
+        for note in notes
+        if note not in HARMLESS_NOTES
+        and not (meant is not None and _ALIASES.get(note) == meant)
+        and not (across and note in ALONG_THE_WALL)
+    ]
+    return HeaderName(base, unit, " ".join(telling))
+
+
+def _split_ending(base: str) -> tuple[str, str] | None:
+    for matched in _ENDING.finditer(base):
+        if matched.end() == len(base) and matched[1] in _ALL_UNITS and matched.start() > 0:
+            return base[: matched.start()], matched[1]
+    return None

@@ -1,0 +1,249 @@
+"""Tables as people have them: their columns by what they are called, their units, and what is unclear."""
+
+from __future__ import annotations
+
+import json
+
+import pyarrow.parquet as pq
+import pytest
+from inventories import city
+
+import stayput as sp
+from stayput.catalogue import TEXTS
+from stayput.inventory import assess
+from stayput.inventory.columns import COLUMNS, header_name, plain_name
+from stayput.inventory.header import header_of
+from stayput.inventory.mapping import read_columns
+from stayput.inventory.plan import make_plan
+from stayput.inventory.scenarios import read_scenarios
+from stayput.inventory.store import Store, piece_of
+from stayput.inventory.words import WORDS
+from stayput.inventory.workspace import Workspace
+from stayput.model.furniture import FURNITURE
+from stayput.model.room import SURFACES
+
+
+def read(folder, text, columns=None, encoding="utf-8", name="inventory.csv"):
+    """Rows of a plan, its rejects, the bodies of its pieces and its facts."""
+    file = folder / name
+    file.write_bytes(text.encode(encoding))
+    space = folder / "space"
+    space.mkdir()
+    facts = make_plan(
+        Workspace(space),
+        file,
+        read_scenarios(city(folder)),
+        2**24,
+        lambda count: None,
+        columns=read_columns(columns),
+    )
+    plan = space / "plan"
+    rows = [row for part in sorted((plan / "rows").iterdir()) for row in pq.read_table(part).to_pylist()]
+    store = Store(plan / "plan.sqlite")
+    specs = {}
+    for site, _ in [site for _, sites in store.grounds() for site in sites]:
+        specs |= {number: spec for number, _, spec in store.units_at(site)}
+    store.close()
+    bodies = [piece_of(specs[row["units"][0]])[0] for row in rows]
+    return rows, pq.read_table(plan / "rejects.parquet").to_pylist(), bodies, facts
+
+
+def sizes(body):
+    return body.width, body.height, body.mass
+
+
+JAPANESE = "管理番号,品名,幅(mm),奥行(mm),高さ(mm),重量(kg),設置階,建物,数量,取得価額（円）,備考\n"
+
+
+def test_a_japanese_table_is_read_as_it_is(tmp_path):
+    text = (
+        JAPANESE
+        + 'A-1,本棚,900,300,1800,80,3階,office,4,"45,000",\nA-2,書庫,880,450,2100,65,2F,office,2,¥60000,窓\n'
+    )
+    rows, rejects, bodies, facts = read(tmp_path, text, encoding="cp932")
+    assert not rejects
+    assert [row["id"] for row in rows] == ["A-1", "A-2"]
+    assert [row["count"] for row in rows] == [4, 2]
+    assert [row["value"] for row in rows] == [45000.0, 60000.0]
+    assert [row["storey"] for row in rows] == [3, 2]
+    assert [sizes(body) for body in bodies] == [
+        (0.3, 1.8, 80.0),
+        (0.45, 2.1, 65.0),
+    ]  # the depth, not the width
+    assert facts["columns not used"] == ["幅(mm)", "備考"]
+    assert "width = 奥行(mm)" in facts["columns renamed"]
+
+
+def test_an_american_table_is_read_in_its_units(tmp_path):
+    text = (
+        "Asset Tag,Description,Width (in),Depth (in),Height (in),Weight (lbs),Level,Bldg,Qty,Unit Price\n"
+        "T1,Bookcase,36,12,72,90,2,5 steel,3,250\n"
+    )
+    rows, rejects, (body,), _ = read(tmp_path, text)
+    assert not rejects
+    assert sizes(body) == pytest.approx((0.3048, 1.8288, 40.8233133), rel=1e-12)
+    assert (rows[0]["storey"], rows[0]["building"], rows[0]["count"]) == (2, "5 steel", 3)
+
+
+@pytest.mark.parametrize(("mark", "encoding"), [("\t", "utf-16"), ("\t", "utf-8"), (";", "utf-8-sig")])
+@pytest.mark.parametrize("ending", ["csv", "tsv", "txt"])
+def test_marks_between_cells_and_encodings(tmp_path, mark, encoding, ending):
+    text = "id,width,height,mass\np,0.5,1.5,80\n".replace(",", mark)
+    _, rejects, (body,), _ = read(tmp_path, text, encoding=encoding, name=f"inventory.{ending}")
+    assert not rejects
+    assert sizes(body) == (0.5, 1.5, 80.0)
+
+
+def test_semicolons_go_with_decimal_commas(tmp_path):
+    text = (
+        "sep=;\nid;width;height;mass;cg_offset;floor;value\n"
+        'a;0,45;1,8;80,5;"0,01;-0,1";"0,4;0,3";1200,50\n'
+        "b;0,450;1,800;80;;;1,200\nc;0.45;1.8;80;;;1.200\nd;0.45;1.8;1.800;;;\ne;0,45;1,8;80,5;;;12,5 €\n"
+    )
+    rows, rejects, (first, *_), facts = read(tmp_path, text)
+    assert sizes(first) == (0.45, 1.8, 80.5)
+    assert first.cg_offset == (0.01, -0.1)
+    assert rows[0]["value"] == 1200.5
+    assert facts["read as"] == "UTF-8 with semicolons"
+    assert {row["id"]: row["reason"].split(" is ")[0] for row in rejects} == {
+        "b": "value",  # 1.2 or 1200
+        "c": "value",
+        "d": "mass",
+        "e": "value",
+    }
+
+
+def test_a_comma_is_no_decimal_one_between_commas(tmp_path):
+    _, rejects, bodies, _ = read(tmp_path, 'id,width,height,mass\na,"0,45",1.8,80\n')
+    assert not bodies
+    assert "width is '0,45'" in rejects[0]["reason"]
+
+
+UNCLEAR = {
+    "no unit": ("品名,奥行,高さ,重量\n棚,450,1800,60\n", "width=奥行[mm],height=高さ[mm],mass=重量[kg]"),
+    "centimetres": ("品名,奥行,高さ,重量\n棚,45,180,60\n", "width=奥行[cm],height=高さ[cm],mass=重量[kg]"),
+    "inches or centimetres": ("Item,D,H,Weight\nx,18,72,90\n", "width=D[?],height=H[?],mass=Weight[?]"),
+    "width and depth": ("id,width,depth,height,mass\na,0.9,0.3,1.8,80\n", "width=depth[m],ignore=width"),
+    "only the width": ("品名,幅(mm),高さ(mm),重量(kg)\n棚,450,1800,60\n", "width=?,ignore=幅(mm)"),
+    "stayput's width in cm": ("id,width_cm,height_cm,mass\na,40,180,80\n", "width=?,ignore=width_cm"),
+    "metres that are none": ("id,width,height,mass\na,40,1800,80\n", "width=width[?],height=height[mm]"),
+    "like a count": ("品名,配置台数合計\n本棚,3\n", "count=配置台数合計"),
+    "two counts": ("品名,数量,台数\n本棚,3,4\n", "ignore=台数"),
+    "a count with a note": ("品名,数量（予備）\n本棚,3\n", "count=数量（予備）"),
+    "a total": ("品名,台数,金額\n本棚,3,135000\n", "ignore=金額"),
+    "sizes in one cell": ("品名,サイズ\n本棚,900x300x1800\n", "ignore=サイズ"),
+    "sizes by their letters": ("品名,W×D×H\n本棚,900x300x1800\n", "ignore=W×D×H"),
+    "storeys for a surface": ("id,preset,Floor\na,chest,3\nb,chest,2F\n", "storey=Floor"),
+    "another unit": ("id,preset,高さ(kg)\na,chest,3\n", "height=高さ(kg)[m]"),
+}
+
+
+@pytest.mark.parametrize("name", UNCLEAR)
+def test_what_is_unclear_is_refused_with_a_proposal(tmp_path, name):
+    text, proposal = UNCLEAR[name]
+    with pytest.raises(sp.InputError) as refused:
+        read(tmp_path, text)
+    assert f'--columns "{proposal}"' in str(refused.value)
+    assert proposal in refused.value.told("ja")
+
+
+@pytest.mark.parametrize("name", [name for name, (_, proposal) in UNCLEAR.items() if "?" not in proposal])
+def test_a_proposal_that_is_given_is_understood(tmp_path, name):
+    text, proposal = UNCLEAR[name]
+    if name == "another unit":
+        text, proposal = text.replace("(kg)", ""), "height=高さ[m]"
+    read(tmp_path, text, proposal)
+
+
+@pytest.mark.parametrize("ending", ["toml", "json", "text", "mapping"])
+def test_a_mapping_says_which_column_is_which(tmp_path, ending):
+    table = "名,a (mm),b,Gewicht,x\n棚,450,180,60,7\n"
+    mapping = {"name": "名", "width": "a (mm)", "height": "b[cm]", "mass": "Gewicht", "ignore": ["x"]}
+    columns = mapping
+    if ending == "toml":
+        columns = tmp_path / "columns.toml"
+        columns.write_text(
+            "".join(f"{k} = {json.dumps(v, ensure_ascii=False)}\n" for k, v in mapping.items())
+        )
+    elif ending == "json":
+        columns = str(tmp_path / "columns.json")
+        (tmp_path / "columns.json").write_text(json.dumps(mapping))
+    elif ending == "text":
+        columns = "name=名,width=a (mm),height=b[cm],mass=Gewicht,ignore=x"
+    rows, _, (body,), facts = read(tmp_path, table, columns)
+    assert sizes(body) == (0.45, 1.8, 60.0)
+    assert rows[0]["id"] == "row 2"  # nothing else calls it
+    assert facts["columns not used"] == ["x"]
+    assert "height = b [cm]" in facts["columns renamed"]
+
+
+@pytest.mark.parametrize(
+    ("columns", "reason"),
+    [
+        ("width", "must be such as width="),
+        ("width=", "must be such as width="),
+        ("breadth=奥行", "must be one of"),
+        ("width=深さ", "the table has no such column; it has 'id'"),
+        ("width=奥行[?]", "in '[?]'; its unit must be one of mm, cm, m, in, ft"),
+        ("width=奥行[kg]", "its unit must be one of mm"),
+        ("height=高さ(cm)[mm]", "states another unit"),
+        ("width=奥行[mm],height=奥行[mm]", "for two columns"),
+        ("width=奥行[mm],width=高さ", "there twice"),
+        ({"width": 3}, "must be such as width="),
+        ({"width": ["奥行", "高さ"]}, "must be such as width="),
+        ("none.json", "could not be read"),
+        ("width=奥行", "would be in m, and its numbers are about 450"),
+    ],
+)
+def test_a_wrong_mapping_is_refused(tmp_path, columns, reason):
+    with pytest.raises(sp.InputError, match=reason):
+        read(tmp_path, "id,preset,奥行,高さ(cm)\na,chest,450,180\n", columns)
+
+
+def test_another_mapping_is_another_assessment(tmp_path):
+    file = tmp_path / "inventory.csv"
+    file.write_text("id,preset,a\nx,chest,0.5\n")
+    assess(file, city(tmp_path), tmp_path / "out", columns="width=a", progress=False)
+    with pytest.raises(sp.InputError, match="mapping of columns"):
+        assess(file, city(tmp_path), tmp_path / "out", progress=False)
+
+
+@pytest.mark.parametrize(
+    ("written", "base", "unit", "note"),
+    [
+        ("高さ（H）[mm]", "高さ", "mm", ""),
+        ("奥行（D）㎜", "奥行", "mm", ""),
+        ("Height (in)", "height", "in", ""),
+        ("Width in mm", "width", "mm", ""),
+        ("重量㎏", "重量", "kg", ""),
+        ("mass_kg", "mass", "kg", ""),
+        ("取得価額（税込）（千円）", "取得価額", "千円", ""),
+        ("Asset #", "asset no", "", ""),
+        ("cg_offset", "cg offset", "", ""),
+        ("数量（予備）", "数量", "", "予備"),
+    ],
+)
+def test_names_are_taken_apart(written, base, unit, note):
+    assert header_name(written) == (base, unit, note)
+
+
+def test_no_name_is_that_of_two_columns():
+    aliases = [alias for name, column in COLUMNS.items() for alias in (name, *column.aliases)]
+    assert len(set(aliases)) == len(aliases)
+    assert all(plain_name(alias) == alias.replace("_", " ") for alias in aliases)
+    assert all(f"inventory.column_{name}" in TEXTS for name in COLUMNS)
+
+
+def test_words_stand_for_presets_that_there_are():
+    assert set(WORDS["preset"].values()) == set(FURNITURE)
+    assert set(WORDS["floor"].values()) == set(SURFACES)
+    assert WORDS["preset"]["本棚"] == "bookcase"
+    header = header_of(["id", "preset", "床材"])
+    assert header.cells(["a", "食器棚", "カーペット"]) == {"id": "a", "preset": "cupboard", "floor": "carpet"}
+
+
+def test_a_price_of_one_goes_before_a_total():
+    for names in (["品名", "数量", "単価", "金額"], ["品名", "数量", "金額", "単価"]):
+        header = header_of(names)
+        assert header.places["value"] == names.index("単価")
+        assert header.unused == ("金額",)
