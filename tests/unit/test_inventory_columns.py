@@ -56,20 +56,16 @@ JAPANESE = "管理番号,品名,幅(mm),奥行(mm),高さ(mm),重量(kg),設置�
 
 
 def test_a_japanese_table_is_read_as_it_is(tmp_path):
-    text = (
-        JAPANESE
-        + 'A-1,本棚,900,300,1800,80,3階,office,4,"45,000",\nA-2,書庫,880,450,2100,65,2F,office,2,¥60000,窓\n'
-    )
+    first = 'A-1,本棚,900,300,1800,80,3階,office,4,"45,000",\n'
+    text = JAPANESE + first + "A-2,書庫,880,450,2100,65,2F,office,2,\\60000,窓\n"
     rows, rejects, bodies, facts = read(tmp_path, text, encoding="cp932")
     assert not rejects
     assert [row["id"] for row in rows] == ["A-1", "A-2"]
     assert [row["count"] for row in rows] == [4, 2]
     assert [row["value"] for row in rows] == [45000.0, 60000.0]
     assert [row["storey"] for row in rows] == [3, 2]
-    assert [sizes(body) for body in bodies] == [
-        (0.3, 1.8, 80.0),
-        (0.45, 2.1, 65.0),
-    ]  # the depth, not the width
+    depths = [(0.3, 1.8, 80.0), (0.45, 2.1, 65.0)]  # and not widths
+    assert [sizes(body) for body in bodies] == depths
     assert facts["columns not used"] == ["幅(mm)", "備考"]
     assert "width = 奥行(mm)" in facts["columns renamed"]
 
@@ -162,9 +158,8 @@ def test_a_mapping_says_which_column_is_which(tmp_path, ending):
     columns = mapping
     if ending == "toml":
         columns = tmp_path / "columns.toml"
-        columns.write_text(
-            "".join(f"{k} = {json.dumps(v, ensure_ascii=False)}\n" for k, v in mapping.items())
-        )
+        lines = (f"{name} = {json.dumps(value, ensure_ascii=False)}\n" for name, value in mapping.items())
+        columns.write_text("".join(lines))
     elif ending == "json":
         columns = str(tmp_path / "columns.json")
         (tmp_path / "columns.json").write_text(json.dumps(mapping))

@@ -17,6 +17,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     # files
     "the_inventory": ("inventory", "家具一覧"),
+    "the_uncertainty": ("uncertainty of the shake map", "地震動マップの不確かさ"),
     "the_shake_map": ("shake map", "地震動マップ"),
     "not_a_file": (
         "The inventory is {path}; it must be a file.",
@@ -346,12 +347,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "map_columns": (
         (
-            "The shake map has the columns {columns}; they must be lat, lon "
-            "and one of intensity (JMA's) and sa_T, Sa [g] at 5 % damping at a period T [s], such as sa_0.3."
+            "The shake map has the columns {columns}; they must be lat, lon and one of intensity (JMA's), "
+            "pga[%g], pgv[cm/s], mmi and sa_T, Sa [g] at 5 % damping at a period T [s], such as sa_0.3; "
+            "sigma may be added, and of several measures one must be chosen."
         ),
         (
-            "地震動マップの列は{columns}です。lat、lonと、intensity（計測震度）またはsa_T"
-            "（周期T秒、減衰5%の加速度応答スペクトル [g]、例：sa_0.3）の3列にしてください。"
+            "地震動マップの列は{columns}です。lat、lonと、intensity（計測震度）、pga[%g]、pgv[cm/s]、mmi、sa_T"
+            "（周期T秒、減衰5%の加速度応答スペクトル [g]、例：sa_0.3）のいずれか1つにしてください"
+            "（sigmaを加えられます。複数あるときは1つを選びます）。"
         ),
     ),
     "of_an_empty_file": ("of an empty file", "なし（空のファイル）"),
@@ -373,6 +376,8 @@ TEXTS: dict[str, tuple[str, str]] = {
     "input_inventory": ("inventory", "家具一覧"),
     "input_scenario": ("scenario", "シナリオ"),
     "input_shake_map": ("shake map", "地震動マップ"),
+    "input_field": ("field of the shake map", "地震動マップの項目"),
+    "input_uncertainty": ("uncertainty of the shake map", "地震動マップの不確かさ"),
     "input_columns": ("mapping of columns", "列の対応"),
     "input_slide_limit": ("slide limit", "移動量の上限"),
     "input_list_of_inputs": ("list of inputs", "入力の一覧"),

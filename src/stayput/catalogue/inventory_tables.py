@@ -88,6 +88,40 @@ TEXTS: dict[str, tuple[str, str]] = {
         "{header} holds storeys, and stayput's floor is the surface",
         "{header}には階が入っています（stayputのfloorは床材です）",
     ),
+    # shake maps
+    "grid": (
+        "The shake map's file is {path}; it must be a ShakeMap grid (XML): {reason}.",
+        "地震動マップのファイル{path}は、ShakeMapのグリッド（XML）として読めません：{reason}。",
+    ),
+    "map_unit": (
+        "The shake map has {column}; its unit must be one of {known}, as in pga[%g].",
+        "地震動マップの{column}の単位が分かりません。{known}のいずれかをpga[%g]のように書いてください。",
+    ),
+    "map_field": (
+        "The shake map {path} has no such field, or several; the field must be one of {known}.",
+        "地震動マップ（{path}）の項目を1つ指定してください。使えるもの：{known}。",
+    ),
+    "in_the_map": ("{name} of the shake map", "地震動マップの{name}"),
+    "map_is_silent": (
+        "The place is {lat:g}°, {lon:g}°, where the shake map has no value.",
+        "位置（{lat:g}°、{lon:g}°）には地震動マップの値がありません。",
+    ),
+    "no_deviation": (
+        "The uncertainty is {path}; it must have the field {name}.",
+        "不確かさのファイル{path}に{name}の項目がありません。",
+    ),
+    "other_grid": (
+        "The uncertainty is {path}; its places must be those of the shake map.",
+        "不確かさのファイル{path}の地点が、地震動マップの地点と異なります。",
+    ),
+    "uncertainty_of_csv": (
+        "An uncertainty is given beside a map in CSV; that must have it in its column sigma.",
+        "CSVの地震動マップに不確かさのファイルが指定されています。CSVではsigmaの列に書いてください。",
+    ),
+    "no_map": (
+        "A field or an uncertainty is given without a shake map; it needs one.",
+        "地震動マップなしに、その項目または不確かさが指定されています。",
+    ),
     # cells
     "comma": (
         (

@@ -28,7 +28,17 @@ def assess(
     ],
     shakemap: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="CSV of lat, lon and intensity (JMA), or sa_0.3 (at 0.3 s) [g]."),
+        typer.Option(
+            metavar="FILE",
+            help="ShakeMap's grid.xml, or CSV of lat, lon and intensity, sa_0.3, pga[%g], pgv[cm/s] or mmi.",
+        ),
+    ] = None,
+    field: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Field of the shake map that counts, such as PGV.")
+    ] = None,
+    uncertainty: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="ShakeMap's uncertainty.xml: scatter of the shaking."),
     ] = None,
     columns: Annotated[
         str | None,
@@ -57,6 +67,8 @@ def assess(
         scenario,
         out,
         shakemap=shakemap,
+        field=field,
+        uncertainty=uncertainty,
         columns=columns,
         slide_limit=slide_limit,
         threads=threads,

@@ -17,15 +17,17 @@ from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, within
 from stayput.execution import DaskExecutor, ThreadExecutor
 from stayput.extras import absent
+from stayput.fragility import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.arrow import arrow, dataset, parquet
 from stayput.inventory.folder import MANIFEST, WORK, check_parts, claimed, digest_of
 from stayput.inventory.mapping import read_columns
-from stayput.inventory.places import measure_about, read_shakemap
+from stayput.inventory.places import measure_about
 from stayput.inventory.plan import REJECTS, STORE, make_plan
 from stayput.inventory.records import UNITS, RecordFile
 from stayput.inventory.report import report_html
 from stayput.inventory.results import PIECES, Writer, part_names
 from stayput.inventory.scenarios import read_scenarios
+from stayput.inventory.shakemaps import read_shakemap
 from stayput.inventory.store import Store
 from stayput.inventory.summary import COLUMNS, summarise
 from stayput.inventory.work import Work
@@ -99,6 +101,8 @@ def assess(
     out: str | Path,
     *,
     shakemap: str | Path | None = None,
+    field: str | None = None,
+    uncertainty: str | Path | None = None,
     columns: str | Path | Mapping[str, Any] | None = None,
     slide_limit: float = SLIDE_LIMIT,
     threads: int | None = None,
@@ -123,8 +127,13 @@ def assess(
     out : str or Path
         Folder of the results; new, empty, or of the same assessment.
     shakemap : str or Path, optional
-        CSV of lat, lon and intensity (JMA's), or sa_0.3 (Sa at 0.3 s, 5 % damping [g]; any period): how
-        strongly the ground shakes where each piece stands.
+        How strongly the ground shakes where each piece stands: a grid of USGS ShakeMap (grid.xml), or CSV
+        of lat, lon, one of intensity (JMA's), sa_0.3 (Sa at 0.3 s, 5 % damping [g]; any period), pga[%g],
+        pgv[cm/s] and mmi, and sigma where it is known.
+    field : str, optional
+        Which of the map's columns or fields counts, where it has several; of a grid PGV by default.
+    uncertainty : str or Path, optional
+        The grid's uncertainty.xml: the motions have their strengths out of this scatter.
     columns : str, Path or mapping, optional
         Which of the table's columns is which, where its header does not say it: stayput's names with those
         of the table, as "width=奥行[mm],ignore=備考", a TOML or JSON file, or a mapping.
@@ -160,13 +169,20 @@ def assess(
     if not table.is_file():
         raise InputError("inventory.not_a_file", "inventory", path=repr(str(table)))
     map_path = None if shakemap is None else Path(shakemap)
-    files = {"inventory": table} | ({} if map_path is None else {"shake map": map_path})
+    scatter_path = None if uncertainty is None else Path(uncertainty)
+    if map_path is None and (field is not None or scatter_path is not None):
+        raise InputError("inventory_tables.no_map", "shakemap")
+    given = {"inventory": table, "shake map": map_path, "uncertainty": scatter_path}
+    files = {name: path for name, path in given.items() if path is not None}
     digests = {name: _digest(name, path) for name, path in files.items()}
-    scenarios = read_scenarios(scenario, None if map_path is None else read_shakemap(map_path))
+    shaking = None if map_path is None else read_shakemap(map_path, field, scatter_path)
+    scenarios = read_scenarios(scenario, shaking)
     inputs = {
         "inventory": digests["inventory"],
         "scenario": [file.digest for file in scenarios.all],
         "shake map": digests.get("shake map"),
+        "field": field,
+        "uncertainty": digests.get("uncertainty"),
         "columns": mapping.key,
         "slide limit": limit,
     }
@@ -363,24 +379,30 @@ def _write(
             shutil.copyfileobj(source, file)
 
 
-def _strengths(work: Work) -> Callable[[str, float | None], tuple[float, float | None]]:
-    """Return a function of a scenario and a map's level: JMA's intensity, and Sa [g], of the ground."""
+def _strengths(work: Work) -> Callable[[str, float | None], tuple[float | None, ...]]:
+    """Return a function of a scenario and a map's level: what `GROUND` names."""
     places = {file.name: n for n, file in enumerate(work.scenarios.all)}
-    period = work.scenarios.measure.period
+    measure = work.scenarios.measure
 
     @lru_cache(maxsize=10_000)
-    def strengths(station: str, level: float | None) -> tuple[float, float | None]:
+    def strengths(station: str, level: float | None) -> tuple[float | None, ...]:
         place = places[station]
         ground, shaking = work.ground(place), work.scenarios.all[place].scenario.shaking
         strength = shaking.strength
         if level is None:
             if strength is not None and strength.measure == "JMA":
-                return strength.level, None
+                return strength.level, None, None, None
             factors = ground.stated(strength, shaking.scale, work.settings[place].seed)
-            return ground.median_intensity(factors), None
-        if period is None:
-            return float(level), None
-        return ground.median_intensity(ground.factors(level)), 10.0**level
+            return ground.median_intensity(factors), None, None, None
+        if measure == JMA_INTENSITY:
+            return float(level), None, None, None
+        value = 10.0**level
+        return (
+            ground.median_intensity(ground.factors(level)),
+            None if measure.period is None else value,
+            value if measure == PGA else None,
+            value * PGV.shown if measure == PGV else None,
+        )
 
     return strengths
 

@@ -191,7 +191,10 @@ def with_point(name: str, text: str, kind: str) -> str:
 
 
 def amount_of(text: str) -> str:
-    """Return an amount of money without its sign (in cp932 a yen is a backslash) and the commas of its thousands; any other text as it is."""
+    """Return an amount of money without its sign and the commas of its thousands; any other text as it is.
+
+    In cp932 the sign of the yen is a backslash.
+    """
     matched = _AMOUNT.fullmatch(text.strip().replace("￥", "¥"))
     return text if matched is None else matched[1].replace(",", "")
 

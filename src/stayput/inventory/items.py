@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Hashable, Mapping
 
     from stayput.inventory.cells import Cell
+    from stayput.inventory.places import GroundLevel
     from stayput.inventory.scenarios import Scenarios
     from stayput.measures import Measure
     from stayput.model.body import Body
@@ -70,8 +71,8 @@ class Exposure:
         The event.
     station : int
         Place of the scenario among all.
-    level : float, optional
-        Level of the ground from a map; see `stayput.montecarlo.hazard`.
+    level : GroundLevel, optional
+        Level of the ground from a map.
     ground : str
         Spec of the shaking of its building.
     storey : int
@@ -90,7 +91,7 @@ class Exposure:
 
     event: str
     station: int
-    level: float | None
+    level: GroundLevel | None
     ground: str
     storey: int
     building: str | None

@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import csv
-import re
+import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from stayput.catalogue import phrase
 from stayput.errors import InputError, within
-from stayput.fragility import JMA_INTENSITY, spectral_acceleration
-from stayput.montecarlo.hazard import level_of
 from stayput.motion.spectrum import DAMPING
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.fragility import IntensityMeasure
@@ -25,46 +20,36 @@ if TYPE_CHECKING:
 PLACE = ("lat", "lon")
 LIMITS = ((-90.0, 90.0, "°"), (-180.0, 360.0, "°"))
 
-PERIODS = (0.01, 10.0)
-"""Shortest and longest period of an Sa [s]."""
-
-_SA = re.compile(r"sa_(\d{1,2}(?:\.\d{1,4})?)", re.ASCII)
+SCATTER_STEPS = 100
+"""Into how many steps maps round the scatter of a level."""
 
 
-def measure_of(column: str) -> IntensityMeasure | None:
-    """Return the measure of a map's column, "intensity" or "sa_0.3", or None where it is another column.
+class GroundLevel(NamedTuple):
+    """How strong the ground shakes at a place by a map.
 
-    Raises
-    ------
-    InputError
-        A period out of range.
+    Parameters
+    ----------
+    level : float
+        The median level; see `stayput.montecarlo.hazard`.
+    scatter : float
+        Its standard deviation.
     """
-    if column == "intensity":
-        return JMA_INTENSITY
-    matched = _SA.fullmatch(column)
-    if matched is None:
-        return None
-    period = float(matched[1])
-    if not PERIODS[0] <= period <= PERIODS[1]:
-        low, high = PERIODS
-        raise InputError("inventory.period", column=repr(column), period=period, low=low, high=high)
-    return spectral_acceleration(period)
 
-
-def _value_limits(measure: IntensityMeasure) -> tuple[float, float, str]:
-    """Return the smallest and the largest value of a measure in a map, and their unit."""
-    return (-3.0, 9.0, "") if measure.period is None else (1e-6, 10.0, "g")
+    level: float
+    scatter: float = 0.0
 
 
 def steps_of(measure: IntensityMeasure) -> int:
-    """Return into how many steps maps round a level: 0.1 of intensity, 1/40 of a decade of Sa."""
-    return 10 if measure.period is None else 40
+    """Return into how many steps maps round a level: 0.1 of intensity, 1/40 of a decade of anything else."""
+    return 10 if measure.is_logarithm else 40
 
 
 def measure_about(measure: IntensityMeasure) -> str:
     """Return a description of a map's measure."""
-    if measure.period is None:
+    if measure.is_logarithm:
         return "JMA intensity, rounded to 0.1"
+    if measure.period is None:
+        return f"{measure.name} of the larger horizontal component, rounded by at most 3 %"
     return (
         f"Sa at {measure.period:g} s, {100.0 * DAMPING:g} % damping, geometric mean of the horizontal "
         "components, rounded by at most 3 %"
@@ -94,113 +79,56 @@ class ShakeMap:
     Parameters
     ----------
     measure : IntensityMeasure
-        What it maps: JMA's intensity or a spectral acceleration.
+        What it maps: JMA's intensity, a spectral acceleration, or a peak.
     lats, lons : ndarray
         Of a grid its latitudes and longitudes, both increasing; else of each place [°].
     levels : ndarray
-        Its levels (see `stayput.montecarlo.hazard`); shape (lats, lons) on a grid, else (places,).
+        Its levels (see `stayput.montecarlo.hazard`); shape (lats, lons) on a grid, else (places,). NaN where
+        the map says nothing.
+    scatters : ndarray, optional
+        Their standard deviations, of the same shape; none where the map says nothing of them.
     """
 
     measure: IntensityMeasure
     lats: NDArray[np.float64]
     lons: NDArray[np.float64]
     levels: NDArray[np.float64]
+    scatters: NDArray[np.float64] | None = None
 
-    def at(self, lat: float, lon: float) -> float:
+    def at(self, lat: float, lon: float) -> GroundLevel:
         """Return the level at a place, rounded: bilinear on a grid, else of the nearest place.
 
         Raises
         ------
         InputError
-            The place lies outside the map.
+            The place lies outside the map, or where it says nothing.
         """
+        west, east = float(self.lons.min()), float(self.lons.max())
+        lon = next((turn for turn in (lon, lon - 360.0, lon + 360.0) if west <= turn <= east), lon)
         for name, value, values in (("lat", lat, self.lats), ("lon", lon, self.lons)):
             called = phrase("inventory.on_the_map", name=name)
             within(called, value, float(values.min()), float(values.max()), "°", name)
-        if self.levels.ndim == 1:
-            level = float(self.levels[np.argmin(distances(lat, lon, self.lats, self.lons))])
-        else:
-            level = self._bilinear(lat, lon)
+        level = self._value(self.levels, lat, lon)
+        if math.isnan(level):
+            raise InputError("inventory_tables.map_is_silent", "lat", lat=lat, lon=lon)
+        scatter = 0.0 if self.scatters is None else self._value(self.scatters, lat, lon)
         steps = steps_of(self.measure)
-        return round(level * steps) / steps
+        return GroundLevel(
+            round(level * steps) / steps,
+            0.0 if math.isnan(scatter) else round(scatter * SCATTER_STEPS) / SCATTER_STEPS,
+        )
 
-    def _bilinear(self, lat: float, lon: float) -> float:
+    def _value(self, values: NDArray[np.float64], lat: float, lon: float) -> float:
+        if values.ndim == 1:
+            return float(values[np.argmin(distances(lat, lon, self.lats, self.lons))])
         (i, u), (j, v) = _cell(self.lats, lat), _cell(self.lons, lon)
-        (a, b), (c, d) = self.levels[i : i + 2, j : j + 2]
+        corners = values[i : i + 2, j : j + 2]
+        if np.isnan(corners[np.outer((1 - u, u), (1 - v, v)) > 0.0]).any():
+            return math.nan
+        (a, b), (c, d) = np.nan_to_num(corners)
         return float((1 - u) * ((1 - v) * a + v * b) + u * ((1 - v) * c + v * d))
 
 
 def _cell(values: NDArray[np.float64], at: float) -> tuple[int, float]:
     place = int(np.clip(np.searchsorted(values, at, side="right") - 1, 0, len(values) - 2))
     return place, float((at - values[place]) / (values[place + 1] - values[place]))
-
-
-def read_shakemap(path: Path) -> ShakeMap:
-    """Read a shake map: CSV of lat, lon and intensity or Sa, on a regular grid or at any places.
-
-    Raises
-    ------
-    InputError
-        A file that cannot be read, another header, a value out of range, a place twice, or no row.
-    """
-    rows: dict[tuple[float, float], tuple[int, float]] = {}
-    try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            reader: Any = csv.reader(file)
-            nothing: list[str] = []
-            first: list[str] = next(reader, nothing)
-            header = [name.strip().lower() for name in first]
-            measure, column = _measure(header)
-            columns = [header.index(name) for name in (*PLACE, column)]
-            for number, row in enumerate(reader, 2):
-                if any(cell.strip() for cell in row):
-                    lat, lon, value = _checked(number, row, columns, column, measure)
-                    before, _ = rows.setdefault((lat, lon), (number, level_of(measure, value)))
-                    if before != number:
-                        raise InputError(
-                            "inventory.map_place_twice", row=number, lat=lat, lon=lon, before=before
-                        )
-    except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        file = phrase("inventory.the_shake_map")
-        raise InputError("inventory.unreadable", file=file, path=repr(str(path)), reason=reason) from None
-    except (UnicodeDecodeError, csv.Error):
-        raise InputError("inventory.map_not_csv", "shakemap", path=repr(str(path))) from None
-    if not rows:
-        raise InputError("inventory.map_empty", "shakemap", path=repr(str(path)))
-    lat, lon = np.array(list(rows)).T
-    levels = np.array([level for _, level in rows.values()])
-    lats, lons = np.unique(lat), np.unique(lon)
-    if min(len(lats), len(lons)) < 2 or len(lats) * len(lons) != len(rows):
-        return ShakeMap(measure, lat, lon, levels)
-    grid = np.empty((len(lats), len(lons)))
-    grid[np.searchsorted(lats, lat), np.searchsorted(lons, lon)] = levels
-    return ShakeMap(measure, lats, lons, grid)
-
-
-def _measure(header: list[str]) -> tuple[IntensityMeasure, str]:
-    measures = [(measure, name) for name in header if (measure := measure_of(name)) is not None]
-    if len(measures) != 1 or sorted(header) != sorted((*PLACE, measures[0][1])):
-        columns = ", ".join(header) or phrase("inventory.of_an_empty_file")
-        raise InputError("inventory.map_columns", "shakemap", columns=columns)
-    return measures[0]
-
-
-def _read(cell: str) -> Any:
-    """Return the number in a cell; a text that is none, as it is, which is refused then."""
-    try:
-        return float(cell)
-    except ValueError:
-        return cell
-
-
-def _checked(
-    number: int, row: list[str], columns: list[int], name: str, measure: IntensityMeasure
-) -> tuple[float, ...]:
-    if len(row) != len(columns):
-        raise InputError("inventory.map_cells", row=number, cells=len(row), columns=len(columns))
-    limits = (*LIMITS, _value_limits(measure))
-    return tuple(
-        within(phrase("inventory.in_row_of_the_map", name=column, row=number), _read(row[place]), *limit)
-        for column, place, limit in zip((*PLACE, name), columns, limits, strict=True)
-    )

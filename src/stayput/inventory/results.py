@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from stayput.inventory.workspace import Workspace
 
 PIECES = "pieces"
-GROUND = ("intensity", "sa")
+GROUND = ("intensity", "sa", "pga", "pgv")
 """How strongly the ground shakes."""
 
 _ENDS = (("", "probability:"), ("_low", "95 % interval from:"), ("_high", "95 % interval to:"))
@@ -76,6 +76,12 @@ def schema(metadata: Mapping[str, str]) -> Any:
         number("station", "the scenario that was taken", pa.string()),
         number(GROUND[0], "JMA intensity of the ground, median of the motions"),
         number(GROUND[1], "Sa of the ground [g] that a shake map tells; null without such a map"),
+        number(GROUND[2], "peak acceleration of the ground [m/s²] that a shake map tells; null without such"),
+        number(GROUND[3], "peak velocity of the ground [cm/s] that a shake map tells; null without such"),
+        number(
+            "shaking_scatter",
+            "standard deviation of what a shake map tells: of the intensity, else of the common logarithm",
+        ),
         number("building", "the building; null on the ground", pa.string()),
         number("storey", "the storey; null on the ground", pa.int32()),
         number("lat", "latitude [°]"),
@@ -188,7 +194,7 @@ class Writer:
         space: Workspace,
         record_file: RecordFile,
         metadata: Mapping[str, str],
-        strengths: Callable[[str, float | None], tuple[float, float | None]],
+        strengths: Callable[[str, float | None], tuple[float | None, ...]],
     ) -> None:
         self.folder, self.space, self.record_file = folder / PIECES, space, record_file
         self.schema = schema(metadata)

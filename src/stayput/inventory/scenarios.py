@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from stayput.fragility import IntensityMeasure
-    from stayput.inventory.places import ShakeMap
+    from stayput.inventory.places import GroundLevel, ShakeMap
     from stayput.motion.suites import Suite
     from stayput.scenario.building import BuildingTable
 
@@ -137,7 +137,9 @@ class Scenarios:
         """Whether each piece needs a latitude and a longitude."""
         return self.shakemap is not None or any(event.lats for event in self.events)
 
-    def events_at(self, lat: float | None, lon: float | None) -> list[tuple[Earthquake, int, float | None]]:
+    def events_at(
+        self, lat: float | None, lon: float | None
+    ) -> list[tuple[Earthquake, int, GroundLevel | None]]:
         """Return the events at a place: each with its scenario there, and a level from a map.
 
         Raises
@@ -151,7 +153,7 @@ class Scenarios:
             name = "lat" if lat is None else "lon"
             raise InputError("inventory.place_missing", name, name=name)
         level = None if self.shakemap is None else self.shakemap.at(lat, lon)
-        here: list[tuple[Earthquake, int, float | None]] = []
+        here: list[tuple[Earthquake, int, GroundLevel | None]] = []
         for event in self.events:
             near = int(distances(lat, lon, event.lats, event.lons).argmin()) if event.lats else 0
             here.append((event, event.stations[near], level))

@@ -14,6 +14,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from stayput.contents import Contents
+from stayput.inventory.places import GroundLevel
 from stayput.measures import MEASURES, parameters
 from stayput.model.state import State
 from stayput.scenario.building import BuildingTable
@@ -196,16 +197,17 @@ class Store:
         return dict(self.base.execute("SELECT option, COUNT(*) FROM units GROUP BY option"))
 
 
-def ground_spec(station: int, level: float | None, building: BuildingTable | None) -> str:
+def ground_spec(station: int, level: GroundLevel | None, building: BuildingTable | None) -> str:
     """Return the spec of a building's shaking as text: scenario, level from a map, building."""
     table = None if building is None else building.model_dump(exclude_defaults=True)
     return json.dumps([station, level, table], sort_keys=True)
 
 
-def ground_of(spec: str) -> tuple[int, float | None, BuildingTable | None]:
+def ground_of(spec: str) -> tuple[int, GroundLevel | None, BuildingTable | None]:
     """Return the scenario, the level and the building of a spec; the inverse of `ground_spec`."""
     station, level, table = json.loads(spec)
-    return station, level, None if table is None else BuildingTable.model_validate(table)
+    building = None if table is None else BuildingTable.model_validate(table)
+    return station, None if level is None else GroundLevel(*level), building
 
 
 def piece_spec(body: Body, room: Room, contents: Contents | None = None) -> str:

@@ -192,7 +192,7 @@ class Work:
             if level is None:
                 factors = ground.stated(shaking.strength, shaking.scale, self.settings[station].seed)
             else:
-                factors = ground.factors(level)
+                factors = ground.factors(level.level, level.scatter, self.settings[station].seed)
             for batch in self._storeys_at_a_time(ground, sites):
                 storeys = tuple(storey for _, storey in batch)
                 request = FloorRequest(station, building, storeys, factors)

@@ -1,9 +1,9 @@
 """Hazard levels: motions of the ground scaled to an intensity, and the floor motions under the furniture.
 
 A level says how strong the ground shakes: a JMA intensity, or the common logarithm of a spectral
-acceleration [g], to which each motion is scaled. A scenario may also state a peak, and a scatter. Without a
-building, or in one that stays elastic, the floor's motion scales with the ground's; where storeys yield it
-does not, and is computed anew at each level.
+acceleration [g] or of a peak [m/s², m/s], to which each motion is scaled. A scenario may also state a peak,
+and a scatter. Without a building, or in one that stays elastic, the floor's motion scales with the ground's;
+where storeys yield it does not, and is computed anew at each level.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import numpy as np
 from stayput.errors import InputError
 from stayput.fragility import JMA_INTENSITY, PFA, PFV, PGA, PGV
 from stayput.mechanics.runner import Shaking, shaking
+from stayput.motion.ground_shaking import GroundStrength, horizontal_peak
 from stayput.motion.intensity import factor_to_intensity
 from stayput.motion.spectrum import DAMPING, response_spectrum
 from stayput.motion.units import STANDARD_GRAVITY
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
 
     from stayput.fragility import IntensityMeasure
     from stayput.motion import Motion
-    from stayput.motion.ground_shaking import GroundStrength
     from stayput.motion.suites import Suite
     from stayput.scenario.building import BuildingTable
 
@@ -50,7 +50,7 @@ def factors_to_level_zero(measure: IntensityMeasure, motions: Iterable[Motion]) 
     Parameters
     ----------
     measure : IntensityMeasure
-        JMA's intensity or a spectral acceleration.
+        JMA's intensity, a spectral acceleration, PGA or PGV.
     motions : iterable of Motion
         The motions of the ground.
 
@@ -60,8 +60,11 @@ def factors_to_level_zero(measure: IntensityMeasure, motions: Iterable[Motion]) 
         A motion that is still.
     """
     period = measure.period
-    if period is None:
+    if measure == JMA_INTENSITY:
         return np.array([factor_to_intensity(motion.intensity, 0.0) for motion in motions])
+    if period is None:
+        peak = "PGA" if measure == PGA else "PGV"
+        return np.array([1.0 / horizontal_peak(motion, peak) for motion in motions])
     return np.array([STANDARD_GRAVITY / horizontal_sa(motion, period) for motion in motions])
 
 
@@ -99,7 +102,7 @@ class Ground:
     vertical : bool
         Whether the vertical motion acts on the furniture. The intensity counts it in any case.
     measure : IntensityMeasure
-        What levels are of: JMA's intensity or a spectral acceleration.
+        What levels are of: JMA's intensity, a spectral acceleration, PGA or PGV.
     dimensions : int
         3 where the motion across acts too.
     """
@@ -133,9 +136,22 @@ class Ground:
             for motion in self.motions
         )
 
-    def factors(self, level: float) -> NDArray[np.float64]:
-        """Return the factors to a level."""
-        return 10.0 ** (level / growth(self.measure)) * self.to_zero
+    def factors(self, level: float, scatter: float = 0.0, seed: int = 0) -> NDArray[np.float64]:
+        """Return the factors to a level, or to levels out of its scatter (see `GroundStrength.drawn`).
+
+        Parameters
+        ----------
+        level : float
+            The median level.
+        scatter : float
+            Its standard deviation.
+        seed : int
+            Seed by which the motions have their levels out of the scatter.
+        """
+        if scatter == 0.0:
+            return 10.0 ** (level / growth(self.measure)) * self.to_zero
+        each = GroundStrength("JMA", level, scatter).drawn(len(self.motions), seed)
+        return np.array([10.0 ** (one.level / growth(self.measure)) for one in each]) * self.to_zero
 
     def stated(self, strength: GroundStrength | None, scale: float | None, seed: int) -> NDArray[np.float64]:
         """Return the factors to what a scenario states: a strength with its scatter, or a factor (default 1).

@@ -19,7 +19,7 @@ from stayput.errors import InputError, finite
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
 EXCEEDED = 0.3
 """Time in all for which the level that counts is reached [s]."""
@@ -204,6 +204,12 @@ def mercalli(pga: float, pgv: float) -> float:
     (low, rise), (high, steep) = MERCALLI_OF_PGV
     from_v = low + rise * v if v <= 0.53 else high + steep * v
     return min(10.0, max(1.0, 0.5 * (from_a + from_v)))
+
+
+def mercalli_rise(mercalli: ArrayLike) -> NDArray[np.float64]:
+    """Return by how much a modified Mercalli intensity rises where the peak velocity grows tenfold."""
+    (_, rise), (_, steep) = MERCALLI_OF_PGV
+    return np.where(np.asarray(mercalli) < 4.56, rise, steep)
 
 
 def pgv_of_mercalli(mercalli: float) -> float:

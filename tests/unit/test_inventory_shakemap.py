@@ -1,0 +1,246 @@
+"""Grids of USGS ShakeMap and maps with units and scatter: what they say of a place, and what is refused."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from inventories import city, digests, rows_of_results, table
+
+import stayput as sp
+from stayput.fragility import PGA, PGV, spectral_acceleration
+from stayput.inventory import assess
+from stayput.inventory.places import GroundLevel
+from stayput.inventory.scenarios import read_scenarios
+from stayput.inventory.shakemaps import read_shakemap
+from stayput.montecarlo.hazard import Ground
+from stayput.motion.ground_shaking import MERCALLI_SCATTER, horizontal_peak
+from stayput.motion.intensity import pgv_of_mercalli
+
+G = 9.80665
+FIELDS = {"LON": "dd", "LAT": "dd", "PGA": "pctg", "PGV": "cms", "MMI": "intensity", "PSA03": "pctg"}
+DEVIATIONS = {"LON": "dd", "LAT": "dd", "STDPGA": "ln(pctg)", "STDPGV": "ln(cms)", "STDMMI": "intensity"}
+
+
+def grid(folder, rows, fields=None, name="grid.xml", head="", size=(2, 2)):
+    """A grid as ShakeMap writes it."""
+    fields = fields or FIELDS
+    space = "http://earthquake.usgs.gov/eqcenter/shakemap"
+    specified = f'lon_min="135" lat_min="35" lon_max="136" lat_max="36" nlon="{size[0]}" nlat="{size[1]}"'
+    named = "".join(
+        f'<grid_field index="{n}" name="{field}" units="{unit}" />\n'
+        for n, (field, unit) in enumerate(fields.items(), 1)
+    )
+    lines = "".join(" ".join(map(str, row)) + "\n" for row in rows)
+    file = folder / name
+    file.write_text(
+        f'<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n{head}'
+        f'<shakemap_grid xmlns="{space}" event_id="x" shakemap_version="1">\n'
+        f'<event event_id="x" magnitude="7.0" />\n<grid_specification {specified} />\n'
+        f"{named}<grid_data>\n{lines}</grid_data>\n</shakemap_grid>\n"
+    )
+    return file
+
+
+ROWS = [
+    (135, 36, 10, 10, 5.0, 20),
+    (136, 36, 20, 20, 6.0, 40),
+    (135, 35, 40, 40, 7.0, 80),
+    (136, 35, 80, 80, 8.0, 160),
+]
+
+
+def test_a_grid_says_the_velocity(tmp_path):
+    found = read_shakemap(grid(tmp_path, ROWS))
+    assert found.measure == PGV
+    assert found.lats.tolist() == [35, 36]
+    assert 10.0 ** found.at(36.0, 135.0).level == pytest.approx(0.1, rel=0.03)
+    assert 10.0 ** found.at(35.0, 136.0).level == pytest.approx(0.8, rel=0.03)
+    assert 10.0 ** found.at(35.5, 135.5).level == pytest.approx(0.1 * 8.0**0.5, rel=0.03)
+    assert found.at(35.0, 135.0 - 360.0) == found.at(35.0, 135.0)
+    assert found.at(35.0, 135.0).scatter == 0.0
+
+
+@pytest.mark.parametrize(
+    ("field", "measure", "level"),
+    [
+        ("PGA", PGA, math.log10(0.4 * G)),
+        ("pgv", PGV, math.log10(0.4)),
+        ("MMI", PGV, math.log10(pgv_of_mercalli(7.0))),
+        ("PSA03", spectral_acceleration(0.3), math.log10(0.8)),
+    ],
+)
+def test_any_field_of_a_grid_may_count(tmp_path, field, measure, level):
+    found = read_shakemap(grid(tmp_path, ROWS), field)
+    assert found.measure == measure
+    assert found.at(35.0, 135.0).level == pytest.approx(level, abs=0.0125)
+
+
+@pytest.mark.parametrize(
+    ("field", "scatter"),
+    [
+        ("PGA", 0.5 / math.log(10)),
+        ("PGV", 0.6 / math.log(10)),
+        ("MMI", math.hypot(MERCALLI_SCATTER, 0.7 / 3.16)),
+    ],
+)
+def test_uncertainty_is_the_scatter_of_the_level(tmp_path, field, scatter):
+    rows = [(lon, lat, 0.5, 0.6, 0.7) for lon, lat, *_ in ROWS]
+    deviations = grid(tmp_path, rows, DEVIATIONS, "uncertainty.xml")
+    found = read_shakemap(grid(tmp_path, ROWS), field, deviations)
+    assert found.at(35.0, 135.0).scatter == pytest.approx(scatter, abs=0.005)
+
+
+def test_a_place_without_a_value_is_refused(tmp_path):
+    rows = [*ROWS[:3], (136, 35, "nan", "nan", "nan", "nan")]
+    found = read_shakemap(grid(tmp_path, rows))
+    assert found.at(36.0, 135.0).scatter == 0.0
+    with pytest.raises(sp.InputError, match="shake map has no value"):
+        found.at(35.2, 135.8)
+
+
+BOMB = '<!DOCTYPE x [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;">]>\n'
+OUTSIDE = '<!DOCTYPE x [<!ENTITY a SYSTEM "file:///etc/passwd">]>\n'
+
+# ruff: noqa: E501 - a case a line
+HOSTILE = {
+    "entities that grow": ({"head": BOMB}, "document type"),
+    "another file": ({"head": OUTSIDE}, "document type"),
+    "a huge grid": ({"size": (100_000, 100_000)}, "10,000,000 at most"),
+    "a line": ({"size": (1, 4)}, "2 by 2 at least"),
+    "too few numbers": ({"size": (3, 3)}, "it has 24 numbers; it must have 54"),
+    "too many numbers": ({"rows": [*ROWS, ROWS[0]]}, "more numbers than places"),
+    "words": ({"rows": [*ROWS[:3], (136, 35, "x", 1, 1, 1)]}, "could not convert"),
+    "no places": ({"rows": [row[2:] for row in ROWS], "fields": dict.fromkeys(("PGA", "PGV", "MMI", "X"), "")}, "LON and LAT"),
+    "no grid": ({"rows": [ROWS[0], ROWS[1], (135.5, 35, 1, 1, 1, 1), ROWS[3]]}, "no regular grid"),
+    "a place twice": ({"rows": [ROWS[0], ROWS[1], ROWS[0], ROWS[1]]}, "no regular grid"),
+    "beyond all": ({"rows": [*ROWS[:3], (136, 35, 80, 80_000, 8, 160)]}, "PGV of the shake map is 80000"),
+    "below nothing": ({"rows": [*ROWS[:3], (136, 35, 80, -1, 8, 160)]}, "PGV of the shake map is -1"),
+    "unknown unit": ({"fields": {**FIELDS, "PGV": "mph"}}, "its unit must be one of cm/s, m/s"),
+    "no field": ({"fields": dict.fromkeys(("LON", "LAT", "A", "B", "C", "SVEL"), "")}, "field must be one of"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_hostile_grids_are_refused(tmp_path, name):
+    given, reason = HOSTILE[name]
+    with pytest.raises(sp.InputError, match=reason):
+        read_shakemap(grid(tmp_path, **{"rows": ROWS, **given}))
+
+
+@pytest.mark.parametrize("content", ["<", "<a/>", "<shakemap_grid></shakemap_grid>", "<shakemap_grid>" * 5])
+def test_broken_grids_are_refused(tmp_path, content):
+    file = tmp_path / "grid.xml"
+    file.write_text(content)
+    with pytest.raises(sp.InputError, match="ShakeMap grid"):
+        read_shakemap(file)
+
+
+def test_an_uncertainty_must_be_of_the_same_places(tmp_path):
+    rows = [(lon + 1, lat, 0.5, 0.6, 0.7) for lon, lat, *_ in ROWS]
+    other = grid(tmp_path, rows, DEVIATIONS, "uncertainty.xml")
+    with pytest.raises(sp.InputError, match="must be those of the shake map"):
+        read_shakemap(grid(tmp_path, ROWS), "PGA", other)
+    with pytest.raises(sp.InputError, match="must have the field STDPSA03"):
+        read_shakemap(grid(tmp_path, ROWS), "PSA03", other)
+    with pytest.raises(sp.InputError, match="without a shake map"):
+        assess(other, city(tmp_path), tmp_path / "out", uncertainty=other)
+
+
+@pytest.mark.parametrize(
+    ("header", "row", "level"),
+    [
+        ("lat,lon,pga[%g]", "35,135,40", GroundLevel(0.6)),
+        ("lat,lon,pga (gal)", "35,135,400", GroundLevel(0.6)),
+        ("latitude,longitude,pga_g", "35,135,0.4", GroundLevel(0.6)),
+        ("lat,lon,pgv[cm/s]", "35,135,40", GroundLevel(-0.4)),
+        ("lat,lon,pgv[m/s]", "35,135,0.4", GroundLevel(-0.4)),
+        ("lat,lon,mmi", "35,135,7", GroundLevel(-0.7, 0.38)),
+        ("lat,lon,pgv[cm/s],sigma", "35,135,40,0.5", GroundLevel(-0.4, 0.22)),
+        ("lat,lon,intensity,sigma", "35,135,5,0.3", GroundLevel(5.0, 0.3)),
+    ],
+)
+def test_columns_of_a_csv_have_their_units(tmp_path, header, row, level):
+    found = read_shakemap(table(tmp_path, [row], header, "map.csv")).at(35.0, 135.0)
+    assert found == pytest.approx(level, abs=1e-9)
+
+
+def test_of_several_columns_one_is_chosen(tmp_path):
+    file = table(tmp_path, ["35,135,40,30"], "lat,lon,pga[%g],pgv[cm/s]", "map.csv")
+    with pytest.raises(sp.InputError, match="of several measures one must be chosen"):
+        read_shakemap(file)
+    assert read_shakemap(file, "PGV[cm/s]").measure == PGV
+
+
+@pytest.mark.parametrize("field", ["PGA", "PGV"])
+def test_motions_have_the_peaks_of_the_map(tmp_path, field):
+    inventory = table(tmp_path, ["p,chest,35,135"], "id,preset,lat,lon")
+    scenario = city(tmp_path)
+    done = assess(
+        inventory, scenario, tmp_path / "out", shakemap=grid(tmp_path, ROWS), field=field, progress=False
+    )
+    (row,) = rows_of_results(done)
+    measure = {"PGA": PGA, "PGV": PGV}[field]
+    wanted = {"PGA": 0.4 * G, "PGV": 0.4}[field]
+    assert row[field.lower()] / measure.shown == pytest.approx(wanted, rel=0.03)
+    assert row["sa"] is None
+    file = read_scenarios(scenario).all[0]
+    ground = Ground(file.ground, measure=measure)
+    scaled = [
+        m.scaled(float(k)) for m, k in zip(file.ground, ground.factors(math.log10(wanted)), strict=True)
+    ]
+    assert [horizontal_peak(motion, field) for motion in scaled] == pytest.approx([wanted] * len(scaled))
+    assert row["intensity"] == pytest.approx(np.median([m.intensity for m in scaled]), abs=0.03)
+
+
+MANY = """
+[room]
+floor = "wood flooring"
+[shaking]
+intensity = 5.0
+vertical = false
+suite = { family = "crustal", count = 40, seed = 1 }
+[uncertainty]
+samples = 1
+seed = 3
+"""
+
+
+def test_scatter_is_that_of_independent_draws(tmp_path):
+    """The share that overturns under scattered levels is the mean over levels drawn one by one."""
+    inventory = table(tmp_path, ["p,0.3,1.8,80,35,135"], "id,width,height,mass,lat,lon")
+    scenario = city(tmp_path, MANY)
+    level, sigma = math.log10(0.2), 0.6 / math.log(10.0)
+    shares = {}
+    for name, deviation in (("without", 0.0), ("with", 0.6)):
+        file = table(tmp_path, [f"35,135,20,{deviation}"], "lat,lon,pgv[cm/s],sigma", "map.csv")
+        done = assess(inventory, scenario, tmp_path / name, shakemap=file, progress=False)
+        (row,) = rows_of_results(done)
+        shares[name] = row["overturned"]
+        assert row["shaking_scatter"] == pytest.approx(deviation / math.log(10.0), abs=0.005)
+    body = sp.Body(width=0.3, height=1.8, mass=80.0)
+    room = sp.Room(floor=sp.Floor.of("wood flooring"))
+    motions = list(read_scenarios(scenario).all[0].ground)
+    draw, fallen = np.random.default_rng(5), 0
+    tried = 600
+    for number in range(tried):
+        motion = motions[number % len(motions)]
+        wanted = 10.0 ** (level + sigma * draw.normal())
+        flat = sp.Motion(dt=motion.dt, x=motion.x)
+        fallen += sp.simulate(body, room, flat.scaled(wanted / horizontal_peak(motion, "PGV"))).overturned
+    assert shares["with"] != shares["without"]
+    assert shares["with"] == pytest.approx(fallen / tried, abs=0.09)  # 40 runs against 600
+
+
+def test_results_do_not_depend_on_threads_with_scatter(tmp_path):
+    places = ["p,chest,35,135", "q,bookcase,35.5,135.5", "r,chest,35.9,135.9"]
+    inventory = table(tmp_path, places, "id,preset,lat,lon")
+    rows = [(lon, lat, 0.5, 0.6, 0.7) for lon, lat, *_ in ROWS]
+    deviations = grid(tmp_path, rows, DEVIATIONS, "uncertainty.xml")
+    given = {"shakemap": grid(tmp_path, ROWS), "uncertainty": deviations, "progress": False}
+    found = [
+        digests(assess(inventory, city(tmp_path), tmp_path / f"out{n}", threads=n, **given).folder)
+        for n in (1, 2)
+    ]
+    assert found[0] == found[1]
