@@ -122,6 +122,12 @@ TEXTS: dict[str, tuple[str, str]] = {
         "A field or an uncertainty is given without a shake map; it needs one.",
         "地震動マップなしに、その項目または不確かさが指定されています。",
     ),
+    # exports
+    "export": ("The format of an export", "書き出しの形式"),
+    "nowhere": (
+        "No piece has lat and lon, which {formats} must have; csv needs none.",
+        "緯度・経度のある家具がないため、{formats}には書き出せません。csvには要りません。",
+    ),
     # cells
     "comma": (
         (

@@ -47,6 +47,10 @@ def assess(
             help="Which columns of the table are which: width=奥行[mm],ignore=備考; or a TOML or JSON file.",
         ),
     ] = None,
+    export: Annotated[
+        str,
+        typer.Option(metavar="FORMATS", help="Results also as csv, geojson and gpkg (for QGIS): csv,gpkg."),
+    ] = "",
     slide_limit: Annotated[float, typer.Option(help="Slide that counts as too far [m].")] = 0.10,
     threads: ThreadsOption = None,
     scheduler: Annotated[
@@ -70,6 +74,7 @@ def assess(
         field=field,
         uncertainty=uncertainty,
         columns=columns,
+        export=export,
         slide_limit=slide_limit,
         threads=threads,
         scheduler=scheduler,
@@ -121,6 +126,9 @@ def _print(assessment: Assessment) -> None:
         typer.echo(f"Columns that were not used: {', '.join(facts['columns not used'])}.")
     if facts["rejects"]:
         typer.echo(f"Not assessed: {counted(facts['rejects'], 'row')}; rejects.csv says why, row by row.")
+    without = facts["pieces"] - facts["with coordinates"]
+    if 0 < without < facts["pieces"]:
+        typer.echo(f"Without coordinates: {counted(without, 'piece')}; on a map they have no point.")
     different = f"{counted(facts['choices'], 'combination')}, {facts['units']:,} of them different"
     typer.echo(f"{different}; {counted(assessment.runs, 'run')}.")
     for name, total in assessment.summary.events.items():

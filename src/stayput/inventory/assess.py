@@ -19,6 +19,7 @@ from stayput.execution import DaskExecutor, ThreadExecutor
 from stayput.extras import absent
 from stayput.fragility import JMA_INTENSITY, PGA, PGV
 from stayput.inventory.arrow import arrow, dataset, parquet
+from stayput.inventory.exports import export_results, formats_of, refuse_nowhere
 from stayput.inventory.folder import MANIFEST, WORK, check_parts, claimed, digest_of
 from stayput.inventory.mapping import read_columns
 from stayput.inventory.places import measure_about
@@ -37,7 +38,7 @@ from stayput.progress import bar
 from stayput.spreadsheets import csv_text
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Mapping
+    from collections.abc import Callable, Generator, Mapping, Sequence
 
     from stayput.catalogue import Phrase
     from stayput.execution import Executor
@@ -104,6 +105,7 @@ def assess(
     field: str | None = None,
     uncertainty: str | Path | None = None,
     columns: str | Path | Mapping[str, Any] | None = None,
+    export: str | Sequence[str] = (),
     slide_limit: float = SLIDE_LIMIT,
     threads: int | None = None,
     scheduler: str | None = None,
@@ -137,6 +139,9 @@ def assess(
     columns : str, Path or mapping, optional
         Which of the table's columns is which, where its header does not say it: stayput's names with those
         of the table, as "width=奥行[mm],ignore=備考", a TOML or JSON file, or a mapping.
+    export : str or sequence of str
+        Further formats of the results, as "csv,geojson,gpkg": pieces.csv, pieces.geojson for maps, and
+        pieces.gpkg, a GeoPackage that QGIS opens with its style (extra ``gis``).
     slide_limit : float
         Slide that counts as too far [m].
     threads : int, optional
@@ -168,6 +173,7 @@ def assess(
     table, folder, mapping = Path(inventory), Path(out), read_columns(columns)
     if not table.is_file():
         raise InputError("inventory.not_a_file", "inventory", path=repr(str(table)))
+    formats = formats_of(export)
     map_path = None if shakemap is None else Path(shakemap)
     scatter_path = None if uncertainty is None else Path(uncertainty)
     if map_path is None and (field is not None or scatter_path is not None):
@@ -196,6 +202,7 @@ def assess(
         plan = digest_of_inputs(inputs)
         with bar(_rows_about(table), "Reading", progress, "rows") as advance:
             facts = make_plan(space, table, scenarios, memory_bytes // 16, advance, check_unchanged, mapping)
+        refuse_nowhere(formats, facts["with coordinates"])
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
         store = Store(space.folder / "plan" / STORE, memory_bytes // 16)
         try:
@@ -208,6 +215,7 @@ def assess(
         manifest = _manifest(scenarios, limit, work)
         _write(folder, space, plan, facts, manifest, work, progress)
         summary = _sum_up(folder, space, facts, manifest)
+        export_results(folder, space, facts["parts"], formats)
         claim = read_json(folder / MANIFEST) or {}
         space.write_json(
             folder / MANIFEST, {"inputs": claim["inputs"], "plan": facts, "assessment": manifest}

@@ -13,7 +13,7 @@ from stayput.errors import InputError, has_control, within
 
 if TYPE_CHECKING:
     from stayput.catalogue import Phrase
-    from stayput.inventory.columns import Unit
+    from stayput.inventory.columns import NumberUnit
 
 LONGEST = 1000
 """Most characters of a cell."""
@@ -200,7 +200,7 @@ def amount_of(text: str) -> str:
 
 
 def converting_reader(
-    name: str, unit: Unit | None, kind: str, listed: bool, decimal_comma: bool
+    name: str, unit: NumberUnit | None, kind: str, listed: bool, decimal_comma: bool
 ) -> CellReader:
     """Return the reader of the cells of a column of numbers.
 
@@ -208,7 +208,7 @@ def converting_reader(
     ----------
     name : str
         What a sentence calls the column.
-    unit : Unit, optional
+    unit : NumberUnit, optional
         The unit of its numbers; None where it is the column's own.
     kind : str
         The column's own unit.

@@ -12,7 +12,7 @@ import unicodedata
 from typing import NamedTuple
 
 
-class Unit(NamedTuple):
+class NumberUnit(NamedTuple):
     """A unit of a column: a number in it times ``times`` and over ``over`` is in the column's own."""
 
     name: str
@@ -94,26 +94,26 @@ LOOKS_LIKE_COUNT = re.compile(
 """Columns that seem to say how many pieces a row stands for."""
 
 _LENGTHS = {
-    ("mm", "millimetre", "millimetres", "millimeters", "ミリ"): Unit("mm", over=1000.0),
-    ("cm", "centimetre", "centimetres", "centimeters", "センチ"): Unit("cm", over=100.0),
-    ("m", "metre", "metres", "meter", "meters", "メートル"): Unit("m"),
-    ("in", "inch", "inches", '"', "インチ"): Unit("in", 254.0, 10_000.0),
-    ("ft", "foot", "feet"): Unit("ft", 3048.0, 10_000.0),
+    ("mm", "millimetre", "millimetres", "millimeters", "ミリ"): NumberUnit("mm", over=1000.0),
+    ("cm", "centimetre", "centimetres", "centimeters", "センチ"): NumberUnit("cm", over=100.0),
+    ("m", "metre", "metres", "meter", "meters", "メートル"): NumberUnit("m"),
+    ("in", "inch", "inches", '"', "インチ"): NumberUnit("in", 254.0, 10_000.0),
+    ("ft", "foot", "feet"): NumberUnit("ft", 3048.0, 10_000.0),
 }
 _MASSES = {
-    ("kg", "kgs", "キロ", "キログラム"): Unit("kg"),
-    ("g", "グラム"): Unit("g", over=1000.0),
-    ("t", "トン"): Unit("t", 1000.0),
-    ("lb", "lbs", "pound", "pounds", "ポンド"): Unit("lb", 45_359_237.0, 100_000_000.0),
+    ("kg", "kgs", "キロ", "キログラム"): NumberUnit("kg"),
+    ("g", "グラム"): NumberUnit("g", over=1000.0),
+    ("t", "トン"): NumberUnit("t", 1000.0),
+    ("lb", "lbs", "pound", "pounds", "ポンド"): NumberUnit("lb", 45_359_237.0, 100_000_000.0),
 }
 _CURRENCIES = {
-    ("円", "yen", "jpy", "¥", "usd", "$", "us$", "dollars", "eur", "€", "euro"): Unit(""),
-    ("千円",): Unit("千円", 1000.0),
-    ("万円",): Unit("万円", 10_000.0),
+    ("円", "yen", "jpy", "¥", "usd", "$", "us$", "dollars", "eur", "€", "euro"): NumberUnit(""),
+    ("千円",): NumberUnit("千円", 1000.0),
+    ("万円",): NumberUnit("万円", 10_000.0),
 }
-_ANGLES = {("°", "deg", "degrees", "度"): Unit("°")}
+_ANGLES = {("°", "deg", "degrees", "度"): NumberUnit("°")}
 
-UNITS: dict[str, dict[str, Unit]] = {
+UNITS: dict[str, dict[str, NumberUnit]] = {
     kind: {name: unit for names, unit in units.items() for name in names}
     for kind, units in {"m": _LENGTHS, "kg": _MASSES, "currency": _CURRENCIES, "°": _ANGLES}.items()
 }

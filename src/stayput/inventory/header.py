@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from stayput.catalogue import Phrase
     from stayput.inventory.cells import Cell, CellReader
-    from stayput.inventory.columns import HeaderName, Unit
+    from stayput.inventory.columns import HeaderName, NumberUnit
 
 MOST = 200
 """Most columns of a table."""
@@ -120,7 +120,7 @@ class _Reading:
         self.parts = [header_name(name) for name in names]
         mapped, self.ignored = mapping.places(names)
         self.places = {name: place for name, (place, _) in mapped.items()}
-        self.units: dict[str, Unit | None] = {name: unit for name, (_, unit) in mapped.items()}
+        self.units: dict[str, NumberUnit | None] = {name: unit for name, (_, unit) in mapped.items()}
         self.stated = {name for name, (_, unit) in mapped.items() if unit is not None}
         self.doubts: list[_Doubt] = []
         self.unused: list[str] = [names[place][:200] for place in sorted(self.ignored)]
@@ -319,11 +319,11 @@ def header_of(
     )
 
 
-def _understood(name: str, header: str, unit: Unit | None, written: bool) -> str:
+def _understood(name: str, header: str, unit: NumberUnit | None, written: bool) -> str:
     return f"{name} = {header}" if unit is None or written else f"{name} = {header} [{unit.name}]"
 
 
-def _reader(name: str, unit: Unit | None, decimal_comma: bool) -> CellReader | None:
+def _reader(name: str, unit: NumberUnit | None, decimal_comma: bool) -> CellReader | None:
     """Return how a column's cells are read, or None where they are taken as they are."""
     kind, converted = COLUMNS[name].unit, unit is not None and unit.times != unit.over
     if name == "storey":

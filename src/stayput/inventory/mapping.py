@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, cast
 from stayput.catalogue import phrase
 from stayput.errors import InputError, unknown
 from stayput.inventory.cells import shown
-from stayput.inventory.columns import COLUMNS, UNITS, Unit, header_name, plain_name
+from stayput.inventory.columns import COLUMNS, UNITS, NumberUnit, header_name, plain_name
 from stayput.scenario.toml import read_toml
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ class ColumnMapping:
         """The mapping in a form that can be written as JSON."""
         return [list(map(list, self.pairs)), list(self.ignored)]
 
-    def places(self, names: Sequence[str]) -> tuple[dict[str, tuple[int, Unit | None]], set[int]]:
+    def places(self, names: Sequence[str]) -> tuple[dict[str, tuple[int, NumberUnit | None]], set[int]]:
         """Return the place of each mapped column with the unit that is stated, and the places not to use.
 
         Raises
@@ -57,7 +57,7 @@ class ColumnMapping:
         InputError
             A name that the table does not have, or a unit that is none.
         """
-        found: dict[str, tuple[int, Unit | None]] = {}
+        found: dict[str, tuple[int, NumberUnit | None]] = {}
         for name, header in self.pairs:
             place, unit = _find(name, header, names)
             if any(place == other for other, _ in found.values()):
@@ -67,7 +67,7 @@ class ColumnMapping:
         return found, ignored
 
 
-def _find(name: str, header: str, names: Sequence[str]) -> tuple[int, Unit | None]:
+def _find(name: str, header: str, names: Sequence[str]) -> tuple[int, NumberUnit | None]:
     place = _place(header, names)
     if place is not None:
         return place, _unit(name, header_name(header).unit)
@@ -107,11 +107,11 @@ def _place(header: str, names: Sequence[str]) -> int | None:
     return same[0] if same else None
 
 
-def _units(name: str) -> Mapping[str, Unit]:
+def _units(name: str) -> Mapping[str, NumberUnit]:
     return UNITS.get(COLUMNS[name].unit, {}) if name in COLUMNS else {}
 
 
-def _unit(name: str, written: str) -> Unit | None:
+def _unit(name: str, written: str) -> NumberUnit | None:
     return _units(name).get(written)
 
 

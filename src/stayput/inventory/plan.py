@@ -201,7 +201,7 @@ def _fill(
     columns: ColumnMapping | None,
 ) -> None:
     reader = RowReader(scenarios)
-    seen = empty = parts = pieces = choices = 0
+    seen = empty = parts = pieces = choices = located = 0
     buffered: list[tuple[Item, list[list[int]]]] = []
 
     def flush() -> None:
@@ -237,6 +237,7 @@ def _fill(
                     ]
                     choices += sum(map(len, units))
                     pieces += 1
+                    located += item.lat is not None
                     buffered.append((item, units))
                     if len(buffered) >= ROWS_PER_PART:
                         flush()
@@ -248,6 +249,7 @@ def _fill(
                 "rows": seen,
                 "empty rows": empty,
                 "pieces": pieces,
+                "with coordinates": located,
                 "rejects": rejects.count,
                 "parts": parts,
                 "units": store.next_unit,

@@ -32,7 +32,7 @@ _CHUNK = 2**20
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Grid:
+class MapGrid:
     """A grid of places.
 
     Parameters
@@ -107,7 +107,7 @@ class _Reader:
             raise ValueError("it has more numbers than places")
         self.parts.append(numbers)
 
-    def grid(self) -> Grid:
+    def grid(self) -> MapGrid:
         """Return the grid."""
         names = [name.strip().upper() for _, (name, _) in sorted(self.fields.items())]
         rows, columns = self.size.get("nlat", 0), self.size.get("nlon", 0)
@@ -129,7 +129,7 @@ class _Reader:
             raise ValueError("its places are no latitudes and longitudes")
         units = {name.strip().upper(): unit for name, unit in self.fields.values()}
         turned = {name: np.ascontiguousarray(field[::down, ::left]) for name, field in fields.items()}
-        return Grid(lats, lons, turned, units)
+        return MapGrid(lats, lons, turned, units)
 
 
 def is_xml(path: Path) -> bool:
@@ -138,7 +138,7 @@ def is_xml(path: Path) -> bool:
         return file.read(64).lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<")
 
 
-def read_grid(path: Path) -> Grid:
+def read_grid(path: Path) -> MapGrid:
     """Read a grid of ShakeMap.
 
     Raises

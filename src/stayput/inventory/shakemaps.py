@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from stayput.inventory.map_fields import MapField
-    from stayput.inventory.shakemap_grid import Grid
+    from stayput.inventory.shakemap_grid import MapGrid
 
 SIGMA = "sigma"
 """Column of the standard deviation: of an intensity itself, else of the natural logarithm."""
@@ -104,7 +104,7 @@ def _in_range(values: np.ndarray[Any, Any], field: MapField) -> np.ndarray[Any, 
     return values
 
 
-def _deviations(other: Grid, grid: Grid, field: MapField, path: Path) -> np.ndarray[Any, Any]:
+def _deviations(other: MapGrid, grid: MapGrid, field: MapField, path: Path) -> np.ndarray[Any, Any]:
     name = next((each for each in other.values if each.lower() == f"std{field.name}".lower()), None)
     if name is None:
         raise InputError(

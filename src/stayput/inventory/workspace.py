@@ -32,7 +32,8 @@ BEGUN = re.compile(r"\.lock|work/(journal|claim\.json|drafts/([0-9a-f]{16}-\d+)?
 
 OWN = re.compile(
     BEGUN.pattern
-    + r"|manifest\.json|report\.html|(summary|rejects)\.(parquet|csv)|pieces/(part-\d{6}\.parquet)?"
+    + r"|manifest\.json|report\.html|(summary|rejects)\.(parquet|csv)"
+    + r"|pieces\.(csv|geojson|gpkg)|pieces/(part-\d{6}\.parquet)?"
     + rf"|work/(plan|drafts/[0-9a-f]{{16}}-\d+)/({PLAN.pattern})?"
     + r"|work/units/([0-9a-f]{24}\.units)?|work/sums/(part-\d{6}\.parquet\.json)?"
 )
@@ -86,6 +87,13 @@ class Workspace:
             sync_folder(path.parent)
         finally:
             draft.unlink(missing_ok=True)
+
+    def publish(self, draft: Path, path: Path) -> None:
+        """Bring a draft that a library has written to the disk, and give it its name."""
+        with draft.open("rb+") as file:
+            os.fsync(file.fileno())
+        draft.replace(path)
+        sync_folder(path.parent)
 
     def write_json(self, path: Path, content: Mapping[str, Any]) -> None:
         """Write a mapping as JSON, atomically."""
