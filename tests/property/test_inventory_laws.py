@@ -122,4 +122,4 @@ def test_a_map_stays_between_its_values(measure, values, lat, lon):
     levels = np.array([level_of(measure, value) for value in values])
     grid = ShakeMap(measure, np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0]), levels.reshape(3, 2))
     half = 0.501 / steps_of(measure)
-    assert levels.min() - half <= grid.at(lat, lon) <= levels.max() + half
+    assert levels.min() - half <= grid.at(lat, lon).level <= levels.max() + half

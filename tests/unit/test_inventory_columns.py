@@ -124,6 +124,9 @@ UNCLEAR = {
     "stayput's width in cm": ("id,width_cm,height_cm,mass\na,40,180,80\n", "width=?,ignore=width_cm"),
     "metres that are none": ("id,width,height,mass\na,40,1800,80\n", "width=width[?],height=height[mm]"),
     "like a count": ("品名,配置台数合計\n本棚,3\n", "count=配置台数合計"),
+    "a column of totals": ("品名,合計\n本棚,3\n", "count=合計"),
+    "a number": ("Item,Number\nbookshelf,3\n", "count=Number"),
+    "counts by storey": ("品名,1F,2階\n本棚,3,4\n", "count=1F,count=2階"),
     "two counts": ("品名,数量,台数\n本棚,3,4\n", "ignore=台数"),
     "a count with a note": ("品名,数量（予備）\n本棚,3\n", "count=数量（予備）"),
     "a total": ("品名,台数,金額\n本棚,3,135000\n", "ignore=金額"),
@@ -143,7 +146,10 @@ def test_what_is_unclear_is_refused_with_a_proposal(tmp_path, name):
     assert proposal in refused.value.told("ja")
 
 
-@pytest.mark.parametrize("name", [name for name, (_, proposal) in UNCLEAR.items() if "?" not in proposal])
+GIVEN = [name for name, (_, proposal) in UNCLEAR.items() if "?" not in proposal and "by storey" not in name]
+
+
+@pytest.mark.parametrize("name", GIVEN)
 def test_a_proposal_that_is_given_is_understood(tmp_path, name):
     text, proposal = UNCLEAR[name]
     if name == "another unit":

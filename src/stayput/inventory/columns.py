@@ -30,7 +30,7 @@ class Column(NamedTuple):
 # fmt: off
 COLUMNS: dict[str, Column] = {
     "id": Column("", (
-        "no", "number", "asset id", "asset no", "asset number", "asset tag", "asset tag no", "tag", "tag no",
+        "no", "asset id", "asset no", "asset number", "asset tag", "asset tag no", "tag", "tag no",
         "item id", "item no", "item number", "inventory no",
         "番号", "管理番号", "資産番号", "備品番号", "固定資産番号", "通し番号", "連番",
     )),
@@ -65,8 +65,8 @@ COLUMNS: dict[str, Column] = {
         "number of pieces", "数量", "個数", "台数", "員数", "本数", "点数", "数",
     )),
     "value": Column("currency", (
-        "price", "unit price", "amount", "total", "total price", "total value",
-        "価格", "単価", "価額", "取得価額", "取得価格", "金額", "取得金額", "合計", "合計金額", "総額",
+        "price", "unit price", "total price", "total value",
+        "価格", "単価", "価額", "取得価額", "取得価格", "金額", "取得金額", "合計金額", "総額",
     )),
     "lat": Column("°", ("latitude", "緯度")),
     "lon": Column("°", ("lng", "long", "longitude", "経度")),
@@ -85,11 +85,12 @@ SIZES_TOGETHER = re.compile(
 )
 """Columns that hold several sizes in a cell."""
 
-TOTALS = ("amount", "total", "total price", "total value", "金額", "取得金額", "合計", "合計金額", "総額")
+TOTALS = ("total price", "total value", "金額", "取得金額", "合計金額", "総額")
 """Columns that may hold the value of all pieces of a row."""
 
 LOOKS_LIKE_COUNT = re.compile(
-    r"(?:.*\b)?(?:qty|quantit\w*|quant\w*|counts?|pcs|units)\b.*|.*(?:数量|個数|台数|員数|本数|点数).*"
+    r"(?:.*\b)?(?:qty|quant\w*|counts?|pcs|units|number of \w+|no of \w+)\b.*|number|amount|(?:grand )?total"
+    r"|.*(?:数量|個数|台数|員数|本数|点数|総数).*|合計|計|小計|b?\d+[f階]|地下\d*階?"
 )
 """Columns that seem to say how many pieces a row stands for."""
 

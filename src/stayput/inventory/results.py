@@ -95,7 +95,12 @@ def schema(metadata: Mapping[str, str]) -> Any:
         *slides,
         *inside,
         number("expected_loss", "count · value · probability of overturning, without a measure"),
-        number("best", "the measure that lowers the risk most; 'none' where none does", pa.string()),
+        number(
+            "best",
+            "the set of measures that lowers the risk most: of overturning, else of sliding too far, of a "
+            "device that fails, of hitting the wall; 'none' where none does",
+            pa.string(),
+        ),
         number("best_overturned", "probability of overturning with it"),
         number("best_overturned_low", "95 % interval from"),
         number("best_overturned_high", "95 % interval to"),
@@ -128,7 +133,8 @@ def choose(
 
     By risk: ranked by `stayput.verification.ranking.severity`, where a piece that overturns is as bad as one
     that also slid or hit a wall: the other events count only beyond the probability of overturning. A
-    measure that ranks no better than none is not taken: then none of them helps.
+    measure that ranks no better than none, or overturns more often by however little, is not taken: then
+    none of them helps.
     By cost: with a value, the largest loss avoided less cost; else the largest fall of the probability of
     overturning for its cost.
 
@@ -149,12 +155,13 @@ def choose(
         severity({e: SimpleNamespace(estimate=p) for e, p in zip(EVENTS, row, strict=True)}, size)  # type: ignore[dict-item]
         for row, size in zip(beyond.tolist(), sizes, strict=True)
     ]
-    best = min(range(len(ranks)), key=lambda n: (ranks[n], n))
+    fallen = shares[:, EVENTS.index(OVERTURNED)]
+    no_worse = [n for n in range(len(ranks)) if not fallen[n] > fallen[0]]
+    best = min(no_worse, key=lambda n: (ranks[n], n))
     if best and not ranks[best][:-1] < ranks[0][:-1]:
         best = 0
     if costs is None:
         return Choice(best, None, None)
-    fallen = shares[:, EVENTS.index(OVERTURNED)]
     avoided = fallen[0] - fallen[1:]
     with np.errstate(divide="ignore", invalid="ignore"):
         cost = np.array(costs)
