@@ -35,12 +35,12 @@ TEXTS: dict[str, tuple[str, str]] = {
     # what is unclear about columns
     "unclear": (
         (
-            'The table has columns that must be clear: {doubts}. It looks like --columns "{proposal}"; '
-            "check it, fill in what is a ?, and give it."
+            'Not all columns are certain; they look like --columns "{proposal}", which must be checked and '
+            "given, with what belongs in the place of a ?: {doubts}."
         ),
         (
-            '表の列に、はっきりしないものがあります：{doubts}。おそらく --columns "{proposal}" です。'
-            "確かめて、?があれば埋めて指定してください。"
+            '意味のはっきりしない列があります。おそらく --columns "{proposal}" です。'
+            "確かめて（?があれば埋めて）指定してください：{doubts}。"
         ),
     ),
     "more_doubts": ("and {count} more", "ほか{count}件"),

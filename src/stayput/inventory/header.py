@@ -38,7 +38,7 @@ MOST = 200
 LIKENESS = 0.8
 """From this likeness on a column counts as a misspelt one."""
 
-LARGEST_METRES = {"width": 5.0, "height": 8.0, "gap": 5.0, "lip": 2.0}
+LARGEST_METRES = {"width": 3.0, "height": 4.0, "gap": 3.0, "lip": 1.0}
 """Sizes [m] that the median of a column is not above: beyond, its numbers are in another unit."""
 
 DOUBTS_SHOWN = 3
