@@ -22,7 +22,6 @@ from stayput.inventory.arrow import arrow, dataset, parquet
 from stayput.inventory.exports import export_results, formats_of, refuse_nowhere
 from stayput.inventory.folder import MANIFEST, WORK, check_parts, claimed, digest_of
 from stayput.inventory.mapping import read_columns
-from stayput.inventory.places import measure_about
 from stayput.inventory.plan import REJECTS, STORE, make_plan
 from stayput.inventory.records import UNITS, RecordFile
 from stayput.inventory.report import report_html
@@ -345,7 +344,7 @@ def _manifest(scenarios: Scenarios, limit: float, work: Work) -> dict[str, Any]:
     return {
         "version": stayput.__version__,
         "slide limit": limit,
-        "shake map": None if scenarios.shakemap is None else measure_about(scenarios.measure),
+        "shake map": None if scenarios.shakemap is None else scenarios.shakemap.about,
         "scenarios": [
             {
                 "name": file.name,

@@ -95,6 +95,11 @@ class ShakeMap:
     levels: NDArray[np.float64]
     scatters: NDArray[np.float64] | None = None
 
+    @property
+    def about(self) -> str:
+        """Description of what it maps."""
+        return measure_about(self.measure) + ("" if self.scatters is None else ", with its scatter")
+
     def at(self, lat: float, lon: float) -> GroundLevel:
         """Return the level at a place, rounded: bilinear on a grid, else of the nearest place.
 
