@@ -20,6 +20,7 @@ from stayput.motion.units import STANDARD_GRAVITY
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
+    from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
     from stayput.building.model import FloorPeaks, FloorResponse
@@ -223,6 +224,10 @@ class Building:
             coefficient = self._values.yield_coefficient * spectral_factor(period)
         weight = STANDARD_GRAVITY * weight_above(masses)
         return coefficient * ai_distribution(masses, period) * weight
+
+    def plot(self, ax: Axes | None = None, *, modes: int = 3) -> Axes:
+        """Draw the slowest mode shapes: `ShearModel.plot`."""
+        return self.model.plot(ax, modes=modes)
 
     def respond(self, motion: Motion) -> FloorResponse:
         """Return the response of all floors to a motion of the ground: `ShearModel.respond`."""

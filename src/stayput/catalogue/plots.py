@@ -29,8 +29,14 @@ TEXTS: dict[str, tuple[str, str]] = {
     "peak_acceleration": ("Peak floor acceleration [m/s²]", "最大床加速度 [m/s²]"),
     "peak_velocity": ("Peak floor velocity [cm/s]", "最大床速度 [cm/s]"),
     "storey": ("Floor of storey ({roof}: roof)", "階の床（{roof}：屋上）"),
+    "floor": ("Mass above the ground (0)", "地盤（0）からの質点"),
     "ground": ("ground", "地盤"),
     "periods": ("natural periods", "固有周期"),
+    "mode_shape": (
+        "mode {number}, {period:.3g} s ({share:.0%} of the mass)",
+        "{number}次、{period:.3g} s（有効質量比{share:.0%}）",
+    ),
+    "mode_shapes": ("Mode shape times participation factor", "刺激関数"),
     "period": ("Period [s]", "周期 [s]"),
     "frequency": ("Frequency [Hz]", "振動数 [Hz]"),
     "floor_sa": (
@@ -59,6 +65,10 @@ TEXTS: dict[str, tuple[str, str]] = {
     # A motion and its spectra.
     "spectra": ("{name}: spectra, {damping:g} % damping", "{name}：スペクトル、減衰{damping:g}%"),
     "spectrum_sa": ("Acceleration Sa [m/s²]", "加速度応答 Sa [m/s²]"),
+    "what": ("What is drawn", "描く量"),
+    "spectrum_sv": ("Relative velocity Sv [cm/s]", "相対速度応答 Sv [cm/s]"),
+    "spectrum_sd": ("Relative displacement Sd [cm]", "相対変位応答 Sd [cm]"),
+    "spectrum_psa": ("Pseudo-acceleration ω²·Sd [m/s²]", "擬似加速度応答 ω²·Sd [m/s²]"),
     "spectrum_psv": ("Pseudo-velocity ω·Sd [cm/s]", "擬似速度応答 ω·Sd [cm/s]"),
     "spectrum_sva": ("Absolute velocity Sva [cm/s]", "絶対速度応答 Sva [cm/s]"),
     "spectrum_fourier": (

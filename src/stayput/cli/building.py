@@ -63,9 +63,9 @@ def building(
     if out is not None and storey:
         response.floor(storey[0]).write(out)
     if plot is not None:
-        from stayput.report.building import plot_building
+        from stayput.report.building import building_title, plot_building
 
-        plot_building(response, plot, storey)
+        plot_building(response, plot, storey, title=building_title(response))
     if json:
         print_json(_record(response))
     else:

@@ -222,8 +222,9 @@ def _show_in_the_plane(run: Run, wanted: _Wanted) -> None:
 
     if wanted.plot is not None:
         from stayput.report.plot import plot_run
+        from stayput.report.summary import sentence
 
-        plot_run(run, wanted.plot, name=wanted.name[0])
+        plot_run(run, wanted.plot, title=sentence(run, wanted.name[0]))
     if wanted.animate is not None:
         from stayput.report.animation import animate_run
 
@@ -250,7 +251,8 @@ def _show_in_space(run: SpaceRun, names: tuple[str, ...], wanted: _Wanted) -> No
     if wanted.plot is not None:
         from stayput.report.space.plot import plot_space_run
 
-        plot_space_run(run, wanted.plot, names=names, language=wanted.lang)
+        title = say(became(run, names), wanted.lang)
+        plot_space_run(run, wanted.plot, names=names, title=title, language=wanted.lang)
     if wanted.animate is not None:
         from stayput.report.space.animation import animate_space_run
 

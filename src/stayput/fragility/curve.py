@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from enum import StrEnum
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from stayput.fragility.trials import Level, Trials, observed_levels
 from stayput.wording import counted
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 
     from stayput.catalogue import Phrase
@@ -69,6 +70,25 @@ class FragilityCurve:
         return (
             f"FragilityCurve({self.name!r}, {self.measure.key}, {self.state.value}; {self.capacity().text})"
         )
+
+    def plot(self, ax: Axes | None = None, **line: Any) -> Axes:
+        """Draw the curve with its 95 % band, and the observed shares with their 95 % intervals.
+
+        Drawn on the axes of other curves it looks different from them and joins their legend.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        **line
+            How the line looks, as for ``Axes.plot``: ``label``, ``color``, ...
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.fragility import draw_curve
+
+        axis = axes_of(ax)
+        draw_curve(axis, self, **line)
+        return drawn(axis)
 
     @property
     def measure(self) -> IntensityMeasure:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -36,7 +36,12 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
     from pathlib import Path
 
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
+
+MotionHistory = Literal["acceleration", "velocity", "displacement"]
+"""What `Motion.plot` draws over time."""
 
 COMPONENTS = ("x", "y", "z")
 """Names of a motion's components: along the shaking, across it, up."""
@@ -208,6 +213,48 @@ class Motion:
     ) -> ResponseSpectrum:
         """Return the response spectrum of a component; see `stayput.response_spectrum`."""
         return spectrum_of_samples(self.component(component).x, self.dt, periods, damping)
+
+    def plot(
+        self,
+        ax: Axes | None = None,
+        *,
+        what: MotionHistory = "acceleration",
+        component: str = "x",
+        **line: Any,
+    ) -> Axes:
+        """Draw one history of one component on axes.
+
+        Velocity and displacement are integrals of the record as it is, without any correction.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        what : {"acceleration", "velocity", "displacement"}
+            In m/s², cm/s and cm.
+        component : str
+            "x", "y" or "z".
+        **line
+            How the line looks, as for ``Axes.plot``; with a ``label`` it stands in the legend in the place
+            of the peak.
+
+        Raises
+        ------
+        InputError
+            Another history, or a component that is not there.
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.plot import draw_motion
+
+        axis = axes_of(ax)
+        draw_motion(axis, self, what, component, **line)
+        return drawn(axis)
+
+    def figure(self, title: str = "") -> Figure:
+        """Return a figure with acceleration, velocity and displacement of every component."""
+        from stayput.report.plot import plot_motion
+
+        return plot_motion(self, title=title)
 
     def write(self, path: str | Path) -> Path:
         """Write the motion to a file: columns (.csv, all components) or PEER AT2 (.at2, x alone).

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.ticker import LogLocator
 
 from stayput.catalogue import say
 from stayput.errors import InputError
@@ -39,6 +40,12 @@ _LOOKS = (
 
 _POINTS = 381
 _TOP = 1.1
+
+_DIGITS = (1.0, 2.0, 3.0, 5.0)
+"""First digits of the numbers along a logarithmic axis."""
+
+_SHARES = "observed shares"
+"""What marks the observed shares of a curve on axes, by which the curves there are counted."""
 
 
 def plot_fragility(
@@ -109,6 +116,28 @@ def plot_fragility(
     return saved(figure, path)
 
 
+def draw_curve(axis: Axes, curve: FragilityCurve, **line: Any) -> None:
+    """Draw one curve on axes, which may hold others over the same measure.
+
+    Parameters
+    ----------
+    axis : Axes
+        Where to draw.
+    curve : FragilityCurve
+        The curve.
+    **line
+        How the line looks, as for ``Axes.plot``; by default each curve of the axes looks different, and is
+        called by its name and the intensity at which half fall.
+    """
+    others = sum(one.get_gid() == _SHARES for one in axis.lines)
+    style(axis, zero=False)
+    _draw(axis, curve, others % len(_LOOKS), 0.0, **line)
+    _label(axis, curve.measure)
+    if not curve.measure.is_logarithm:
+        axis.xaxis.set_major_locator(LogLocator(subs=_DIGITS))
+    axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85, handlelength=3.6)
+
+
 def _grid(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> NDArray[np.float64]:
     u = np.concatenate([measure.coordinate(curve.trials.im) for curve in curves])
     margin = 0.03 * (float(np.ptp(u)) or 1.0)
@@ -132,66 +161,55 @@ def _legend_label(curve: FragilityCurve) -> str:
     return say("plots.half_state", name=name, state=curve.state.value, half=half)
 
 
-def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float) -> None:
-    colour, line, marker = _LOOKS[place]
+def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float, **line: Any) -> None:
+    colour, dashes, marker = _LOOKS[place]
+    looks: dict[str, Any] = {"color": colour, "linestyle": dashes, "marker": marker}
+    looks |= {"linewidth": 2.0, "markersize": 5.0} | line
+    colour, label = looks["color"], drawable(looks.pop("label", _legend_label(curve)))
     measure = curve.measure
     middles = measure.value(measure.coordinate([level.im for level in curve.levels]) + shift) * measure.shown
     probabilities = [level.probability for level in curve.levels]
     shares = np.array([p.estimate for p in probabilities])
     ends = np.array([[p.estimate - p.low, p.high - p.estimate] for p in probabilities]).T
-    fitted = curve.state is CurveState.FITTED
-    if fitted:
+    if curve.state is CurveState.FITTED:
         grid = curve.grid(_POINTS)
         x = grid * measure.shown
         low, high = curve.band(grid)
         axis.fill_between(x, low, high, color=colour, alpha=0.13, linewidth=0.0)
-        axis.plot(x, curve.probability(grid), color=colour, linestyle=line, linewidth=2.0)
+        line_alone: dict[str, Any] = looks | {"marker": "none"}
+        axis.plot(x, curve.probability(grid), **line_alone)
+    else:
+        looks["linestyle"] = "none"
     axis.errorbar(middles, shares, yerr=ends, fmt="none", ecolor=colour, elinewidth=0.8, alpha=0.45, zorder=3)
-    axis.plot(
-        middles,
-        shares,
-        linestyle="none",
-        marker=marker,
-        markersize=5.0,
-        color=colour,
-        markerfacecolor="white",
-        zorder=4,
-    )
-    axis.plot(
-        [],
-        [],
-        color=colour,
-        linestyle=line if fitted else "none",
-        linewidth=2.0,
-        marker=marker,
-        markersize=5.0,
-        markerfacecolor="white",
-        label=drawable(_legend_label(curve)),
-    )
+    with_marks: dict[str, Any] = looks | {"markerfacecolor": "white", "zorder": 4}
+    marks_alone: dict[str, Any] = with_marks | {"linestyle": "none"}
+    axis.plot(middles, shares, gid=_SHARES, **marks_alone)
+    axis.plot([], [], label=label, **with_marks)
 
 
-def _finish(axis: Axes, measure: IntensityMeasure, grid: NDArray[np.float64]) -> None:
-    first, last = (float(end) * measure.shown for end in (grid[0], grid[-1]))
+def _label(axis: Axes, measure: IntensityMeasure) -> None:
+    """Label axes of the probability over an intensity measure."""
     if not measure.is_logarithm:
         plain_log(axis, y=False)
-        axis.set_xticks(_round_numbers(first, last))
-    axis.set_xlim(first, last)
     axis.set_ylim(-0.02, _TOP)
     axis.set_yticks(np.linspace(0.0, 1.0, 6), [f"{percent:.0f} %" for percent in np.linspace(0.0, 100.0, 6)])
     axis.set_xlabel(measure.label[0].upper() + measure.label[1:], fontsize=FONT)
     axis.set_ylabel(say("plots.probability"), fontsize=FONT)
+
+
+def _finish(axis: Axes, measure: IntensityMeasure, grid: NDArray[np.float64]) -> None:
+    first, last = (float(end) * measure.shown for end in (grid[0], grid[-1]))
+    _label(axis, measure)
+    if not measure.is_logarithm:
+        axis.set_xticks(_round_numbers(first, last))
+    axis.set_xlim(first, last)
     if measure.is_logarithm:
         _mark_classes(axis, first, last)
 
 
 def _round_numbers(first: float, last: float) -> list[float]:
     tens = range(math.floor(math.log10(first)), math.ceil(math.log10(last)) + 1)
-    return [
-        digit * 10.0**ten
-        for ten in tens
-        for digit in (1.0, 2.0, 3.0, 5.0)
-        if first <= digit * 10.0**ten <= last
-    ]
+    return [digit * 10.0**ten for ten in tens for digit in _DIGITS if first <= digit * 10.0**ten <= last]
 
 
 def _mark_classes(axis: Axes, first: float, last: float) -> None:

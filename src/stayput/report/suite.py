@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 import numpy as np
 from matplotlib.ticker import LogLocator
 
 from stayput.catalogue import phrase, say
+from stayput.errors import word_of
 from stayput.motion.spectrum import DAMPING, PERIODS
 from stayput.motion.suites.families import FAMILIES
+from stayput.motion.suites.suite import SuiteSpectra
 from stayput.motion.suites.synthesis import synthetic_motion
 from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
@@ -38,6 +40,8 @@ def plot_suite(
     path: str | Path | None = None,
     target: TargetSpectrum | None = None,
     component: str = "x",
+    *,
+    title: str = "",
 ) -> Figure:
     """Plot all spectra of a suite, their median and scatter, and the standard deviation of ln Sa below.
 
@@ -51,6 +55,8 @@ def plot_suite(
         Drawn too; its damping is then that of the spectra.
     component : str
         "x", "y" or "z".
+    title : str
+        Title; none by default.
 
     Returns
     -------
@@ -62,30 +68,53 @@ def plot_suite(
     InputError
         A path that cannot be written; a component that is not there.
     """
-    damping = DAMPING if target is None else target.damping
-    sa = suite.spectra(PERIODS, damping, component)
-    logs = np.log(np.maximum(sa, 1e-12))
-    median = np.exp(logs.mean(axis=0))
-    scatter = logs.std(axis=0, ddof=1) if len(suite) > 1 else None
     figure = new_figure(7.6, 7.4)
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[2.4, 1.0])
+    if title:
+        figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
+    draw_suite(upper, suite, "spectra", target, component)
+    draw_suite(lower, suite, "scatter", target, component)
+    upper.set_xlabel("")
+    figure.align_ylabels([upper, lower])
+    return saved(figure, path)
+
+
+def suite_title(suite: Suite) -> str:
+    """Return what a suite is called in the title of a picture, and whether it was computed."""
     kind = "whole" if all(motion.synthetic for motion in suite) else "part"
-    title = say(
+    return say(
         "plots.suite",
         name=suite.name or phrase("plots.suite_unnamed"),
         count=(counted(len(suite), "motion"), f"{len(suite)}本"),
         kind=phrase(f"plots.suite_{kind}") if suite.synthetic else "",
     )
-    figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
-    _draw_spectra(upper, sa, median, scatter, COMPONENT_COLOURS[component])
-    if target is not None:
-        _draw_target(upper, target)
-    upper.set_ylabel(say("plots.sa_of", component=component, damping=100.0 * damping), fontsize=FONT)
-    upper.legend(loc="lower left", fontsize=FONT - 1.0, framealpha=0.9)
-    _draw_scatter(lower, scatter, COMPONENT_COLOURS[component])
-    lower.set_xlabel(say("plots.period"), fontsize=FONT)
-    figure.align_ylabels([upper, lower])
-    return saved(figure, path)
+
+
+def draw_suite(
+    axis: Axes, suite: Suite, what: SuiteSpectra, target: TargetSpectrum | None, component: str
+) -> None:
+    """Draw a suite's spectra, or the standard deviation of ln Sa, on axes.
+
+    Raises
+    ------
+    InputError
+        Something else, or a component that is not there.
+    """
+    word_of("plots.what", what, get_args(SuiteSpectra), "what")
+    damping = DAMPING if target is None else target.damping
+    sa = suite.spectra(PERIODS, damping, component)
+    logs = np.log(np.maximum(sa, 1e-12))
+    scatter = logs.std(axis=0, ddof=1) if len(suite) > 1 else None
+    if what == "spectra":
+        _draw_spectra(axis, sa, np.exp(logs.mean(axis=0)), scatter, COMPONENT_COLOURS[component])
+        if target is not None:
+            _draw_target(axis, target)
+        axis.set_ylabel(say("plots.sa_of", component=component, damping=100.0 * damping), fontsize=FONT)
+        axis.legend(loc="lower left", fontsize=FONT - 1.0, framealpha=0.9)
+    else:
+        _draw_scatter(axis, scatter, COMPONENT_COLOURS[component])
+        plain_log(axis, y=False)
+    axis.set_xlabel(say("plots.period"), fontsize=FONT)
 
 
 def _draw_spectra(

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     import xarray as xr
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
@@ -40,6 +41,9 @@ Contact = Literal["coulomb", "paper"]
 The paper is *A fundamental study on development of a verification system for earthquake-proof measures for
 furniture* (14WCEE, 2008).
 """
+
+RunHistory = Literal["tilt", "slide", "acceleration"]
+"""What `Run.plot` draws over time."""
 
 Dimensions = Literal[2, 3]
 """In the plane, or in space."""
@@ -166,11 +170,45 @@ class Run:
 
         return run_to_dataset(self)
 
-    def plot(self, path: str | Path | None = None) -> Figure:
-        """Draw the histories; see `stayput.report.plot.plot_run`."""
+    def plot(self, ax: Axes | None = None, *, what: RunHistory = "tilt") -> Axes:
+        """Draw one history on axes, with the modes as bands and the events marked.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        what : {"tilt", "slide", "acceleration"}
+            The tilt [°], the slide [cm], or the floor's acceleration [m/s²].
+
+        Returns
+        -------
+        Axes
+            Those that were drawn on; ``run.plot().figure.savefig("run.pdf")`` saves them.
+
+        Raises
+        ------
+        InputError
+            Another history.
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.plot import draw_run
+
+        axis = axes_of(ax)
+        draw_run(axis, self, what)
+        return drawn(axis)
+
+    def figure(self, title: str = "") -> Figure:
+        """Return a figure with the floor's acceleration, the tilt, the slide and the modes over time.
+
+        Examples
+        --------
+        >>> import stayput as sp
+        >>> run = sp.simulate(sp.Body(0.3, 1.8, 90.0), sp.Room(), sp.near_fault())
+        >>> run.figure("Bookcase").savefig("run.svg")  # or .pdf, .png
+        """
         from stayput.report.plot import plot_run
 
-        return plot_run(self, path)
+        return plot_run(self, title=title)
 
     def animate(self, path: str | Path, language: str = "en") -> Path:
         """Write an animation (GIF, MP4 or HTML); see `stayput.report.animation.animate_run`."""

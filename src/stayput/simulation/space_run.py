@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     import xarray as xr
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
@@ -29,6 +30,9 @@ if TYPE_CHECKING:
     from stayput.simulation.space_fate import Fate
     from stayput.simulation.space_gaps import Gaps
     from stayput.simulation.standing import Standing
+
+SpaceDrawing = Literal["tilt", "yaw", "plan", "acceleration"]
+"""What `SpaceRun.plot` draws."""
 
 SEVERITY = (
     Outcome.RESTED,
@@ -70,7 +74,7 @@ class Hit:
     impulse: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class SpaceRun:
     """What bodies in space did, in axes that move with the floor.
 
@@ -141,8 +145,12 @@ class SpaceRun:
     plan: FloorPlan | None = None
 
     def __repr__(self) -> str:
-        bodies = ", ".join(outcome.value for outcome in self.outcomes)
-        return f"SpaceRun({len(self.standing)} bodies: {bodies}; {self.time[-1]:g} s)"
+        became = ", ".join(
+            f"{outcome.value} (slide {slide:.3g} m, tilt {tilt:.3g} rad)"
+            for outcome, slide, tilt in zip(self.outcomes[:4], self.peak_slide, self.peak_tilt, strict=False)
+        )
+        more = f", and {len(self.standing) - 4} more" if len(self.standing) > 4 else ""
+        return f"SpaceRun({became}{more}; {len(self.time)} samples)"
 
     @property
     def turn(self) -> NDArray[np.float64]:
@@ -256,12 +264,43 @@ class SpaceRun:
         )
 
     def plot(
-        self, path: str | Path | None = None, *, names: Sequence[str] | None = None, language: str = "en"
-    ) -> Figure:
-        """Draw the histories and the ways in plan; see `stayput.report.space.plot.plot_space_run`."""
+        self,
+        ax: Axes | None = None,
+        *,
+        what: SpaceDrawing = "tilt",
+        names: Sequence[str] | None = None,
+        language: str = "en",
+    ) -> Axes:
+        """Draw one history of every body, or their ways as seen from above, on axes.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        what : {"tilt", "yaw", "plan", "acceleration"}
+            The tilt or the turn in plan [°], the ways in plan [m], or the floor's acceleration [m/s²].
+        names : sequence of str, optional
+            What the bodies are called; by default by their numbers.
+        language : str
+            Language of the texts, "en" or "ja".
+
+        Raises
+        ------
+        InputError
+            Something else to draw, another language, or not a name for each body.
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.space.plot import draw_space_run
+
+        axis = axes_of(ax)
+        draw_space_run(axis, self, what, names, language)
+        return drawn(axis)
+
+    def figure(self, title: str = "", *, names: Sequence[str] | None = None, language: str = "en") -> Figure:
+        """Return a figure with the floor's acceleration, tilts and turns over time, and the ways in plan."""
         from stayput.report.space.plot import plot_space_run
 
-        return plot_space_run(self, path, names=names, language=language)
+        return plot_space_run(self, names=names, title=title, language=language)
 
     def animate(
         self,

@@ -140,9 +140,10 @@ def plot(
     check_apart((out,), [Path(motion)])
     record = motion_of(motion, component=component, unit=unit, dt=dt)
 
+    from stayput.report.names import motion_label
     from stayput.report.plot import plot_motion  # Matplotlib takes its time to load
 
-    plot_motion(record, out)
+    plot_motion(record, out, title=motion_label(record))
     typer.echo(f"Wrote {out}")
 
 
@@ -179,9 +180,12 @@ def spectrum(
         _write_spectra(out, spectra(PERIODS))
         typer.echo(f"Wrote {out}")
     if plot is not None:
+        from stayput.catalogue import say
+        from stayput.report.names import motion_label
         from stayput.report.spectrum import plot_spectra
 
-        plot_spectra(record, plot, damping)
+        title = say("plots.spectra", name=motion_label(record), damping=100.0 * damping)
+        plot_spectra(record, plot, damping, title=title)
         typer.echo(f"Wrote {plot}")
 
 

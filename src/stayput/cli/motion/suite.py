@@ -124,6 +124,7 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None) -> None:
 
     from stayput.files import draft, name_part
     from stayput.progress import bar
+    from stayput.report.suite import plot_suite, suite_title
     from stayput.spreadsheets import text_cell
 
     folder = out / "motions"
@@ -140,7 +141,7 @@ def _write(motions: Suite, out: Path, target: TargetSpectrum | None) -> None:
             advance(1)
     with draft(out / "suite.csv") as unfinished:
         unfinished.write_text(table.getvalue(), encoding="utf-8")
-    motions.plot(out / "suite.png", target=target)
+    plot_suite(motions, out / "suite.png", target, title=suite_title(motions))
 
 
 def _print_end(
