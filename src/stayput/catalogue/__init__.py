@@ -41,6 +41,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "mechanics",
         "model",
         "motion",
+        "notebook",
         "page",
         "page_keep",
         "plots",

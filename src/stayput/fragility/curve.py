@@ -71,6 +71,11 @@ class FragilityCurve:
             f"FragilityCurve({self.name!r}, {self.measure.key}, {self.state.value}; {self.capacity().text})"
         )
 
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import curve_html
+
+        return curve_html(self)
+
     def plot(self, ax: Axes | None = None, **line: Any) -> Axes:
         """Draw the curve with its 95 % band, and the observed shares with their 95 % intervals.
 
@@ -82,6 +87,11 @@ class FragilityCurve:
             Where to draw; by default in a new figure of pyplot.
         **line
             How the line looks, as for ``Axes.plot``: ``label``, ``color``, ...
+
+        Raises
+        ------
+        InputError
+            The axes hold a curve over another intensity measure.
         """
         from stayput.report.figures import axes_of, drawn
         from stayput.report.fragility import draw_curve

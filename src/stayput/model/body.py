@@ -14,6 +14,8 @@ from stayput.wording import brief
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
+    from matplotlib.axes import Axes
+
 SIZE_RANGE = (1e-3, 100.0)
 """Smallest and largest width and height that are accepted [m]."""
 
@@ -160,6 +162,23 @@ class Body:
             raise InputError(
                 "model.cg_beside_base", "base_insets", x=e_x, insets=repr(self.base_insets), width=self.width
             )
+
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import body_html
+
+        return body_html(self)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the section to scale, with the centre of gravity and R and α of the base corners.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        """
+        from stayput.model.room import Room
+
+        return Room().plot(ax, body=self)
 
     @property
     def uniform_inertia(self) -> float:

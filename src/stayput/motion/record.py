@@ -117,6 +117,11 @@ class Motion:
         peaks = ", ".join(f"{name} {np.abs(a).max():.4g}" for name, a in self.components.items())
         return f"Motion({self.name!r}, {len(self)} samples, dt={self.dt:g} s, peaks [m/s²]: {peaks})"
 
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import motion_html
+
+        return motion_html(self)
+
     def __len__(self) -> int:
         return len(self.x)
 

@@ -64,6 +64,11 @@ class ResponseSpectrum:
             f"damping={self.damping:g}, largest Sa {self.sa[place]:.4g} m/s² at {self.periods[place]:.3g} s)"
         )
 
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import spectrum_html
+
+        return spectrum_html(self)
+
     def plot(self, ax: Axes | None = None, *, what: SpectralResponse = "sa", **line: Any) -> Axes:
         """Draw one response over the period on logarithmic axes.
 

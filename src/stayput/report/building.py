@@ -148,8 +148,8 @@ def draw_modes(axis: Axes, model: ShearModel, modes: int) -> None:
     floors = np.arange(len(model.masses) + 1)
     for i in range(min(modes, len(model.masses))):
         colour, line = LINES[i % len(LINES)]
-        share = found.effective_mass[i]
-        label = say("plots.mode_shape", number=i + 1, period=found.periods[i], share=share)
+        percent = 100.0 * found.effective_mass[i]
+        label = say("plots.mode_shape", number=i + 1, period=found.periods[i], percent=percent)
         values = np.append(0.0, found.participation[i] * found.shapes[:, i])
         axis.plot(values, floors, color=colour, linestyle=line, marker="o", markersize=4.0, label=label)
     axis.yaxis.set_major_locator(MaxNLocator(integer=True))

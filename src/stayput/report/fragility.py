@@ -44,8 +44,8 @@ _TOP = 1.1
 _DIGITS = (1.0, 2.0, 3.0, 5.0)
 """First digits of the numbers along a logarithmic axis."""
 
-_SHARES = "observed shares"
-"""What marks the observed shares of a curve on axes, by which the curves there are counted."""
+_SHARES = "observed shares over "
+"""What marks the observed shares of a curve on axes, with its measure's key; curves there are counted."""
 
 
 def plot_fragility(
@@ -84,10 +84,8 @@ def plot_fragility(
     """
     if not 1 <= len(curves) <= len(_LOOKS):
         raise InputError("plots.curves_number", count=len(curves), most=len(_LOOKS))
-    measures = {curve.measure.key: curve.measure for curve in curves}
-    if len(measures) > 1:
-        raise InputError("plots.curves_measures", measures=", ".join(measures))
-    (measure,) = measures.values()
+    _refuse_other_measures([curve.measure.key for curve in curves])
+    measure = curves[0].measure
     figure = new_figure(8.4, 5.4)
     axis: Axes = figure.subplots()
     style(axis, zero=False)
@@ -128,14 +126,28 @@ def draw_curve(axis: Axes, curve: FragilityCurve, **line: Any) -> None:
     **line
         How the line looks, as for ``Axes.plot``; by default each curve of the axes looks different, and is
         called by its name and the intensity at which half fall.
+
+    Raises
+    ------
+    InputError
+        The axes hold a curve over another measure.
     """
-    others = sum(one.get_gid() == _SHARES for one in axis.lines)
+    over = [
+        gid.removeprefix(_SHARES) for one in axis.lines if (gid := one.get_gid() or "").startswith(_SHARES)
+    ]
+    _refuse_other_measures([*over, curve.measure.key])
     style(axis, zero=False)
-    _draw(axis, curve, others % len(_LOOKS), 0.0, **line)
+    _draw(axis, curve, len(over) % len(_LOOKS), 0.0, **line)
     _label(axis, curve.measure)
     if not curve.measure.is_logarithm:
         axis.xaxis.set_major_locator(LogLocator(subs=_DIGITS))
     axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85, handlelength=3.6)
+
+
+def _refuse_other_measures(keys: Sequence[str]) -> None:
+    """Refuse curves over different measures on the same axes."""
+    if len(measures := dict.fromkeys(keys)) > 1:
+        raise InputError("plots.curves_measures", measures=", ".join(measures))
 
 
 def _grid(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> NDArray[np.float64]:
@@ -183,7 +195,7 @@ def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float, **line: A
     axis.errorbar(middles, shares, yerr=ends, fmt="none", ecolor=colour, elinewidth=0.8, alpha=0.45, zorder=3)
     with_marks: dict[str, Any] = looks | {"markerfacecolor": "white", "zorder": 4}
     marks_alone: dict[str, Any] = with_marks | {"linestyle": "none"}
-    axis.plot(middles, shares, gid=_SHARES, **marks_alone)
+    axis.plot(middles, shares, gid=_SHARES + measure.key, **marks_alone)
     axis.plot([], [], label=label, **with_marks)
 
 

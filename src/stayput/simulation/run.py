@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
     from stayput.mechanics.runner import Shaking, Traced
     from stayput.model.solid import Solid
+    from stayput.report.embedding import Player
     from stayput.simulation.space_run import SpaceRun
     from stayput.simulation.standing import Assembly, Standing
 
@@ -130,6 +131,11 @@ class Run:
         slide, tilt = f"{self.peak_slide:.3g} m", f"{self.peak_tilt:.3g} rad"
         return f"Run({self.outcome.value}{fell}; peaks: slide {slide}, tilt {tilt}; {len(self.time)} samples)"
 
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import run_html
+
+        return run_html(self)
+
     def count(self, kind: EventKind) -> int:
         """Return how many events of a kind there were, listed or not."""
         return sum(event.kind is kind for event in self.events) + self.unlisted.get(kind, 0)
@@ -210,11 +216,18 @@ class Run:
 
         return plot_run(self, title=title)
 
-    def animate(self, path: str | Path, language: str = "en") -> Path:
-        """Write an animation (GIF, MP4 or HTML); see `stayput.report.animation.animate_run`."""
-        from stayput.report.animation import animate_run
+    @overload
+    def animate(self, path: None = ..., language: str = ...) -> Player: ...
+    @overload
+    def animate(self, path: str | Path, language: str = ...) -> Path: ...
+    def animate(self, path: str | Path | None = None, language: str = "en") -> Path | Player:
+        """Write an animation (GIF, MP4 or HTML), or without a path return one that notebooks play.
 
-        return animate_run(self, path, language=language)
+        See `stayput.report.animation.animate_run`, which has more to choose from.
+        """
+        from stayput.report.animation import animate_run, run_player
+
+        return run_player(self, language) if path is None else animate_run(self, path, language=language)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -232,6 +245,21 @@ class Case:
 
     def __repr__(self) -> str:
         return brief(self)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the body with its measures in the room, to scale and from the side.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        """
+        from stayput.report.figures import axes_of, drawn
+        from stayput.report.section import draw_section
+
+        axis = axes_of(ax)
+        draw_section(axis, hold(self.body, self.room, self.measures))
+        return drawn(axis)
 
     def __post_init__(self) -> None:
         instance_of("body", self.body, Body)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
 
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from stayput.model.floor_plan import FloorPlan
     from stayput.model.room import Room
     from stayput.motion import Motion
+    from stayput.report.embedding import Player
     from stayput.simulation.space_fate import Fate
     from stayput.simulation.space_gaps import Gaps
     from stayput.simulation.standing import Standing
@@ -151,6 +152,11 @@ class SpaceRun:
         )
         more = f", and {len(self.standing) - 4} more" if len(self.standing) > 4 else ""
         return f"SpaceRun({became}{more}; {len(self.time)} samples)"
+
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import space_run_html
+
+        return space_run_html(self)
 
     @property
     def turn(self) -> NDArray[np.float64]:
@@ -302,16 +308,40 @@ class SpaceRun:
 
         return plot_space_run(self, names=names, title=title, language=language)
 
+    @overload
+    def animate(
+        self,
+        path: None = ...,
+        *,
+        names: Sequence[str] | None = ...,
+        speed: float = ...,
+        language: str = ...,
+    ) -> Player: ...
+    @overload
     def animate(
         self,
         path: str | Path,
+        *,
+        names: Sequence[str] | None = ...,
+        fps: float = ...,
+        speed: float = ...,
+        language: str = ...,
+    ) -> Path: ...
+    def animate(
+        self,
+        path: str | Path | None = None,
         *,
         names: Sequence[str] | None = None,
         fps: float = 20.0,
         speed: float = 1.0,
         language: str = "en",
-    ) -> Path:
-        """Write an animation (GIF, MP4 or HTML); see `stayput.report.space.animation.animate_space_run`."""
-        from stayput.report.space.animation import animate_space_run
+    ) -> Path | Player:
+        """Write an animation (GIF, MP4 or HTML), or without a path return one that notebooks play.
 
+        See `stayput.report.space.animation.animate_space_run`, which has more to choose from.
+        """
+        from stayput.report.space.animation import animate_space_run, space_run_player
+
+        if path is None:
+            return space_run_player(self, names, speed, language)
         return animate_space_run(self, path, names=names, fps=fps, speed=speed, language=language)

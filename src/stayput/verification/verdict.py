@@ -15,12 +15,14 @@ from stayput.montecarlo.counting import OVERTURNED
 from stayput.motion.units import STANDARD_GRAVITY
 from stayput.standards import ac156, asce43_sliding, equipment_loads, position_of
 from stayput.standards.asce43 import VERTICAL_SHARE
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
     from typing import Self
 
+    from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
     from stayput.catalogue import Phrase
@@ -308,6 +310,28 @@ class Verdict:
         )
         more = f", and {len(self.options) - 3} more" if len(self.options) > 3 else ""
         return f"Verdict(JMA {self.intensity:.2f}; overturned: {ranked}{more})"
+
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import verdict_html
+
+        return verdict_html(self)
+
+    def plot(self, ax: Axes | None = None, *, language: str = "en") -> Axes:
+        """Draw the share that overturns with each option, with its 95 % interval, the best first.
+
+        Parameters
+        ----------
+        ax : Axes, optional
+            Where to draw; by default in a new figure of pyplot.
+        language : str
+            Language of the texts, "en" or "ja".
+        """
+        from stayput.report.charts.chances import draw_ranking
+        from stayput.report.figures import axes_of, drawn
+
+        axis = axes_of(ax)
+        draw_ranking(axis, self, check_language(language))
+        return drawn(axis)
 
     @property
     def without(self) -> OptionVerdict:

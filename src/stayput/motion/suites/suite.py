@@ -93,6 +93,11 @@ class Suite(Sequence[Motion]):
     def __repr__(self) -> str:
         return f"Suite({self.name!r}, {len(self)} motions)"
 
+    def _repr_html_(self) -> str:
+        from stayput.report.notebook import suite_html
+
+        return suite_html(self)
+
     def __len__(self) -> int:
         return len(self.motions)
 
