@@ -51,6 +51,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "room_report",
         "rooms",
         "runs",
+        "saved",
         "scenario",
         "several",
         "simulation",

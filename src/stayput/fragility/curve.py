@@ -18,6 +18,9 @@ from stayput.fragility.trials import Level, Trials, observed_levels
 from stayput.wording import counted
 
 if TYPE_CHECKING:
+    from pathlib import Path
+    from typing import Self
+
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 
@@ -75,6 +78,31 @@ class FragilityCurve:
         from stayput.report.notebook import curve_html
 
         return curve_html(self)
+
+    def save(self, path: str | Path) -> Path:
+        """Write the curve to a file (.json) that `load` reads again, to the bit and with its inputs.
+
+        Raises
+        ------
+        InputError
+            A path that cannot be written, or a class of one's own in it, such as a measure.
+        """
+        from stayput.saved import save_json
+
+        return save_json(self, path)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read the curve that `save` wrote.
+
+        Raises
+        ------
+        InputError
+            No such file, or one of something else.
+        """
+        from stayput.saved import load_json
+
+        return load_json(cls, path)
 
     def plot(self, ax: Axes | None = None, **line: Any) -> Axes:
         """Draw the curve with its 95 % band, and the observed shares with their 95 % intervals.

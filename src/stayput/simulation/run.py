@@ -24,6 +24,7 @@ from stayput.wording import brief
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from pathlib import Path
+    from typing import Self
 
     import xarray as xr
     from matplotlib.axes import Axes
@@ -175,6 +176,33 @@ class Run:
         from stayput.report.dataset import run_to_dataset
 
         return run_to_dataset(self)
+
+    def save(self, path: str | Path) -> Path:
+        """Write the run to a file (.nc) that `load` reads again, to the bit and with its inputs.
+
+        Any program that knows NetCDF reads the histories in it.
+
+        Raises
+        ------
+        InputError
+            A path that cannot be written, or a class of one's own in it, such as a measure.
+        """
+        from stayput.saved import save_netcdf
+
+        return save_netcdf(self, self.to_dataset(), path)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read the run that `save` wrote.
+
+        Raises
+        ------
+        InputError
+            No such file, or one of something else.
+        """
+        from stayput.saved import load_netcdf
+
+        return load_netcdf(cls, path)
 
     def plot(self, ax: Axes | None = None, *, what: RunHistory = "tilt") -> Axes:
         """Draw one history on axes, with the modes as bands and the events marked.

@@ -362,6 +362,31 @@ class Verdict:
 
         return tuple(say(note, language) for note in notes(self))
 
+    def save(self, path: str | Path) -> Path:
+        """Write the verdict to a file (.json) that `load` reads again, to the bit and with its inputs.
+
+        Raises
+        ------
+        InputError
+            A path that cannot be written, or a class of one's own in it, such as a measure.
+        """
+        from stayput.saved import save_json
+
+        return save_json(self, path)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Self:
+        """Read the verdict that `save` wrote.
+
+        Raises
+        ------
+        InputError
+            No such file, or one of something else.
+        """
+        from stayput.saved import load_json
+
+        return load_json(cls, path)
+
     def to_json(self) -> str:
         """Return the verdict as JSON; keys carry their units."""
         from stayput.report.verdict.data import verdict_json
