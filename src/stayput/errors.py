@@ -6,6 +6,7 @@ import math
 import re
 import sys
 import warnings
+from collections.abc import Sized
 from contextlib import contextmanager
 from contextvars import ContextVar
 from difflib import get_close_matches
@@ -67,6 +68,15 @@ def readable(sentence: str) -> str:
 def quoted(value: str) -> str:
     """Return a piece of the input as a sentence quotes it: between quotation marks, the end left out."""
     return repr(value if len(value) <= _LONGEST_QUOTE else f"{value[:_LONGEST_QUOTE]}…")
+
+
+def shown(value: object) -> str:
+    """Return a value as a sentence shows it: as Python does, or its type and length where that is long."""
+    told = repr(value)
+    if len(told) <= _LONGEST_QUOTE and "\n" not in told:
+        return told
+    length = f" of length {len(value)}" if isinstance(value, Sized) else ""
+    return f"{type(value).__name__}{length}"
 
 
 def excerpt(value: str) -> Phrase:
@@ -239,7 +249,7 @@ def instance_of(name: str, value: object, kind: type[T] | tuple[type[T], ...]) -
     if not isinstance(value, kind):
         kinds = (kind,) if isinstance(kind, type) else kind
         wanted = " | ".join(each.__name__ for each in kinds)
-        raise InputError("common.wrong_type", name, name=name, value=repr(value), wanted=wanted)
+        raise InputError("common.wrong_type", name, name=name, value=shown(value), wanted=wanted)
     return value
 
 

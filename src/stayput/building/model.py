@@ -15,6 +15,7 @@ from stayput.execution import Call, ThreadExecutor
 from stayput.model.parameters import parameter, parameter_of, quantity
 from stayput.motion.integrals import peak_velocity
 from stayput.motion.processing import refine
+from stayput.motion.record import Motion
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from stayput.building.histories import Energy, Histories
-    from stayput.motion import Motion
 
 T = TypeVar("T")
 
@@ -173,6 +173,7 @@ class ShearModel:
 
     def _ground(self, motion: Motion) -> Motion:
         """Return the motion; warn where it is not one of the ground."""
+        motion = Motion.given(motion)
         if motion.floor:
             warn(
                 InputWarning(

@@ -297,6 +297,14 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The suite has no motions; it must have at least one.",
         "地震動群に地震動がありません。1つ以上必要です。",
     ),
+    "only_samples": (
+        "{name} is {value}; bare samples must be given their time step, in m/s²: Motion(dt=0.01, x=samples).",
+        "{name}が{value}になっています。時間刻みを付け、m/s²の値でMotion(dt=0.01, x=samples)のように指定してください。",
+    ),
+    "only_a_path": (
+        "{name} is {value}; a file must be read first: read_motion({value}).",
+        "{name}が{value}になっています。ファイルは先にread_motion({value})で読み込んでください。",
+    ),
     "suite_item": (
         "An item of the suite is of type {kind}; all must be motions.",
         "地震動群に{kind}が含まれています。地震動（Motion）だけを入れてください。",

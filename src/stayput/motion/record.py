@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal
+from os import PathLike
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
-from stayput.errors import InputError, finite, instance_of, visible, within
+from stayput.errors import InputError, finite, instance_of, shown, visible, within
 from stayput.files import check_target, draft
 from stayput.motion import integrals
 from stayput.motion.channels import (
@@ -35,6 +37,7 @@ from stayput.motion.writers import FORMATS
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
     from pathlib import Path
+    from typing import Self
 
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -95,6 +98,21 @@ class Motion:
     floor: str = ""
     listing: Listing | None = None
 
+    if TYPE_CHECKING:  # samples are taken as whatever NumPy makes an array of, and kept as arrays
+
+        def __init__(
+            self,
+            dt: float,
+            x: ArrayLike,
+            y: ArrayLike | None = None,
+            z: ArrayLike | None = None,
+            name: str = "",
+            synthetic: bool = False,
+            source: str = "",
+            floor: str = "",
+            listing: Listing | None = None,
+        ) -> None: ...
+
     def __post_init__(self) -> None:
         object.__setattr__(self, "dt", within("motion.name_motion_dt", self.dt, *STEP_RANGE, "s", "dt"))
         for name in ("name", "source", "floor"):  # a file's header may hold anything
@@ -151,6 +169,23 @@ class Motion:
             self.floor,
             self.listing,
         )
+
+    @classmethod
+    def given(cls, value: object, name: str = "motion") -> Self:
+        """Return a motion that was given as one, or refuse what is none with how to make one of it.
+
+        Raises
+        ------
+        InputError
+            It is something else: bare samples have neither a time step nor a unit.
+        """
+        if isinstance(value, cls):
+            return value
+        if isinstance(value, str | PathLike):
+            raise InputError("motion.only_a_path", name, name=name, value=repr(str(cast("object", value))))
+        if isinstance(value, Sequence) or hasattr(value, "__array__"):
+            raise InputError("motion.only_samples", name, name=name, value=shown(cast("object", value)))
+        return instance_of(name, value, cls)
 
     @property
     def components(self) -> dict[str, NDArray[np.float64]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, overload
+from typing import TYPE_CHECKING, Literal, cast, overload
 
 import numpy as np
 
@@ -292,7 +292,7 @@ class Case:
     def __post_init__(self) -> None:
         instance_of("body", self.body, Body)
         instance_of("room", self.room, Room)
-        instance_of("motion", self.motion, Motion)
+        Motion.given(self.motion)
         instance_of("initial", self.initial, State)
         object.__setattr__(self, "measures", list_of("measures", self.measures, Measure))
         law_number(self.contact)
@@ -486,9 +486,10 @@ def _simulate_solids(
     from stayput.simulation.space import simulate_assembly
     from stayput.simulation.standing import Assembly, Standing
 
-    given = instance_of("body", what, (Solid, Standing, Assembly))
+    kinds = (Body, Solid, Standing, Assembly)  # a body has been taken already, and is named as allowed
+    given = cast("Solid | Standing | Assembly", instance_of("body", what, kinds))
     instance_of("room", room, Room)
-    instance_of("motion", motion, Motion)
+    Motion.given(motion)
     for name, value, usual in (
         ("measures", tuple(measures), ()),
         ("initial", initial, State()),

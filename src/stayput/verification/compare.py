@@ -27,9 +27,9 @@ from stayput.verification.ranking import members, severity
 from stayput.verification.verdict import AsInstalled, DeviceSummary, Estimates, OptionVerdict, Verdict
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Mapping
 
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from stayput.catalogue import Phrase
     from stayput.fragility import FragilityCurve, IntensityMeasure
@@ -61,7 +61,7 @@ def curve_levels(dimensions: int) -> NDArray[np.float64]:
 def compare(
     scenario: Scenario,
     *,
-    levels: Sequence[float] | NDArray[np.float64] | None,
+    levels: ArrayLike | None,
     slide_limit: float,
     every_run: bool,
     threads: int | None,

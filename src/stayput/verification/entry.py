@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, overload
 
+import numpy as np
+
 from stayput.errors import InputError, instance_of, within
 from stayput.model.body import Body
 from stayput.model.room import Room
@@ -15,10 +17,9 @@ from stayput.verification.compare import compare
 from stayput.verification.several import verify_several
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
 
-    import numpy as np
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike
 
     from stayput.scenario.in_python import MeasureSets, StatedShaking
     from stayput.uncertainty import Uncertainty
@@ -35,7 +36,7 @@ def verify(
     samples: int | None = ...,
     seed: int | None = ...,
     precision: float | None = ...,
-    levels: Sequence[float] | NDArray[np.float64] | None = ...,
+    levels: ArrayLike | None = ...,
     slide_limit: float = ...,
     every_run: bool = ...,
     threads: int | None = ...,
@@ -56,7 +57,7 @@ def verify(
     samples: int | None = ...,
     seed: int | None = ...,
     precision: float | None = ...,
-    levels: Sequence[float] | NDArray[np.float64] | None = ...,
+    levels: ArrayLike | None = ...,
     slide_limit: float = ...,
     every_run: bool = ...,
     threads: int | None = ...,
@@ -99,7 +100,7 @@ def verify(
     samples: int | None = None,
     seed: int | None = None,
     precision: float | None = None,
-    levels: Sequence[float] | NDArray[np.float64] | None = None,
+    levels: ArrayLike | None = None,
     slide_limit: float = SLIDE_LIMIT,
     every_run: bool = False,
     threads: int | None = None,
@@ -134,7 +135,7 @@ def verify(
         Most samples of each set of measures, and the seed of the draws, of a body or a case.
     precision : float, optional
         Half-width of the 95 % interval of the probability of overturning that is enough, of a body or a case.
-    levels : sequence of float, optional
+    levels : array_like, optional
         JMA intensities of the ground for the fragility curves, increasing; with none in it there are no
         curves. Default `stayput.verification.LEVELS`, in space fewer.
     slide_limit : float
@@ -192,7 +193,7 @@ def verify(
             _refuse_beside(given, in_python | settings)
             scenario = given
     if isinstance(scenario, AssemblyScenario):
-        if levels is not None and len(levels):
+        if levels is not None and np.size(levels):
             raise InputError("several.levels", "levels")
         return verify_several(
             scenario, slide_limit=limit, threads=threads, progress=progress, on_progress=on_progress
