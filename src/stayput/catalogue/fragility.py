@@ -1,6 +1,14 @@
 """Fragility curves and the probabilities behind them."""
 
 TEXTS: dict[str, tuple[str, str]] = {
+    # measures of intensity
+    "jma": ("JMA instrumental intensity", "計測震度"),
+    "pga": ("peak ground acceleration", "地面の最大加速度"),
+    "pgv": ("peak ground velocity", "地面の最大速度"),
+    "pfa": ("peak floor acceleration", "床の最大加速度"),
+    "pfv": ("peak floor velocity", "床の最大速度"),
+    "mmi": ("modified Mercalli intensity (Worden et al. 2012)", "改正メルカリ震度（Wordenほか 2012）"),
+    "sa": ("spectral acceleration at {period:g} s", "周期{period:g}秒の加速度応答"),
     # counts and shapes
     "not_bool": (
         "The type of fallen is {dtype}; it must be bool, and missing runs go apart.",

@@ -85,6 +85,12 @@ def earthquake_table(text: str) -> dict[str, Any]:
     return dict(zip(("magnitude", "distance", "depth", "vs30"), values, strict=False)) | kind
 
 
+def spectral_table(text: str) -> dict[str, Any]:
+    """Return the table of a spectral acceleration, ``PERIOD,VALUE``."""
+    values = _numbers("--sa", text, text.split(","), (2,), "0.3,8")
+    return dict(zip(("period", "value"), values, strict=True))
+
+
 def friction_table(text: str) -> dict[str, Any]:
     """Return the floor table of ``STATIC[,KINETIC]``."""
     values = _numbers("--friction", text, text.split(","), (1, 2), "0.4,0.3")

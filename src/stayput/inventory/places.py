@@ -12,6 +12,7 @@ import numpy as np
 from stayput.catalogue import phrase
 from stayput.errors import InputError, within
 from stayput.fragility import JMA_INTENSITY, spectral_acceleration
+from stayput.fragility.intensity_measures import PERIODS
 from stayput.montecarlo.hazard import level_of
 from stayput.motion.spectrum import DAMPING
 
@@ -24,9 +25,6 @@ if TYPE_CHECKING:
 
 PLACE = ("lat", "lon")
 LIMITS = ((-90.0, 90.0, "°"), (-180.0, 360.0, "°"))
-
-PERIODS = (0.01, 10.0)
-"""Shortest and longest period of an Sa [s]."""
 
 _SA = re.compile(r"sa_(\d{1,2}(?:\.\d{1,4})?)", re.ASCII)
 

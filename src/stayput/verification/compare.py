@@ -62,6 +62,7 @@ def compare(
     scenario: Scenario,
     *,
     levels: Sequence[float] | NDArray[np.float64] | None,
+    further: Sequence[IntensityMeasure] = (),
     slide_limit: float,
     every_run: bool,
     threads: int | None,
@@ -81,7 +82,8 @@ def compare(
         raise InputError("verification.levels_not_increasing", "levels")
     (options, impossible), shaking = compared_options(scenario), scenario.shaking
     ground, dimensions = scenario.ground(), scenario.dimensions
-    hazard = Hazard(ground, shaking.building, shaking.storey or 1, bool(shaking.vertical), dimensions)
+    place = shaking.building, shaking.storey or 1
+    hazard = Hazard(ground, *place, bool(shaking.vertical), dimensions, tuple(further))
     settings = Settings.of(scenario, len(ground), limit)
     faulty = _faulty(options, scenario)
     body, room = scenario.furniture.body(), scenario.room.room()

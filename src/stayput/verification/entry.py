@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, overload
 
-from stayput.errors import InputError, instance_of, within
+from stayput.errors import InputError, instance_of, list_of, within
+from stayput.fragility import IntensityMeasure
 from stayput.model.body import Body
 from stayput.model.room import Room
 from stayput.montecarlo.counting import SLIDE_LIMIT
@@ -36,6 +37,7 @@ def verify(
     seed: int | None = ...,
     precision: float | None = ...,
     levels: Sequence[float] | NDArray[np.float64] | None = ...,
+    intensity_measures: Sequence[IntensityMeasure] = ...,
     slide_limit: float = ...,
     every_run: bool = ...,
     threads: int | None = ...,
@@ -57,6 +59,7 @@ def verify(
     seed: int | None = ...,
     precision: float | None = ...,
     levels: Sequence[float] | NDArray[np.float64] | None = ...,
+    intensity_measures: Sequence[IntensityMeasure] = ...,
     slide_limit: float = ...,
     every_run: bool = ...,
     threads: int | None = ...,
@@ -100,6 +103,7 @@ def verify(
     seed: int | None = None,
     precision: float | None = None,
     levels: Sequence[float] | NDArray[np.float64] | None = None,
+    intensity_measures: Sequence[IntensityMeasure] = (),
     slide_limit: float = SLIDE_LIMIT,
     every_run: bool = False,
     threads: int | None = None,
@@ -137,6 +141,9 @@ def verify(
     levels : sequence of float, optional
         JMA intensities of the ground for the fragility curves, increasing; with none in it there are no
         curves. Default `stayput.verification.LEVELS`, in space fewer.
+    intensity_measures : sequence of IntensityMeasure, optional
+        What else the curves are drawn against, beside the usual measures: `stayput.fragility.MMI`, or
+        `stayput.fragility.spectral_acceleration` at a period.
     slide_limit : float
         Slide that counts as too far [m].
     every_run : bool
@@ -200,6 +207,7 @@ def verify(
     return compare(
         scenario,
         levels=levels,
+        further=list_of("intensity_measures", intensity_measures, IntensityMeasure),
         slide_limit=limit,
         every_run=every_run,
         threads=threads,

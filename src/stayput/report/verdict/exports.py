@@ -154,7 +154,8 @@ def observed_csv(curves: Sequence[FragilityCurve]) -> str:
 def key(measure: IntensityMeasure) -> str:
     """Return the heading of a measure's column, with its SI unit."""
     unit = "" if measure.is_logarithm else "_m_s" if measure.unit == "cm/s" else "_m_s2"
-    return f"{measure.key.lower()}{unit}"
+    name = measure.key if measure.period is None else f"sa_{measure.period:g}"
+    return f"{name.lower()}{unit}"
 
 
 def _text(heading: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
