@@ -44,6 +44,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "page",
         "page_keep",
         "plots",
+        "progress",
         "report",
         "room_page",
         "room_plan",

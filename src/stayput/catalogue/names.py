@@ -125,8 +125,10 @@ MOTIONS: dict[str, tuple[str, str]] = {
     "long-period basin": FAMILIES["basin"][0],
     "synthetic near-fault motion": ("Near-fault, synthetic", "断層近傍の模擬地震動"),
     "sine": ("Sine", "正弦波"),
+    "rare": ("Rare", "稀に発生する地震動"),
+    "very rare": ("Very rare", "極めて稀に発生する地震動"),
 }
-"""Synthetic motions, by what their names say."""
+"""Synthetic motions and targets, by what their names say."""
 
 PLACES: dict[str, tuple[str, str]] = {
     "front": ("front", "前面側"),

@@ -31,9 +31,6 @@ UnitOption: TypeAlias = Annotated[
 TimeStepOption: TypeAlias = Annotated[
     float | None, typer.Option("--dt", help="The record's time step [s], where its file does not state it.")
 ]
-LanguageOption: TypeAlias = Annotated[
-    str, typer.Option("--lang", metavar="en|ja", help="Language of what is printed.")
-]
 ThreadsOption: TypeAlias = Annotated[
     int | None, typer.Option("--threads", help="Threads; as many as there are cores by default.")
 ]
@@ -220,7 +217,7 @@ def inputs_of(tables: Mapping[str, Any], path: Path | None, motion: str | None) 
     return [*([] if path is None else [path]), *records, *([] if motion is None else [Path(motion)])]
 
 
-def motion_of(text: str, **fields: str | float | None) -> Motion:
+def motion_of(text: str, **fields: Any) -> Motion:
     """Return the motion of a ``--motion`` text and of single keys of the shaking table.
 
     Raises

@@ -74,6 +74,32 @@ VerticalOption: TypeAlias = Annotated[
 ]
 
 
+def stated_strength(
+    *,
+    intensity: str | None,
+    pga: float | None,
+    pgv: float | None,
+    sa: str | None,
+    mmi: float | None,
+    earthquake: str | None,
+) -> dict[str, Any]:
+    """Return the keys of a shaking table that flags of strength stand for; None where one is not given.
+
+    Raises
+    ------
+    InputError
+        A flag's text that cannot be read.
+    """
+    return {
+        "intensity": None if intensity is None else intensity_value(intensity),
+        "pga": pga,
+        "pgv": pgv,
+        "sa": None if sa is None else spectral_table(sa),
+        "mmi": mmi,
+        "earthquake": None if earthquake is None else earthquake_table(earthquake),
+    }
+
+
 def shaken(
     tables: Mapping[str, Any],
     path: Path | None,
@@ -112,17 +138,13 @@ def shaken(
     """
     from stayput.scenario.shaking import STRENGTHS
 
+    strength = stated_strength(intensity=intensity, pga=pga, pgv=pgv, sa=sa, mmi=mmi, earthquake=earthquake)
     flags = {
         "component": component,
         "unit": unit,
         "dt": dt,
         "scale": scale,
-        "intensity": None if intensity is None else intensity_value(intensity),
-        "pga": pga,
-        "pgv": pgv,
-        "sa": None if sa is None else spectral_table(sa),
-        "mmi": mmi,
-        "earthquake": None if earthquake is None else earthquake_table(earthquake),
+        **strength,
         "building": None if building is None else building_table(building),
         "storey": storey,
         "vertical": vertical,

@@ -37,6 +37,11 @@ class CurveState(StrEnum):
     ONE_LEVEL = "one level"
     NO_TREND = "no trend"
 
+    @property
+    def phrase(self) -> Phrase:
+        """What it is called, in both languages."""
+        return phrase(f"fragility.state_{self.value.replace(' ', '_')}")
+
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
 class FragilityCurve:

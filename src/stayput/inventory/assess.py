@@ -171,7 +171,7 @@ def assess(
 
     with _full_disk(folder), claimed(folder, inputs) as space:
         plan = digest_of_inputs(inputs)
-        with bar(_rows_about(table), "Reading", progress, "rows") as advance:
+        with bar(_rows_about(table), "progress.reading", progress, "progress.rows") as advance:
             facts = make_plan(space, table, scenarios, memory_bytes // 16, advance, check_unchanged)
         check_parts(folder / PIECES, set(part_names(facts["parts"])))
         store = Store(space.folder / "plan" / STORE, memory_bytes // 16)
@@ -273,7 +273,7 @@ def _simulate(
     if not work.left:
         return
     with (
-        bar(work.left, "Simulating", progress, "units") as advance,
+        bar(work.left, "progress.simulating", progress, "progress.units") as advance,
         _executor(threads, scheduler, client, say) as executor,
     ):
         work.run(executor, advance, time.monotonic)
@@ -347,7 +347,9 @@ def _write(
     try:
         record_file.gather(space.folder / UNITS, plan, facts["units"])
         about = {"stayput": json.dumps({"inputs": plan, **manifest}, sort_keys=True)}
-        with bar(facts["pieces"] * len(work.scenarios.events), "Writing", progress, "rows") as advance:
+        with bar(
+            facts["pieces"] * len(work.scenarios.events), "progress.writing", progress, "progress.rows"
+        ) as advance:
             Writer(folder, space, record_file, about, _strengths(work)).write(facts["parts"], advance)
     finally:
         record_file.path.unlink(missing_ok=True)

@@ -1,9 +1,9 @@
 """How strongly the ground shakes, from what people know: an intensity, a peak, or an earthquake's distance.
 
 Motions are scaled to an intensity. They are scaled to a peak acceleration or velocity or a spectral
-acceleration too, each to that value itself: to make an intensity of it first, by a regression, would add the
-regression's error. A modified Mercalli intensity and an earthquake become a peak velocity by published models,
-with their scatter:
+acceleration too, each to that value itself: to make an intensity of it first, by a regression, would add
+the regression's error. A modified Mercalli intensity and an earthquake become a peak velocity by published
+models, with their scatter:
 
 - Worden, Gerstenberger, Rhoades and Wald (2012), Bulletin of the Seismological Society of America 102,
   204-221: peak velocity at a modified Mercalli intensity, for California.

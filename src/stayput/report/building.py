@@ -10,7 +10,7 @@ from stayput.catalogue import phrase, say
 from stayput.motion.spectrum import DAMPING, PERIODS, response_spectrum
 from stayput.report.figures import FONT, new_figure, plain_log, saved, style
 from stayput.report.fonts import drawable
-from stayput.report.names import motion_label
+from stayput.report.names import given_name, motion_label
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, INK, MUTED
 
 if TYPE_CHECKING:
@@ -50,7 +50,11 @@ def shown_storeys(response: FloorResponse) -> tuple[int, ...]:
 
 
 def plot_building(
-    response: FloorResponse, path: str | Path | None = None, storeys: Sequence[int] | None = None
+    response: FloorResponse,
+    path: str | Path | None = None,
+    storeys: Sequence[int] | None = None,
+    *,
+    language: str = "en",
 ) -> Figure:
     """Plot peak floor acceleration and velocity over the storeys, and floor spectra beside the ground's.
 
@@ -64,6 +68,8 @@ def plot_building(
         Where to save it: PNG, SVG or PDF, by its ending.
     storeys : sequence of int, optional
         Floors whose spectra are drawn; default one in the middle, and the roof.
+    language : str
+        "en" or "ja".
 
     Raises
     ------
@@ -75,10 +81,11 @@ def plot_building(
     model = response.model
     title = say(
         "plots.building",
-        name=model.name,
+        language,
+        name=given_name(model.name, language),
         period=model.periods[0],
         kind=phrase("plots.yielding" if model.yields else "plots.linear"),
-        motion=motion_label(response.motion),
+        motion=motion_label(response.motion, language),
     )
     figure.suptitle(drawable(title), fontsize=FONT + 1.0, color=INK)
     ground = response.motion.peaks()
@@ -92,55 +99,55 @@ def plot_building(
         acceleration.plot(
             response.peak_acceleration(name),
             response.storeys,
-            label=say("plots.floors", component=name),
+            label=say("plots.floors", language, component=name),
             **drawn,
         )
         velocity.plot(
             100.0 * response.peak_velocity(name),
             response.storeys,
-            label=say("plots.floors", component=name),
+            label=say("plots.floors", language, component=name),
             **drawn,
         )
     reference = {"color": MUTED, "linestyle": "--", "linewidth": 1.3}
     thumb = ground["x"].pga * height_factor(response)
-    acceleration.plot(thumb, response.storeys, label=say("plots.thumb"), **reference)
-    velocity.axvline(100.0 * ground["x"].pgv, label=say("plots.ground_x"), **reference)
+    acceleration.plot(thumb, response.storeys, label=say("plots.thumb", language), **reference)
+    velocity.axvline(100.0 * ground["x"].pgv, label=say("plots.ground_x", language), **reference)
     for axis, label in (
         (acceleration, "plots.peak_acceleration"),
         (velocity, "plots.peak_velocity"),
     ):
-        _storey_axis(axis, response)
-        axis.set_xlabel(say(label), fontsize=FONT)
+        _storey_axis(axis, response, language)
+        axis.set_xlabel(say(label, language), fontsize=FONT)
         axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
-    _draw_spectra(spectra, response, shown_storeys(response) if storeys is None else storeys)
+    _draw_spectra(spectra, response, shown_storeys(response) if storeys is None else storeys, language)
     return saved(figure, path)
 
 
-def _storey_axis(axis: Axes, response: FloorResponse) -> None:
+def _storey_axis(axis: Axes, response: FloorResponse, language: str) -> None:
     style(axis, zero=False)
     axis.set_xlim(left=0.0)
     axis.yaxis.set_major_locator(MaxNLocator(integer=True))
     axis.set_ylim(0.7, response.model.storeys + 1.3)
-    axis.set_ylabel(say("plots.storey", roof=response.model.storeys + 1), fontsize=FONT)
+    axis.set_ylabel(say("plots.storey", language, roof=response.model.storeys + 1), fontsize=FONT)
 
 
-def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int]) -> None:
+def _draw_spectra(axis: Axes, response: FloorResponse, storeys: Sequence[int], language: str) -> None:
     style(axis, zero=False)
     ground = response_spectrum(response.motion)
-    axis.plot(ground.periods, ground.sa, color=INK, linewidth=1.6, label=say("plots.ground"))
+    axis.plot(ground.periods, ground.sa, color=INK, linewidth=1.6, label=say("plots.ground", language))
     for i, storey in enumerate(storeys):
         colour, line = LINES[i % len(LINES)]
         spectrum = response_spectrum(response.floor(storey))
-        label = response.model.place(storey)
+        label = given_name(response.model.place(storey), language)
         axis.plot(spectrum.periods, spectrum.sa, color=colour, linestyle=line, linewidth=1.6, label=label)
     for i, period in enumerate(response.model.periods[:3]):
         if PERIODS[0] <= period <= PERIODS[-1]:
-            label_of_periods = say("plots.periods") if i == 0 else None
+            label_of_periods = say("plots.periods", language) if i == 0 else None
             axis.axvline(period, color=MUTED, linewidth=0.9, linestyle=":", label=label_of_periods)
     plain_log(axis)
     axis.set_xlim(PERIODS[0], PERIODS[-1])
-    axis.set_xlabel(say("plots.period"), fontsize=FONT)
-    axis.set_ylabel(say("plots.floor_sa", damping=100.0 * DAMPING), fontsize=FONT)
+    axis.set_xlabel(say("plots.period", language), fontsize=FONT)
+    axis.set_ylabel(say("plots.floor_sa", language, damping=100.0 * DAMPING), fontsize=FONT)
     axis.legend(loc="best", fontsize=FONT - 1.5, framealpha=0.85)
 
 

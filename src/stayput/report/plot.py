@@ -16,7 +16,7 @@ from stayput.report.fonts import drawable
 from stayput.report.history import history
 from stayput.report.names import motion_label
 from stayput.report.palette import ALARM, COMPONENT_COLOURS, EVENT_MARKERS, INK, MODE_COLOURS, MUTED
-from stayput.report.summary import sentence
+from stayput.report.summary import sentences
 from stayput.simulation.outcome import EventKind, Mode
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ _AFTER = 1.2  # the time axis goes on after overturning by this factor
 _TILT_SHOWN = 3.0  # the tilt axis ends here, in critical angles; a fall beyond it is marked, not followed
 
 
-def plot_run(run: Run, path: str | Path | None = None, *, name: str = "body") -> Figure:
+def plot_run(run: Run, path: str | Path | None = None, *, name: str = "body", language: str = "en") -> Figure:
     """Plot the floor's acceleration, the tilt and the slide, with the modes as bands and the events marked.
 
     Parameters
@@ -43,6 +43,8 @@ def plot_run(run: Run, path: str | Path | None = None, *, name: str = "body") ->
         Where to save it: PNG, SVG or PDF, by its ending.
     name : str
         What the body is called in the title.
+    language : str
+        "en" or "ja".
 
     Returns
     -------
@@ -57,18 +59,18 @@ def plot_run(run: Run, path: str | Path | None = None, *, name: str = "body") ->
     figure = new_figure(9.5, 7.2)
     axes = figure.subplots(4, 1, sharex=True, height_ratios=[1.0, 1.6, 1.0, 0.16])
     acceleration, tilt, slide, modes = axes
-    figure.suptitle(drawable(sentence(run, name)), fontsize=FONT + 2.0, color=INK)
-    _draw_acceleration(acceleration, run.motion)
-    _draw_tilt(tilt, run)
-    _draw_slide(slide, run)
-    _draw_modes(modes, (tilt, slide), run)
+    figure.suptitle(drawable(say(sentences(run, (name, name)), language)), fontsize=FONT + 2.0, color=INK)
+    _draw_acceleration(acceleration, run.motion, language)
+    _draw_tilt(tilt, run, language)
+    _draw_slide(slide, run, language)
+    _draw_modes(modes, (tilt, slide), run, language)
     modes.set_xlim(0.0, _last_time(run))
-    modes.set_xlabel(say("report.axis_time"), fontsize=FONT)
+    modes.set_xlabel(say("report.axis_time", language), fontsize=FONT)
     figure.align_ylabels(axes[:3])
     return saved(figure, path)
 
 
-def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
+def plot_motion(motion: Motion, path: str | Path | None = None, *, language: str = "en") -> Figure:
     """Plot acceleration, velocity and displacement of every component of a motion.
 
     Velocity and displacement are integrals of the record as it is, without any correction.
@@ -79,6 +81,8 @@ def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
         The motion.
     path : str or Path, optional
         Where to save it: PNG, SVG or PDF, by its ending.
+    language : str
+        "en" or "ja".
 
     Returns
     -------
@@ -93,13 +97,13 @@ def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
     parts = motion.components
     figure = new_figure(4.0 + 3.6 * len(parts), 6.6)
     axes = figure.subplots(3, len(parts), sharex=True, sharey="row", squeeze=False)
-    figure.suptitle(drawable(motion_label(motion)), fontsize=FONT + 2.0, color=INK)
+    figure.suptitle(drawable(motion_label(motion, language)), fontsize=FONT + 2.0, color=INK)
     for column, component in enumerate(parts):
         part = motion.component(component)
         time = motion.time
         rows = (part.x, 100.0 * part.velocity, 100.0 * part.displacement)
-        axes[0, column].set_title(say(f"plots.component_{component}"), fontsize=FONT, color=INK)
-        axes[2, column].set_xlabel(say("report.axis_time"), fontsize=FONT)
+        axes[0, column].set_title(say(f"plots.component_{component}", language), fontsize=FONT, color=INK)
+        axes[2, column].set_xlabel(say("report.axis_time", language), fontsize=FONT)
         for axis, values, unit in zip(axes[:, column], rows, ("m/s²", "cm/s", "cm"), strict=True):
             style(axis)
             peak = int(np.argmax(np.abs(values)))
@@ -109,7 +113,7 @@ def plot_motion(motion: Motion, path: str | Path | None = None) -> Figure:
             )
             axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85, handletextpad=0.2)
     for axis, what in zip(axes[:, 0], ("acceleration", "velocity", "displacement"), strict=True):
-        axis.set_ylabel(say(f"plots.{what}"), fontsize=FONT)
+        axis.set_ylabel(say(f"plots.{what}", language), fontsize=FONT)
     figure.align_ylabels(axes[:, 0])
     return saved(figure, path)
 
@@ -140,7 +144,7 @@ def _last_time(run: Run) -> float:
     return min(duration, _AFTER * run.overturn_time) if run.overturned else duration
 
 
-def _draw_acceleration(axis: Axes, motion: Motion) -> None:
+def _draw_acceleration(axis: Axes, motion: Motion, language: str) -> None:
     style(axis)
     for component, a in (("x", motion.x), ("z", motion.z)):
         if a is not None:
@@ -149,22 +153,22 @@ def _draw_acceleration(axis: Axes, motion: Motion) -> None:
                 a,
                 color=COMPONENT_COLOURS[component],
                 linewidth=0.9,
-                label=say(f"plots.floor_{component}"),
+                label=say(f"plots.floor_{component}", language),
             )
-    axis.set_ylabel(say("plots.floor_acceleration"), fontsize=FONT)
-    axis.set_title(drawable(motion_label(motion)), fontsize=FONT - 0.5, color=MUTED, loc="left")
+    axis.set_ylabel(say("plots.floor_acceleration", language), fontsize=FONT)
+    axis.set_title(drawable(motion_label(motion, language)), fontsize=FONT - 0.5, color=MUTED, loc="left")
     axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85)
 
 
-def _draw_tilt(axis: Axes, run: Run) -> None:
+def _draw_tilt(axis: Axes, run: Run, language: str) -> None:
     style(axis)
     shown = history(run)
     axis.plot(shown.time, np.degrees(shown.tilt), color=INK, linewidth=1.3)
-    axis.set_ylabel(say("plots.tilt"), fontsize=FONT)
+    axis.set_ylabel(say("plots.tilt", language), fontsize=FONT)
     low, high = _tilt_limits(run)
     axis.set_ylim(low, high)
     lines = [
-        (angle, "--", MUTED, say("plots.critical", angle=abs(math.degrees(angle))))
+        (angle, "--", MUTED, say("plots.critical", language, angle=abs(math.degrees(angle))))
         for angle in critical_angles(run)
     ]
     lines += [
@@ -172,7 +176,7 @@ def _draw_tilt(axis: Axes, run: Run) -> None:
             angle,
             ":",
             EVENT_MARKERS[EventKind.WALL_IMPACT][1],
-            say("plots.wall_reached", angle=abs(math.degrees(angle))),
+            say("plots.wall_reached", language, angle=abs(math.degrees(angle))),
         )
         for angle in wall_angles(run)
         if angle is not None
@@ -195,7 +199,7 @@ def _draw_tilt(axis: Axes, run: Run) -> None:
             heights = [min(max(math.degrees(event.tilt), low), high) for event in events]
             label = f"{kind.value} × {len(events)}" if len(events) > 1 else kind.value
             if kind is EventKind.OVERTURNED:
-                label = say("plots.overturned", time=run.overturn_time)
+                label = say("plots.overturned", language, time=run.overturn_time)
             axis.plot(
                 times,
                 heights,
@@ -226,16 +230,16 @@ def _tilt_limits(run: Run) -> tuple[float, float]:
     )
 
 
-def _draw_slide(axis: Axes, run: Run) -> None:
+def _draw_slide(axis: Axes, run: Run, language: str) -> None:
     style(axis)
     shown = history(run)
     axis.plot(shown.time, 100.0 * shown.slide, color=INK, linewidth=1.3)
-    axis.set_ylabel(say("plots.slide"), fontsize=FONT)
+    axis.set_ylabel(say("plots.slide", language), fontsize=FONT)
     if run.peak_slide < 1e-3:
         axis.set_ylim(-0.1, 0.1)
 
 
-def _draw_modes(strip: Axes, bands: tuple[Axes, ...], run: Run) -> None:
+def _draw_modes(strip: Axes, bands: tuple[Axes, ...], run: Run, language: str) -> None:
     """Draw the modes as a solid strip with a legend, and as faint bands behind the histories."""
     spans = history(run).spans()
     present = [mode for mode in Mode if any(span[2] is mode for span in spans)]
@@ -257,9 +261,9 @@ def _draw_modes(strip: Axes, bands: tuple[Axes, ...], run: Run) -> None:
             axis.axvline(run.overturn_time, color=ALARM, linewidth=1.0)
     strip.set_yticks([])
     strip.set_ylim(0.0, 1.0)
-    strip.set_ylabel(say("plots.mode"), fontsize=FONT, rotation=0, ha="right", va="center")
+    strip.set_ylabel(say("plots.mode", language), fontsize=FONT, rotation=0, ha="right", va="center")
     strip.tick_params(labelsize=FONT - 1.0, colors=INK)
-    handles = [Patch(facecolor=MODE_COLOURS[mode], label=say(MODES[mode])) for mode in present]
+    handles = [Patch(facecolor=MODE_COLOURS[mode], label=say(MODES[mode], language)) for mode in present]
     strip.legend(
         handles=handles,
         loc="upper center",

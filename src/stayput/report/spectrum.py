@@ -27,7 +27,9 @@ LINES = {"x": "-", "y": "--", "z": ":"}
 """Line of each component, beside its colour."""
 
 
-def plot_spectra(motion: Motion, path: str | Path | None = None, damping: float = DAMPING) -> Figure:
+def plot_spectra(
+    motion: Motion, path: str | Path | None = None, damping: float = DAMPING, *, language: str = "en"
+) -> Figure:
     """Plot Sa, pseudo-velocity, absolute velocity and the Fourier spectrum of every component.
 
     Parameters
@@ -38,6 +40,8 @@ def plot_spectra(motion: Motion, path: str | Path | None = None, damping: float 
         Where to save it: PNG, SVG or PDF, by its ending.
     damping : float
         Damping ratio of the oscillators.
+    language : str
+        "en" or "ja".
 
     Raises
     ------
@@ -46,7 +50,7 @@ def plot_spectra(motion: Motion, path: str | Path | None = None, damping: float 
     """
     figure = new_figure(10.0, 7.6)
     axes = figure.subplots(2, 2)
-    title = say("plots.spectra", name=motion_label(motion), damping=100.0 * damping)
+    title = say("plots.spectra", language, name=motion_label(motion, language), damping=100.0 * damping)
     figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
     acceleration, velocity, absolute, fourier = axes.ravel()
     shown = np.geomspace(0.1, 0.5 / motion.dt, 200)
@@ -55,7 +59,7 @@ def plot_spectra(motion: Motion, path: str | Path | None = None, damping: float 
         drawn = {
             "color": COMPONENT_COLOURS[name],
             "linestyle": LINES[name],
-            "label": say(f"plots.component_{name}"),
+            "label": say(f"plots.component_{name}", language),
         }
         acceleration.plot(response.periods, response.sa, linewidth=1.4, **drawn)
         velocity.plot(response.periods, 100.0 * response.psv, linewidth=1.4, **drawn)
@@ -66,7 +70,7 @@ def plot_spectra(motion: Motion, path: str | Path | None = None, damping: float 
         fourier.plot(shown, 100.0 * smooth, linewidth=1.4, zorder=3, **drawn)
         if name != "z":
             absolute.plot(response.periods, 100.0 * response.sva, linewidth=1.4, **drawn)
-    _label_long_period_classes(absolute)
+    _label_long_period_classes(absolute, language)
     for axis, label in (
         (acceleration, "plots.spectrum_sa"),
         (velocity, "plots.spectrum_psv"),
@@ -75,23 +79,23 @@ def plot_spectra(motion: Motion, path: str | Path | None = None, damping: float 
     ):
         style(axis, zero=False)
         plain_log(axis)
-        axis.set_ylabel(say(label), fontsize=FONT)
-        axis.set_xlabel(say("plots.period"), fontsize=FONT)
+        axis.set_ylabel(say(label, language), fontsize=FONT)
+        axis.set_xlabel(say("plots.period", language), fontsize=FONT)
         axis.set_xlim(PERIODS[0], PERIODS[-1])
-    fourier.set_xlabel(say("plots.frequency"), fontsize=FONT)
+    fourier.set_xlabel(say("plots.frequency", language), fontsize=FONT)
     fourier.set_xlim(shown[0], shown[-1])
     _end_fourier_axis(fourier)
     acceleration.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85)
     return saved(figure, path)
 
 
-def _label_long_period_classes(axis: Axes) -> None:
+def _label_long_period_classes(axis: Axes, language: str) -> None:
     """Mark where JMA's classes of long-period motion begin."""
     first, last = float(LONG_PERIODS[0]), float(LONG_PERIODS[-1])
     for number, bound in enumerate(LONG_PERIOD_BOUNDS, start=1):
         axis.plot([first, last], [100.0 * bound] * 2, color=MUTED, linewidth=1.0)
         axis.annotate(
-            say("plots.long_period_class", number=number),
+            say("plots.long_period_class", language, number=number),
             (last, 100.0 * bound),
             xytext=(-2.0, 2.0),
             textcoords="offset points",
@@ -99,7 +103,7 @@ def _label_long_period_classes(axis: Axes) -> None:
             fontsize=FONT - 2.0,
             color=MUTED,
         )
-    axis.set_title(say("plots.long_period"), fontsize=FONT - 1.0, color=MUTED)
+    axis.set_title(say("plots.long_period", language), fontsize=FONT - 1.0, color=MUTED)
 
 
 def _end_fourier_axis(axis: Axes) -> None:

@@ -166,8 +166,8 @@ class ShakingTable(Table):
     pgv: float | None = of(strength_of_pgv, "pgv", default=None)
     sa: SpectralTable | None = Field(
         default=None,
-        description="A spectral acceleration at 5 % damping, in the place of an intensity: the geometric mean "
-        "of the horizontal components, that every motion is scaled to.",
+        description="A spectral acceleration at 5 % damping, in the place of an intensity: the geometric "
+        "mean of the horizontal components, that every motion is scaled to.",
     )
     mmi: float | None = of(strength_of_mercalli, "mmi", default=None)
     earthquake: EarthquakeTable | None = Field(

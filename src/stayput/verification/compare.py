@@ -89,7 +89,7 @@ def compare(
     body, room = scenario.furniture.body(), scenario.room.room()
     held = [hold(body, room, option.measures, dimensions=dimensions) for option in options]
     total = len(ground) * settings.samples * (len(options) * (1 + len(rows)) + len(faulty))
-    with bar(total, "Verifying", progress) as advance:
+    with bar(total, "progress.verifying", progress) as advance:
         seen = 0
 
         def count(runs: int) -> None:
