@@ -37,6 +37,7 @@ _MODULES: dict[str, dict[str, Phrase]] = {
         "fragility",
         "ground_shaking",
         "inventory",
+        "inventory_report",
         "measures",
         "mechanics",
         "model",

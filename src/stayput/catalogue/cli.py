@@ -40,7 +40,7 @@ TEXTS: dict[str, tuple[str, str]] = {
             "modified Mercalli about {mmi:.1f}"
         ),
         (
-            "計測震度{intensity:.1f}（震度{name}）、長周期地震動階級{long_period}（Sva {sva:.3g} cm/s）、"
+            "計測震度{intensity:.1f}（{name}）、長周期地震動階級{long_period}（Sva {sva:.3g} cm/s）、"
             "改正メルカリ震度 約{mmi:.1f}"
         ),
     ),

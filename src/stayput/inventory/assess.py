@@ -36,7 +36,7 @@ from stayput.spreadsheets import csv_text
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
-    from stayput.catalogue import Phrase
+    from stayput.catalogue import Language, Phrase
     from stayput.execution import Executor
     from stayput.inventory.scenarios import Scenarios
     from stayput.inventory.summary import Summary
@@ -50,7 +50,10 @@ CONNECTING = 20.0
 
 _UNITS = {"": 1, "k": 2**10, "m": 2**20, "g": 2**30, "t": 2**40}
 
-REPORT, SUMMARY = "report.html", ("summary.parquet", "summary.csv")
+REPORTS: dict[Language, str] = {"en": "report.html", "ja": "report.ja.html"}
+"""The reports in each language: their names do not depend on the language of who runs the command."""
+
+SUMMARY = ("summary.parquet", "summary.csv")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,9 +89,13 @@ class Assessment:
         """The results as a dataset of PyArrow: one row a piece and event."""
         return dataset().dataset(self.folder / PIECES, format="parquet")
 
+    def report(self, language: Language) -> Path:
+        """Return the report in a language."""
+        return self.folder / REPORTS[language]
+
     @property
     def rejects(self) -> Any:
-        """The rows that were not assessed, as a table of PyArrow: row, id, reason."""
+        """The rows that were not assessed, as a table of PyArrow: row, id, reason, and reason_ja."""
         return parquet().read_table(self.folder / REJECTS[0])
 
 
@@ -407,8 +414,9 @@ def _sum_up(folder: Path, space: Workspace, facts: dict[str, Any], manifest: dic
     for batch in pq.ParquetFile(folder / REJECTS[0]).iter_batches(20):
         first = batch.to_pylist()
         break
-    with space.durable(folder / REPORT) as file:
-        file.write(report_html(summary, facts, manifest, first).encode())
+    for language, name in REPORTS.items():
+        with space.durable(folder / name) as file:
+            file.write(report_html(summary, facts, manifest, first, language).encode())
     return summary
 
 

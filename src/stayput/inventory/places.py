@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.catalogue import phrase
+from stayput.catalogue import phrase, say
 from stayput.errors import InputError, within
 from stayput.fragility import JMA_INTENSITY, spectral_acceleration
 from stayput.fragility.intensity_measures import PERIODS
@@ -62,11 +62,9 @@ def steps_of(measure: IntensityMeasure) -> int:
 def measure_about(measure: IntensityMeasure) -> str:
     """Return a description of a map's measure."""
     if measure.period is None:
-        return "JMA intensity, rounded to 0.1"
-    return (
-        f"Sa at {measure.period:g} s, {100.0 * DAMPING:g} % damping, geometric mean of the horizontal "
-        "components, rounded by at most 3 %"
-    )
+        return say("inventory_report.map_of_intensity")
+    damping = f"{100.0 * DAMPING:g}"
+    return say("inventory_report.map_of_sa", period=f"{measure.period:g}", damping=damping)
 
 
 def distances(lat: float, lon: float, lats: ArrayLike, lons: ArrayLike) -> NDArray[np.float64]:

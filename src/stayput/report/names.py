@@ -21,9 +21,9 @@ _NAMES = {
 }
 
 _MADE = (
-    ("report.suite_member", re.compile(r"synthetic (?P<family>.+) (?P<number>\d+)")),
     ("report.sine", re.compile(r"sine (?P<values>.+)")),
     ("report.suite", re.compile(r"synthetic (?P<family>.+) suite, seed (?P<seed>\d+)")),
+    ("report.suite_member", re.compile(r"synthetic (?P<family>.+) (?P<number>\d+)")),
     ("report.japanese_target", re.compile(r"Japanese design spectrum, (?P<level>.+), soil (?P<soil>\d)")),
     ("report.building_name", re.compile(r"(?P<storeys>\d+)-storey (?P<structure>.+) building")),
     ("report.model_name", re.compile(r"(?P<masses>\d+)-mass shear model")),

@@ -98,6 +98,7 @@ def _print_info(
     from rich.console import Console
     from rich.table import Table
 
+    from stayput.catalogue.names import INTENSITIES
     from stayput.report.names import motion_label
 
     console = Console(highlight=False, markup=False)
@@ -109,7 +110,7 @@ def _print_info(
             "cli.intensities",
             lang,
             intensity=intensities.published,
-            name=intensity_name(intensities.intensity_class),
+            name=INTENSITIES[intensities.intensity_class],
             long_period=intensities.long_period_class,
             sva=100.0 * intensities.long_period_response,
             mmi=intensities.mercalli,
