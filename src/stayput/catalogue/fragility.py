@@ -7,7 +7,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "pgv": ("peak ground velocity", "地面の最大速度"),
     "pfa": ("peak floor acceleration", "床の最大加速度"),
     "pfv": ("peak floor velocity", "床の最大速度"),
-    "mmi": ("modified Mercalli intensity (Worden et al. 2012)", "改正メルカリ震度（Wordenほか 2012）"),
+    "mmi": ("modified Mercalli intensity", "改正メルカリ震度"),
     "mmi_scatter": (
         (
             "The intensities are means of the two lines of Worden et al. (2012), from PGA and PGV; what people "

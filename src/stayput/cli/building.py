@@ -10,7 +10,7 @@ import typer
 from stayput.catalogue import say
 from stayput.cli.flags import ComponentOption, TimeStepOption, UnitOption, motion_of
 from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
-from stayput.cli.messages import print_json
+from stayput.cli.messages import folded, print_json
 from stayput.cli.shaking import (
     EarthquakeOption,
     IntensityOption,
@@ -161,6 +161,5 @@ def _print_table(response: FloorResponse, lang: str) -> None:
             console.print(say("cli.building_no_energy", lang, component=name))
             continue
         share = 100.0 * energy.plastic[-1] / energy.input[-1]
-        console.print(
-            say("cli.building_energy", lang, component=name, share=share, imbalance=energy.imbalance)
-        )
+        said = say("cli.building_energy", lang, component=name, share=share, imbalance=energy.imbalance)
+        console.print(folded(said, console.width) if lang == "ja" else said)

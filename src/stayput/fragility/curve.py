@@ -132,7 +132,7 @@ class FragilityCurve:
         first, last = self.levels[0], self.levels[-1]
         return phrase(
             f"fragility.curve_{self.state.value.replace(' ', '_')}",
-            measure=self.measure.key,
+            measure=(self.measure.key, self.measure.names[1]),
             runs=(counted(count, "run"), f"{count:,}件"),
             half=self.capacity(0.5).texts,
             tenth=self.capacity(0.1).texts,

@@ -37,6 +37,8 @@ class IntensityMeasure:
         otherwise it is lognormal.
     period : float, optional
         Period of a spectral acceleration [s]; none of another measure.
+    source : Phrase
+        By whom a measure is got from others.
     """
 
     key: str
@@ -45,6 +47,7 @@ class IntensityMeasure:
     shown: float = 1.0
     is_logarithm: bool = False
     period: float | None = None
+    source: Phrase = ("", "")
 
     @property
     def name(self) -> str:
@@ -53,9 +56,10 @@ class IntensityMeasure:
 
     @property
     def labels(self) -> Phrase:
-        """Name and unit, as for an axis."""
+        """Name, unit and source, as for an axis."""
         english, japanese = (f"{name} [{self.unit}]" if self.unit else name for name in self.names)
-        return english[0].upper() + english[1:], japanese
+        of, by = self.source
+        return english[0].upper() + english[1:] + (of and f" ({of})"), japanese + (by and f"（{by}）")
 
     @property
     def least(self) -> float:
@@ -111,7 +115,9 @@ PFA = IntensityMeasure("PFA", phrase("fragility.pfa"), "m/s²")
 PFV = IntensityMeasure("PFV", phrase("fragility.pfv"), "cm/s", 100.0)
 """Peak velocity of the floor that the body stands on [m/s], shown in cm/s."""
 
-MMI = IntensityMeasure("MMI", phrase("fragility.mmi"), "", is_logarithm=True)
+MMI = IntensityMeasure(
+    "MMI", phrase("fragility.mmi"), "", is_logarithm=True, source=phrase("ground_shaking.mmi_source")
+)
 """Modified Mercalli intensity by Worden et al. (2012), from the ground's PGA and PGV; not cut off at 10."""
 
 PERIODS = (0.01, 10.0)

@@ -246,11 +246,10 @@ def _piece(row: Mapping[str, Any], language: str) -> dict[str, Any]:
         if by_cost == NO_MEASURE
         else measures_named(by_cost or "", language),
         "loss": amount(row["expected_loss"]),
-        "not_possible": [
-            {
-                "name": measures_named(option["name"], language),
-                "reason": option["reason" if language == "en" else "reason_ja"],
-            }
-            for option in row["not_possible"] or []
-        ],
+        "not_possible": [_reason(option, language) for option in row["not_possible"] or ()],
     }
+
+
+def _reason(option: Mapping[str, str], language: str) -> dict[str, str]:
+    reason = option["reason" if language == "en" else "reason_ja"]
+    return {"name": measures_named(option["name"], language), "reason": reason}

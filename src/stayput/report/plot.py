@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.patches import Patch
 
 from stayput.catalogue import say
-from stayput.catalogue.names import MODES
+from stayput.catalogue.names import EVENTS, MODES
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.report.figures import FONT, new_figure, saved, style
 from stayput.report.fonts import drawable
@@ -197,7 +197,8 @@ def _draw_tilt(axis: Axes, run: Run, language: str) -> None:
         if events:
             times = [event.time for event in events]
             heights = [min(max(math.degrees(event.tilt), low), high) for event in events]
-            label = f"{kind.value} × {len(events)}" if len(events) > 1 else kind.value
+            name = kind.value if language == "en" else say(EVENTS[kind.value], language)
+            label = f"{name} × {len(events)}" if len(events) > 1 else name
             if kind is EventKind.OVERTURNED:
                 label = say("plots.overturned", language, time=run.overturn_time)
             axis.plot(

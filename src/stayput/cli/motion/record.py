@@ -19,7 +19,7 @@ from stayput.cli.flags import (
     one_of_two,
 )
 from stayput.cli.language import OF_LOCALE, LanguageOption, wrote
-from stayput.cli.messages import print_json
+from stayput.cli.messages import folded, print_json
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -99,23 +99,22 @@ def _print_info(
     from rich.table import Table
 
     from stayput.catalogue.names import INTENSITIES
-    from stayput.report.names import motion_label
+    from stayput.report.names import given_name, motion_label
 
     console = Console(highlight=False, markup=False)
     console.print(motion_label(motion, lang), style="bold")
-    console.print(motion.source)
+    console.print(given_name(motion.source, lang))
     console.print(say("cli.samples", lang, count=len(motion), dt=motion.dt, duration=motion.duration))
-    console.print(
-        say(
-            "cli.intensities",
-            lang,
-            intensity=intensities.published,
-            name=INTENSITIES[intensities.intensity_class],
-            long_period=intensities.long_period_class,
-            sva=100.0 * intensities.long_period_response,
-            mmi=intensities.mercalli,
-        )
+    strong = say(
+        "cli.intensities",
+        lang,
+        intensity=intensities.published,
+        name=INTENSITIES[intensities.intensity_class],
+        long_period=intensities.long_period_class,
+        sva=100.0 * intensities.long_period_response,
+        mmi=intensities.mercalli,
     )
+    console.print(folded(strong, console.width) if lang == "ja" else strong)
     names = {"x": "cli.along", "y": "cli.across", "z": "cli.up"}
     table = Table(box=None, padding=(0, 2, 0, 0))
     table.add_column("")
