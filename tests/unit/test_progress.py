@@ -38,11 +38,11 @@ def test_a_bar_within_another_stands_below_it_and_goes_when_it_is_done(terminal,
             inner(1)
             (drawn,) = progress._drawn
             assert [(task.description, task.completed) for task in drawn.tasks] == [
-                ("progress.simulating", 0),
-                ("progress.compiling", 2),
+                ("Simulating", 0),
+                ("Compiling the mechanics once", 2),
             ]
             time.sleep(0.3)
-        assert [task.description for task in drawn.tasks] == ["progress.simulating"]
+        assert [task.description for task in drawn.tasks] == ["Simulating"]
         tell(10)
     assert not progress._drawn
     shown = capsys.readouterr().err

@@ -15,7 +15,7 @@ from typer.core import TyperGroup
 from stayput.catalogue import say
 from stayput.cli.language import of_arguments
 from stayput.cli.usage import USAGE, misused
-from stayput.errors import InputError, InputWarning, warnings_to
+from stayput.errors import InputError, InputWarning, reason_of, warnings_to
 from stayput.progress import told_in
 
 if TYPE_CHECKING:
@@ -104,7 +104,7 @@ def _unwritten(error: OSError, language: Language) -> int:
         raise error
     with suppress(OSError):
         if not isinstance(error, BrokenPipeError):
-            reason = (error.strerror or str(error)).lower()
+            reason = reason_of(error)
             typer.echo(say("cli.unwritten", language, reason=reason), err=True)
         # what still waits would fail again when the program ends
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

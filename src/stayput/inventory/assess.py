@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import stayput
 from stayput.catalogue import phrase
-from stayput.errors import InputError, instance_of, within
+from stayput.errors import InputError, instance_of, reason_of, within
 from stayput.execution import DaskExecutor, ThreadExecutor
 from stayput.extras import absent
 from stayput.inventory.arrow import arrow, dataset, parquet
@@ -227,7 +227,7 @@ def _digest(name: str, path: Path) -> str:
     try:
         return digest_of(path)
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
+        reason = reason_of(error)
         raise InputError(
             "inventory.unreadable", file=_called(name), path=repr(str(path)), reason=reason
         ) from None
@@ -246,7 +246,7 @@ def _full_disk(folder: Path) -> Generator[None]:
     try:
         yield
     except (OSError, sqlite3.OperationalError) as error:
-        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        reason = reason_of(error)
         where = getattr(error, "filename2", None) or getattr(error, "filename", None)
         at = phrase("inventory.at_path", path=repr(str(where))) if where else ""
         raise InputError(

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from stayput.catalogue import phrase, say
-from stayput.errors import InputError, within
+from stayput.errors import InputError, reason_of, within
 from stayput.fragility import JMA_INTENSITY, spectral_acceleration
 from stayput.fragility.intensity_measures import PERIODS
 from stayput.montecarlo.hazard import level_of
@@ -157,7 +157,7 @@ def read_shakemap(path: Path) -> ShakeMap:
                             "inventory.map_place_twice", row=number, lat=lat, lon=lon, before=before
                         )
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
+        reason = reason_of(error)
         file = phrase("inventory.the_shake_map")
         raise InputError("inventory.unreadable", file=file, path=repr(str(path)), reason=reason) from None
     except (UnicodeDecodeError, csv.Error):

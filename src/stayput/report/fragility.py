@@ -188,10 +188,8 @@ def _finish(axis: Axes, measure: IntensityMeasure, grid: NDArray[np.float64], la
         axis.set_xticks(_round_numbers(first, last))
     axis.set_xlim(first, last)
     axis.set_ylim(-0.02, _TOP)
-    axis.set_yticks(
-        np.linspace(0.0, 1.0, 6),
-        [say("plots.per_cent", language, value=percent) for percent in np.linspace(0.0, 100.0, 6)],
-    )
+    ticks = np.linspace(0.0, 1.0, 6)
+    axis.set_yticks(ticks, [say("plots.per_cent", language, value=100.0 * share) for share in ticks])
     axis.set_xlabel(say(measure.labels, language), fontsize=FONT)
     axis.set_ylabel(say("plots.probability", language), fontsize=FONT)
     if measure == JMA_INTENSITY:

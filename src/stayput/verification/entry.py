@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, overload
 
 from stayput.errors import InputError, instance_of, list_of, within
-from stayput.fragility import IntensityMeasure
+from stayput.fragility import INTENSITY_MEASURES, IntensityMeasure, intensity_measure
 from stayput.model.body import Body
 from stayput.model.room import Room
 from stayput.montecarlo.counting import SLIDE_LIMIT
@@ -207,7 +207,7 @@ def verify(
     return compare(
         scenario,
         levels=levels,
-        further=list_of("intensity_measures", intensity_measures, IntensityMeasure),
+        further=_further(intensity_measures),
         slide_limit=limit,
         every_run=every_run,
         threads=threads,
@@ -215,6 +215,19 @@ def verify(
         on_progress=on_progress,
         on_verdict=on_verdict,
     )
+
+
+def _further(measures: Sequence[IntensityMeasure]) -> tuple[IntensityMeasure, ...]:
+    """Return those measures of intensity that are not among the usual ones.
+
+    Raises
+    ------
+    InputError
+        A measure that motions of the ground have not.
+    """
+    given = list_of("intensity_measures", measures, IntensityMeasure)
+    known = (intensity_measure(one.key, "intensity_measures") for one in given)
+    return tuple(dict.fromkeys(one for one in known if one.key not in INTENSITY_MEASURES))
 
 
 def _refuse_beside(what: Scenario | AssemblyScenario | Case, given: dict[str, Any]) -> None:

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
     from stayput.fragility import FragilityCurve, IntensityMeasure
     from stayput.verification import Verdict
+    from stayput.verification.options import Option
 
 POINTS = 101
 """Points of a curve in the table."""
@@ -67,14 +68,15 @@ def write_curves(
     curves = [result.curves[measure] for result in verdict.options]
     fitted = [curve for curve in curves if curve.state is CurveState.FITTED]
     texts = {"curves.csv": curves_csv(fitted, measure), "observed.csv": observed_csv(curves)}
-    left_out = [reason for curve in curves if (reason := _left_out(curve, language))]
+    called = {result.option.name: _called(result.option, verdict, language) for result in verdict.options}
+    left_out = [reason for curve in curves if (reason := _left_out(curve, called[curve.name], language))]
     left_out += [
         say("report.in_no_file", language, option=result.option.name, reason=result.why(language))
         for result in verdict.impossible
     ]
     several = [curve for curve in fitted if not curve.one_motion]
     left_out += [
-        say("report.renamed", language, option=curve.name, identifier=identifier)
+        say("report.renamed", language, option=called[curve.name], identifier=identifier)
         for curve, identifier in zip(several, identifiers(several) if several else (), strict=True)
         if re.search(r"_[0-9a-f]{8}$", identifier)
     ]
@@ -99,17 +101,22 @@ def write_curves(
     return files, left_out
 
 
-def _left_out(curve: FragilityCurve, language: str) -> str:
+def _called(option: Option, verdict: Verdict, language: str) -> str:
+    """Return what an option is called in sentences: in English as in the files."""
+    return option.name if language == "en" else title(option, verdict, language)
+
+
+def _left_out(curve: FragilityCurve, name: str, language: str) -> str:
     """Return why a curve is not in the files for loss tools, or in one of them only; empty where it is."""
     if curve.state is not CurveState.FITTED:
-        return say("fragility.left_out_state", language, option=curve.name, state=curve.state.phrase)
+        return say("fragility.left_out_state", language, option=name, state=curve.state.phrase)
     if curve.one_motion:
-        return say("fragility.left_out_one_motion", language, option=curve.name)
+        return say("fragility.left_out_one_motion", language, option=name)
     if curve.lognormal is None:
-        return say("fragility.left_out_abrupt", language, option=curve.name)
+        return say("fragility.left_out_abrupt", language, option=name)
     if curve.lognormal.fits:
         return ""
-    return say("fragility.left_out_misfit", language, option=curve.name, why=curve.lognormal.texts)
+    return say("fragility.left_out_misfit", language, option=name, why=curve.lognormal.texts)
 
 
 @contextmanager
