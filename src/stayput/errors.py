@@ -53,7 +53,7 @@ _SYSTEM = {
 
 
 def reason_of(error: Exception) -> Phrase:
-    """Return what the system says of a failure: as it says it, in Japanese where the failure is a usual one."""
+    """Return what the system says of a failure: as it says it, and in Japanese where it is a usual one."""
     said = " ".join((getattr(error, "strerror", None) or str(error) or type(error).__name__).split()).lower()
     known = _SYSTEM.get(getattr(error, "errno", None) or 0)
     return said, say(known, "ja") if known else said
