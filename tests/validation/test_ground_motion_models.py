@@ -3,7 +3,8 @@
 Si and Midorikawa (1999) as Japan's hazard maps take it (National Research Institute for Earth Science and
 Disaster Prevention, Technical Note 336, 2009, equation 3.5.1-1; OpenQuake's hazard library has it too);
 Fujimoto and Midorikawa (2006); Worden et al. (2012) as the US Geological Survey's ShakeMap has it;
-Midorikawa, Fujimoto and Muramatsu (1999), I = 2.68 + 1.72 log PGV; Wald, Quitoriano, Heaton and Kanamori (1999).
+Midorikawa, Fujimoto and Muramatsu (1999), I = 2.68 + 1.72 log PGV; Wald, Quitoriano, Heaton and
+Kanamori (1999).
 """
 
 from __future__ import annotations
