@@ -373,4 +373,4 @@ def test_results_are_said_in_both_languages() -> None:
     assert curve.lognormal.texts[1].startswith("対数正規分布の曲線が合います：中央値 4.07 m/s²")
     none = fragility_curve(Trials.from_counts(PGA, [2.0, 4.0], [0, 0], [40, 40]))
     assert none.capacity(0.5).texts == ("> 4 m/s²", "4 m/s²超")
-    assert none.texts[1] == "PGA 4 m/s²まで、80件の計算はどれも転倒しませんでした。"
+    assert none.texts[1] == "地面の最大加速度4 m/s²まで、80件の計算はどれも転倒しませんでした。"

@@ -100,15 +100,15 @@ TEXTS: dict[str, tuple[str, str]] = {
     ),
     "curve_none_fell": (
         "None of {runs} fell, up to {measure} {highest}.{intervals}",
-        "{measure} {highest}まで、{runs}の計算はどれも転倒しませんでした。{intervals}",
+        "{measure}{highest}まで、{runs}の計算はどれも転倒しませんでした。{intervals}",
     ),
     "curve_all_fell": (
         "All of {runs} fell, from {measure} {lowest} on.{intervals}",
-        "{measure} {lowest}から、{runs}の計算はすべて転倒しました。{intervals}",
+        "{measure}{lowest}から、{runs}の計算はすべて転倒しました。{intervals}",
     ),
     "curve_one_level": (
         "At {measure} {level} {probability} fell; no other was run.{intervals}",
-        "{measure} {level}で転倒した割合は{probability}です。ほかの強さでは計算していません。{intervals}",
+        "{measure}{level}で転倒した割合は{probability}です。ほかの強さでは計算していません。{intervals}",
     ),
     "curve_abrupt": (
         (
