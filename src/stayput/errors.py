@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import math
 import re
 import sys
@@ -34,6 +35,29 @@ _BEGINNING = 400
 
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ufeff]")
 """Control characters, invisible ones, and those that change the direction of the text."""
+
+
+_SYSTEM = {
+    errno.ENOENT: "common.no_such_file",
+    errno.EACCES: "common.no_access",
+    errno.EPERM: "common.no_access",
+    errno.EISDIR: "common.is_folder",
+    errno.ENOTDIR: "common.no_folder",
+    errno.EEXIST: "common.there_already",
+    errno.ENAMETOOLONG: "common.long_name",
+    errno.ENOSPC: "common.disk_full",
+    errno.EROFS: "common.read_only",
+    errno.EADDRINUSE: "common.address_in_use",
+    errno.ECONNREFUSED: "common.connection_refused",
+}
+"""What the system says by numbers."""
+
+
+def reason_of(error: Exception) -> Phrase:
+    """Return what the system says of a failure: as it says it, and in Japanese where it is a usual one."""
+    said = " ".join((getattr(error, "strerror", None) or str(error) or type(error).__name__).split()).lower()
+    known = _SYSTEM.get(getattr(error, "errno", None) or 0)
+    return said, say(known, "ja") if known else said
 
 
 def has_control(text: str) -> bool:

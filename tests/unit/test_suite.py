@@ -116,7 +116,7 @@ def test_a_folder_and_a_list_of_files_are_read(tmp_path, small):
 
 
 def test_the_plot_is_written_with_and_without_a_target(tmp_path, small):
-    figure = plot_suite(small, tmp_path / "suite.png", japanese_design(), title=suite_title(small))
+    figure = plot_suite(small, tmp_path / "suite.png", japanese_design(), title=suite_title(small, "en"))
     assert (tmp_path / "suite.png").stat().st_size > 10_000
     labels = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
     assert any(label.startswith("target") for label in labels)

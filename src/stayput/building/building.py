@@ -234,9 +234,9 @@ class Building:
         weight = STANDARD_GRAVITY * weight_above(masses)
         return coefficient * ai_distribution(masses, period) * weight
 
-    def plot(self, ax: Axes | None = None, *, modes: int = 3) -> Axes:
+    def plot(self, ax: Axes | None = None, *, modes: int = 3, language: str = "en") -> Axes:
         """Draw the slowest mode shapes: `ShearModel.plot`."""
-        return self.model.plot(ax, modes=modes)
+        return self.model.plot(ax, modes=modes, language=language)
 
     def respond(self, motion: Motion) -> FloorResponse:
         """Return the response of all floors to a motion of the ground: `ShearModel.respond`."""

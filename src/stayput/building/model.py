@@ -16,6 +16,7 @@ from stayput.model.parameters import parameter, parameter_of, quantity
 from stayput.motion.integrals import peak_velocity
 from stayput.motion.processing import refine
 from stayput.motion.record import Motion
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -186,7 +187,7 @@ class ShearModel:
             )
         return motion
 
-    def plot(self, ax: Axes | None = None, *, modes: int = 3) -> Axes:
+    def plot(self, ax: Axes | None = None, *, modes: int = 3, language: str = "en") -> Axes:
         """Draw the slowest mode shapes over the height, times their participation factors.
 
         Parameters
@@ -195,13 +196,15 @@ class ShearModel:
             Where to draw; by default in a new figure of pyplot.
         modes : int
             How many, where the building has them.
+        language : str
+            Language of the texts, "en" or "ja".
         """
         from stayput.report.building import draw_modes
         from stayput.report.figures import axes_of, drawn
 
         number = whole_within("building.modes", modes, 1, MOST_STOREYS, "", "modes")
         axis = axes_of(ax)
-        draw_modes(axis, self, number)
+        draw_modes(axis, self, number, check_language(language))
         return drawn(axis)
 
     def respond(self, motion: Motion) -> FloorResponse:
@@ -367,6 +370,7 @@ class FloorResponse:
         *,
         what: FloorDrawing = "acceleration",
         storeys: Sequence[int] | None = None,
+        language: str = "en",
     ) -> Axes:
         """Draw the floors' peaks over the storeys, or floor spectra of x, on axes.
 
@@ -378,6 +382,8 @@ class FloorResponse:
             Peak acceleration beside the ground's times 1 + 2z/h, peak velocity, or spectra at 5 % damping.
         storeys : sequence of int, optional
             Floors whose spectra are drawn; default one in the middle, and the roof.
+        language : str
+            Language of the texts, "en" or "ja".
 
         Raises
         ------
@@ -388,14 +394,16 @@ class FloorResponse:
         from stayput.report.figures import axes_of, drawn
 
         axis = axes_of(ax)
-        draw_floors(axis, self, what, storeys)
+        draw_floors(axis, self, what, storeys, check_language(language))
         return drawn(axis)
 
-    def figure(self, title: str = "", *, storeys: Sequence[int] | None = None) -> Figure:
+    def figure(
+        self, title: str = "", *, storeys: Sequence[int] | None = None, language: str = "en"
+    ) -> Figure:
         """Return a figure with the floors' peaks over the storeys, and floor spectra."""
         from stayput.report.building import plot_building
 
-        return plot_building(self, None, storeys, title=title)
+        return plot_building(self, None, storeys, title=title, language=check_language(language))
 
     @property
     def storeys(self) -> NDArray[np.int64]:

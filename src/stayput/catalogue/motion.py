@@ -124,6 +124,10 @@ TEXTS: dict[str, tuple[str, str]] = {
         "The intensity is {intensity!r}; it must be a number or one of {known}.",
         "震度が「{intensity}」になっています。数値か、次のいずれかを指定してください：{known}",
     ),
+    "still_component": (
+        "The {component} component of {motion} is still; it cannot have an Sa.",
+        "{motion}の{component}成分は揺れていません。加速度応答スペクトルSaを求められません。",
+    ),
     "still_floor": (
         "The motion is a still floor; it cannot be scaled to an intensity.",
         "揺れのない記録なので、震度に合わせることができません。",

@@ -15,6 +15,7 @@ TEXTS: dict[str, tuple[str, str]] = {
     "curve": ("curve", "曲線"),
     "half": ("{name}: half fall at {half}", "{name}：半数が{half}で転倒"),
     "half_state": ("{name}: {state}; half fall at {half}", "{name}：{state}、半数が{half}で転倒"),
+    "per_cent": ("{value:.0f} %", "{value:.0f}%"),
     "probability": ("Probability of overturning", "転倒確率"),
     # Floors of a building.
     "building": (

@@ -15,7 +15,7 @@ from stayput.fragility.capacity import Capacity, capacity_of, unknown_capacity
 from stayput.fragility.isotonic import Isotonic
 from stayput.fragility.lognormal import LognormalFit, lognormal
 from stayput.fragility.trials import Level, Trials, observed_levels
-from stayput.wording import counted
+from stayput.wording import check_language, counted
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -40,6 +40,11 @@ class CurveState(StrEnum):
     ABRUPT = "abrupt"
     ONE_LEVEL = "one level"
     NO_TREND = "no trend"
+
+    @property
+    def phrase(self) -> Phrase:
+        """What it is called, in both languages."""
+        return phrase(f"fragility.state_{self.value.replace(' ', '_')}")
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -104,7 +109,7 @@ class FragilityCurve:
 
         return load_json(cls, path)
 
-    def plot(self, ax: Axes | None = None, **line: Any) -> Axes:
+    def plot(self, ax: Axes | None = None, *, language: str = "en", **line: Any) -> Axes:
         """Draw the curve with its 95 % band, and the observed shares with their 95 % intervals.
 
         Drawn on the axes of other curves it looks different from them and joins their legend.
@@ -113,6 +118,8 @@ class FragilityCurve:
         ----------
         ax : Axes, optional
             Where to draw; by default in a new figure of pyplot.
+        language : str
+            Language of the texts, "en" or "ja".
         **line
             How the line looks, as for ``Axes.plot``: ``label``, ``color``, ...
 
@@ -125,7 +132,7 @@ class FragilityCurve:
         from stayput.report.fragility import draw_curve
 
         axis = axes_of(ax)
-        draw_curve(axis, self, **line)
+        draw_curve(axis, self, check_language(language), **line)
         return drawn(axis)
 
     @property
@@ -185,7 +192,7 @@ class FragilityCurve:
         first, last = self.levels[0], self.levels[-1]
         return phrase(
             f"fragility.curve_{self.state.value.replace(' ', '_')}",
-            measure=self.measure.key,
+            measure=(self.measure.key, self.measure.names[1]),
             runs=(counted(count, "run"), f"{count:,}件"),
             half=self.capacity(0.5).texts,
             tenth=self.capacity(0.1).texts,

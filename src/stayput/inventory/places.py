@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from stayput.catalogue import phrase
-from stayput.errors import InputError, within
+from stayput.catalogue import phrase, say
+from stayput.errors import InputError, reason_of, within
 from stayput.fragility import JMA_INTENSITY, spectral_acceleration
+from stayput.fragility.intensity_measures import PERIODS
 from stayput.montecarlo.hazard import level_of
 from stayput.motion.spectrum import DAMPING
 
@@ -24,9 +25,6 @@ if TYPE_CHECKING:
 
 PLACE = ("lat", "lon")
 LIMITS = ((-90.0, 90.0, "°"), (-180.0, 360.0, "°"))
-
-PERIODS = (0.01, 10.0)
-"""Shortest and longest period of an Sa [s]."""
 
 _SA = re.compile(r"sa_(\d{1,2}(?:\.\d{1,4})?)", re.ASCII)
 
@@ -64,11 +62,9 @@ def steps_of(measure: IntensityMeasure) -> int:
 def measure_about(measure: IntensityMeasure) -> str:
     """Return a description of a map's measure."""
     if measure.period is None:
-        return "JMA intensity, rounded to 0.1"
-    return (
-        f"Sa at {measure.period:g} s, {100.0 * DAMPING:g} % damping, geometric mean of the horizontal "
-        "components, rounded by at most 3 %"
-    )
+        return say("inventory_report.map_of_intensity")
+    damping = f"{100.0 * DAMPING:g}"
+    return say("inventory_report.map_of_sa", period=f"{measure.period:g}", damping=damping)
 
 
 def distances(lat: float, lon: float, lats: ArrayLike, lons: ArrayLike) -> NDArray[np.float64]:
@@ -161,7 +157,7 @@ def read_shakemap(path: Path) -> ShakeMap:
                             "inventory.map_place_twice", row=number, lat=lat, lon=lon, before=before
                         )
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
+        reason = reason_of(error)
         file = phrase("inventory.the_shake_map")
         raise InputError("inventory.unreadable", file=file, path=repr(str(path)), reason=reason) from None
     except (UnicodeDecodeError, csv.Error):

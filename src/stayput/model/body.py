@@ -168,17 +168,19 @@ class Body:
 
         return body_html(self)
 
-    def plot(self, ax: Axes | None = None) -> Axes:
+    def plot(self, ax: Axes | None = None, *, language: str = "en") -> Axes:
         """Draw the section to scale, with the centre of gravity and R and α of the base corners.
 
         Parameters
         ----------
         ax : Axes, optional
             Where to draw; by default in a new figure of pyplot.
+        language : str
+            Language of the texts, "en" or "ja".
         """
         from stayput.model.room import Room
 
-        return Room().plot(ax, body=self)
+        return Room().plot(ax, body=self, language=language)
 
     @property
     def uniform_inertia(self) -> float:

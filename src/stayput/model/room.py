@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from stayput.catalogue import phrase
 from stayput.errors import InputError, instance_of, word_of
 from stayput.model.parameters import check_fields, parameter, quantity
-from stayput.wording import brief
+from stayput.wording import brief, check_language
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -310,7 +310,7 @@ class Room:
 
         return room_html(self)
 
-    def plot(self, ax: Axes | None = None, *, body: Body | None = None) -> Axes:
+    def plot(self, ax: Axes | None = None, *, body: Body | None = None, language: str = "en") -> Axes:
         """Draw the section of the room at a piece, to scale, with walls and ceiling where they are near.
 
         Parameters
@@ -319,12 +319,14 @@ class Room:
             Where to draw; by default in a new figure of pyplot.
         body : Body, optional
             The piece; by default one of usual size is indicated.
+        language : str
+            Language of the texts, "en" or "ja".
         """
         from stayput.report.figures import axes_of, drawn
         from stayput.report.section import draw_body_in_room
 
         axis = axes_of(ax)
-        draw_body_in_room(axis, body, self)
+        draw_body_in_room(axis, body, self, check_language(language))
         return drawn(axis)
 
     def __post_init__(self) -> None:

@@ -33,6 +33,7 @@ from stayput.motion.processing import (
 )
 from stayput.motion.response import DAMPING, PERIODS, ResponseSpectrum, spectrum_of_samples
 from stayput.motion.writers import FORMATS
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -260,6 +261,7 @@ class Motion:
         *,
         what: MotionHistory = "acceleration",
         component: str = "x",
+        language: str = "en",
         **line: Any,
     ) -> Axes:
         """Draw one history of one component on axes.
@@ -274,6 +276,8 @@ class Motion:
             In m/s², cm/s and cm.
         component : str
             "x", "y" or "z".
+        language : str
+            Language of the texts, "en" or "ja".
         **line
             How the line looks, as for ``Axes.plot``; with a ``label`` it stands in the legend in the place
             of the peak.
@@ -287,14 +291,14 @@ class Motion:
         from stayput.report.plot import draw_motion
 
         axis = axes_of(ax)
-        draw_motion(axis, self, what, component, **line)
+        draw_motion(axis, self, what, component, check_language(language), **line)
         return drawn(axis)
 
-    def figure(self, title: str = "") -> Figure:
+    def figure(self, title: str = "", *, language: str = "en") -> Figure:
         """Return a figure with acceleration, velocity and displacement of every component."""
         from stayput.report.plot import plot_motion
 
-        return plot_motion(self, title=title)
+        return plot_motion(self, title=title, language=check_language(language))
 
     def write(self, path: str | Path) -> Path:
         """Write the motion to a file: columns (.csv, all components) or PEER AT2 (.at2, x alone).

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from stayput.errors import InputError, numbers, within
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -69,7 +70,9 @@ class ResponseSpectrum:
 
         return spectrum_html(self)
 
-    def plot(self, ax: Axes | None = None, *, what: SpectralResponse = "sa", **line: Any) -> Axes:
+    def plot(
+        self, ax: Axes | None = None, *, what: SpectralResponse = "sa", language: str = "en", **line: Any
+    ) -> Axes:
         """Draw one response over the period on logarithmic axes.
 
         Parameters
@@ -79,6 +82,8 @@ class ResponseSpectrum:
         what : str
             Absolute acceleration "sa", relative velocity "sv" or displacement "sd", pseudo-acceleration
             "psa" or -velocity "psv", or absolute velocity "sva".
+        language : str
+            Language of the texts, "en" or "ja".
         **line
             How the line looks, as for ``Axes.plot``.
 
@@ -91,7 +96,7 @@ class ResponseSpectrum:
         from stayput.report.spectrum import draw_spectrum
 
         axis = axes_of(ax)
-        draw_spectrum(axis, self, what, **line)
+        draw_spectrum(axis, self, what, check_language(language), **line)
         return drawn(axis)
 
     @property

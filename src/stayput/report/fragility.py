@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from typing import TYPE_CHECKING, Any
+from unicodedata import east_asian_width
 
 import numpy as np
 from matplotlib.ticker import LogLocator
@@ -11,6 +12,7 @@ from matplotlib.ticker import LogLocator
 from stayput.catalogue import say
 from stayput.errors import InputError
 from stayput.fragility.curve import CurveState
+from stayput.fragility.intensity_measures import JMA_INTENSITY
 from stayput.report.figures import FONT, new_figure, plain_log, saved, shaded_classes, style
 from stayput.report.fonts import drawable
 from stayput.report.palette import INK, MUTED
@@ -55,6 +57,7 @@ def plot_fragility(
     here: float | None = None,
     title: str = "",
     subtitle: str = "",
+    language: str = "en",
 ) -> Figure:
     """Plot fragility curves with their 95 % bands and the observed shares with their 95 % intervals.
 
@@ -71,6 +74,8 @@ def plot_fragility(
         Intensity of the shaking in question [SI], drawn as a vertical line.
     title, subtitle : str
         Title, and what was run (whether motions are synthetic among it).
+    language : str
+        "en" or "ja".
 
     Returns
     -------
@@ -92,21 +97,22 @@ def plot_fragility(
     grid = _grid(curves, measure)
     shift = _shift(curves, measure)
     for place, curve in enumerate(curves):
-        _draw(axis, curve, place, shift * (place - 0.5 * (len(curves) - 1)))
-    _finish(axis, measure, grid)
+        _draw(axis, curve, place, shift * (place - 0.5 * (len(curves) - 1)), language)
+    _finish(axis, measure, grid, language)
     if here is not None:
-        label = say("report.here", value=measure.text(here))
+        label = say("report.here", language, value=measure.text(here))
         x = here * measure.shown
         axis.plot([x, x], [-0.02, 1.02], color=INK, linewidth=1.6, linestyle=":", zorder=2, label=label)
     if title:
         figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
-    alone = say("plots.no_bands") if any(curve.one_motion for curve in curves) else ""
-    label = say("plots.isotonic", alone=alone)
+    alone = say("plots.no_bands", language) if any(curve.one_motion for curve in curves) else ""
+    label = say("plots.isotonic", language, alone=alone)
     below = "\n".join((drawable(subtitle), label)) if subtitle else label
     axis.set_title(below, fontsize=FONT - 1.0, color=MUTED, loc="left")
+    labels = [_legend_label(curve, language) for curve in curves]
     figure.legend(
         loc="outside lower center",
-        ncols=1 if max(len(_legend_label(curve)) for curve in curves) > 52 or len(curves) < 3 else 2,
+        ncols=1 if max(map(_cells, labels)) > 52 or len(curves) < 3 else 2,
         fontsize=FONT - 1.0,
         frameon=False,
         handlelength=3.6,
@@ -114,7 +120,7 @@ def plot_fragility(
     return saved(figure, path)
 
 
-def draw_curve(axis: Axes, curve: FragilityCurve, **line: Any) -> None:
+def draw_curve(axis: Axes, curve: FragilityCurve, language: str, **line: Any) -> None:
     """Draw one curve on axes, which may hold others over the same measure.
 
     Parameters
@@ -123,6 +129,8 @@ def draw_curve(axis: Axes, curve: FragilityCurve, **line: Any) -> None:
         Where to draw.
     curve : FragilityCurve
         The curve.
+    language : str
+        "en" or "ja".
     **line
         How the line looks, as for ``Axes.plot``; by default each curve of the axes looks different, and is
         called by its name and the intensity at which half fall.
@@ -137,8 +145,8 @@ def draw_curve(axis: Axes, curve: FragilityCurve, **line: Any) -> None:
     ]
     _refuse_other_measures([*over, curve.measure.key])
     style(axis, zero=False)
-    _draw(axis, curve, len(over) % len(_LOOKS), 0.0, **line)
-    _label(axis, curve.measure)
+    _draw(axis, curve, len(over) % len(_LOOKS), 0.0, language, **line)
+    _label(axis, curve.measure, language)
     if not curve.measure.is_logarithm:
         axis.xaxis.set_major_locator(LogLocator(subs=_DIGITS))
     axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85, handlelength=3.6)
@@ -166,18 +174,23 @@ def _shift(curves: Sequence[FragilityCurve], measure: IntensityMeasure) -> float
     return 0.6 * min(steps, default=0.0) / len(_LOOKS)
 
 
-def _legend_label(curve: FragilityCurve) -> str:
-    name, half = curve.name or say("plots.curve"), curve.capacity(0.5).text
+def _cells(text: str) -> int:
+    """Return the width of a text, in which a Japanese letter has two cells."""
+    return sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)
+
+
+def _legend_label(curve: FragilityCurve, language: str) -> str:
+    name, half = curve.name or say("plots.curve", language), say(curve.capacity(0.5).texts, language)
     if curve.state is CurveState.FITTED:
-        return say("plots.half", name=name, half=half)
-    return say("plots.half_state", name=name, state=curve.state.value, half=half)
+        return say("plots.half", language, name=name, half=half)
+    return say("plots.half_state", language, name=name, state=curve.state.phrase, half=half)
 
 
-def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float, **line: Any) -> None:
+def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float, language: str, **line: Any) -> None:
     colour, dashes, marker = _LOOKS[place]
     looks: dict[str, Any] = {"color": colour, "linestyle": dashes, "marker": marker}
     looks |= {"linewidth": 2.0, "markersize": 5.0} | line
-    colour, label = looks["color"], drawable(looks.pop("label", _legend_label(curve)))
+    colour, label = looks["color"], drawable(looks.pop("label", _legend_label(curve, language)))
     measure = curve.measure
     middles = measure.value(measure.coordinate([level.im for level in curve.levels]) + shift) * measure.shown
     probabilities = [level.probability for level in curve.levels]
@@ -199,23 +212,24 @@ def _draw(axis: Axes, curve: FragilityCurve, place: int, shift: float, **line: A
     axis.plot([], [], label=label, **with_marks)
 
 
-def _label(axis: Axes, measure: IntensityMeasure) -> None:
+def _label(axis: Axes, measure: IntensityMeasure, language: str) -> None:
     """Label axes of the probability over an intensity measure."""
     if not measure.is_logarithm:
         plain_log(axis, y=False)
     axis.set_ylim(-0.02, _TOP)
-    axis.set_yticks(np.linspace(0.0, 1.0, 6), [f"{percent:.0f} %" for percent in np.linspace(0.0, 100.0, 6)])
-    axis.set_xlabel(measure.label[0].upper() + measure.label[1:], fontsize=FONT)
-    axis.set_ylabel(say("plots.probability"), fontsize=FONT)
+    ticks = np.linspace(0.0, 1.0, 6)
+    axis.set_yticks(ticks, [say("plots.per_cent", language, value=100.0 * share) for share in ticks])
+    axis.set_xlabel(say(measure.labels, language), fontsize=FONT)
+    axis.set_ylabel(say("plots.probability", language), fontsize=FONT)
 
 
-def _finish(axis: Axes, measure: IntensityMeasure, grid: NDArray[np.float64]) -> None:
+def _finish(axis: Axes, measure: IntensityMeasure, grid: NDArray[np.float64], language: str) -> None:
     first, last = (float(end) * measure.shown for end in (grid[0], grid[-1]))
-    _label(axis, measure)
+    _label(axis, measure, language)
     if not measure.is_logarithm:
         axis.set_xticks(_round_numbers(first, last))
     axis.set_xlim(first, last)
-    if measure.is_logarithm:
+    if measure == JMA_INTENSITY:
         _mark_classes(axis, first, last)
 
 

@@ -85,7 +85,7 @@ def curve_html(curve: FragilityCurve) -> str:
     ]
     if curve.lognormal is not None:
         table.append((say("notebook.lognormal"), curve.lognormal.text))
-    return _shown(curve.text, _drawn(lambda axis: draw_curve(axis, curve), 7.0, 4.4), table)
+    return _shown(curve.text, _drawn(lambda axis: draw_curve(axis, curve, "en"), 7.0, 4.4), table)
 
 
 def motion_html(motion: Motion) -> str:
@@ -105,13 +105,13 @@ def motion_html(motion: Motion) -> str:
 
 def spectrum_html(spectrum: ResponseSpectrum) -> str:
     """Return a response spectrum as the picture of its Sa."""
-    figure = _drawn(lambda axis: draw_spectrum(axis, spectrum, "sa"), 6.4, 4.2)
+    figure = _drawn(lambda axis: draw_spectrum(axis, spectrum, "sa", "en"), 6.4, 4.2)
     return _shown(repr(spectrum), figure, ())
 
 
 def suite_html(suite: Suite) -> str:
     """Return a suite as its spectra and a list of its first motions."""
-    figure = _drawn(lambda axis: draw_suite(axis, suite, "spectra", None, "x"), 6.8, 4.6)
+    figure = _drawn(lambda axis: draw_suite(axis, suite, "spectra", None, "x", "en"), 6.8, 4.6)
     keys = ("name", "pga", "pgv", "intensity", "duration")
     table = [
         (
@@ -125,13 +125,13 @@ def suite_html(suite: Suite) -> str:
     ]
     if len(suite) > MOST_ROWS:
         table.append((say("notebook.more", count=len(suite) - MOST_ROWS), "", "", "", ""))
-    return _shown(suite_title(suite), figure, table, [say(f"notebook.{key}") for key in keys])
+    return _shown(suite_title(suite, "en"), figure, table, [say(f"notebook.{key}") for key in keys])
 
 
 def building_html(building: Building) -> str:
     """Return a building as its mode shapes and what is known or assumed of it."""
     model = building.model
-    figure = _drawn(lambda axis: draw_modes(axis, model, 3), 5.2, 4.6)
+    figure = _drawn(lambda axis: draw_modes(axis, model, 3, "en"), 5.2, 4.6)
     periods = ", ".join(f"{period:.3g}" for period in model.periods[:3])
     table = [
         (say("notebook.structure"), building.structure),
@@ -144,7 +144,7 @@ def building_html(building: Building) -> str:
 
 def body_html(body: Body) -> str:
     """Return a body as a drawing and the quantities of the rocking literature about its base corners."""
-    figure = _drawn(lambda axis: draw_body_in_room(axis, body, Room()), 5.6, 4.6)
+    figure = _drawn(lambda axis: draw_body_in_room(axis, body, Room(), "en"), 5.6, 4.6)
     table: list[Sequence[str]] = [
         (say("notebook.size"), *(f"{value:.4g}" for value in body.size)),
         (say("notebook.slenderness"), *(f"{value:.4g}" for value in body.slenderness)),
@@ -156,7 +156,7 @@ def body_html(body: Body) -> str:
 
 def room_html(room: Room) -> str:
     """Return a room as a drawing with a piece of usual size in it."""
-    figure = _drawn(lambda axis: draw_body_in_room(axis, None, room), 5.6, 4.6)
+    figure = _drawn(lambda axis: draw_body_in_room(axis, None, room, "en"), 5.6, 4.6)
     table = [
         (say("notebook.friction"), f"{room.floor.static_friction:g}, {room.floor.kinetic_friction:g}"),
     ]

@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.patches import Patch
 
 from stayput.catalogue import say
-from stayput.catalogue.names import MODES
+from stayput.catalogue.names import EVENTS, MODES
 from stayput.errors import word_of
 from stayput.model.state import State, standing_corners, wall_faces
 from stayput.motion.record import MotionHistory
@@ -40,7 +40,7 @@ BAND = 0.25
 _TILT_SHOWN = 3.0  # the tilt axis ends here, in critical angles; a fall beyond it is marked, not followed
 
 
-def plot_run(run: Run, path: str | Path | None = None, *, title: str = "") -> Figure:
+def plot_run(run: Run, path: str | Path | None = None, *, title: str = "", language: str = "en") -> Figure:
     """Plot the floor's acceleration, the tilt and the slide, with the modes as bands and the events marked.
 
     Parameters
@@ -51,6 +51,8 @@ def plot_run(run: Run, path: str | Path | None = None, *, title: str = "") -> Fi
         Where to save it: PNG, SVG or PDF, by its ending.
     title : str
         Title; none by default.
+    language : str
+        "en" or "ja".
 
     Returns
     -------
@@ -67,19 +69,19 @@ def plot_run(run: Run, path: str | Path | None = None, *, title: str = "") -> Fi
     acceleration, tilt, slide, modes = axes
     if title:
         figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
-    _draw_acceleration(acceleration, run)
-    name = drawable(motion_label(run.motion))
+    _draw_acceleration(acceleration, run, language)
+    name = drawable(motion_label(run.motion, language))
     acceleration.set_title(name, fontsize=FONT - 0.5, color=MUTED, loc="left")
-    _draw_tilt(tilt, run)
-    _draw_slide(slide, run)
-    _draw_modes(modes, (tilt, slide), run)
+    _draw_tilt(tilt, run, language)
+    _draw_slide(slide, run, language)
+    _draw_modes(modes, (tilt, slide), run, language)
     modes.set_xlim(0.0, _last_time(run))
-    modes.set_xlabel(say("report.axis_time"), fontsize=FONT)
+    modes.set_xlabel(say("report.axis_time", language), fontsize=FONT)
     figure.align_ylabels(axes[:3])
     return saved(figure, path)
 
 
-def draw_run(axis: Axes, run: Run, what: RunHistory) -> None:
+def draw_run(axis: Axes, run: Run, what: RunHistory, language: str) -> None:
     """Draw one history of a run on axes, with the modes as bands behind a tilt or a slide.
 
     Raises
@@ -88,21 +90,23 @@ def draw_run(axis: Axes, run: Run, what: RunHistory) -> None:
         Another history.
     """
     draw = {"acceleration": _draw_acceleration, "tilt": _draw_tilt, "slide": _draw_slide}
-    draw[word_of("plots.what", what, draw, "what")](axis, run)
+    draw[word_of("plots.what", what, draw, "what")](axis, run, language)
     if what != "acceleration":
         present = _draw_bands((axis,), run)
         handles, _ = axis.get_legend_handles_labels()
         axis.legend(
-            handles=[*handles, *_mode_handles(present, alpha=BAND)],
+            handles=[*handles, *_mode_handles(present, language, alpha=BAND)],
             loc="best",
             fontsize=FONT - 1.5,
             framealpha=0.85,
         )
     axis.set_xlim(0.0, _last_time(run))
-    axis.set_xlabel(say("report.axis_time"), fontsize=FONT)
+    axis.set_xlabel(say("report.axis_time", language), fontsize=FONT)
 
 
-def plot_motion(motion: Motion, path: str | Path | None = None, *, title: str = "") -> Figure:
+def plot_motion(
+    motion: Motion, path: str | Path | None = None, *, title: str = "", language: str = "en"
+) -> Figure:
     """Plot acceleration, velocity and displacement of every component of a motion.
 
     Velocity and displacement are integrals of the record as it is, without any correction.
@@ -115,6 +119,8 @@ def plot_motion(motion: Motion, path: str | Path | None = None, *, title: str = 
         Where to save it: PNG, SVG or PDF, by its ending.
     title : str
         Title; none by default.
+    language : str
+        "en" or "ja".
 
     Returns
     -------
@@ -134,14 +140,16 @@ def plot_motion(motion: Motion, path: str | Path | None = None, *, title: str = 
         figure.suptitle(drawable(title), fontsize=FONT + 2.0, color=INK)
     for column, component in zip(axes.T, parts, strict=True):
         for axis, what in zip(column, histories, strict=True):
-            draw_motion(axis, motion, what, component)
+            draw_motion(axis, motion, what, component, language)
             axis.label_outer()
-        column[0].set_title(say(f"plots.component_{component}"), fontsize=FONT, color=INK)
+        column[0].set_title(say(f"plots.component_{component}", language), fontsize=FONT, color=INK)
     figure.align_ylabels(axes[:, 0])
     return saved(figure, path)
 
 
-def draw_motion(axis: Axes, motion: Motion, what: MotionHistory, component: str, **line: Any) -> None:
+def draw_motion(
+    axis: Axes, motion: Motion, what: MotionHistory, component: str, language: str, **line: Any
+) -> None:
     """Draw one history of one component on axes, with its peak marked.
 
     Parameters
@@ -154,6 +162,8 @@ def draw_motion(axis: Axes, motion: Motion, what: MotionHistory, component: str,
         "acceleration", "velocity" or "displacement".
     component : str
         "x", "y" or "z".
+    language : str
+        "en" or "ja".
     **line
         How the line looks, as for ``Axes.plot``. With a label there is no mark of the peak.
 
@@ -179,8 +189,8 @@ def draw_motion(axis: Axes, motion: Motion, what: MotionHistory, component: str,
         found = f"{values[peak]:.3g} {unit}"
         axis.plot(part.time[peak], values[peak], "o", color=INK, markersize=4.0, label=found)
     axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85, handletextpad=0.2)
-    axis.set_xlabel(say("report.axis_time"), fontsize=FONT)
-    axis.set_ylabel(say(f"plots.{what}"), fontsize=FONT)
+    axis.set_xlabel(say("report.axis_time", language), fontsize=FONT)
+    axis.set_ylabel(say(f"plots.{what}", language), fontsize=FONT)
 
 
 def critical_angles(run: Run) -> tuple[float, float]:
@@ -209,7 +219,7 @@ def _last_time(run: Run) -> float:
     return min(duration, _AFTER * run.overturn_time) if run.overturned else duration
 
 
-def _draw_acceleration(axis: Axes, run: Run) -> None:
+def _draw_acceleration(axis: Axes, run: Run, language: str) -> None:
     style(axis)
     motion = run.motion
     for component, a in (("x", motion.x), ("z", motion.z)):
@@ -219,21 +229,21 @@ def _draw_acceleration(axis: Axes, run: Run) -> None:
                 a,
                 color=COMPONENT_COLOURS[component],
                 linewidth=0.9,
-                label=say(f"plots.floor_{component}"),
+                label=say(f"plots.floor_{component}", language),
             )
-    axis.set_ylabel(say("plots.floor_acceleration"), fontsize=FONT)
+    axis.set_ylabel(say("plots.floor_acceleration", language), fontsize=FONT)
     axis.legend(loc="upper right", fontsize=FONT - 1.5, framealpha=0.85)
 
 
-def _draw_tilt(axis: Axes, run: Run) -> None:
+def _draw_tilt(axis: Axes, run: Run, language: str) -> None:
     style(axis)
     shown = history(run)
     axis.plot(shown.time, np.degrees(shown.tilt), color=INK, linewidth=1.3)
-    axis.set_ylabel(say("plots.tilt"), fontsize=FONT)
+    axis.set_ylabel(say("plots.tilt", language), fontsize=FONT)
     low, high = _tilt_limits(run)
     axis.set_ylim(low, high)
     lines = [
-        (angle, "--", MUTED, say("plots.critical", angle=abs(math.degrees(angle))))
+        (angle, "--", MUTED, say("plots.critical", language, angle=abs(math.degrees(angle))))
         for angle in critical_angles(run)
     ]
     lines += [
@@ -241,7 +251,7 @@ def _draw_tilt(axis: Axes, run: Run) -> None:
             angle,
             ":",
             EVENT_MARKERS[EventKind.WALL_IMPACT][1],
-            say("plots.wall_reached", angle=abs(math.degrees(angle))),
+            say("plots.wall_reached", language, angle=abs(math.degrees(angle))),
         )
         for angle in wall_angles(run)
         if angle is not None
@@ -262,9 +272,10 @@ def _draw_tilt(axis: Axes, run: Run) -> None:
         if events:
             times = [event.time for event in events]
             heights = [min(max(math.degrees(event.tilt), low), high) for event in events]
-            label = f"{kind.value} × {len(events)}" if len(events) > 1 else kind.value
+            name = kind.value if language == "en" else say(EVENTS[kind.value], language)
+            label = f"{name} × {len(events)}" if len(events) > 1 else name
             if kind is EventKind.OVERTURNED:
-                label = say("plots.overturned", time=run.overturn_time)
+                label = say("plots.overturned", language, time=run.overturn_time)
             axis.plot(
                 times,
                 heights,
@@ -295,11 +306,11 @@ def _tilt_limits(run: Run) -> tuple[float, float]:
     )
 
 
-def _draw_slide(axis: Axes, run: Run) -> None:
+def _draw_slide(axis: Axes, run: Run, language: str) -> None:
     style(axis)
     shown = history(run)
     axis.plot(shown.time, 100.0 * shown.slide, color=INK, linewidth=1.3)
-    axis.set_ylabel(say("plots.slide"), fontsize=FONT)
+    axis.set_ylabel(say("plots.slide", language), fontsize=FONT)
     if run.peak_slide < 1e-3:
         axis.set_ylim(-0.1, 0.1)
 
@@ -329,21 +340,23 @@ def _draw_bands(bands: tuple[Axes, ...], run: Run) -> dict[Mode, list[tuple[floa
     return present
 
 
-def _mode_handles(modes: Iterable[Mode], alpha: float = 1.0) -> list[Patch]:
-    return [Patch(facecolor=MODE_COLOURS[mode], alpha=alpha, label=say(MODES[mode])) for mode in modes]
+def _mode_handles(modes: Iterable[Mode], language: str, alpha: float = 1.0) -> list[Patch]:
+    return [
+        Patch(facecolor=MODE_COLOURS[mode], alpha=alpha, label=say(MODES[mode], language)) for mode in modes
+    ]
 
 
-def _draw_modes(strip: Axes, bands: tuple[Axes, ...], run: Run) -> None:
+def _draw_modes(strip: Axes, bands: tuple[Axes, ...], run: Run, language: str) -> None:
     """Draw the modes as a solid strip with a legend, and as faint bands behind the histories."""
     present = _draw_bands(bands, run)
     for mode, widths in present.items():
         strip.broken_barh(widths, (0.0, 1.0), facecolors=MODE_COLOURS[mode], linewidth=0.0)
     strip.set_yticks([])
     strip.set_ylim(0.0, 1.0)
-    strip.set_ylabel(say("plots.mode"), fontsize=FONT, rotation=0, ha="right", va="center")
+    strip.set_ylabel(say("plots.mode", language), fontsize=FONT, rotation=0, ha="right", va="center")
     strip.tick_params(labelsize=FONT - 1.0, colors=INK)
     strip.legend(
-        handles=_mode_handles(present),
+        handles=_mode_handles(present, language),
         loc="upper center",
         bbox_to_anchor=(0.5, -2.6),
         ncols=len(present),

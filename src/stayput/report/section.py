@@ -31,12 +31,12 @@ _NEAR = 1.2
 """A wall or ceiling is drawn where it is no farther than this part of the piece's larger side."""
 
 
-def draw_body_in_room(axis: Axes, body: Body | None, room: Room) -> None:
+def draw_body_in_room(axis: Axes, body: Body | None, room: Room, language: str) -> None:
     """Draw a body without measures in a room; without one, `STAND_IN` is indicated."""
-    draw_section(axis, Held(body or STAND_IN, room), dashed=body is None)
+    draw_section(axis, Held(body or STAND_IN, room), language, dashed=body is None)
 
 
-def draw_section(axis: Axes, held: Held, *, dashed: bool = False) -> None:
+def draw_section(axis: Axes, held: Held, language: str, *, dashed: bool = False) -> None:
     """Draw a body at rest with its measures, and what of the room is near.
 
     Parameters
@@ -45,6 +45,8 @@ def draw_section(axis: Axes, held: Held, *, dashed: bool = False) -> None:
         Where to draw; its scales are made equal [m].
     held : Held
         The body, its room, and the measures.
+    language : str
+        "en" or "ja".
     dashed : bool
         Whether the body is only indicated.
     """
@@ -57,27 +59,29 @@ def draw_section(axis: Axes, held: Held, *, dashed: bool = False) -> None:
     else:
         axis.add_patch(Polygon(outline, facecolor=BODY_COLOURS[0], alpha=0.4))
         axis.add_patch(Polygon(outline, fill=False, edgecolor=INK, linewidth=1.4))
-        _draw_centre(axis, body, (a, b))
+        _draw_centre(axis, body, (a, b), language)
         _draw_measures(axis, held)
     left, right, top = _draw_room(axis, held.room, body, size)
     axis.set_aspect("equal")
     axis.set_xlim(left, right)
     axis.set_ylim(-_WALL * size, top)
-    axis.set_xlabel(say("plots.across_room"), fontsize=FONT)
-    axis.set_ylabel(say("plots.above_floor"), fontsize=FONT)
+    axis.set_xlabel(say("plots.across_room", language), fontsize=FONT)
+    axis.set_ylabel(say("plots.above_floor", language), fontsize=FONT)
     axis.tick_params(labelsize=FONT - 1.0, colors=INK)
     for side in ("top", "right"):
         axis.spines[side].set_visible(False)
 
 
-def _draw_centre(axis: Axes, body: Body, feet: tuple[tuple[float, float], tuple[float, float]]) -> None:
+def _draw_centre(
+    axis: Axes, body: Body, feet: tuple[tuple[float, float], tuple[float, float]], language: str
+) -> None:
     """Draw the centre of gravity with R and α of both base corners."""
     x, z = at_rest(body, body.centre_of_gravity)
     for (u, v), R, alpha, name in zip(feet, body.size, body.slenderness, "AB", strict=True):
-        label = say("plots.corner", corner=name, size=R, slenderness=math.degrees(alpha))
+        label = say("plots.corner", language, corner=name, size=R, slenderness=math.degrees(alpha))
         dashes = "--" if name == "A" else ":"
         axis.plot([x, u], [z, v], color=INK, linestyle=dashes, linewidth=1.0, label=label)
-    axis.plot(x, z, "o", color=INK, markersize=5.0, label=say("plots.centre_of_gravity"))
+    axis.plot(x, z, "o", color=INK, markersize=5.0, label=say("plots.centre_of_gravity", language))
     axis.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), fontsize=FONT - 1.5, frameon=False)
 
 

@@ -39,7 +39,9 @@ RESPONSES: dict[SpectralResponse, tuple[float, str]] = {
 """Size of the unit that is drawn, and the label, of each response."""
 
 
-def draw_spectrum(axis: Axes, spectrum: ResponseSpectrum, what: SpectralResponse, **line: Any) -> None:
+def draw_spectrum(
+    axis: Axes, spectrum: ResponseSpectrum, what: SpectralResponse, language: str, **line: Any
+) -> None:
     """Draw one response over the period on logarithmic axes.
 
     Raises
@@ -54,14 +56,19 @@ def draw_spectrum(axis: Axes, spectrum: ResponseSpectrum, what: SpectralResponse
     looks: dict[str, Any] = {"linewidth": 1.4, "color": COMPONENT_COLOURS["x"]} | line
     axis.plot(spectrum.periods, values, **looks)
     plain_log(axis)
-    axis.set_xlabel(say("plots.period"), fontsize=FONT)
-    axis.set_ylabel(say(label), fontsize=FONT)
+    axis.set_xlabel(say("plots.period", language), fontsize=FONT)
+    axis.set_ylabel(say(label, language), fontsize=FONT)
     if "label" in line:
         axis.legend(loc="best", fontsize=FONT - 1.0, framealpha=0.85)
 
 
 def plot_spectra(
-    motion: Motion, path: str | Path | None = None, damping: float = DAMPING, *, title: str = ""
+    motion: Motion,
+    path: str | Path | None = None,
+    damping: float = DAMPING,
+    *,
+    title: str = "",
+    language: str = "en",
 ) -> Figure:
     """Plot Sa, pseudo-velocity, absolute velocity and the Fourier spectrum of every component.
 
@@ -75,6 +82,8 @@ def plot_spectra(
         Damping ratio of the oscillators.
     title : str
         Title; none by default.
+    language : str
+        "en" or "ja".
 
     Raises
     ------
@@ -90,35 +99,35 @@ def plot_spectra(
     for name, a in motion.components.items():
         response = response_spectrum(motion, PERIODS, damping, name)
         drawn: dict[str, Any] = {"color": COMPONENT_COLOURS[name], "linestyle": LINES[name]}
-        label = say(f"plots.component_{name}")
-        draw_spectrum(acceleration, response, "sa", label=label, **drawn)
-        draw_spectrum(velocity, response, "psv", **drawn)
+        label = say(f"plots.component_{name}", language)
+        draw_spectrum(acceleration, response, "sa", language, label=label, **drawn)
+        draw_spectrum(velocity, response, "psv", language, **drawn)
         f, amplitude = fourier_amplitude(a, motion.dt)
         smooth = konno_ohmachi(f, amplitude, shown, 40.0)
         faint = {"color": COMPONENT_COLOURS[name], "linewidth": 0.4, "alpha": 0.3, "zorder": 1}
         fourier.plot(f[1:], 100.0 * amplitude[1:], **faint)
         fourier.plot(shown, 100.0 * smooth, linewidth=1.4, zorder=3, **drawn)
         if name != "z":
-            draw_spectrum(absolute, response, "sva", **drawn)
-    _label_long_period_classes(absolute)
+            draw_spectrum(absolute, response, "sva", language, **drawn)
+    _label_long_period_classes(absolute, language)
     for axis in (acceleration, velocity, absolute):
         axis.set_xlim(PERIODS[0], PERIODS[-1])
     style(fourier, zero=False)
     plain_log(fourier)
-    fourier.set_ylabel(say("plots.spectrum_fourier"), fontsize=FONT)
-    fourier.set_xlabel(say("plots.frequency"), fontsize=FONT)
+    fourier.set_ylabel(say("plots.spectrum_fourier", language), fontsize=FONT)
+    fourier.set_xlabel(say("plots.frequency", language), fontsize=FONT)
     fourier.set_xlim(shown[0], shown[-1])
     _end_fourier_axis(fourier)
     return saved(figure, path)
 
 
-def _label_long_period_classes(axis: Axes) -> None:
+def _label_long_period_classes(axis: Axes, language: str) -> None:
     """Mark where JMA's classes of long-period motion begin."""
     first, last = float(LONG_PERIODS[0]), float(LONG_PERIODS[-1])
     for number, bound in enumerate(LONG_PERIOD_BOUNDS, start=1):
         axis.plot([first, last], [100.0 * bound] * 2, color=MUTED, linewidth=1.0)
         axis.annotate(
-            say("plots.long_period_class", number=number),
+            say("plots.long_period_class", language, number=number),
             (last, 100.0 * bound),
             xytext=(-2.0, 2.0),
             textcoords="offset points",
@@ -126,7 +135,7 @@ def _label_long_period_classes(axis: Axes) -> None:
             fontsize=FONT - 2.0,
             color=MUTED,
         )
-    axis.set_title(say("plots.long_period"), fontsize=FONT - 1.0, color=MUTED)
+    axis.set_title(say("plots.long_period", language), fontsize=FONT - 1.0, color=MUTED)
 
 
 def _end_fourier_axis(axis: Axes) -> None:

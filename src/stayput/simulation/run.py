@@ -19,7 +19,7 @@ from stayput.motion.record import Motion
 from stayput.motion.units import GRAVITY, STANDARD_GRAVITY
 from stayput.simulation.flat_fields import case_columns
 from stayput.simulation.outcome import Event, EventKind, Mode, Outcome
-from stayput.wording import brief
+from stayput.wording import brief, check_language
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -204,7 +204,7 @@ class Run:
 
         return load_netcdf(cls, path)
 
-    def plot(self, ax: Axes | None = None, *, what: RunHistory = "tilt") -> Axes:
+    def plot(self, ax: Axes | None = None, *, what: RunHistory = "tilt", language: str = "en") -> Axes:
         """Draw one history on axes, with the modes as bands and the events marked.
 
         Parameters
@@ -213,6 +213,8 @@ class Run:
             Where to draw; by default in a new figure of pyplot.
         what : {"tilt", "slide", "acceleration"}
             The tilt [°], the slide [cm], or the floor's acceleration [m/s²].
+        language : str
+            Language of the texts, "en" or "ja".
 
         Returns
         -------
@@ -222,16 +224,16 @@ class Run:
         Raises
         ------
         InputError
-            Another history.
+            Another history, or another language.
         """
         from stayput.report.figures import axes_of, drawn
         from stayput.report.plot import draw_run
 
         axis = axes_of(ax)
-        draw_run(axis, self, what)
+        draw_run(axis, self, what, check_language(language))
         return drawn(axis)
 
-    def figure(self, title: str = "") -> Figure:
+    def figure(self, title: str = "", *, language: str = "en") -> Figure:
         """Return a figure with the floor's acceleration, the tilt, the slide and the modes over time.
 
         Examples
@@ -242,7 +244,7 @@ class Run:
         """
         from stayput.report.plot import plot_run
 
-        return plot_run(self, title=title)
+        return plot_run(self, title=title, language=check_language(language))
 
     @overload
     def animate(self, path: None = ..., language: str = ...) -> Player: ...
@@ -274,19 +276,21 @@ class Case:
     def __repr__(self) -> str:
         return brief(self)
 
-    def plot(self, ax: Axes | None = None) -> Axes:
+    def plot(self, ax: Axes | None = None, *, language: str = "en") -> Axes:
         """Draw the body with its measures in the room, to scale and from the side.
 
         Parameters
         ----------
         ax : Axes, optional
             Where to draw; by default in a new figure of pyplot.
+        language : str
+            Language of the texts, "en" or "ja".
         """
         from stayput.report.figures import axes_of, drawn
         from stayput.report.section import draw_section
 
         axis = axes_of(ax)
-        draw_section(axis, hold(self.body, self.room, self.measures))
+        draw_section(axis, hold(self.body, self.room, self.measures), check_language(language))
         return drawn(axis)
 
     def __post_init__(self) -> None:

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from stayput.errors import InputError, instance_of, within
+from stayput.errors import InputError, instance_of, list_of, within
+from stayput.fragility import INTENSITY_MEASURES, IntensityMeasure, intensity_measure
 from stayput.model.body import Body
 from stayput.model.room import Room
 from stayput.montecarlo.counting import SLIDE_LIMIT
@@ -17,7 +18,7 @@ from stayput.verification.compare import compare
 from stayput.verification.several import verify_several
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import ArrayLike
 
@@ -37,6 +38,7 @@ def verify(
     seed: int | None = ...,
     precision: float | None = ...,
     levels: ArrayLike | None = ...,
+    intensity_measures: Sequence[IntensityMeasure] = ...,
     slide_limit: float = ...,
     every_run: bool = ...,
     threads: int | None = ...,
@@ -58,6 +60,7 @@ def verify(
     seed: int | None = ...,
     precision: float | None = ...,
     levels: ArrayLike | None = ...,
+    intensity_measures: Sequence[IntensityMeasure] = ...,
     slide_limit: float = ...,
     every_run: bool = ...,
     threads: int | None = ...,
@@ -101,6 +104,7 @@ def verify(
     seed: int | None = None,
     precision: float | None = None,
     levels: ArrayLike | None = None,
+    intensity_measures: Sequence[IntensityMeasure] = (),
     slide_limit: float = SLIDE_LIMIT,
     every_run: bool = False,
     threads: int | None = None,
@@ -138,6 +142,9 @@ def verify(
     levels : array_like, optional
         JMA intensities of the ground for the fragility curves, increasing; with none in it there are no
         curves. Default `stayput.verification.LEVELS`, in space fewer.
+    intensity_measures : sequence of IntensityMeasure, optional
+        What else the curves are drawn against, beside the usual measures: `stayput.fragility.MMI`, or
+        `stayput.fragility.spectral_acceleration` at a period.
     slide_limit : float
         Slide that counts as too far [m].
     every_run : bool
@@ -201,6 +208,7 @@ def verify(
     return compare(
         scenario,
         levels=levels,
+        further=_further(intensity_measures),
         slide_limit=limit,
         every_run=every_run,
         threads=threads,
@@ -208,6 +216,19 @@ def verify(
         on_progress=on_progress,
         on_verdict=on_verdict,
     )
+
+
+def _further(measures: Sequence[IntensityMeasure]) -> tuple[IntensityMeasure, ...]:
+    """Return those measures of intensity that are not among the usual ones.
+
+    Raises
+    ------
+    InputError
+        A measure that motions of the ground have not.
+    """
+    given = list_of("intensity_measures", measures, IntensityMeasure)
+    known = (intensity_measure(one.key, "intensity_measures") for one in given)
+    return tuple(dict.fromkeys(one for one in known if one.key not in INTENSITY_MEASURES))
 
 
 def _refuse_beside(what: Scenario | AssemblyScenario | Case, given: dict[str, Any]) -> None:

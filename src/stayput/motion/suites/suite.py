@@ -17,6 +17,7 @@ from stayput.motion.record import Motion
 from stayput.motion.spectrum import DAMPING, PERIODS, spectra
 from stayput.motion.suites.matching import matched
 from stayput.motion.suites.target import DEFAULT_BAND, band_periods
+from stayput.wording import check_language
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -248,6 +249,7 @@ class Suite(Sequence[Motion]):
         what: SuiteSpectra = "spectra",
         target: TargetSpectrum | None = None,
         component: str = "x",
+        language: str = "en",
     ) -> Axes:
         """Draw all spectra with their median and scatter, or the standard deviation of ln Sa, on axes.
 
@@ -261,6 +263,8 @@ class Suite(Sequence[Motion]):
             Drawn with the spectra; its damping is then theirs.
         component : str
             "x", "y" or "z".
+        language : str
+            Language of the texts, "en" or "ja".
 
         Raises
         ------
@@ -271,16 +275,21 @@ class Suite(Sequence[Motion]):
         from stayput.report.suite import draw_suite
 
         axis = axes_of(ax)
-        draw_suite(axis, self, what, target, component)
+        draw_suite(axis, self, what, target, component, check_language(language))
         return drawn(axis)
 
     def figure(
-        self, title: str = "", *, target: TargetSpectrum | None = None, component: str = "x"
+        self,
+        title: str = "",
+        *,
+        target: TargetSpectrum | None = None,
+        component: str = "x",
+        language: str = "en",
     ) -> Figure:
         """Return a figure with the spectra, and the standard deviation of ln Sa below."""
         from stayput.report.suite import plot_suite
 
-        return plot_suite(self, None, target, component, title=title)
+        return plot_suite(self, None, target, component, title=title, language=check_language(language))
 
     def _with(self, motions: list[Motion]) -> Suite:
         return replace(self, motions=tuple(motions))

@@ -1,0 +1,223 @@
+"""What an assessment came to, in sentences: for its report and for the command line."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import TYPE_CHECKING, Any
+
+from stayput.catalogue import phrase, say
+from stayput.fragility.probabilities import percent
+from stayput.measures import MEASURES
+from stayput.report.names import given_name
+from stayput.verification.contents import MOTIONS
+from stayput.wording import counted
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+    from stayput.catalogue import Phrase
+    from stayput.inventory.summary import Total
+
+_SHEET = re.compile(r"sheet (?P<name>'.*?')(?:; not (?P<others>.*))?")
+"""How a sheet of a workbook is called in the facts."""
+
+_SA = re.compile(r"Sa at (?P<period>\S+) s, (?P<damping>\S+) % damping, .*")
+"""How a map of spectral accelerations is called in the manifest."""
+
+
+def counted_phrase(number: int, noun: str, counter: str) -> Phrase:
+    """Return a number with its noun in English, and with its counter in Japanese."""
+    return counted(number, noun), f"{number:,}{counter}"
+
+
+def pieces_counted(number: int) -> Phrase:
+    """Return a number of pieces."""
+    return counted_phrase(number, "piece", "点")
+
+
+def share_told(value: float | None, language: str) -> str:
+    """Return a share in per cent; empty where there is none."""
+    if value is None:
+        return ""
+    if math.isnan(value):
+        return say("inventory_report.unknown", language)
+    return say("inventory_report.share", language, value=percent(value))
+
+
+def interval_told(row: Mapping[str, Any], which: str, language: str) -> str:
+    """Return the probability of overturning of a row, with its interval.
+
+    Parameters
+    ----------
+    row : mapping
+        The row.
+    which : str
+        "" without a measure, "best_" with the best one.
+    language : str
+        "en" or "ja".
+    """
+    names = {"estimate": "", "low": "_low", "high": "_high"}
+    ends = {name: percent(row[f"{which}overturned{end}"]) for name, end in names.items()}
+    return say("inventory_report.interval", language, **ends)
+
+
+def amount(value: float | None) -> str:
+    """Return an amount of money; empty where there is none."""
+    return "" if value is None else f"{value:,.0f}"
+
+
+def building_named(building: str, language: str) -> str:
+    """Return a building's name, or that there is none."""
+    return building or say("inventory_report.no_building", language)
+
+
+def measures_named(name: str, language: str) -> str:
+    """Return a set of measures as it is called in a language; a name of one's own stays as it is."""
+    if language == "en":
+        return name
+    return "+".join(
+        say(MEASURES[part].label, language) if part in MEASURES else part for part in name.split("+")
+    )
+
+
+def read_as(how: str) -> Phrase:
+    """Return how a table was read, in both languages."""
+    sheet = _SHEET.fullmatch(how)
+    if sheet is None:
+        return how, how
+    key = "sheet" if sheet["others"] is None else "sheet_of_several"
+    return phrase(f"inventory_report.{key}", **sheet.groupdict())
+
+
+def mapped(about: str) -> Phrase:
+    """Return what a shake map is of, in both languages."""
+    sa = _SA.fullmatch(about)
+    if sa is None:
+        return about, say("inventory_report.map_of_intensity", "ja")
+    return about, say("inventory_report.map_of_sa", "ja", **sa.groupdict())
+
+
+def expected(total: Total, language: str) -> str:
+    """Return how many pieces are expected to overturn, without and with the best measures."""
+    best = ""
+    if total.fallen_best < total.fallen:
+        shared = share_told(total.share_best, language)
+        best = say("inventory_report.expected_best", language, fallen=amount(total.fallen_best), share=shared)
+    return say(
+        "inventory_report.expected",
+        language,
+        fallen=amount(total.fallen),
+        pieces=pieces_counted(total.pieces),
+        verb=("is" if total.pieces == 1 else "are", ""),
+        share=share_told(total.share, language),
+        best=best,
+    )
+
+
+def further(total: Total, language: str) -> str:
+    """Return what else is known of the pieces: what helps, the loss, what comes out, what is unknown."""
+    return (" " if language == "en" else "").join(_further(total, language))
+
+
+def _further(total: Total, language: str) -> Iterator[str]:
+    if not total.helped:
+        yield say("inventory_report.none_helps", language)
+    elif total.helped < total.pieces:
+        yield say("inventory_report.some_helped", language, helped=f"{total.helped:,}")
+    if total.loss is not None:
+        loss, best = amount(total.loss), amount(total.loss_best)
+        yield say("inventory_report.expected_loss", language, loss=loss, best=best)
+    if total.share_out is not None:
+        yield say(
+            "inventory_report.inside_out",
+            language,
+            pieces=pieces_counted(total.filled),
+            share=share_told(total.share_out, language),
+            best=share_told(total.share_out_best, language),
+        )
+    if total.unknown:
+        yield say("inventory_report.nothing_known", language, pieces=pieces_counted(total.unknown))
+
+
+def done(facts: Mapping[str, Any], manifest: Mapping[str, Any], contents: bool, language: str) -> list[str]:
+    """Return what was read and computed, a sentence or two each.
+
+    Parameters
+    ----------
+    facts : mapping
+        What is known of the plan.
+    manifest : mapping
+        What the manifest says of the assessment.
+    contents : bool
+        Whether there is anything inside the pieces.
+    language : str
+        "en" or "ja".
+    """
+    empty = phrase("inventory_report.empty_rows", count=facts["empty rows"]) if facts["empty rows"] else ""
+    rows, how = counted_phrase(facts["rows"], "row", "行"), read_as(facts["read as"])
+    read = say("inventory_report.read", language, rows=rows, how=how, empty=empty)
+    if facts["columns not used"]:
+        columns = ", ".join(facts["columns not used"])
+        read += (" " if language == "en" else "") + say(
+            "inventory_report.not_used", language, columns=columns
+        )
+    told = [read, *(_scenario(scenario, language) for scenario in manifest["scenarios"])]
+    choices = counted_phrase(facts["choices"], "combination", "通り")
+    told.append(say("inventory_report.units", language, choices=choices, units=f"{facts['units']:,}"))
+    told.append(say("inventory_report.slide_limit", language, limit=manifest["slide limit"]))
+    if contents:
+        told.append(say("inventory_report.contents_followed", language, most=MOTIONS))
+    told.append(say("inventory_report.intervals", language))
+    if manifest["shake map"]:
+        told.append(say("inventory_report.shake_map", language, map=mapped(manifest["shake map"])))
+    return [*told, say("inventory_report.version", language, version=manifest["version"])]
+
+
+def _scenario(scenario: Mapping[str, Any], language: str) -> str:
+    level = scenario["intensity"]
+    suite = scenario["suite"]
+    return say(
+        "inventory_report.scenario",
+        language,
+        name=scenario["name"],
+        strength="" if level is None else phrase("inventory_report.at_intensity", value=level),
+        suite=given_name(suite, language) if suite else phrase("inventory_report.one_motion"),
+        motions=counted_phrase(scenario["motions"], "motion", "本"),
+        synthetic=phrase("inventory_report.synthetic") if scenario["synthetic"] else "",
+        samples=counted_phrase(scenario["samples"], "Monte Carlo sample", "組"),
+        seed=scenario["seed"],
+    )
+
+
+def printed(total: Total, event: str, language: str) -> list[str]:
+    """Return what an event came to, in the lines of a terminal."""
+    best: Phrase | str = ""
+    if total.fallen_best < total.fallen:
+        best = phrase("inventory_report.printed_best", fallen=f"{total.fallen_best:,.1f}")
+    elif not total.helped:
+        best = phrase("inventory_report.printed_none_helps")
+    known = total.pieces > total.unknown
+    lines = [
+        say(
+            "inventory_report.printed_expected",
+            language,
+            event=event,
+            fallen=f"{total.fallen:,.1f}",
+            pieces=pieces_counted(total.pieces),
+            share=share_told(total.share, language) if known else phrase("inventory_report.given_up"),
+            best=best,
+        )
+    ]
+    if total.share_out is not None:
+        lines.append(
+            say(
+                "inventory_report.printed_inside",
+                language,
+                event=event,
+                pieces=pieces_counted(total.filled),
+                share=share_told(total.share_out, language),
+                best=share_told(total.share_out_best, language),
+            )
+        )
+    return lines
